@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Flags of our own code, as one interface target that every room links.
+add_library(mes_options INTERFACE)
+target_include_directories(mes_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(mes_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Werror
+  -ffp-contract=off)
+target_compile_definitions(mes_options INTERFACE MESECINA_VERSION="${PROJECT_VERSION}")
+
+# Predicates rely on plain IEEE doubles; release must not carry CGAL's own checks.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG -DCGAL_NDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+
+if(MESECINA_SANITIZE)
+  add_compile_options(-fsanitize=${MESECINA_SANITIZE} -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${MESECINA_SANITIZE})
+  if(MESECINA_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize-recover=undefined)
+  endif()
+endif()

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a layer can draw. One instance is `doubles_per(kind)` coordinates followed by one scalar:
+//
+//   point     x y            | s        segment   x1 y1 x2 y2          | s
+//   disk      x y r          | s        ray       x y dx dy            | s   from (x, y) towards (dx, dy)
+//   circle    x y r          | s        line      x y dx dy            | s   through (x, y), both ways
+//                                       triangle  x1 y1 x2 y2 x3 y3    | s
+//
+// Coordinates are in the units of the document; all are finite. Directions of rays and lines are
+// not zero and need not be of unit length. The scalar feeds colour maps; layers without one give 0.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace mes {
+
+enum class PrimitiveKind : std::uint8_t { point, disk, circle, segment, ray, line, triangle };
+inline constexpr std::size_t kPrimitiveKinds = 7;
+inline constexpr std::array<PrimitiveKind, kPrimitiveKinds> kAllPrimitiveKinds{
+    PrimitiveKind::point, PrimitiveKind::disk, PrimitiveKind::circle,  PrimitiveKind::segment,
+    PrimitiveKind::ray,   PrimitiveKind::line, PrimitiveKind::triangle};
+
+/// Coordinates of one instance, without the scalar.
+constexpr std::size_t doubles_per(PrimitiveKind kind) {
+  constexpr std::array<std::size_t, kPrimitiveKinds> counts{2, 3, 3, 4, 4, 4, 6};
+  return counts[static_cast<std::size_t>(kind)];
+}
+
+/// Doubles of one instance in a patch: its coordinates and its scalar.
+constexpr std::size_t stride_of(PrimitiveKind kind) {
+  return doubles_per(kind) + 1;
+}
+
+/// Singular, lower case: "point", "disk", ...
+constexpr std::string_view name_of(PrimitiveKind kind) {
+  constexpr std::array<std::string_view, kPrimitiveKinds> names{"point", "disk", "circle",  "segment",
+                                                                "ray",   "line", "triangle"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace mes

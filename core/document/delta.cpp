@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/delta.h"
+
+#include <utility>
+
+namespace mes {
+
+DocumentDelta DocumentDelta::inverted() const {
+  DocumentDelta out = *this;
+  std::swap(out.from_revision, out.to_revision);
+  std::swap(out.before, out.after);
+  std::swap(out.curve_before, out.curve_after);
+  out.edits.assign(edits.rbegin(), edits.rend());
+  for (SampleEdit& edit : out.edits) {
+    std::swap(edit.from, edit.to);
+    if (edit.kind == SampleEdit::Kind::insert) {
+      edit.kind = SampleEdit::Kind::remove;
+    } else if (edit.kind == SampleEdit::Kind::remove) {
+      edit.kind = SampleEdit::Kind::insert;
+    }
+  }
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The change from one document state to another: what the engine, history and journal live on.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/slot.h"
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// Known curves through the samples, from a file or a generator. Ids that are no longer alive are
+/// skipped by whoever reads it, so removing a sample and undoing that needs no change here.
+struct CurveOrder {
+  struct Contour {
+    bool closed = true;
+    std::vector<SampleId> samples;
+    friend bool operator==(const Contour&, const Contour&) = default;
+  };
+  std::vector<Contour> contours;
+  friend bool operator==(const CurveOrder&, const CurveOrder&) = default;
+};
+
+struct SampleEdit {
+  enum class Kind : std::uint8_t { insert, remove, move };
+  Kind kind = Kind::insert;
+  SampleId id;
+  Slot slot = kNoSlot;  ///< row of the sample; rows of removed samples are used again
+  Vec2 from;            ///< before (remove, move)
+  Vec2 to;              ///< after (insert, move)
+};
+
+/// A whole set of samples at once, by slot. Shared, never modified after it is made.
+struct SampleSnapshot {
+  std::vector<Vec2> position;  ///< by slot; dead rows hold (0, 0)
+  std::vector<SampleId> id;    ///< by slot; invalid in dead rows
+  std::vector<Slot> free_slots;
+};
+
+/// Applied in order. Either `edits`, or a replacement of everything when `after` is set.
+struct DocumentDelta {
+  std::uint64_t from_revision = 0;
+  std::uint64_t to_revision = 0;
+  std::vector<SampleEdit> edits;
+  std::shared_ptr<const SampleSnapshot> before;  ///< set together with `after`
+  std::shared_ptr<const SampleSnapshot> after;
+  std::shared_ptr<const CurveOrder> curve_before;  ///< equal to `curve_after` when the order does not change
+  std::shared_ptr<const CurveOrder> curve_after;
+
+  bool replaces_all() const { return after != nullptr; }
+  bool is_empty() const { return !replaces_all() && edits.empty() && curve_before == curve_after; }
+  /// The delta that undoes this one.
+  DocumentDelta inverted() const;
+};
+
+}  // namespace mes

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/history.h"
+
+#include <utility>
+
+#include "core/base/assert.h"
+
+namespace mes {
+
+// Two deltas that move the same samples in the same order are one delta.
+bool History::merge_moves(DocumentDelta& earlier, const DocumentDelta& later) {
+  if (earlier.replaces_all() || later.replaces_all()) return false;
+  if (earlier.curve_after != later.curve_after || earlier.curve_before != later.curve_before) return false;
+  if (earlier.edits.size() != later.edits.size() || earlier.edits.empty()) return false;
+  for (std::size_t i = 0; i < earlier.edits.size(); ++i) {
+    const SampleEdit& a = earlier.edits[i];
+    const SampleEdit& b = later.edits[i];
+    if (a.kind != SampleEdit::Kind::move || b.kind != SampleEdit::Kind::move || a.id != b.id) return false;
+  }
+  for (std::size_t i = 0; i < earlier.edits.size(); ++i) earlier.edits[i].to = later.edits[i].to;
+  earlier.to_revision = later.to_revision;
+  return true;
+}
+
+void History::begin_gesture(std::string name) {
+  MES_ASSERT(!gesture_open_);
+  gesture_open_ = true;
+  gesture_ = Step{std::move(name), {}};
+}
+
+void History::record(const DocumentDelta& delta, const std::string& name) {
+  if (delta.is_empty()) return;
+  steps_.resize(position_);
+  if (!gesture_open_) {
+    steps_.push_back({name, {delta}});
+    ++position_;
+    return;
+  }
+  if (gesture_.deltas.empty() || !merge_moves(gesture_.deltas.back(), delta)) gesture_.deltas.push_back(delta);
+}
+
+void History::end_gesture() {
+  MES_ASSERT(gesture_open_);
+  gesture_open_ = false;
+  if (gesture_.deltas.empty()) return;
+  steps_.resize(position_);
+  steps_.push_back(std::move(gesture_));
+  ++position_;
+}
+
+std::vector<DocumentDelta> History::undo() {
+  if (!can_undo()) return {};
+  const Step& step = steps_[--position_];
+  std::vector<DocumentDelta> out;
+  out.reserve(step.deltas.size());
+  for (auto delta = step.deltas.rbegin(); delta != step.deltas.rend(); ++delta) out.push_back(delta->inverted());
+  return out;
+}
+
+std::vector<DocumentDelta> History::redo() {
+  if (!can_redo()) return {};
+  return steps_[position_++].deltas;
+}
+
+void History::clear() {
+  steps_.clear();
+  position_ = 0;
+  gesture_open_ = false;
+  gesture_ = {};
+}
+
+}  // namespace mes

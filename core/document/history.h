@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unlimited undo and redo. One gesture, however many deltas it made, is one step.
+//
+// Smallest use:
+//     history.begin_gesture("Move samples");
+//     ... document.apply(delta); history.record(delta);  (once or often)
+//     history.end_gesture();
+//     for (const DocumentDelta& delta : history.undo()) document.apply(delta);
+//
+// Moves of the same samples within one gesture are merged, so that an hour of dragging costs one step's memory.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/document/delta.h"
+
+namespace mes {
+
+class History {
+ public:
+  /// Deltas recorded until `end_gesture` form one step called `name`. Gestures do not nest.
+  void begin_gesture(std::string name);
+  void end_gesture();
+  bool in_gesture() const { return gesture_open_; }
+  /// Notes an applied delta; outside a gesture it is a step of its own. Forgets what could be redone.
+  void record(const DocumentDelta& delta, const std::string& name = {});
+
+  bool can_undo() const { return position_ > 0 && !gesture_open_; }
+  bool can_redo() const { return position_ < steps_.size() && !gesture_open_; }
+  /// Name of the step that undo (redo) would take; empty when there is none.
+  std::string undo_name() const { return can_undo() ? steps_[position_ - 1].name : std::string(); }
+  std::string redo_name() const { return can_redo() ? steps_[position_].name : std::string(); }
+  /// Deltas to apply, in order. Empty when there is nothing to undo (redo).
+  std::vector<DocumentDelta> undo();
+  std::vector<DocumentDelta> redo();
+  std::size_t step_count() const { return steps_.size(); }
+  /// Number of steps done and not undone; equal numbers after equal work mean "unchanged since".
+  std::size_t position() const { return position_; }
+  void clear();
+
+ private:
+  struct Step {
+    std::string name;
+    std::vector<DocumentDelta> deltas;
+  };
+  static bool merge_moves(DocumentDelta& earlier, const DocumentDelta& later);
+
+  std::vector<Step> steps_;
+  std::size_t position_ = 0;
+  bool gesture_open_ = false;
+  Step gesture_;
+};
+
+}  // namespace mes

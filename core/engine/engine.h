@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The geometry engine on its own thread: takes document deltas and the set of wanted layers, gives back patches.
+//
+// What it guarantees:
+//  1. No call but `sync` ever waits for a computation.
+//  2. Deltas are applied in the order of `post`. Several pending ones are computed as one step: the newest state
+//  wins.
+//  3. Patches come out in order and each builds on the one before; none is skipped or shared.
+//  4. A structure that fails leaves its layers at their last good picture; the report says why.
+//  5. `cancel` ends the running computation within a fraction of a second; what it had to do stays pending until
+//     the next `post`, `set_demand` or `resume`.
+//
+// Smallest use:
+//     Engine engine({});
+//     engine.set_demand({find_layer("medial-axis")});
+//     engine.post(std::make_shared<const DocumentDelta>(delta));
+//     while (auto patch = engine.sync()) { scene.apply(*patch); engine.recycle(std::move(patch)); }
+//
+// Threads: all methods may be called from one other thread (the window's). `wake` is called from the engine's thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/document/delta.h"
+#include "core/graph/patch.h"
+
+namespace mes {
+
+struct EngineStatus {
+  bool busy = false;       ///< something is being computed or waits to be
+  bool cancelled = false;  ///< work is pending after `cancel`
+  std::string task;        ///< public id of the structure or layer at work; empty when idle
+  double progress = 0.0;   ///< of that task, in [0, 1]; 0 when unknown
+  double busy_ms = 0.0;    ///< since the running computation began
+};
+
+class Engine {
+ public:
+  struct Options {
+    std::function<void()> wake;  ///< a patch is ready or the status changed; must be quick and must not throw
+  };
+
+  explicit Engine(Options options);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  void post(std::shared_ptr<const DocumentDelta> delta);
+  /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
+  void set_demand(std::vector<LayerIndex> layers);
+  /// The next patches carry `NodeReport::stats`; O(n) for some structures, so only while they are looked at.
+  void set_want_statistics(bool wanted);
+  void cancel();
+  void resume();
+
+  /// The next finished patch, or null. Never waits.
+  std::unique_ptr<FramePatch> poll();
+  /// Waits until everything posted is computed, then as `poll`; null when all patches have been taken.
+  std::unique_ptr<FramePatch> sync();
+  /// Gives a patch's memory back for the next one.
+  void recycle(std::unique_ptr<FramePatch> patch);
+  EngineStatus status() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mes

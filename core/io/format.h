@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading and writing of sample files, whatever their format.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/document/commands.h"
+
+namespace mes {
+
+/// What a file held.
+struct LoadedFile {
+  SampleData data;
+  std::string format;                 ///< id of the format it was read as
+  std::vector<std::string> warnings;  ///< one line each, already with file, line and column
+};
+
+struct FormatDescriptor {
+  std::string_view id;                       ///< public name, kebab case
+  std::string_view name;                     ///< as shown
+  std::vector<std::string_view> extensions;  ///< with the dot, lower case
+  bool can_read = false;
+  bool can_write = false;
+};
+
+/// Every format, in the order in which contents are tried.
+std::span<const FormatDescriptor> format_descriptors();
+
+/// Reads a file; the format is found by content first, extension second, unless `format` names one. A `.contours` file
+/// beside a POFF file is read too. Never allocates by what a header promises. Error: `bad_input` with file, line, column.
+Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {});
+
+/// The same for bytes in memory; `name` stands for the file in messages.
+Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {});
+
+/// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
+std::string write_poff(const Document& document);
+
+}  // namespace mes
