@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Large seeded inputs for benchmarks and random edit scripts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/vec2.h"
+
+namespace mes::test {
+
+/// The smooth closed curve r(t) = 200 (1 + 0.3 cos 5t + 0.05 cos 37t) at `n` equal steps of t, each jittered by up to
+/// a quarter step; in curve order. Crust of degree 2 from n = 1000 on.
+std::vector<Vec2> benchmark_curve(std::size_t n, std::uint64_t seed = 1);
+
+/// The same with flaws: every sample leaves the curve by up to 5 % of a step, and one in a hundred by one to three
+/// steps, a corner sharper than the sampling can follow. Some samples have odd crust degree.
+std::vector<Vec2> rough_curve(std::size_t n, std::uint64_t seed = 1);
+
+/// The same curve under noise of up to one step in each coordinate: many odd samples, all along the curve.
+std::vector<Vec2> noisy_curve(std::size_t n, std::uint64_t seed = 1);
+
+/// Uniform in the square [0, 400)^2: no curve at all, odd samples everywhere.
+std::vector<Vec2> uniform_square(std::size_t n, std::uint64_t seed = 1);
+
+/// `n` draws from about n / 4 places of a coarse integer grid: duplicates, collinear and cocircular quadruples
+/// abound.
+std::vector<Vec2> duplicate_heavy(std::size_t n, std::uint64_t seed = 1);
+
+}  // namespace mes::test
