@@ -19,17 +19,17 @@ enum class LayerGroup : std::uint8_t { samples, delaunay_voronoi, crust_axis, di
 std::string_view title_of(LayerGroup group);
 
 struct LayerDescriptor {
-  std::string_view id;       ///< public name, kebab case
-  std::string_view name;     ///< as shown
-  std::string_view tooltip;  ///< one sentence, no full stop
+  std::string_view id{};       ///< public name, kebab case
+  std::string_view name{};     ///< as shown
+  std::string_view tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
   bool in_paper = false;   ///< one of the 41 layers of the 2007 paper
   bool in_fit_box = true;  ///< counts for "fit to view"
   bool visible_at_start = false;
-  std::string_view scalar;                   ///< what the scalar of an instance means; empty = none
-  LayerStyle style;                          ///< the default
-  std::vector<PrimitiveKind> kinds;          ///< what it may emit, in drawing order (first = bottom)
-  std::vector<std::string_view> structures;  ///< ids of the structures it reads
+  std::string_view scalar{};                   ///< what the scalar of an instance means; empty = none
+  LayerStyle style{};                          ///< the default
+  std::vector<PrimitiveKind> kinds{};          ///< what it may emit, in drawing order (first = bottom)
+  std::vector<std::string_view> structures{};  ///< ids of the structures it reads
 };
 
 /// Every layer, in default stacking order: first = bottom.

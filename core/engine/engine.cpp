@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/engine/engine.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "core/graph/graph.h"
+
+namespace mes {
+
+struct Engine::Impl {
+  explicit Impl(Options given) : options(std::move(given)) {
+    graph.set_on_task([this](std::string_view id) {
+      const std::lock_guard lock(mutex);
+      status.task = id;
+    });
+    thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  }
+  ~Impl() {
+    {
+      const std::lock_guard lock(mutex);
+      stopping = true;
+      job_stop.request_stop();
+    }
+    thread.request_stop();
+    work_there.notify_all();
+  }
+
+  bool has_work() const {
+    return !deltas.empty() || demand_changed || want_statistics != has_statistics || unfinished;
+  }
+
+  void work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    for (;;) {
+      work_there.wait(lock, [&] { return stop.stop_requested() || (has_work() && !status.cancelled); });
+      if (stop.stop_requested()) return;
+      for (auto& delta : deltas) graph.post(std::move(delta));
+      deltas.clear();
+      if (demand_changed) graph.set_demand(demand);
+      demand_changed = false;
+      graph.set_want_statistics(want_statistics);
+      has_statistics = want_statistics;
+      unfinished = false;
+      job_stop = std::stop_source();
+      if (stopping) job_stop.request_stop();
+      job.set_token(job_stop.get_token());
+      status.busy = true;
+      started = std::chrono::steady_clock::now();
+      std::unique_ptr<FramePatch> patch = take_spare();
+      lock.unlock();
+      wake();
+
+      graph.run(*patch, job);
+
+      lock.lock();
+      if (!patch->complete) unfinished = true;
+      finished.push_back(std::move(patch));
+      status.busy = false;
+      status.task.clear();
+      idle.notify_all();
+      lock.unlock();
+      wake();
+      lock.lock();
+    }
+  }
+
+  std::unique_ptr<FramePatch> take_spare() {
+    if (spare.empty()) return std::make_unique<FramePatch>();
+    auto patch = std::move(spare.back());
+    spare.pop_back();
+    return patch;
+  }
+
+  std::unique_ptr<FramePatch> take_finished() {
+    if (finished.empty()) return nullptr;
+    auto patch = std::move(finished.front());
+    finished.pop_front();
+    return patch;
+  }
+
+  void wake() {
+    if (options.wake) options.wake();
+  }
+
+  Options options;
+  Graph graph;  // touched by the engine's thread only
+  JobControl job;
+  mutable std::mutex mutex;
+  std::condition_variable work_there;
+  std::condition_variable idle;
+  std::vector<std::shared_ptr<const DocumentDelta>> deltas;
+  std::vector<LayerIndex> demand;
+  bool demand_changed = false;
+  bool want_statistics = false;
+  bool has_statistics = false;
+  bool unfinished = false;
+  bool stopping = false;
+  std::stop_source job_stop;
+  EngineStatus status;
+  std::chrono::steady_clock::time_point started;
+  std::deque<std::unique_ptr<FramePatch>> finished;
+  std::vector<std::unique_ptr<FramePatch>> spare;
+  std::jthread thread;  // last: it must be gone before what it uses
+};
+
+Engine::Engine(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+Engine::~Engine() = default;
+
+void Engine::post(std::shared_ptr<const DocumentDelta> delta) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    // What is being computed is superseded when everything is replaced.
+    if (delta->replaces_all()) impl_->job_stop.request_stop();
+    impl_->deltas.push_back(std::move(delta));
+    impl_->status.cancelled = false;
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::set_demand(std::vector<LayerIndex> layers) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->demand = std::move(layers);
+    impl_->demand_changed = true;
+    impl_->status.cancelled = false;
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::set_want_statistics(bool wanted) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->want_statistics = wanted;
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::cancel() {
+  const std::lock_guard lock(impl_->mutex);
+  if (!impl_->status.busy && !impl_->has_work()) return;
+  impl_->status.cancelled = true;
+  impl_->job_stop.request_stop();
+  impl_->idle.notify_all();
+}
+
+void Engine::resume() {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->status.cancelled = false;
+  }
+  impl_->work_there.notify_one();
+}
+
+std::unique_ptr<FramePatch> Engine::poll() {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->take_finished();
+}
+
+std::unique_ptr<FramePatch> Engine::sync() {
+  std::unique_lock lock(impl_->mutex);
+  impl_->idle.wait(lock, [this] { return !impl_->status.busy && (!impl_->has_work() || impl_->status.cancelled); });
+  return impl_->take_finished();
+}
+
+void Engine::recycle(std::unique_ptr<FramePatch> patch) {
+  constexpr std::size_t kKept = 3;
+  const std::lock_guard lock(impl_->mutex);
+  if (patch && impl_->spare.size() < kKept) impl_->spare.push_back(std::move(patch));
+}
+
+EngineStatus Engine::status() const {
+  const std::lock_guard lock(impl_->mutex);
+  EngineStatus out = impl_->status;
+  out.progress = impl_->job.progress();
+  if (out.busy) {
+    out.busy_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - impl_->started).count();
+  }
+  out.busy = out.busy || (impl_->has_work() && !out.cancelled);
+  return out;
+}
+
+}  // namespace mes

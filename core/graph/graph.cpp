@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graph/graph.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+
+namespace mes {
+
+Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Samples>()) {
+  const auto position_of = [this](const Structure* structure) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (nodes_[i].structure == structure) return i;
+    assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
+  };
+  for (const auto& structure : structures_.all()) {
+    StructureNode node;
+    node.structure = structure.get();
+    for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
+    nodes_.push_back(std::move(node));
+  }
+  layers_ = make_layers(structures_);
+  for (const Layer& layer : layers_) {
+    LayerNode node;
+    for (const Structure* structure : layer.structures) node.structures.push_back(position_of(structure));
+    layer_nodes_.push_back(std::move(node));
+  }
+}
+
+void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
+  samples_.post(std::move(delta));
+  dirty_ = true;
+}
+
+void Graph::set_demand(std::span<const LayerIndex> layers) {
+  for (LayerNode& node : layer_nodes_) node.demanded = false;
+  for (const LayerIndex layer : layers) {
+    MES_ASSERT(layer < layer_nodes_.size());
+    layer_nodes_[layer].demanded = true;
+  }
+  for (LayerNode& node : layer_nodes_) {
+    if (node.demanded) continue;
+    node.sent = false;
+    node.state = NodeState::inactive;
+  }
+  demand_changed_ = true;
+  dirty_ = true;
+}
+
+void Graph::mark_needed() {
+  for (StructureNode& node : nodes_) node.needed = false;
+  nodes_.front().needed = true;
+  for (const LayerNode& layer : layer_nodes_) {
+    if (!layer.demanded) continue;
+    for (const std::size_t structure : layer.structures) nodes_[structure].needed = true;
+  }
+  // Inputs stand before their consumers.
+  for (std::size_t i = nodes_.size(); i-- > 0;)
+    if (nodes_[i].needed)
+      for (const std::size_t input : nodes_[i].inputs) nodes_[input].needed = true;
+  demand_changed_ = false;
+}
+
+double Graph::lap_ms() {
+  const std::int64_t now =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+          .count();
+  const double elapsed = 1e-6 * static_cast<double>(now - lap_ns_);
+  lap_ns_ = now;
+  return elapsed;
+}
+
+void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
+  bool inputs_changed = node.structure == &samples_ && (samples_.has_pending() || node.synced == 0);
+  bool may_update = node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
+  for (const std::size_t i : node.inputs) {
+    const StructureNode& input = nodes_[i];
+    if (input.state != NodeState::up_to_date) {
+      node.state = NodeState::blocked;
+      node.reason = std::string(input.structure->id()) + ": " + input.reason;
+      node.synced = 0;
+      return;
+    }
+    if (input.changed <= node.synced && node.synced != 0) continue;
+    inputs_changed = true;
+    may_update = may_update && input.rebuilt != run_;
+  }
+  if (!inputs_changed && (node.state == NodeState::up_to_date || node.state == NodeState::failed)) {
+    if (node.changed + 1 == run_) node.structure->clear_changes();
+    if (node.state == NodeState::up_to_date) node.synced = run_;
+    return;
+  }
+  compute(node, may_update, job);
+}
+
+void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
+  if (on_task_) on_task_(node.structure->id());
+  lap_ms();
+  node.state = NodeState::computing;
+  node.reason.clear();
+  node.witnesses.clear();
+  const auto fail = [&node](std::string reason) {
+    node.state = NodeState::failed;
+    node.reason = std::move(reason);
+  };
+  // Whatever goes wrong, the tables are worthless then: nothing may follow them until they are rebuilt.
+  node.synced = 0;
+  try {
+    node.last_was_rebuild = !(may_update && node.structure->update(job));
+    if (node.last_was_rebuild) {
+      node.structure->rebuild(job);
+      node.rebuilt = run_;
+    }
+    node.state = NodeState::up_to_date;
+    node.synced = run_;
+    node.touched = node.structure->touched();
+    if (node.last_was_rebuild || node.touched != 0) node.changed = run_;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const GeometryError& error) {
+    fail(error.what());
+    node.witnesses = error.witnesses;
+  } catch (const std::bad_alloc&) {
+    fail("out of memory");
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  node.ms = lap_ms();
+}
+
+// The frame in which the pictures are drawn follows the samples only when they leave it by far, because a new one
+// means that every instance is sent again.
+void Graph::follow_extent(FramePatch& out) {
+  const Box2& box = samples_.extent();
+  const bool replaced = nodes_.front().rebuilt == run_;
+  if (!box.is_empty()) {
+    const auto outside = [this](Vec2 p) {
+      const double reach = std::max(std::abs(p.x - frame_.origin.x), std::abs(p.y - frame_.origin.y)) * frame_.scale;
+      return !(reach < 0x1p20);
+    };
+    if (replaced || outside(box.low) || outside(box.high)) {
+      const double half = std::max({0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y});
+      DrawingFrame frame{box.center(), 1.0};
+      if (half > 0.0) frame.scale = std::ldexp(1.0, std::clamp(-std::ilogb(half), -1000, 1000));
+      if (frame != frame_) frame_changed_ = run_;
+      frame_ = frame;
+    }
+  }
+  out.frame = frame_;
+}
+
+LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
+  if (out.layers.size() <= out.layer_count) out.layers.emplace_back();
+  LayerPatch& patch = out.layers[out.layer_count++];
+  patch.layer = index;
+  for (KindPatch& kind : patch.kinds) {
+    kind.clear();
+    kind.count = 0;
+  }
+  return patch;
+}
+
+void Graph::withdraw(LayerIndex index, FramePatch& out) {
+  LayerPatch& patch = begin_patch(index, out);
+  for (const PrimitiveKind kind : layers_[index].descriptor.kinds) patch[kind].reset = true;
+  layer_nodes_[index].sent = false;
+}
+
+void Graph::emit(LayerIndex index, FramePatch& out) {
+  LayerNode& node = layer_nodes_[index];
+  bool changed = false;
+  bool may_update = node.sent && node.synced + 1 == run_ && frame_changed_ != run_;
+  for (const std::size_t i : node.structures) {
+    const StructureNode& input = nodes_[i];
+    if (input.state != NodeState::up_to_date) {
+      node.state = input.state;
+      node.reason = input.reason;
+      // The last good picture stays, unless it is in a frame that is gone.
+      if (node.sent && frame_changed_ == run_) withdraw(index, out);
+      return;
+    }
+    if (input.changed <= node.synced) continue;
+    changed = true;
+    may_update = may_update && input.rebuilt != run_;
+  }
+  node.state = NodeState::up_to_date;
+  node.reason.clear();
+  if (node.sent && !changed && frame_changed_ <= node.synced) {
+    node.synced = run_;
+    return;
+  }
+  if (on_task_) on_task_(layers_[index].descriptor.id);
+  LayerPatch& patch = begin_patch(index, out);
+  node.sent = false;
+  for (const auto& part : layers_[index].parts) {
+    if (may_update) {
+      part->update(patch);
+    } else {
+      part->reset(patch);
+    }
+  }
+  node.sent = true;
+  node.synced = run_;
+  if (patch.is_empty()) --out.layer_count;
+  node.ms = lap_ms();
+}
+
+void Graph::report(FramePatch& out) {
+  out.nodes.resize(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    StructureNode& node = nodes_[i];
+    NodeReport& report = out.nodes[i];
+    report.structure = node.structure->id();
+    report.state = node.needed ? node.state : NodeState::inactive;
+    report.reason = node.reason;
+    report.witnesses = node.witnesses;
+    report.update_ms = node.ms;
+    report.touched = node.changed == run_ ? node.touched : 0;
+    report.rebuilt = node.last_was_rebuild;
+    report.stats.clear();
+    if (!want_statistics_ || !node.needed || node.state != NodeState::up_to_date) continue;
+    if (node.stats_run < node.changed || node.stats.empty()) {
+      node.stats = node.structure->statistics();
+      node.stats_run = run_;
+    }
+    report.stats = node.stats;
+  }
+  out.reports.resize(layer_nodes_.size());
+  for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
+    const LayerNode& node = layer_nodes_[i];
+    LayerReport& report = out.reports[i];
+    report.layer = i;
+    report.state = node.state;
+    report.emit_ms = node.ms;
+    report.reason = node.reason;
+  }
+}
+
+bool Graph::run(FramePatch& out, JobControl& job) {
+  ++run_;
+  dirty_ = false;
+  out.layer_count = 0;
+  out.complete = true;
+  if (demand_changed_) mark_needed();
+  try {
+    for (StructureNode& node : nodes_) {
+      if (!node.needed) continue;
+      job.reset_progress();
+      bring_up_to_date(node, job);
+    }
+    follow_extent(out);
+    lap_ms();
+    for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
+      if (!layer_nodes_[i].demanded) continue;
+      job.checkpoint();
+      emit(i, out);
+    }
+  } catch (const Cancelled&) {
+    out.complete = false;
+    dirty_ = true;
+  }
+  out.frame = frame_;
+  out.document_revision = samples_.document_revision();
+  report(out);
+  return out.complete;
+}
+
+}  // namespace mes

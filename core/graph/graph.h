@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The geometry graph: structures and layers, brought up to date on demand.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/graph/layer.h"
+#include "core/graph/patch.h"
+#include "core/structures/samples.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. After a complete `run`, every demanded layer shows the document state of the last posted delta.
+///  2. A structure is computed only if a demanded layer needs it, and follows an edit locally when it was up to date
+///  in
+///     the run before; otherwise it is rebuilt. Nothing is computed twice in a run, nothing at all when nothing
+///     changed.
+///  3. A structure that throws is *failed*: it and what depends on it keep their last patches, and are rebuilt in the
+///  next
+///     run in which their inputs change.
+///
+/// Smallest use:
+///     Graph graph;
+///     graph.set_demand({find_layer("medial-axis")});
+///     graph.post(delta);
+///     FramePatch patch;
+///     JobControl job;
+///     graph.run(patch, job);
+///
+/// Threads: none inside; `Engine` runs it on its own.
+class Graph {
+ public:
+  Graph();
+
+  void post(std::shared_ptr<const DocumentDelta> delta);
+  void set_demand(std::span<const LayerIndex> layers);
+  void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
+  /// Something was posted or demanded that `run` has not seen.
+  bool is_dirty() const { return dirty_; }
+  /// Brings all demanded layers up to date and writes what changed. False when cancelled; the next run goes on.
+  bool run(FramePatch& out, JobControl& job);
+  /// Called with the public id of each structure or layer before it is worked on.
+  void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
+
+  const StructureSet& structures() const { return structures_; }
+
+ private:
+  struct StructureNode {
+    Structure* structure = nullptr;
+    std::vector<std::size_t> inputs;
+    bool needed = false;
+    NodeState state = NodeState::inactive;
+    std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
+    std::uint64_t changed = 0;  ///< run in which its tables last changed
+    std::uint64_t rebuilt = 0;  ///< run in which they were last rebuilt
+    bool last_was_rebuild = false;
+    double ms = 0.0;
+    std::uint64_t touched = 0;
+    std::string reason;
+    std::vector<SampleId> witnesses;
+    StatList stats;
+    std::uint64_t stats_run = 0;
+  };
+  struct LayerNode {
+    std::vector<std::size_t> structures;
+    bool demanded = false;
+    bool sent = false;  ///< the consumer holds its instances
+    NodeState state = NodeState::inactive;
+    std::uint64_t synced = 0;
+    double ms = 0.0;
+    std::string reason;
+  };
+
+  void mark_needed();
+  void bring_up_to_date(StructureNode& node, JobControl& job);
+  void compute(StructureNode& node, bool may_update, JobControl& job);
+  LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
+  void withdraw(LayerIndex index, FramePatch& out);
+  void emit(LayerIndex index, FramePatch& out);
+  void follow_extent(FramePatch& out);
+  void report(FramePatch& out);
+  double lap_ms();
+
+  StructureSet structures_;
+  Samples& samples_;
+  std::vector<StructureNode> nodes_;
+  std::vector<Layer> layers_;
+  std::vector<LayerNode> layer_nodes_;
+  DrawingFrame frame_;
+  std::uint64_t frame_changed_ = 0;
+  std::uint64_t run_ = 0;
+  bool dirty_ = false;
+  bool demand_changed_ = true;
+  bool want_statistics_ = false;
+  std::int64_t lap_ns_ = 0;
+  std::function<void(std::string_view)> on_task_;
+};
+
+}  // namespace mes

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A layer: a pure function from the rows of a table to primitives, and the bookkeeping that turns change sets into
+// patches.
+//
+// A layer file (core/layers/*.cpp) gives one function `Layer make_xyz_layer(const StructureSet&)`. The emitter looks
+// at one row and fills in at most one primitive; which instance of the drawing buffer that becomes is not its
+// business:
+//
+//     return Layer({.id = "curve", ...}, {&delaunay, &crust},
+//                  rows_of_edges(delaunay, delaunay.edge_changes(), [&](Slot edge, Instance& out) {
+//                    if (crust.is_crust(edge)) out.segment(...);
+//                  }));
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/graph/patch.h"
+#include "core/graph/structure.h"
+
+namespace mes {
+
+/// What an emitter fills in. Coordinates that are not finite make nothing: such a primitive cannot be drawn.
+class Instance {
+ public:
+  void point(Vec2 p, double scalar = 0.0) { set(PrimitiveKind::point, {p.x, p.y, scalar}); }
+  void disk(Vec2 c, double r, double scalar = 0.0) { set(PrimitiveKind::disk, {c.x, c.y, r, scalar}); }
+  void circle(Vec2 c, double r, double scalar = 0.0) { set(PrimitiveKind::circle, {c.x, c.y, r, scalar}); }
+  void segment(Vec2 a, Vec2 b, double scalar = 0.0) { set(PrimitiveKind::segment, {a.x, a.y, b.x, b.y, scalar}); }
+  void ray(Vec2 from, Vec2 towards, double scalar = 0.0) {
+    set(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y, scalar});
+  }
+  void line(Vec2 through, Vec2 direction, double scalar = 0.0) {
+    set(PrimitiveKind::line, {through.x, through.y, direction.x, direction.y, scalar});
+  }
+  void triangle(Vec2 a, Vec2 b, Vec2 c, double scalar = 0.0) {
+    set(PrimitiveKind::triangle, {a.x, a.y, b.x, b.y, c.x, c.y, scalar});
+  }
+
+  bool is_set() const { return is_set_; }
+  PrimitiveKind kind() const { return kind_; }
+  const double* begin() const { return values_.data(); }
+  const double* end() const { return values_.data() + stride_of(kind_); }
+  void clear() { is_set_ = false; }
+
+ private:
+  template <std::size_t N>
+  void set(PrimitiveKind kind, const double (&values)[N]) {
+    // One sum instead of many tests: it is finite unless a term is not (or the terms are beyond any drawing).
+    double sum = 0.0;
+    for (std::size_t i = 0; i < N; ++i) {
+      values_[i] = values[i];
+      sum += std::abs(values[i]) * 0x1p-8;
+    }
+    kind_ = kind;
+    is_set_ = std::isfinite(sum);
+  }
+  std::array<double, 7> values_{};
+  PrimitiveKind kind_ = PrimitiveKind::point;
+  bool is_set_ = false;
+};
+
+/// Where the primitives of a table's rows stand in the drawing buffers of one layer.
+///
+/// Instances of a kind are numbered without gaps. A row that stops drawing leaves a hole, which the next newcomer
+/// takes; holes left at the end are filled with the last instances, whose rows are emitted again for that.
+class LayerPart {
+ public:
+  virtual ~LayerPart() = default;
+  /// Emits every row.
+  virtual void reset(LayerPatch& patch) = 0;
+  /// Emits the rows of the change set.
+  virtual void update(LayerPatch& patch) = 0;
+};
+
+class InstancePlaces {
+ public:
+  void reset(std::size_t rows) {
+    place_.assign(rows, kNoPlace);
+    for (auto& rows_of_kind : row_at_) rows_of_kind.clear();
+  }
+  /// Bulk emission: the row's instance is the next of its kind.
+  void append(Slot row, const Instance& instance, LayerPatch& patch) {
+    auto& rows = row_at_[index_of(instance.kind())];
+    place_[row] = encode(instance.kind(), static_cast<std::uint32_t>(rows.size()));
+    rows.push_back(row);
+    auto& data = patch[instance.kind()].data;
+    data.insert(data.end(), instance.begin(), instance.end());
+  }
+  void grow(std::size_t rows) {
+    if (place_.size() < rows) place_.resize(rows, kNoPlace);
+  }
+  /// The row draws nothing any more.
+  void withdraw(Slot row) {
+    const std::uint32_t place = place_[row];
+    if (place == kNoPlace) return;
+    const std::size_t kind = place >> kIndexBits;
+    const std::uint32_t index = place & kIndexMask;
+    row_at_[kind][index] = kNoSlot;
+    holes_[kind].push_back(index);
+    place_[row] = kNoPlace;
+  }
+  void put(Slot row, const Instance& instance, LayerPatch& patch) {
+    const std::size_t kind = index_of(instance.kind());
+    if (place_[row] != kNoPlace && place_[row] >> kIndexBits != kind) withdraw(row);
+    if (place_[row] == kNoPlace) {
+      auto& rows = row_at_[kind];
+      std::uint32_t index = static_cast<std::uint32_t>(rows.size());
+      if (holes_[kind].empty()) {
+        rows.push_back(row);
+      } else {
+        index = holes_[kind].back();
+        holes_[kind].pop_back();
+        rows[index] = row;
+      }
+      place_[row] = encode(instance.kind(), index);
+    }
+    write(place_[row] & kIndexMask, instance, patch);
+  }
+  /// Closes the holes of the given kinds; `emit(row, instance)` is asked for rows that move.
+  template <class Emit>
+  void close_holes(const std::vector<PrimitiveKind>& kinds, LayerPatch& patch, Emit emit) {
+    for (const PrimitiveKind kind : kinds) {
+      auto& holes = holes_[index_of(kind)];
+      auto& rows = row_at_[index_of(kind)];
+      const auto drop_tail = [&rows] {
+        while (!rows.empty() && rows.back() == kNoSlot) rows.pop_back();
+      };
+      while (!holes.empty()) {
+        drop_tail();
+        const std::uint32_t hole = holes.back();
+        holes.pop_back();
+        if (hole >= rows.size()) continue;
+        const Slot row = rows.back();
+        rows.pop_back();
+        rows[hole] = row;
+        place_[row] = encode(kind, hole);
+        Instance instance;
+        emit(row, instance);
+        MES_ASSERT(instance.is_set() && instance.kind() == kind);
+        write(hole, instance, patch);
+      }
+      drop_tail();
+      KindPatch& out = patch[kind];
+      out.count_changed = out.count_changed || out.count != rows.size();
+      out.count = static_cast<std::uint32_t>(rows.size());
+    }
+  }
+  std::uint32_t count(PrimitiveKind kind) const { return static_cast<std::uint32_t>(row_at_[index_of(kind)].size()); }
+
+ private:
+  static constexpr std::uint32_t kNoPlace = 0xffffffffU;
+  static constexpr unsigned kIndexBits = 29;
+  static constexpr std::uint32_t kIndexMask = (1U << kIndexBits) - 1U;
+  static std::size_t index_of(PrimitiveKind kind) { return static_cast<std::size_t>(kind); }
+  static std::uint32_t encode(PrimitiveKind kind, std::uint32_t index) {
+    return (static_cast<std::uint32_t>(kind) << kIndexBits) | index;
+  }
+  void write(std::uint32_t index, const Instance& instance, LayerPatch& patch) {
+    KindPatch& out = patch[instance.kind()];
+    out.index.push_back(index);
+    out.data.insert(out.data.end(), instance.begin(), instance.end());
+  }
+
+  std::vector<std::uint32_t> place_;  // by row: kind and index
+  std::array<std::vector<Slot>, kPrimitiveKinds> row_at_;
+  std::array<std::vector<std::uint32_t>, kPrimitiveKinds> holes_;
+};
+
+/// `RowCount()` gives the number of rows, `Emit(row, instance)` looks at one, dead or alive.
+template <class RowCount, class Emit>
+class TablePart final : public LayerPart {
+ public:
+  TablePart(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes, Emit emit)
+      : kinds_(std::move(kinds)), rows_(rows), changes_(changes), emit_(emit) {}
+
+  void reset(LayerPatch& patch) override {
+    const std::size_t rows = rows_();
+    places_.reset(rows);
+    for (const PrimitiveKind kind : kinds_) {
+      patch[kind].clear();
+      patch[kind].reset = true;
+    }
+    Instance instance;
+    for (std::size_t row = 0; row < rows; ++row) {
+      instance.clear();
+      emit_(static_cast<Slot>(row), instance);
+      if (instance.is_set()) places_.append(static_cast<Slot>(row), instance, patch);
+    }
+    for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
+  }
+
+  void update(LayerPatch& patch) override {
+    places_.grow(rows_());
+    for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
+    for (const Slot row : changes_.removed) places_.withdraw(row);
+    Instance instance;
+    for (const Slot row : changes_.touched) {
+      instance.clear();
+      emit_(row, instance);
+      if (instance.is_set()) {
+        places_.put(row, instance, patch);
+      } else {
+        places_.withdraw(row);
+      }
+    }
+    places_.close_holes(kinds_, patch, emit_);
+  }
+
+ private:
+  std::vector<PrimitiveKind> kinds_;
+  RowCount rows_;
+  const ChangeSet& changes_;
+  Emit emit_;
+  InstancePlaces places_;
+};
+
+/// Part of a layer over one table. Each kind of a layer belongs to one part.
+template <class RowCount, class Emit>
+std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes,
+                                      Emit emit) {
+  return std::make_unique<TablePart<RowCount, Emit>>(std::move(kinds), rows, changes, emit);
+}
+
+struct Layer {
+  LayerDescriptor descriptor;
+  std::vector<const Structure*> structures;  ///< what the parts read
+  std::vector<std::unique_ptr<LayerPart>> parts;
+};
+
+/// Every layer over the given structures, in the order of core/layers/CMakeLists.txt: bottom first.
+std::vector<Layer> make_layers(const StructureSet& structures);
+
+}  // namespace mes

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graph/layer_mirror.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/assert.h"
+
+namespace mes {
+namespace {
+
+void check_instance(PrimitiveKind kind, std::span<const double> values) {
+  for (const double value : values) MES_ASSERT(std::isfinite(value));
+  switch (kind) {
+    case PrimitiveKind::disk:
+    case PrimitiveKind::circle: MES_ASSERT(values[2] >= 0.0); break;
+    case PrimitiveKind::ray:
+    case PrimitiveKind::line: MES_ASSERT(values[2] != 0.0 || values[3] != 0.0); break;
+    case PrimitiveKind::point:
+    case PrimitiveKind::segment:
+    case PrimitiveKind::triangle: break;
+  }
+}
+
+}  // namespace
+
+void LayerMirror::apply(const FramePatch& patch) {
+  MES_ASSERT(patch.layer_count <= patch.layers.size());
+  for (const LayerPatch& layer : std::span(patch.layers).first(patch.layer_count)) {
+    if (layers_.size() <= layer.layer) layers_.resize(layer.layer + std::size_t{1});
+    for (const PrimitiveKind kind : kAllPrimitiveKinds) {
+      std::vector<double>& instances = layers_[layer.layer][static_cast<std::size_t>(kind)];
+      if (layer[kind].is_empty()) {
+        MES_ASSERT(layer[kind].count == instances.size() / stride_of(kind));
+      } else {
+        apply(layer[kind], kind, instances);
+      }
+    }
+  }
+  frame_ = patch.frame;
+  document_revision_ = patch.document_revision;
+}
+
+void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, std::vector<double>& instances) {
+  const std::size_t stride = stride_of(kind);
+  const std::size_t size = patch.count * stride;
+  const std::span<const double> data = patch.data;
+  if (patch.reset) {
+    MES_ASSERT(patch.index.empty());
+    MES_ASSERT(data.size() == size);
+    for (std::size_t at = 0; at < size; at += stride) check_instance(kind, data.subspan(at, stride));
+    instances = patch.data;
+    return;
+  }
+  MES_ASSERT(data.size() == patch.index.size() * stride);
+  const std::size_t known = instances.size() / stride;
+  std::size_t missing = patch.count > known ? patch.count - known : 0;
+  written_.assign(missing, false);
+  instances.resize(size);
+  for (std::size_t i = 0; i < patch.index.size(); ++i) {
+    const std::size_t instance = patch.index[i];
+    MES_ASSERT(instance < patch.count);
+    check_instance(kind, data.subspan(i * stride, stride));
+    std::ranges::copy(data.subspan(i * stride, stride),
+                      instances.begin() + static_cast<std::ptrdiff_t>(instance * stride));
+    if (instance < known || written_[instance - known]) continue;
+    written_[instance - known] = true;
+    --missing;
+  }
+  MES_ASSERT(missing == 0);
+}
+
+std::uint32_t LayerMirror::count(LayerIndex layer, PrimitiveKind kind) const {
+  return static_cast<std::uint32_t>(instances(layer, kind).size() / stride_of(kind));
+}
+
+std::span<const double> LayerMirror::instances(LayerIndex layer, PrimitiveKind kind) const {
+  if (layer >= layers_.size()) return {};
+  return layers_[layer][static_cast<std::size_t>(kind)];
+}
+
+}  // namespace mes

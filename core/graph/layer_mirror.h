@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a renderer would hold, in plain memory: every instance of every layer, kept up to date by patches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/graph/patch.h"
+
+namespace mes {
+
+/// For whoever wants the whole result instead of its changes: the command line and tests.
+///
+/// What it guarantees:
+///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
+///  each,
+///     in the order of the drawing buffer.
+///  2. A patch that breaks its promises (an index past the count, data of the wrong size, growth without data, a
+///     count that changes unsaid, a value that is not finite, a negative radius, a ray or line without
+///     direction) is refused by an assertion.
+///
+/// Smallest use:
+///     LayerMirror mirror;
+///     while (auto patch = engine.sync()) { mirror.apply(*patch); engine.recycle(std::move(patch)); }
+///     mirror.count(find_layer("medial-axis"), PrimitiveKind::segment);
+///
+/// Cost: O(size of the patch). Threads: none inside; reading from several is fine while nobody applies.
+class LayerMirror {
+ public:
+  void apply(const FramePatch& patch);
+
+  std::uint32_t count(LayerIndex layer, PrimitiveKind kind) const;
+  std::span<const double> instances(LayerIndex layer, PrimitiveKind kind) const;
+  /// As of the last patch.
+  const DrawingFrame& frame() const { return frame_; }
+  std::uint64_t document_revision() const { return document_revision_; }
+
+ private:
+  void apply(const KindPatch& patch, PrimitiveKind kind, std::vector<double>& instances);
+
+  std::vector<std::array<std::vector<double>, kPrimitiveKinds>> layers_;
+  std::vector<bool> written_;  // while applying: the instances that a growing patch has given
+  DrawingFrame frame_;
+  std::uint64_t document_revision_ = 0;
+};
+
+}  // namespace mes

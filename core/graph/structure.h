@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A node of the geometry graph: owns tables, and keeps them true to its inputs.
+//
+// What a structure promises:
+//  1. After `rebuild` or `update` its tables are a function of its inputs' tables alone, up to the numbering of rows:
+//     no trace of the way that led there (tests compare the two after every step of random edit scripts).
+//  2. After `update` its change sets name every row that differs from before the call, and only rows near the change.
+//     After `rebuild` they are empty and every row counts as new.
+//  3. It may throw `GeometryError` or `Cancelled`; its tables are then worthless until the next `rebuild`.
+//
+// How it is called: inputs first, both methods on the engine's thread. `update` is called when this structure was up
+// to date in the run before and no changed input was rebuilt; it may return false to ask for `rebuild` instead. The
+// change sets of an input that did not change in this run are empty.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/job_control.h"
+#include "core/base/stat.h"
+
+namespace mes {
+
+class Structure {
+ public:
+  Structure(std::string_view id, std::vector<Structure*> inputs) : id_(id), inputs_(std::move(inputs)) {}
+  virtual ~Structure() = default;
+  Structure(const Structure&) = delete;
+  Structure& operator=(const Structure&) = delete;
+
+  /// Public name, kebab case.
+  std::string_view id() const { return id_; }
+  std::span<Structure* const> inputs() const { return inputs_; }
+
+  virtual void rebuild(JobControl& job) = 0;
+  virtual bool update(JobControl& job) = 0;
+  virtual void clear_changes() = 0;
+  /// Rows named by the change sets.
+  virtual std::size_t touched() const = 0;
+  /// Counters of SPEC-like public names; may cost O(n).
+  virtual StatList statistics() const = 0;
+
+ private:
+  std::string_view id_;
+  std::vector<Structure*> inputs_;
+};
+
+/// All structures, inputs before consumers. Structures find their inputs by type.
+class StructureSet {
+ public:
+  template <class T>
+  T& get() const {
+    for (const auto& structure : structures_)
+      if (auto* found = dynamic_cast<T*>(structure.get())) return *found;
+    assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
+  }
+  void add(std::unique_ptr<Structure> structure) { structures_.push_back(std::move(structure)); }
+  std::span<const std::unique_ptr<Structure>> all() const { return structures_; }
+
+ private:
+  std::vector<std::unique_ptr<Structure>> structures_;
+};
+
+/// Every structure of the program, in the order of core/structures/CMakeLists.txt.
+StructureSet make_structures();
+
+/// Public ids in the same order.
+std::span<const std::string_view> structure_ids();
+
+}  // namespace mes

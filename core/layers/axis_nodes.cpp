@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+#include "core/structures/medial_axis.h"
+
+namespace mes {
+
+Layer make_axis_nodes_layer(const StructureSet& set) {
+  const auto& delaunay = set.get<Delaunay>();
+  const auto& axis = set.get<MedialAxis>();
+  return make_layer({.id = "axis-nodes",
+                     .name = "Axis nodes",
+                     .tooltip = "Leaves and branch points of the medial axis",
+                     .group = LayerGroup::diagnostics,
+                     .scalar = "degree",
+                     .style = {.color = palette::vermilion, .point_size_px = 6},
+                     .kinds = {PrimitiveKind::point}},
+                    {&delaunay, &axis},
+                    faces_part({PrimitiveKind::point}, delaunay, axis.node_changes(), [&](Slot face, Instance& out) {
+                      if (axis.is_node(face) && axis.node_degree(face) != 2)
+                        out.point(delaunay.circumcenter(face), axis.node_degree(face));
+                    }));
+}
+
+}  // namespace mes

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+#include "core/structures/samples.h"
+
+namespace mes {
+
+Layer make_points_layer(const StructureSet& set) {
+  const auto& samples = set.get<Samples>();
+  return make_layer({.id = "points",
+                     .name = "Points",
+                     .tooltip = "The sample points",
+                     .group = LayerGroup::samples,
+                     .in_paper = true,
+                     .visible_at_start = true,
+                     .scalar = "id",
+                     .style = {.color = palette::black, .point_size_px = 5},
+                     .kinds = {PrimitiveKind::point}},
+                    {&samples},
+                    table_part(
+                        {PrimitiveKind::point}, [&samples] { return samples.row_count(); }, samples.changes(),
+                        [&samples](Slot row, Instance& out) {
+                          if (samples.is_alive(row)) out.point(samples.position(row), samples.id(row).value);
+                        }));
+}
+
+}  // namespace mes

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/delaunay.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/base/circumcircle.h"
+#include "core/structures/internal/delaunay_mirror.h"
+
+namespace mes {
+
+Delaunay::Delaunay(Samples& samples)
+    : Structure("delaunay", {&samples}), samples_(samples), mirror_(std::make_unique<Mirror<FastKernel>>(*this)) {}
+
+Delaunay::~Delaunay() = default;
+
+void Delaunay::clear_tables() {
+  dimension_ = -1;
+  site_count_ = 0;
+  site_position_.clear();
+  site_sample_.clear();
+  site_face_.clear();
+  free_sites_.clear();
+  site_of_sample_.assign(samples_.row_count(), kNoSlot);
+  next_duplicate_.assign(samples_.row_count(), kNoSlot);
+  face_.clear();
+  circumcenter_.clear();
+  circumradius_.clear();
+  free_faces_.clear();
+  edge_.clear();
+  free_edges_.clear();
+  line_edges_.clear();
+}
+
+void Delaunay::compute_circumcircle(Slot face) {
+  const FaceRow& row = face_[face];
+  if (row.is_infinite()) return;
+  // Beginning at the smallest corner makes the doubles independent of how the triangle came about.
+  const Vec2 corner[3] = {site_position_[row.v[0]], site_position_[row.v[1]], site_position_[row.v[2]]};
+  int first = lexicographically_less(corner[1], corner[0]) ? 1 : 0;
+  if (lexicographically_less(corner[2], corner[first])) first = 2;
+  const Circle circle = circumcircle(corner[first], corner[next3(first)], corner[prev3(first)]);
+  circumcenter_[face] = circle.center;
+  circumradius_[face] = circle.radius;
+}
+
+Slot Delaunay::new_site(Vec2 position) {
+  Slot site = static_cast<Slot>(site_position_.size());
+  if (free_sites_.empty()) {
+    site_position_.push_back(position);
+    site_sample_.push_back(kNoSlot);
+    site_face_.push_back(kNoSlot);
+  } else {
+    site = free_sites_.back();
+    free_sites_.pop_back();
+    site_position_[site] = position;
+  }
+  ++site_count_;
+  return site;
+}
+
+void Delaunay::attach_sample(Slot sample, Slot site) {
+  if (sample >= site_of_sample_.size()) {
+    site_of_sample_.resize(sample + std::size_t{1}, kNoSlot);
+    next_duplicate_.resize(sample + std::size_t{1}, kNoSlot);
+  }
+  site_of_sample_[sample] = site;
+  next_duplicate_[sample] = site_sample_[site];
+  site_sample_[site] = sample;
+}
+
+bool Delaunay::detach_sample(Slot sample) {
+  const Slot site = site_of_sample_[sample];
+  Slot* link = &site_sample_[site];
+  while (*link != sample) link = &next_duplicate_[*link];
+  *link = next_duplicate_[sample];
+  site_of_sample_[sample] = kNoSlot;
+  next_duplicate_[sample] = kNoSlot;
+  return site_sample_[site] == kNoSlot;
+}
+
+void Delaunay::rebuild(JobControl& job) {
+  clear_changes();
+  clear_tables();
+  mirror_->clear();
+
+  // Biased randomised insertion order (Amenta, Choi, Rote 2003): rounds of doubling size, each along a Hilbert curve.
+  // The rounds keep bad inputs from being bad; the curve keeps the walk to each new site short.
+  std::vector<KeyedSlot> order;
+  order.reserve(samples_.count());
+  const HilbertGrid grid(samples_.extent());
+  const int rounds = std::max(0, static_cast<int>(std::bit_width(samples_.count())) - 6);
+  for (Slot sample = 0; sample < samples_.row_count(); ++sample) {
+    if (!samples_.is_alive(sample)) continue;
+    const std::uint32_t hash = (sample + 1U) * 2654435769U;
+    const int round = rounds - std::min(rounds, std::countl_zero(hash ^ (hash << 15U)));
+    order.push_back(
+        {(std::uint64_t(static_cast<unsigned>(round)) << 32U) | grid.key(samples_.position(sample)), sample});
+  }
+  std::vector<KeyedSlot> scratch;
+  radix_sort(order, scratch, 38);
+  site_position_.reserve(order.size());
+  site_sample_.reserve(order.size());
+  site_face_.reserve(order.size());
+  mirror_->build(order, job);
+}
+
+bool Delaunay::update(JobControl& job) {
+  const ChangeSet& changes = samples_.changes();
+  // Above some share of the sites, sorting and starting anew is cheaper than one insertion after the other.
+  if (dimension_ != 2 || changes.size() > 64 + site_count_ / 8) return false;
+  site_recorder_.begin(site_position_.size());
+  face_recorder_.begin(face_.size());
+  edge_recorder_.begin(edge_.size());
+  for (const Slot sample : changes.removed)
+    if (!mirror_->remove(sample)) return false;
+  std::uint64_t done = 0;
+  for (const Slot sample : changes.touched) {
+    if ((++done & 255U) == 0) job.checkpoint(done, changes.touched.size());
+    const Slot site = site_of_sample(sample);
+    const Vec2 target = samples_.position(sample);
+    if (site == kNoSlot) {
+      if (!mirror_->insert(sample, target)) return false;
+    } else if (site_position_[site] != target) {
+      if (!mirror_->move(sample, target)) return false;
+    }
+  }
+  site_recorder_.finish(site_changes_, [this](Slot site) { return is_site(site); });
+  face_recorder_.finish(face_changes_, [this](Slot face) { return face_[face].is_alive(); });
+  edge_recorder_.finish(edge_changes_, [this](Slot edge) { return edge_[edge].is_alive(); });
+  return true;
+}
+
+void Delaunay::clear_changes() {
+  site_changes_.clear();
+  face_changes_.clear();
+  edge_changes_.clear();
+}
+
+StatList Delaunay::statistics() const {
+  std::int64_t faces = 0;
+  std::int64_t edges = 0;
+  std::int64_t hull = 0;
+  for (const FaceRow& row : face_) {
+    if (!row.is_alive()) continue;
+    (row.is_infinite() ? hull : faces) += 1;
+  }
+  for (const EdgeRow& row : edge_) edges += row.is_alive() ? 1 : 0;
+  return {{"vertices", static_cast<std::int64_t>(site_count_)},
+          {"edges", edges},
+          {"faces", faces},
+          {"hull_edges", hull},
+          {"duplicates", static_cast<std::int64_t>(samples_.count() - site_count_)},
+          {"dimension", std::int64_t{dimension_}}};
+}
+
+}  // namespace mes

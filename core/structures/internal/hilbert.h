@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hilbert curve keys: points that are close along the curve are close in the plane.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/base/slot.h"
+
+namespace mes {
+
+/// Position of the cell (x, y), 16 bits each, along the Hilbert curve of order 16.
+inline std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t key = 0;
+  for (std::uint32_t bit = 1U << 15U; bit != 0; bit >>= 1U) {
+    const std::uint32_t rx = (x & bit) != 0 ? 1U : 0U;
+    const std::uint32_t ry = (y & bit) != 0 ? 1U : 0U;
+    key = (key << 2U) | ((3U * rx) ^ ry);
+    if (ry == 0) {
+      if (rx == 1) {
+        x = ~x;
+        y = ~y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return key;
+}
+
+/// Maps points of a box to Hilbert keys.
+class HilbertGrid {
+ public:
+  HilbertGrid() = default;
+  explicit HilbertGrid(const Box2& box) : low_(box.low) {
+    // Halved before subtracting, so that boxes as wide as the doubles do not overflow.
+    const double half = std::max(0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y);
+    if (half > 1e-290) inverse_half_ = 32767.5 / half;
+  }
+  std::uint32_t key(Vec2 p) const { return hilbert_key(cell(p.x, low_.x), cell(p.y, low_.y)); }
+
+ private:
+  std::uint32_t cell(double value, double low) const {
+    const double t = (0.5 * value - 0.5 * low) * inverse_half_;
+    return t > 0.0 ? static_cast<std::uint32_t>(std::min(t, 65535.0)) : 0U;
+  }
+  Vec2 low_{};
+  double inverse_half_ = 0.0;
+};
+
+struct KeyedSlot {
+  std::uint64_t key = 0;
+  Slot slot = kNoSlot;
+};
+
+/// Sorts by the low `bits` bits of the key, stably. O(n * bits / 11).
+inline void radix_sort(std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch, unsigned bits) {
+  constexpr unsigned kDigit = 11;
+  scratch.resize(items.size());
+  for (unsigned shift = 0; shift < bits; shift += kDigit) {
+    std::vector<std::uint32_t> start((1U << kDigit) + 1U, 0);
+    for (const KeyedSlot& item : items) ++start[((item.key >> shift) & ((1U << kDigit) - 1U)) + 1U];
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    for (const KeyedSlot& item : items) scratch[start[(item.key >> shift) & ((1U << kDigit) - 1U)]++] = item;
+    items.swap(scratch);
+  }
+}
+
+}  // namespace mes

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/one_step_crust.h"
+
+#include <algorithm>
+
+namespace mes {
+
+OneStepCrust::OneStepCrust(Delaunay& delaunay) : Structure("one-step-crust", {&delaunay}), delaunay_(delaunay) {}
+
+EdgeCorners OneStepCrust::corners(Slot edge) const {
+  const EdgeRow& row = delaunay_.edge(edge);
+  const Slot left = delaunay_.apex(row.f[0], edge);
+  const Slot right = delaunay_.apex(row.f[1], edge);
+  const Vec2 a = delaunay_.site_position(row.v[0]);
+  const Vec2 b = delaunay_.site_position(row.v[1]);
+  if (left == kInfiniteSite) return {delaunay_.site_position(right), b, a, {}};
+  EdgeCorners corners{delaunay_.site_position(left), a, b, {}};
+  if (right != kInfiniteSite) corners.s = delaunay_.site_position(right);
+  return corners;
+}
+
+void OneStepCrust::classify(Slot edge) {
+  const EdgeRow& row = delaunay_.edge(edge);
+  if (row.f[0] == kNoSlot) {
+    flags_[edge] = kCrust;
+    return;
+  }
+  const EdgeClass result = classify_edge(corners(edge), counts_);
+  flags_[edge] =
+      static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U));
+  for (const Slot face : row.f) {
+    const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
+    face_bits_[face] = static_cast<std::uint8_t>(result.is_crust ? face_bits_[face] | bit : face_bits_[face] & ~bit);
+  }
+}
+
+void OneStepCrust::set_degree(Slot site, int degree) {
+  odd_count_ -= is_odd(site) ? 1U : 0U;
+  degree_[site] = static_cast<std::uint8_t>(std::min(degree, 255));
+  odd_count_ += is_odd(site) ? 1U : 0U;
+}
+
+void OneStepCrust::rebuild(JobControl& job) {
+  clear_changes();
+  counts_ = {};
+  flags_.assign(delaunay_.edge_rows(), 0);
+  face_bits_.assign(delaunay_.face_rows(), 0);
+  degree_.assign(delaunay_.site_rows(), 0);
+  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+    if ((edge & 0xffffU) == 0) job.checkpoint(edge, delaunay_.edge_rows());
+    const EdgeRow& row = delaunay_.edge(edge);
+    if (!row.is_alive()) continue;
+    classify(edge);
+    if (!is_crust(edge)) continue;
+    ++degree_[row.v[0]];
+    ++degree_[row.v[1]];
+  }
+  odd_count_ = 0;
+  for (Slot site = 0; site < degree_.size(); ++site) odd_count_ += is_odd(site) ? 1U : 0U;
+}
+
+bool OneStepCrust::update(JobControl&) {
+  flags_.resize(delaunay_.edge_rows());
+  face_bits_.resize(delaunay_.face_rows());
+  degree_.resize(delaunay_.site_rows());
+  for (const Slot edge : delaunay_.edge_changes().removed) flags_[edge] = 0;
+  // A row may now be another triangle; its edges are all among the changed ones and set their bits below.
+  for (const Slot face : delaunay_.face_changes().removed) face_bits_[face] = 0;
+  for (const Slot face : delaunay_.face_changes().touched) face_bits_[face] = 0;
+  site_recorder_.begin(delaunay_.site_rows());
+  degree_changes_.clear();
+  for (const Slot edge : delaunay_.edge_changes().touched) {
+    classify(edge);
+    for (const Slot site : delaunay_.edge(edge).v) site_recorder_.note(site, true);
+  }
+  // A site that lost an edge has others that changed, so it is among these.
+  for (const Slot site : delaunay_.site_changes().touched) site_recorder_.note(site, true);
+  for (const Slot site : delaunay_.site_changes().removed) {
+    set_degree(site, 0);
+    site_recorder_.note(site, true);
+  }
+  site_recorder_.finish(site_changes_, [this](Slot site) { return delaunay_.is_site(site); });
+  for (const Slot site : site_changes_.touched) {
+    int degree = 0;
+    delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot) { degree += is_crust(edge) ? 1 : 0; });
+    if (degree == degree_[site]) continue;
+    set_degree(site, degree);
+    degree_changes_.push_back(site);
+  }
+  return true;
+}
+
+double OneStepCrust::confidence(Slot edge) const {
+  return delaunay_.edge(edge).f[0] == kNoSlot ? 1.0 : edge_confidence(corners(edge));
+}
+
+StatList OneStepCrust::statistics() const {
+  std::int64_t crust = 0;
+  std::int64_t skeleton = 0;
+  std::int64_t cocircular = 0;
+  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+    if (!delaunay_.edge(edge).is_alive()) continue;
+    (is_crust(edge) ? crust : skeleton) += 1;
+    cocircular += is_cocircular(edge) ? 1 : 0;
+  }
+  std::vector<std::int64_t> histogram(4, 0);
+  for (Slot site = 0; site < delaunay_.site_rows(); ++site)
+    if (delaunay_.is_site(site)) ++histogram[static_cast<std::size_t>(std::min(degree(site), 3))];
+  return {{"crust_edges", crust},
+          {"skeleton_edges", skeleton},
+          {"cocircular_edges", cocircular},
+          {"odd_samples", static_cast<std::int64_t>(odd_count_)},
+          {"degree", histogram},
+          {"decided_by_static_filter", static_cast<std::int64_t>(counts_.static_filter)},
+          {"decided_by_intervals", static_cast<std::int64_t>(counts_.interval)},
+          {"decided_exactly", static_cast<std::int64_t>(counts_.exact)}};
+}
+
+}  // namespace mes

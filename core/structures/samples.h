@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine's own copy of the document's samples, row for row.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/base/change_set.h"
+#include "core/document/delta.h"
+#include "core/graph/structure.h"
+
+namespace mes {
+
+/// The root of the graph. `post` queues deltas; the next run applies them all as one change.
+class Samples final : public Structure {
+ public:
+  Samples();
+
+  void post(std::shared_ptr<const DocumentDelta> delta) { pending_.push_back(std::move(delta)); }
+  bool has_pending() const { return !pending_.empty(); }
+
+  /// Rows, by the document's slots.
+  std::size_t row_count() const { return position_.size(); }
+  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
+  Vec2 position(Slot slot) const { return position_[slot]; }
+  SampleId id(Slot slot) const { return id_[slot]; }
+  std::size_t count() const { return count_; }
+  const CurveOrder& curve_order() const { return *curve_; }
+  std::uint64_t document_revision() const { return document_revision_; }
+  /// Covers all samples that lived since the last rebuild; never shrinks in between.
+  const Box2& extent() const { return extent_; }
+
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  void apply(const DocumentDelta& delta);
+
+  std::vector<std::shared_ptr<const DocumentDelta>> pending_;
+  std::vector<Vec2> position_;
+  std::vector<SampleId> id_;
+  std::shared_ptr<const CurveOrder> curve_;
+  std::size_t count_ = 0;
+  std::uint64_t document_revision_ = 0;
+  Box2 extent_;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes
