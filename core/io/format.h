@@ -31,8 +31,9 @@ struct FormatDescriptor {
 /// Every format, in the order in which contents are tried.
 std::span<const FormatDescriptor> format_descriptors();
 
-/// Reads a file; the format is found by content first, extension second, unless `format` names one. A `.contours` file
-/// beside a POFF file is read too. Never allocates by what a header promises. Error: `bad_input` with file, line, column.
+/// Reads a file; the format is found by content first, extension second, unless `format` names one. A `.contours`
+/// file beside a POFF file is read too. Never allocates by what a header promises. Error: `bad_input` with file,
+/// line, column.
 Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {});
 
 /// The same for bytes in memory; `name` stands for the file in messages.

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/format.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "core/io/format_registry.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Format* format_named(std::string_view id) {
+  for (const Format& format : formats())
+    if (format.descriptor.id == id) return &format;
+  return nullptr;
+}
+
+std::string readable_ids() {
+  std::string out;
+  for (const Format& format : formats()) {
+    if (!format.descriptor.can_read) continue;
+    if (!out.empty()) out += ", ";
+    out += format.descriptor.id;
+  }
+  return out;
+}
+
+const Format* format_by_extension(const std::string& name) {
+  std::string extension = fs::path(name).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Format& format : formats())
+    if (format.descriptor.can_read && std::ranges::count(format.descriptor.extensions, extension) != 0)
+      return &format;
+  return nullptr;
+}
+
+// By content when the content is sure, then by extension, then by what the content might be.
+const Format* find_format(std::string_view bytes, const std::string& name) {
+  const Format* possible = nullptr;
+  for (const Format& format : formats()) {
+    if (!format.descriptor.can_read) continue;
+    const Match match = format.match(bytes);
+    if (match == Match::surely) return &format;
+    if (match == Match::maybe && possible == nullptr) possible = &format;
+  }
+  const Format* by_name = format_by_extension(name);
+  return by_name != nullptr ? by_name : possible;
+}
+
+Expected<const Format*> choose_format(std::string_view bytes, const std::string& name, std::string_view wanted) {
+  if (!wanted.empty()) {
+    const Format* format = format_named(wanted);
+    if (format != nullptr && format->descriptor.can_read) return format;
+    return std::unexpected(Error{
+        ErrorCode::usage, quoted(wanted) + " is not a format that can be read (" + readable_ids() + ")", {}, 0, 0});
+  }
+  if (const Format* format = find_format(bytes, name); format != nullptr) return format;
+  return bad_input("this is none of the formats that can be read (" + readable_ids() + ")", name, 1, 1);
+}
+
+Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
+                                const fs::path* path) {
+  try {
+    if (const std::string_view kind = foreign_kind(bytes); !kind.empty())
+      return bad_input("this is " + std::string(kind) + ", not a text of samples", name, 1, 1);
+    if (without_bom(bytes).find_first_not_of(" \t\r\n\v\f") == std::string_view::npos)
+      return bad_input("the file is empty", name, 1, 1);
+    const auto format = choose_format(bytes, name, wanted);
+    if (!format) return std::unexpected(format.error());
+    auto file = (*format)->read(bytes, name);
+    if (!file) return file;
+    file->format = (*format)->descriptor.id;
+    if (path != nullptr && (*format)->read_companions != nullptr) (*format)->read_companions(*path, *file);
+    return file;
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name});
+  }
+}
+
+/// Closes the descriptor.
+struct OpenFile {
+  int descriptor;
+  explicit OpenFile(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+};
+
+}  // namespace
+
+std::span<const FormatDescriptor> format_descriptors() {
+  static const std::vector<FormatDescriptor> descriptors = [] {
+    std::vector<FormatDescriptor> out;
+    for (const Format& format : formats()) out.push_back(format.descriptor);
+    return out;
+  }();
+  return descriptors;
+}
+
+Expected<std::string> read_text_file(const fs::path& path) {
+  const auto cannot_read = [&path](int code) {
+    return bad_input("cannot be read: " + std::generic_category().message(code), path.string(), 0, 0);
+  };
+  const OpenFile file(path);
+  if (file.descriptor < 0) return cannot_read(errno);
+  struct stat status {};
+  if (::fstat(file.descriptor, &status) != 0) return cannot_read(errno);
+  if (S_ISDIR(status.st_mode)) return cannot_read(EISDIR);
+  try {
+    std::string bytes;
+    // Read in growing pieces rather than by the size the system tells: devices and pipes have none, and a file that
+    // begins like no text (a disk image, say) is not read to its end.
+    std::size_t filled = 0;
+    for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
+      bytes.resize(filled + piece);
+      while (filled < bytes.size()) {
+        const ssize_t got = ::read(file.descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return cannot_read(errno);
+        filled += static_cast<std::size_t>(got);
+        if (got == 0) {
+          bytes.resize(filled);
+          return bytes;
+        }
+      }
+      if (!foreign_kind(bytes).empty()) return bytes;
+    }
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", path.string()});
+  } catch (const std::length_error&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "it is too large to read", path.string()});
+  }
+}
+
+Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format) {
+  const auto bytes = read_text_file(path);
+  if (!bytes) return std::unexpected(bytes.error());
+  return read_bytes(*bytes, path.string(), format, &path);
+}
+
+Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format) {
+  return read_bytes(bytes, name, format, nullptr);
+}
+
+}  // namespace mes

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one format file gives: `Format name_format()`. Private to core/io.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/io/format.h"
+
+namespace mes {
+
+/// How sure a format is that some bytes are its own.
+enum class Match : std::uint8_t {
+  no,
+  maybe,   ///< the bytes make sense in this format; a file name's extension outweighs it
+  surely,  ///< the bytes say so themselves
+};
+
+struct Format {
+  FormatDescriptor descriptor;
+  Match (*match)(std::string_view bytes);
+  /// Everything but `LoadedFile::format`. `name` stands for the file in messages.
+  Expected<LoadedFile> (*read)(std::string_view bytes, const std::string& name);
+  /// Reads what lies beside the file in files of its own; may be null. Only warns, never fails.
+  void (*read_companions)(const std::filesystem::path& path, LoadedFile& file) = nullptr;
+};
+
+/// In the order of core/io/CMakeLists.txt.
+std::span<const Format> formats();
+
+/// A whole file, or what it begins with when that shows it to be no text at all. Error: `bad_input` or
+/// `out_of_memory`.
+Expected<std::string> read_text_file(const std::filesystem::path& path);
+
+}  // namespace mes

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// POFF: "POFF n 0 0" and n pairs of numbers, white space anywhere.
+//
+// Two ways to say how the points follow each other on curves: lines `# loop closed i0 i1 ...` (or `open`), which old
+// readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,
+// in file order. The lines in the file win.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <system_error>
+
+#include "core/io/format_registry.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+// Ids and rows are 32 bits wide.
+constexpr std::uint64_t kMostSamples = 0xfffffffe;
+
+/// Notes the comments that speak of loops; they cannot be judged before the points are known.
+class PoffScanner final : public Scanner {
+ public:
+  using Scanner::Scanner;
+  struct Note {
+    std::string_view text;
+    std::uint64_t line;
+    std::uint64_t column;
+  };
+  const std::vector<Note>& notes() const { return notes_; }
+
+ private:
+  void on_comment(std::string_view text) override {
+    const std::size_t begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return;
+    text.remove_prefix(begin);
+    if (text.starts_with("loop")) notes_.push_back({text, line(), column_of(text.data())});
+  }
+  std::vector<Note> notes_;
+};
+
+std::string warning(const std::string& name, std::uint64_t line, std::uint64_t column, std::string text) {
+  return Error{ErrorCode::bad_input, std::move(text), name, line, column}.message();
+}
+
+/// Takes words off the front of a text.
+std::string_view take_word(std::string_view& text) {
+  constexpr std::string_view kBlanks = " \t\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// A loop, nothing when the comment is just a comment, or (as an error) what is wrong with it.
+Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& note, std::size_t points,
+                                                       const std::string& name) {
+  std::string_view rest = note.text;
+  if (take_word(rest) != "loop") return std::nullopt;
+  const std::string_view kind = take_word(rest);
+  if (kind != "closed" && kind != "open") return std::nullopt;
+  SampleData::Contour contour{kind == "closed", {}};
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    const auto index = parse_count(word);
+    if (index && *index < points) {
+      contour.points.push_back(static_cast<std::uint32_t>(*index));
+      continue;
+    }
+    const std::uint64_t column = note.column + static_cast<std::uint64_t>(word.data() - note.text.data());
+    return bad_input("this loop is ignored, because " + quoted(word) + " is not the number of one of the " +
+                         std::to_string(points) + " points",
+                     name, note.line, column);
+  }
+  if (contour.points.empty()) return std::nullopt;
+  return contour;
+}
+
+Match match_poff(std::string_view bytes) {
+  Scanner scanner(bytes.substr(0, 4096));
+  return scanner.next() && scanner.token() == "POFF" ? Match::surely : Match::no;
+}
+
+Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name) {
+  PoffScanner scanner(bytes);
+  const auto fail = [&](std::string text) {
+    return bad_input(std::move(text), name, scanner.line(), scanner.column());
+  };
+  if (!scanner.next()) return fail("expected \"POFF\", found the end of the file");
+  if (scanner.token() != "POFF") return fail("expected \"POFF\", found " + quoted(scanner.token()));
+
+  if (!scanner.next()) return fail("expected the number of points, found the end of the file");
+  const auto count = parse_count(scanner.token());
+  if (!count || *count > kMostSamples) {
+    if (!count && count.error() == NumberFault::not_a_number)
+      return fail("expected the number of points, found " + quoted(scanner.token()));
+    return fail("more than " + std::to_string(kMostSamples) + " points are announced: " + quoted(scanner.token()));
+  }
+  for (int i = 0; i < 2; ++i) {
+    if (!scanner.next()) return fail("the header must end with two integers, \"0 0\"; found the end of the file");
+    std::string_view digits = scanner.token();
+    if (digits.starts_with('-')) digits.remove_prefix(1);
+    if (!parse_count(digits))
+      return fail("the header must end with two integers, \"0 0\"; found " + quoted(scanner.token()));
+  }
+
+  LoadedFile file;
+  // Three bytes at least for a number and its white space: more than that many points cannot follow, whatever the
+  // header says.
+  file.data.positions.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, bytes.size() / 4 + 1)));
+  for (std::uint64_t i = 0; i < *count; ++i) {
+    double pair[2];
+    for (double& coordinate : pair) {
+      if (!scanner.next())
+        return fail("the file ends after " + std::to_string(2 * i + (&coordinate == pair ? 0 : 1)) + " of " +
+                    std::to_string(2 * *count) + " coordinates");
+      const auto value = parse_number(scanner.token());
+      if (!value) return fail(describe(value.error(), scanner.token()));
+      coordinate = *value;
+    }
+    file.data.positions.push_back({pair[0], pair[1]});
+  }
+
+  if (scanner.next()) {
+    file.warnings.push_back(
+        warning(name, scanner.line(), scanner.column(),
+                "everything after the " + std::to_string(*count) + " announced points is ignored"));
+    while (scanner.next()) {
+    }
+  }
+  for (const PoffScanner::Note& note : scanner.notes()) {
+    auto loop = read_loop(note, file.data.positions.size(), name);
+    if (!loop) {
+      file.warnings.push_back(loop.error().message());
+    } else if (*loop) {
+      file.data.contours.push_back(std::move(**loop));
+    }
+  }
+  return file;
+}
+
+/// Reads `x.contours` into closed contours over all points, in order.
+Expected<std::vector<SampleData::Contour>> read_contours(std::string_view bytes, const std::string& name,
+                                                         std::size_t points) {
+  Scanner scanner(bytes);
+  std::vector<std::uint64_t> sizes;
+  std::uint64_t sum = 0;
+  while (scanner.next()) {
+    const auto size = parse_count(scanner.token());
+    if (!size || *size > points - sum)
+      return bad_input(size ? "the contours have more points than the file (" + std::to_string(points) + ")"
+                            : "expected the number of points of a contour, found " + quoted(scanner.token()),
+                       name, scanner.line(), scanner.column());
+    sum += *size;
+    if (*size != 0) sizes.push_back(*size);
+  }
+  if (sum != points)
+    return bad_input("the contours have " + std::to_string(sum) + " points, the file has " + std::to_string(points),
+                     name, scanner.line(), scanner.column());
+  std::vector<SampleData::Contour> contours;
+  std::uint32_t next = 0;
+  for (const std::uint64_t size : sizes) {
+    SampleData::Contour& contour = contours.emplace_back();
+    contour.points.reserve(static_cast<std::size_t>(size));
+    for (std::uint64_t i = 0; i < size; ++i) contour.points.push_back(next++);
+  }
+  return contours;
+}
+
+void read_poff_companions(const std::filesystem::path& path, LoadedFile& file) {
+  if (!file.data.contours.empty()) return;
+  std::filesystem::path beside = path;
+  beside.replace_extension(".contours");
+  std::error_code error;
+  if (beside == path || !std::filesystem::exists(beside, error)) return;
+  const auto bytes = read_text_file(beside);
+  auto contours = bytes ? read_contours(*bytes, beside.string(), file.data.positions.size())
+                        : Expected<std::vector<SampleData::Contour>>(std::unexpected(bytes.error()));
+  if (contours) {
+    file.data.contours = std::move(*contours);
+  } else {
+    file.warnings.push_back(contours.error().message() + "; the order of the curve is ignored");
+  }
+}
+
+}  // namespace
+
+Format poff_format() {
+  return {.descriptor =
+              {.id = "poff", .name = "POFF points", .extensions = {".poff"}, .can_read = true, .can_write = true},
+          .match = match_poff,
+          .read = read_poff,
+          .read_companions = read_poff_companions};
+}
+
+}  // namespace mes
