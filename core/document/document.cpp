@@ -82,6 +82,8 @@ void Document::remove(const SampleEdit& edit) {
 
 void Document::apply(const DocumentDelta& delta) {
   MES_ASSERT(delta.from_revision == revision_);
+  // History does not record what changes nothing, so it must not make a revision either.
+  if (delta.is_empty()) return;
   if (delta.replaces_all()) {
     position_ = delta.after->position;
     id_ = delta.after->id;

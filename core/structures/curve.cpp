@@ -77,7 +77,10 @@ void Curve::orient(Chain& chain) const {
   if (chain.has_inside) {
     turn = right != 0;
   } else if (!chain.closed) {
-    turn = lexicographically_less(position(chain.sites.back()), position(chain.sites.front()));
+    // A chain may come back to the site it left from; then the site after it decides.
+    const std::size_t inwards = chain.sites.front() == chain.sites.back() ? 1 : 0;
+    turn = lexicographically_less(position(chain.sites[chain.sites.size() - 1 - inwards]),
+                                  position(chain.sites[inwards]));
   } else {
     const auto smallest =
         std::ranges::min_element(chain.sites, lexicographically_less, position) - chain.sites.begin();

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random edit scripts: after every edit each structure, and every layer's instances, equal those of a graph that sees
+// the final samples only.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <map>
+
+#include "core/base/rng.h"
+#include "core/document/commands.h"
+#include "core/document/history.h"
+#include "tests/support/layer_contents.h"
+#include "tests/support/state_of_graph.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+std::vector<LayerIndex> all_layers() {
+  std::vector<LayerIndex> layers(layer_descriptors().size());
+  for (LayerIndex i = 0; i < layers.size(); ++i) layers[i] = i;
+  return layers;
+}
+
+// A document, its history, and a graph that follows it edit by edit.
+struct Bench {
+  Document document;
+  History history;
+  Graph graph;
+  FramePatch patch;
+  LayerContents contents;
+
+  Bench() { graph.set_demand(all_layers()); }
+
+  void run() {
+    JobControl job;
+    REQUIRE(graph.run(patch, job));
+    for (const NodeReport& node : patch.nodes) {
+      INFO(node.structure << ": " << node.reason);
+      REQUIRE(node.state == NodeState::up_to_date);
+    }
+    contents.apply(patch);
+  }
+  void apply(const Expected<DocumentDelta>& delta) {
+    REQUIRE(delta.has_value());
+    document.apply(*delta);
+    history.record(*delta);
+    graph.post(std::make_shared<const DocumentDelta>(*delta));
+  }
+
+  // Compares with a fresh graph of the same samples, given in another order. Cocircular samples may be triangulated
+  // in different ways, so then only what does not depend on that is compared.
+  void check(bool compare_instances) {
+    REQUIRE(broken_row(graph) == "");
+    Bench fresh;
+    SampleData data;
+    auto slots = document.slots_in_input_order();
+    std::ranges::reverse(slots);
+    for (const Slot slot : slots) data.positions.push_back(document.position(slot));
+    fresh.apply(replace_all(fresh.document, data));
+    fresh.run();
+    REQUIRE(difference(state_of(graph), state_of(fresh.graph)) == "");
+    if (!compare_instances) return;
+    const LayerIndex last_change = find_layer("last-change");
+    for (LayerIndex i = 0; i < layer_descriptors().size(); ++i) {
+      if (i == last_change || i == find_layer("points")) continue;
+      INFO(layer_descriptors()[i].id);
+      REQUIRE(contents.sorted(i) == fresh.contents.sorted(i));
+    }
+  }
+};
+
+using Source = std::function<Vec2(Rng&)>;
+
+void play_script(const Source& source, std::size_t start, std::size_t steps, std::uint64_t seed,
+                 bool compare_instances, double nudge) {
+  Rng rng(seed);
+  Bench bench;
+  SampleData data;
+  for (std::size_t i = 0; i < start; ++i) data.positions.push_back(source(rng));
+  bench.apply(replace_all(bench.document, data));
+  bench.run();
+  bench.check(compare_instances);
+  for (std::size_t step = 0; step < steps; ++step) {
+    const auto slots = bench.document.slots_in_input_order();
+    const auto pick = [&] { return bench.document.id(slots[rng.below(slots.size())]); };
+    const std::uint64_t action = slots.size() < 3 ? 0 : rng.below(10);
+    if (action < 3) {
+      bench.apply(insert_samples(bench.document, std::vector{source(rng)}));
+    } else if (action < 5) {
+      bench.apply(remove_samples(bench.document, std::vector{pick()}));
+    } else if (action < 8) {
+      const SampleId id = pick();
+      const Vec2 p = bench.document.position(bench.document.slot_of(id));
+      const Vec2 to =
+          rng.below(3) == 0 ? source(rng) : p + Vec2{nudge * (rng.uniform() - 0.5), nudge * (rng.uniform() - 0.5)};
+      bench.apply(move_samples(bench.document, std::vector{std::pair{id, to}}));
+    } else if (action == 8) {
+      // A batch: several kinds of edits become one step of the graph.
+      std::vector<Vec2> points(1 + rng.below(5));
+      for (Vec2& p : points) p = source(rng);
+      bench.apply(insert_samples(bench.document, points));
+      std::vector<SampleId> gone{pick()};
+      const SampleId second = pick();
+      if (second != gone.front()) gone.push_back(second);
+      bench.apply(remove_samples(bench.document, gone));
+      bench.apply(insert_samples(bench.document, std::vector{source(rng)}));
+    } else {
+      for (const auto& delta : bench.history.undo()) {
+        bench.document.apply(delta);
+        bench.graph.post(std::make_shared<const DocumentDelta>(delta));
+      }
+    }
+    INFO("seed " << seed << " step " << step);
+    bench.run();
+    bench.check(compare_instances);
+  }
+}
+
+Vec2 curve_point(double t) {
+  const double r = 200.0 * (1.0 + 0.3 * std::cos(5.0 * t) + 0.05 * std::cos(37.0 * t));
+  return {r * std::cos(t), r * std::sin(t)};
+}
+
+}  // namespace
+
+TEST_CASE("smooth curve") {
+  const Source source = [](Rng& rng) { return curve_point(6.283185307179586 * rng.uniform()); };
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) play_script(source, 300, 700, seed, true, 3.0);
+}
+
+TEST_CASE("noisy curve") {
+  const Source source = [](Rng& rng) {
+    return curve_point(6.283185307179586 * rng.uniform()) + Vec2{8.0 * rng.uniform(), 8.0 * rng.uniform()};
+  };
+  for (std::uint64_t seed = 11; seed <= 14; ++seed) play_script(source, 250, 700, seed, true, 10.0);
+}
+
+TEST_CASE("random points") {
+  const Source source = [](Rng& rng) { return Vec2{rng.uniform(), rng.uniform()}; };
+  for (std::uint64_t seed = 21; seed <= 24; ++seed) play_script(source, 150, 600, seed, true, 0.1);
+}
+
+TEST_CASE("a small integer lattice, where everything is cocircular and positions repeat") {
+  const Source source = [](Rng& rng) {
+    return Vec2{static_cast<double>(rng.below(7)), static_cast<double>(rng.below(7))};
+  };
+  for (std::uint64_t seed = 31; seed <= 34; ++seed) play_script(source, 25, 500, seed, false, 0.0);
+}
+
+TEST_CASE("from nothing, through one point and collinear points, and back") {
+  const Source source = [](Rng& rng) {
+    return Vec2{static_cast<double>(rng.below(3)), static_cast<double>(rng.below(2))};
+  };
+  for (std::uint64_t seed = 41; seed <= 48; ++seed) play_script(source, 0, 150, seed, false, 0.0);
+}
+
+TEST_CASE("duplicates of a few positions") {
+  const Source source = [](Rng& rng) {
+    const double t = 0.5 * static_cast<double>(rng.below(13));
+    return Vec2{std::cos(t), std::sin(t)};
+  };
+  for (std::uint64_t seed = 51; seed <= 54; ++seed) play_script(source, 60, 300, seed, false, 0.0);
+}
