@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is missing, builds, and runs every test. Arguments are handed to CTest, e.g. -R render.
+set -uo pipefail
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+"$root/scripts/install_packages.sh" test || exit 1
+configure release -DMESECINA_TESTS=ON
+build release
+exec ctest --test-dir build/release --output-on-failure --parallel "$(job_count)" "$@"
