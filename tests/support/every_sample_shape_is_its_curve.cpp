@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first thing anybody sees must be right: each built-in shape reads without a warning, and its one-step crust is
+// the curve its file names.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "core/graph/graph.h"
+#include "core/io/format.h"
+#include "core/structures/medial_axis.h"
+
+using namespace mes;
+
+namespace {
+
+const std::filesystem::path kShapes = "assets/shapes";
+
+nlohmann::json read_index() {
+  std::ifstream stream(kShapes / "index.json");
+  return nlohmann::json::parse(stream);
+}
+
+using Edge = std::pair<Slot, Slot>;
+
+std::set<Edge> contour_edges(const SampleData& data) {
+  std::set<Edge> edges;
+  for (const SampleData::Contour& contour : data.contours) {
+    const std::size_t n = contour.points.size();
+    for (std::size_t i = 0; i + (contour.closed ? 0 : 1) < n; ++i)
+      edges.insert(std::minmax(contour.points[i], contour.points[(i + 1) % n]));
+  }
+  return edges;
+}
+
+}  // namespace
+
+TEST_CASE("the crust of every sample shape is its curve") {
+  const nlohmann::json index = read_index();
+  REQUIRE(index.size() >= 12);
+  for (const auto& entry : index) {
+    const std::string file = entry.at("file");
+    INFO(file);
+    const Expected<LoadedFile> loaded = read_sample_file(kShapes / file);
+    REQUIRE(loaded);
+    CHECK(loaded->format == "poff");
+    CHECK(loaded->warnings.empty());
+    CHECK_FALSE(loaded->data.contours.empty());
+
+    Document document;
+    const auto delta = replace_all(document, loaded->data);
+    REQUIRE(delta);
+    Graph graph;
+    const LayerIndex wanted[] = {find_layer("medial-axis"), find_layer("curve")};
+    graph.set_demand(wanted);
+    graph.post(std::make_shared<const DocumentDelta>(*delta));
+    FramePatch patch;
+    JobControl job;
+    REQUIRE(graph.run(patch, job));
+
+    const auto& delaunay = graph.structures().get<Delaunay>();
+    const auto& crust = graph.structures().get<OneStepCrust>();
+    std::set<Edge> found;
+    for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+      const EdgeRow& row = delaunay.edge(edge);
+      if (!row.is_alive() || !crust.is_crust(edge)) continue;
+      found.insert(std::minmax(delaunay.site_sample(row.v[0]), delaunay.site_sample(row.v[1])));
+    }
+    CHECK(found == contour_edges(loaded->data));
+    const auto open = std::count_if(loaded->data.contours.begin(), loaded->data.contours.end(),
+                                    [](const auto& contour) { return !contour.closed; });
+    CHECK(crust.odd_count() == 2 * static_cast<std::size_t>(open));
+  }
+}
+
+TEST_CASE("every sample shape is listed, with a licence, and every listed file exists") {
+  std::set<std::string> listed;
+  for (const auto& entry : read_index()) {
+    listed.insert(entry.at("file").get<std::string>());
+    CHECK_FALSE(entry.at("name").get<std::string>().empty());
+    CHECK(entry.at("description").get<std::string>().size() < 100);
+    CHECK_FALSE(entry.at("licence").get<std::string>().empty());
+  }
+  std::set<std::string> present;
+  for (const auto& item : std::filesystem::directory_iterator(kShapes))
+    if (item.path().extension() == ".poff") present.insert(item.path().filename().string());
+  CHECK(listed == present);
+}
