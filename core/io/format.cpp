@@ -63,8 +63,11 @@ Expected<const Format*> choose_format(std::string_view bytes, const std::string&
   if (!wanted.empty()) {
     const Format* format = format_named(wanted);
     if (format != nullptr && format->descriptor.can_read) return format;
-    return std::unexpected(Error{
-        ErrorCode::usage, quoted(wanted) + " is not a format that can be read (" + readable_ids() + ")", {}, 0, 0});
+    return std::unexpected(Error{ErrorCode::usage,
+                                 in_quotes(wanted) + " is not a format that can be read (" + readable_ids() + ")",
+                                 {},
+                                 0,
+                                 0});
   }
   if (const Format* format = find_format(bytes, name); format != nullptr) return format;
   return bad_input("this is none of the formats that can be read (" + readable_ids() + ")", name, 1, 1);
@@ -100,6 +103,40 @@ struct OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
 };
 
+std::unexpected<Error> cannot_read(const std::string& name, int code) {
+  return bad_input("cannot be read: " + std::generic_category().message(code), name, 0, 0);
+}
+
+// Reads in growing pieces rather than by the size that the system tells: devices and pipes have none, and a file that
+// begins like no text (a disk image, say) is not read to its end.
+Expected<std::string> read_to_end(int descriptor, const std::string& name) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) return cannot_read(name, errno);
+  if (S_ISDIR(status.st_mode)) return cannot_read(name, EISDIR);
+  try {
+    std::string bytes;
+    std::size_t filled = 0;
+    for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
+      bytes.resize(filled + piece);
+      while (filled < bytes.size()) {
+        const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return cannot_read(name, errno);
+        filled += static_cast<std::size_t>(got);
+        if (got == 0) {
+          bytes.resize(filled);
+          return bytes;
+        }
+      }
+      if (!foreign_kind(bytes).empty()) return bytes;
+    }
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name});
+  } catch (const std::length_error&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "it is too large to read", name});
+  }
+}
+
 }  // namespace
 
 std::span<const FormatDescriptor> format_descriptors() {
@@ -112,44 +149,21 @@ std::span<const FormatDescriptor> format_descriptors() {
 }
 
 Expected<std::string> read_text_file(const fs::path& path) {
-  const auto cannot_read = [&path](int code) {
-    return bad_input("cannot be read: " + std::generic_category().message(code), path.string(), 0, 0);
-  };
   const OpenFile file(path);
-  if (file.descriptor < 0) return cannot_read(errno);
-  struct stat status {};
-  if (::fstat(file.descriptor, &status) != 0) return cannot_read(errno);
-  if (S_ISDIR(status.st_mode)) return cannot_read(EISDIR);
-  try {
-    std::string bytes;
-    // Read in growing pieces rather than by the size the system tells: devices and pipes have none, and a file that
-    // begins like no text (a disk image, say) is not read to its end.
-    std::size_t filled = 0;
-    for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
-      bytes.resize(filled + piece);
-      while (filled < bytes.size()) {
-        const ssize_t got = ::read(file.descriptor, bytes.data() + filled, bytes.size() - filled);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return cannot_read(errno);
-        filled += static_cast<std::size_t>(got);
-        if (got == 0) {
-          bytes.resize(filled);
-          return bytes;
-        }
-      }
-      if (!foreign_kind(bytes).empty()) return bytes;
-    }
-  } catch (const std::bad_alloc&) {
-    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", path.string()});
-  } catch (const std::length_error&) {
-    return std::unexpected(Error{ErrorCode::out_of_memory, "it is too large to read", path.string()});
-  }
+  if (file.descriptor < 0) return cannot_read(path.string(), errno);
+  return read_to_end(file.descriptor, path.string());
 }
 
 Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format) {
   const auto bytes = read_text_file(path);
   if (!bytes) return std::unexpected(bytes.error());
   return read_bytes(*bytes, path.string(), format, &path);
+}
+
+Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format) {
+  const auto bytes = read_to_end(descriptor, name);
+  if (!bytes) return std::unexpected(bytes.error());
+  return read_bytes(*bytes, name, format, nullptr);
 }
 
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format) {

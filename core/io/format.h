@@ -39,6 +39,9 @@ Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::st
 /// The same for bytes in memory; `name` stands for the file in messages.
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {});
 
+/// The same from an open file descriptor, e.g. standard input, read to its end and left open.
+Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format = {});
+
 /// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
 std::string write_poff(const Document& document);
 

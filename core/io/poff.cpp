@@ -67,7 +67,7 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
       continue;
     }
     const std::uint64_t column = note.column + static_cast<std::uint64_t>(word.data() - note.text.data());
-    return bad_input("this loop is ignored, because " + quoted(word) + " is not the number of one of the " +
+    return bad_input("this loop is ignored, because " + in_quotes(word) + " is not the number of one of the " +
                          std::to_string(points) + " points",
                      name, note.line, column);
   }
@@ -86,21 +86,21 @@ Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name) 
     return bad_input(std::move(text), name, scanner.line(), scanner.column());
   };
   if (!scanner.next()) return fail("expected \"POFF\", found the end of the file");
-  if (scanner.token() != "POFF") return fail("expected \"POFF\", found " + quoted(scanner.token()));
+  if (scanner.token() != "POFF") return fail("expected \"POFF\", found " + in_quotes(scanner.token()));
 
   if (!scanner.next()) return fail("expected the number of points, found the end of the file");
   const auto count = parse_count(scanner.token());
   if (!count || *count > kMostSamples) {
     if (!count && count.error() == NumberFault::not_a_number)
-      return fail("expected the number of points, found " + quoted(scanner.token()));
-    return fail("more than " + std::to_string(kMostSamples) + " points are announced: " + quoted(scanner.token()));
+      return fail("expected the number of points, found " + in_quotes(scanner.token()));
+    return fail("more than " + std::to_string(kMostSamples) + " points are announced: " + in_quotes(scanner.token()));
   }
   for (int i = 0; i < 2; ++i) {
     if (!scanner.next()) return fail("the header must end with two integers, \"0 0\"; found the end of the file");
     std::string_view digits = scanner.token();
     if (digits.starts_with('-')) digits.remove_prefix(1);
     if (!parse_count(digits))
-      return fail("the header must end with two integers, \"0 0\"; found " + quoted(scanner.token()));
+      return fail("the header must end with two integers, \"0 0\"; found " + in_quotes(scanner.token()));
   }
 
   LoadedFile file;
@@ -148,7 +148,7 @@ Expected<std::vector<SampleData::Contour>> read_contours(std::string_view bytes,
     const auto size = parse_count(scanner.token());
     if (!size || *size > points - sum)
       return bad_input(size ? "the contours have more points than the file (" + std::to_string(points) + ")"
-                            : "expected the number of points of a contour, found " + quoted(scanner.token()),
+                            : "expected the number of points of a contour, found " + in_quotes(scanner.token()),
                        name, scanner.line(), scanner.column());
     sum += *size;
     if (*size != 0) sizes.push_back(*size);

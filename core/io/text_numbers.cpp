@@ -106,9 +106,9 @@ std::expected<std::uint64_t, NumberFault> parse_count(std::string_view token) {
 
 std::string describe(NumberFault fault, std::string_view token) {
   switch (fault) {
-    case NumberFault::not_a_number: return "expected a number, found " + quoted(token);
-    case NumberFault::not_finite: return quoted(token) + " is not a finite number";
-    case NumberFault::too_large: return quoted(token) + " is too large";
+    case NumberFault::not_a_number: return "expected a number, found " + in_quotes(token);
+    case NumberFault::not_finite: return in_quotes(token) + " is not a finite number";
+    case NumberFault::too_large: return in_quotes(token) + " is too large";
   }
   return {};
 }
@@ -131,7 +131,7 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   if (token.size() <= kQuotedLength) return '"' + printable(token) + '"';
   std::size_t cut = kQuotedLength - 3;
   while (cut > 0 && (static_cast<unsigned char>(token[cut]) & 0xC0U) == 0x80) --cut;

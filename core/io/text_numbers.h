@@ -24,7 +24,7 @@ std::expected<std::uint64_t, NumberFault> parse_count(std::string_view token);
 std::string describe(NumberFault fault, std::string_view token);
 
 /// The token between double quotes for a message: at most about 40 characters, nothing unprintable.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 /// The text with everything unprintable escaped, of any length; UTF-8 passes.
 std::string printable(std::string_view text);

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/requests.h"
+#include "core/base/assert.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  mesecina shape.poff
+  mesecina compute shape.poff --layers medial-axis,curve
+  mesecina render shape.poff --layers interior-voronoi-disks,curve,medial-axis,points -o shape.png
+  mesecina export shape.poff --layer medial-axis --format csv -o axis.csv
+  mesecina list layers
+
+Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output impossible (or no display), 130 interrupted.)";
+
+/// Commands that are spoken for, so that nobody takes them for names of files.
+constexpr std::array<std::string_view, 3> kLaterCommands{"evolve", "play", "demo"};
+
+/// Everything the parser fills in.
+struct Arguments {
+  std::vector<std::string> files;
+  ComputeRequest compute;
+  ExportRequest exported;
+  RenderRequest render;
+  ListRequest list;
+};
+
+std::string ids_of(const auto& descriptors) {
+  std::string out;
+  for (const auto& descriptor : descriptors) {
+    if (!out.empty()) out += ", ";
+    out += descriptor.id;
+  }
+  return out;
+}
+
+void add_source(CLI::App& command, Source& source) {
+  command.add_option("FILE", source.file, "Samples to read, or - for standard input")->required();
+  command.add_option("--from", source.from,
+                     "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
+  command.add_option("--precision", source.precision, "Number type: " + ids_of(precision_descriptors()))
+      ->capture_default_str();
+  command
+      .add_option("--set", source.settings, "Set a parameter, NAME=VALUE (mesecina list parameters); may be repeated")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void describe_commands(CLI::App& app, Arguments& to) {
+  app.name("mesecina");
+  app.description(
+      "Sample-based geometry in the plane, live: Delaunay, Voronoi, one-step crust, inner balls, medial axis.\n"
+      "With FILEs or nothing it opens the window; every result can also be had without one.");
+  app.set_version_flag("--version", "mesecina " MESECINA_VERSION, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.add_option("FILE", to.files, "Samples to open in the window");
+  app.footer(kExamples);
+  app.option_defaults()->always_capture_default(false);
+  app.require_subcommand(0, 1);
+
+  CLI::App* const compute = app.add_subcommand("compute", "Counts and measures of structures and layers, as JSON");
+  add_source(*compute, to.compute.source);
+  compute->add_option("--layers", to.compute.layers,
+                      "Comma list of layer ids (mesecina list layers), or all; default: those visible at start");
+  compute->add_flag("!--no-timing", to.compute.with_timing, "Leave out times: equal input gives equal bytes");
+  compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
+
+  CLI::App* const exported = app.add_subcommand("export", "The geometry of one layer, as text");
+  add_source(*exported, to.exported.source);
+  exported->add_option("--layer", to.exported.layer, "Layer id (mesecina list layers)")->required();
+  exported
+      ->add_option("--format", to.exported.format,
+                   "csv: one primitive a line; poff: points, or the ends of segments with the chains they form")
+      ->required();
+  exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
+
+  CLI::App* const render = app.add_subcommand("render", "A picture of layers, as PNG; needs no display");
+  add_source(*render, to.render.source);
+  render->add_option("--layers", to.render.layers,
+                     "Comma list of layer ids, or all; default: those visible at start. They are drawn in the order "
+                     "of mesecina list layers, the first at the bottom, however they are listed here");
+  render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
+  render->add_option("--view", to.render.view, "fit, or X0,Y0,X1,Y1: two corners of what must be seen")
+      ->capture_default_str();
+  render->add_option("--scale", to.render.scale, "Factor for line widths and point sizes, as for a denser screen")
+      ->capture_default_str();
+  render->add_option("--background", to.render.background, "RRGGBB or transparent")->capture_default_str();
+  render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
+
+  CLI::App* const list = app.add_subcommand("list", "What there is to name");
+  std::string things;
+  for (const std::string& thing : listed_things()) things += (things.empty() ? "" : "|") + thing;
+  list->add_option("WHAT", to.list.what, things)->required();
+  list->add_flag("--json", to.list.as_json, "As JSON");
+
+  for (CLI::App* const command : {compute, exported, render, list})
+    command->set_help_flag("-h,--help", "Print this help and exit");
+}
+
+Expected<void> check_source(const Source& source) {
+  if (auto good = check_precision(source.precision); !good) return good;
+  return check_settings(source.settings);
+}
+
+Expected<void> run_command(const CLI::App& command, const Arguments& arguments) {
+  Interruption interruption;
+  const auto run = [&](const auto& request, auto function) -> Expected<void> {
+    if (auto good = check_source(request.source); !good) return good;
+    return function(request, interruption);
+  };
+  if (command.get_name() == "compute") return run(arguments.compute, run_compute);
+  if (command.get_name() == "export") return run(arguments.exported, run_export);
+  if (command.get_name() == "render") return run(arguments.render, run_render);
+  return run_list(arguments.list, interruption);
+}
+
+/// What CLI11 says, in one line and with the way to more.
+int refuse(const CLI::App& app, const std::string& text) {
+  std::string line = text;
+  std::ranges::replace(line, '\n', ' ');
+  while (line.ends_with(' ') || line.ends_with('.')) line.pop_back();
+  std::string command = "mesecina";
+  for (const CLI::App* chosen : app.get_subcommands()) command += ' ' + chosen->get_name();
+  return report({ErrorCode::usage, line + "; see " + command + " --help", {}, 0, 0});
+}
+
+int run(int argc, const char* const* argv, const OpenWindow& open_window) {
+  CLI::App app;
+  Arguments arguments;
+  describe_commands(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    // Help and version: results, so they go to stdout.
+    const int code = app.exit(done);
+    return std::fflush(stdout) == 0 ? code
+                                    : report({ErrorCode::cannot_write, "cannot be written", "standard output", 0, 0});
+  } catch (const CLI::ParseError& error) {
+    return refuse(app, error.what());
+  }
+  if (const auto chosen = app.get_subcommands(); !chosen.empty()) {
+    if (!arguments.files.empty()) return refuse(app, "unexpected " + in_quotes(arguments.files.front()));
+    const auto done = run_command(*chosen.front(), arguments);
+    return done ? kExitDone : report(done.error());
+  }
+  if (!arguments.files.empty() && !std::filesystem::exists(arguments.files.front()) &&
+      std::ranges::find(kLaterCommands, arguments.files.front()) != kLaterCommands.end())
+    return refuse(app, "command \"" + arguments.files.front() + "\" is not available in this build");
+  return open_window(std::move(arguments.files));
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, const OpenWindow& open_window) {
+  try {
+    return run(argc, argv, open_window);
+  } catch (const std::bad_alloc&) {
+    return report({ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0});
+  } catch (const std::exception& error) {
+    return report({ErrorCode::cannot_compute, error.what(), {}, 0, 0});
+  }
+}
+
+}  // namespace mes::cli

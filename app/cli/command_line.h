@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as the shell sees it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mes::cli {
+
+/// Opens the window on files and gives the exit code.
+using OpenWindow = std::function<int(std::vector<std::string> files)>;
+
+/// Runs the command that the arguments ask for, the window when they ask for none; gives the exit code.
+int run_command_line(int argc, const char* const* argv, const OpenWindow& open_window);
+
+}  // namespace mes::cli

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/computation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "app/cli/progress.h"
+#include "core/engine/engine.h"
+#include "core/graph/layer_descriptor.h"
+
+namespace mes::cli {
+namespace {
+
+/// Lets the engine's thread rouse this one.
+class Bell {
+ public:
+  void ring() {
+    {
+      const std::lock_guard lock(mutex_);
+      rung_ = true;
+    }
+    condition_.notify_one();
+  }
+  void wait(std::chrono::milliseconds at_most) {
+    std::unique_lock lock(mutex_);
+    condition_.wait_for(lock, at_most, [this] { return rung_; });
+    rung_ = false;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable condition_;
+  bool rung_ = false;
+};
+
+/// The work as a list of tasks in the order of the engine, so that "the third of seven" is known.
+class TaskList {
+ public:
+  explicit TaskList(std::span<const LayerIndex> layers) {
+    const auto descriptors = layer_descriptors();
+    for (const LayerIndex layer : layers)
+      for (const std::string_view structure : descriptors[layer].structures)
+        if (std::ranges::find(tasks_, structure) == tasks_.end()) tasks_.push_back(structure);
+    structures_ = tasks_.size();
+    for (const LayerIndex layer : layers) tasks_.push_back(descriptors[layer].id);
+  }
+
+  double fraction(const EngineStatus& status) {
+    const auto found = std::ranges::find(tasks_, status.task);
+    if (found != tasks_.end()) at_ = std::max(at_, static_cast<std::size_t>(found - tasks_.begin()));
+    // Emitting a layer is quick beside computing a structure.
+    constexpr double kLayerWeight = 0.1;
+    const auto weight_before = [this](std::size_t position) {
+      const std::size_t layers = position > structures_ ? position - structures_ : 0;
+      return static_cast<double>(position - layers) + kLayerWeight * static_cast<double>(layers);
+    };
+    const double weight = at_ < structures_ ? 1.0 : kLayerWeight;
+    return (weight_before(at_) + weight * status.progress) / std::max(1e-9, weight_before(tasks_.size()));
+  }
+
+ private:
+  std::vector<std::string_view> tasks_;
+  std::size_t structures_ = 0;
+  std::size_t at_ = 0;
+};
+
+std::unexpected<Error> failure_of(std::span<const NodeReport> nodes, std::span<const LayerReport> reports) {
+  // A failed structure is the cause; blocked ones and layers follow from it.
+  for (const NodeReport& node : nodes)
+    if (node.state == NodeState::failed)
+      return std::unexpected(
+          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
+  for (const LayerReport& report : reports)
+    if (report.state == NodeState::failed || report.state == NodeState::blocked)
+      return std::unexpected(
+          Error{ErrorCode::cannot_compute,
+                "layer " + std::string(layer_descriptors()[report.layer].id) + " failed: " + report.reason,
+                {},
+                0,
+                0});
+  return std::unexpected(Error{ErrorCode::cannot_compute, "the computation did not finish", {}, 0, 0});
+}
+
+}  // namespace
+
+Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request) {
+  ComputationResult result;
+  auto replacement = replace_all(result.document, data);
+  if (!replacement) return std::unexpected(replacement.error());
+  const auto delta = std::make_shared<const DocumentDelta>(std::move(*replacement));
+  result.document.apply(*delta);
+
+  Bell bell;
+  Progress progress;
+  TaskList tasks(request.layers);
+  Engine engine({.wake = [&bell] { bell.ring(); }});
+  engine.post(delta);
+  engine.set_want_statistics(request.want_statistics);
+  engine.set_demand(request.layers);
+
+  bool is_complete = false;
+  for (;;) {
+    // The status first: when it says idle, every patch is in the queue by now.
+    const EngineStatus status = engine.status();
+    while (auto patch = engine.poll()) {
+      if (request.on_patch) request.on_patch(*patch);
+      is_complete = patch->complete && patch->document_revision == result.document.revision();
+      result.nodes = patch->nodes;
+      result.reports = patch->reports;
+      engine.recycle(std::move(patch));
+    }
+    if (!status.busy) break;
+    progress.show(status.task, tasks.fraction(status));
+    constexpr std::chrono::milliseconds kBetweenLooks{100};
+    bell.wait(kBetweenLooks);
+  }
+
+  std::erase_if(result.nodes, [](const NodeReport& node) { return node.state == NodeState::inactive; });
+  const auto is_good = [](NodeState state) { return state == NodeState::up_to_date || state == NodeState::inactive; };
+  const bool all_good = is_complete && std::ranges::all_of(result.nodes, is_good, &NodeReport::state) &&
+                        std::ranges::all_of(result.reports, is_good, &LayerReport::state);
+  if (!all_good) return failure_of(result.nodes, result.reports);
+  return result;
+}
+
+}  // namespace mes::cli

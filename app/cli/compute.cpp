@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina compute`: counters of structures and layers as JSON.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "app/cli/computation.h"
+#include "app/cli/input.h"
+#include "app/cli/layer_summary.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/graph/layer_descriptor.h"
+
+namespace mes::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t count_distinct(std::vector<Vec2> points) {
+  std::ranges::sort(points, lexicographically_less);
+  return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+}
+
+Json json_of(const NodeReport& node, bool with_timing) {
+  Json out = Json::object();
+  if (with_timing) out["ms"] = node.update_ms;
+  for (const Stat& stat : node.stats) std::visit([&](const auto& value) { out[stat.key] = value; }, stat.value);
+  return out;
+}
+
+Json json_of(const LayerSummary& summary, const LayerDescriptor& layer) {
+  Json out = Json::object();
+  const auto emits = [&layer](PrimitiveKind kind) {
+    return std::ranges::find(layer.kinds, kind) != layer.kinds.end();
+  };
+  for (const PrimitiveKind kind : kAllPrimitiveKinds)
+    if (emits(kind)) out[std::string(plural_of(kind))] = summary.count[static_cast<std::size_t>(kind)];
+  if (emits(PrimitiveKind::segment)) {
+    out["zero_length"] = summary.zero_length;
+    out["length"] = summary.length;
+  }
+  if (emits(PrimitiveKind::circle) || emits(PrimitiveKind::disk)) out["radius_sum"] = summary.radius_sum;
+  if (emits(PrimitiveKind::triangle)) out["area"] = summary.area;
+  return out;
+}
+
+}  // namespace
+
+Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption) {
+  const auto layers = select_layers(request.layers);
+  if (!layers) return std::unexpected(layers.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_input(request.source.file, request.source.from);
+  if (!input) return std::unexpected(input.error());
+
+  LayerMirror mirror;
+  const auto result = run_computation(
+      input->data, {.layers = *layers, .want_statistics = true, .on_patch = [&](const FramePatch& patch) {
+                      mirror.apply(patch);
+                    }});
+  if (!result) return std::unexpected(result.error());
+
+  Json out;
+  out["schema"] = 1;
+  out["version"] = MESECINA_VERSION;
+  out["input"] = {{"file", request.source.file},
+                  {"format", input->format},
+                  {"samples", input->data.positions.size()},
+                  {"distinct", count_distinct(input->data.positions)},
+                  {"contours", input->data.contours.size()},
+                  {"balls", 0}};
+  out["precision"] = request.source.precision;
+  out["structures"] = Json::object();
+  for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);
+  out["layers"] = Json::object();
+  for (const LayerIndex layer : *layers) {
+    const LayerDescriptor& descriptor = layer_descriptors()[layer];
+    out["layers"][std::string(descriptor.id)] = json_of(summarise(mirror, layer), descriptor);
+  }
+  out["diagnostics"] = {{"theorem", nullptr}, {"reasons", Json::array()}};
+  // A file name need not be UTF-8, but JSON must.
+  const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return write_output(request.output, text, interruption);
+}
+
+}  // namespace mes::cli

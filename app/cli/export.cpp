@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina export`: the geometry of one layer as text.
+#include <array>
+
+#include "app/cli/computation.h"
+#include "app/cli/geometry_text.h"
+#include "app/cli/input.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+Expected<void> check_export_format(const std::string& format) {
+  constexpr std::array<std::string_view, 2> kNow{"csv", "poff"};
+  constexpr std::array<std::string_view, 3> kLater{"wpoff", "npoff", "geojson"};
+  if (std::ranges::find(kNow, format) != kNow.end()) return {};
+  if (std::ranges::find(kLater, format) != kLater.end())
+    return usage_error("export format \"" + format + "\" is not available in this build; it is one of " +
+                       one_of(kNow));
+  return usage_error("unknown export format " + in_quotes(format) + "; it is one of " + one_of(kNow));
+}
+
+Expected<std::string> text_of(const LayerMirror& mirror, LayerIndex layer, const std::string& format,
+                              const Document& document) {
+  const LayerDescriptor& descriptor = layer_descriptors()[layer];
+  if (format == "csv") return csv_of(mirror, layer, descriptor);
+  // The samples themselves: in input order and with the curve order that came with them.
+  if (descriptor.id == "points") return write_poff(document);
+  return poff_of(mirror, layer, descriptor);
+}
+
+}  // namespace
+
+Expected<void> run_export(const ExportRequest& request, Interruption& interruption) {
+  if (auto good = check_export_format(request.format); !good) return good;
+  const auto layer = select_layer(request.layer);
+  if (!layer) return std::unexpected(layer.error());
+  if (request.format == "poff")
+    if (const auto possible = poff_of({}, *layer, layer_descriptors()[*layer]); !possible)
+      return std::unexpected(possible.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_input(request.source.file, request.source.from);
+  if (!input) return std::unexpected(input.error());
+
+  LayerMirror mirror;
+  const auto result = run_computation(
+      input->data, {.layers = {*layer}, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
+  if (!result) return std::unexpected(result.error());
+  const auto text = text_of(mirror, *layer, request.format, result->document);
+  if (!text) return std::unexpected(text.error());
+  return write_output(request.output, *text, interruption);
+}
+
+}  // namespace mes::cli

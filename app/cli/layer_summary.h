@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a layer amounts to: counts and sums over its instances.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/graph/layer_mirror.h"
+
+namespace mes::cli {
+
+struct LayerSummary {
+  std::array<std::uint64_t, kPrimitiveKinds> count{};  ///< zero-length segments not counted
+  std::uint64_t zero_length = 0;                       ///< segments whose ends are equal
+  double length = 0.0;                                 ///< of the segments
+  double radius_sum = 0.0;                             ///< of circles and disks
+  double area = 0.0;                                   ///< of the triangles
+};
+
+LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer);
+
+/// "points", "disks", ...
+std::string_view plural_of(PrimitiveKind kind);
+
+/// True for a segment (as in patches) whose ends are equal.
+constexpr bool is_zero_length(const double* segment) {
+  return segment[0] == segment[2] && segment[1] == segment[3];
+}
+
+/// A sum whose error does not grow with the number of terms (Neumaier's variant of Kahan's).
+class Sum {
+ public:
+  void add(double term);
+  double value() const { return sum_ + correction_; }
+
+ private:
+  double sum_ = 0.0;
+  double correction_ = 0.0;
+};
+
+}  // namespace mes::cli

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina list`: what there is, for people as a table and for programs as JSON.
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/actions.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/document/parameter.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/graph/structure.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One thing that is listed: the table shows its name and a line of text, JSON shows everything.
+struct Entry {
+  std::string id;
+  std::string text;
+  Json json;
+};
+
+std::string hex_of(Rgb color) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out = "#";
+  for (const unsigned channel : {color.r, color.g, color.b}) {
+    out += kDigits[channel >> 4U];
+    out += kDigits[channel & 15U];
+  }
+  return out;
+}
+
+std::vector<Entry> layers() {
+  std::vector<Entry> out;
+  for (const LayerDescriptor& layer : layer_descriptors()) {
+    Json kinds = Json::array();
+    for (const PrimitiveKind kind : layer.kinds) kinds.push_back(name_of(kind));
+    out.push_back({std::string(layer.id),
+                   std::string(layer.tooltip),
+                   {{"id", layer.id},
+                    {"name", layer.name},
+                    {"tooltip", layer.tooltip},
+                    {"group", title_of(layer.group)},
+                    {"in_paper", layer.in_paper},
+                    {"visible_at_start", layer.visible_at_start},
+                    {"in_fit_box", layer.in_fit_box},
+                    {"kinds", kinds},
+                    {"scalar", layer.scalar.empty() ? Json() : Json(layer.scalar)},
+                    {"structures", layer.structures},
+                    {"style",
+                     {{"color", hex_of(layer.style.color)},
+                      {"opacity", layer.style.opacity},
+                      {"point_size_px", layer.style.point_size_px},
+                      {"line_width_px", layer.style.line_width_px},
+                      {"dashed", layer.style.dashed},
+                      {"flat", layer.style.flat}}}}});
+  }
+  return out;
+}
+
+std::vector<Entry> structures() {
+  std::vector<Entry> out;
+  for (const std::string_view id : structure_ids()) {
+    Json readers = Json::array();
+    std::string text;
+    for (const LayerDescriptor& layer : layer_descriptors()) {
+      if (std::ranges::find(layer.structures, id) == layer.structures.end()) continue;
+      readers.push_back(layer.id);
+      text += text.empty() ? "shown by " : ", ";
+      text += layer.name;
+    }
+    out.push_back({std::string(id), text, {{"id", id}, {"layers", readers}}});
+  }
+  return out;
+}
+
+std::vector<Entry> formats() {
+  constexpr std::array<std::string_view, 2> kExported{"csv", "poff"};
+  std::vector<Entry> out;
+  for (const FormatDescriptor& format : format_descriptors()) {
+    const bool is_exported = std::ranges::find(kExported, format.id) != kExported.end();
+    std::string text = std::string(format.name) + " (";
+    for (std::size_t i = 0; i < format.extensions.size(); ++i) {
+      if (i != 0) text += ' ';
+      text += format.extensions[i];
+    }
+    text += format.can_read ? "), read" : ")";
+    if (is_exported) text += ", exported";
+    out.push_back({std::string(format.id),
+                   text,
+                   {{"id", format.id},
+                    {"name", format.name},
+                    {"extensions", format.extensions},
+                    {"read", format.can_read},
+                    {"write", format.can_write},
+                    {"export", is_exported}}});
+  }
+  return out;
+}
+
+std::vector<Entry> parameters() {
+  std::vector<Entry> out;
+  for (const ParameterDescriptor& parameter : parameter_descriptors()) {
+    std::string range;
+    append_number(range, parameter.low);
+    range += " to ";
+    append_number(range, parameter.high);
+    out.push_back({std::string(parameter.id),
+                   std::string(parameter.explanation) + " (" + range + ")",
+                   {{"id", parameter.id},
+                    {"explanation", parameter.explanation},
+                    {"unit", parameter.unit},
+                    {"low", parameter.low},
+                    {"high", parameter.high},
+                    {"default", parameter.default_value}}});
+  }
+  return out;
+}
+
+std::vector<Entry> precisions() {
+  std::vector<Entry> out;
+  for (const PrecisionDescriptor& precision : precision_descriptors())
+    out.push_back(
+        {std::string(precision.id),
+         std::string(precision.explanation) + (precision.is_available ? "" : " (not in this build)"),
+         {{"id", precision.id}, {"explanation", precision.explanation}, {"available", precision.is_available}}});
+  return out;
+}
+
+std::vector<Entry> actions() {
+  std::vector<Entry> out;
+  for (const ActionDescriptor& action : action_descriptors()) {
+    std::string text(action.tooltip);
+    for (std::size_t i = 0; i < action.keys.size(); ++i) {
+      text += i == 0 ? " [" : ", ";
+      text += action.keys[i];
+    }
+    if (!action.keys.empty()) text += ']';
+    out.push_back({std::string(action.public_id),
+                   text,
+                   {{"id", action.public_id},
+                    {"name", action.name},
+                    {"tooltip", action.tooltip},
+                    {"group", title_of(action.group)},
+                    {"keys", action.keys}}});
+  }
+  return out;
+}
+
+struct Listing {
+  std::string_view name;
+  std::vector<Entry> (*entries)();
+};
+
+constexpr std::array<Listing, 6> kListings{{{"layers", layers},
+                                            {"structures", structures},
+                                            {"formats", formats},
+                                            {"parameters", parameters},
+                                            {"precisions", precisions},
+                                            {"actions", actions}}};
+
+std::string table_of(const std::vector<Entry>& entries) {
+  std::size_t width = 0;
+  for (const Entry& entry : entries) width = std::max(width, entry.id.size());
+  std::string out;
+  for (const Entry& entry : entries) {
+    out += entry.id;
+    if (!entry.text.empty()) out += std::string(width - entry.id.size() + 2, ' ') + entry.text;
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> listed_things() {
+  std::vector<std::string> out;
+  for (const Listing& listing : kListings) out.emplace_back(listing.name);
+  return out;
+}
+
+Expected<void> run_list(const ListRequest& request, Interruption& interruption) {
+  std::vector<std::string_view> names;
+  for (const Listing& listing : kListings) {
+    names.push_back(listing.name);
+    if (listing.name != request.what) continue;
+    const std::vector<Entry> entries = listing.entries();
+    if (!request.as_json) return write_output({}, table_of(entries), interruption);
+    Json out = Json::array();
+    for (const Entry& entry : entries) out.push_back(entry.json);
+    return write_output({}, out.dump(2) + '\n', interruption);
+  }
+  return usage_error("cannot list " + in_quotes(request.what) + "; it is one of " + one_of(names));
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command line says on stderr, and the exit codes of CLI contract: 0 done, 1 not completed, 2 usage, 3 bad
+// input, 4 output impossible, 130 interrupted.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace mes::cli {
+
+inline constexpr int kExitDone = 0;
+
+int exit_code_of(ErrorCode code);
+
+/// Prints "mesecina: text" as one printable line.
+void say(std::string_view text);
+
+/// Says what went wrong and gives the exit code.
+int report(const Error& error);
+
+inline std::unexpected<Error> usage_error(std::string text) {
+  return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/names.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "app/cli/messages.h"
+#include "core/document/parameter.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+// Levenshtein. Both words are short: the one that is typed is cut.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+std::vector<std::string_view> split_list(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::vector<std::string_view> layer_ids() {
+  std::vector<std::string_view> ids;
+  for (const LayerDescriptor& layer : layer_descriptors()) ids.push_back(layer.id);
+  return ids;
+}
+
+std::string unknown(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
+  return "unknown " + std::string(what) + ' ' + in_quotes(word) + "; did you mean " +
+         one_of(nearest_names(word, names)) + '?';
+}
+
+}  // namespace
+
+std::vector<std::string_view> nearest_names(std::string_view word, std::span<const std::string_view> names) {
+  constexpr std::size_t kLongestWord = 64;
+  constexpr std::size_t kMost = 3;
+  word = word.substr(0, kLongestWord);
+  const auto score = [word](std::string_view name) -> std::size_t {
+    const bool one_in_other = word.size() >= 3 && (name.contains(word) || word.contains(name));
+    return one_in_other ? 1 : edit_distance(word, name);
+  };
+  std::vector<std::pair<std::size_t, std::string_view>> ranked;
+  for (const std::string_view name : names) ranked.emplace_back(score(name), name);
+  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
+  std::vector<std::string_view> out;
+  for (const auto& [distance, name] : ranked) {
+    // Beside a good guess the poor ones are noise.
+    if (out.size() == kMost || (!out.empty() && distance > ranked.front().first + 2)) break;
+    out.push_back(name);
+  }
+  return out;
+}
+
+std::string one_of(std::span<const std::string_view> names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i != 0) out += i + 1 == names.size() ? " or " : ", ";
+    out += names[i];
+  }
+  return out;
+}
+
+Expected<LayerIndex> select_layer(const std::string& id) {
+  const LayerIndex layer = find_layer(id);
+  if (layer != kNoSlot) return layer;
+  return usage_error(unknown("layer", id, layer_ids()) + " (mesecina list layers)");
+}
+
+Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
+  const auto descriptors = layer_descriptors();
+  std::vector<LayerIndex> layers;
+  if (ids.empty() || ids == "all") {
+    for (LayerIndex layer = 0; layer < descriptors.size(); ++layer)
+      if (ids == "all" || descriptors[layer].visible_at_start) layers.push_back(layer);
+    return layers;
+  }
+  for (const std::string_view word : split_list(ids)) {
+    const auto layer = select_layer(std::string(word));
+    if (!layer) return std::unexpected(layer.error());
+    if (std::ranges::find(layers, *layer) == layers.end()) layers.push_back(*layer);
+  }
+  return layers;
+}
+
+std::span<const PrecisionDescriptor> precision_descriptors() {
+  static constexpr std::array<PrecisionDescriptor, 4> kPrecisions{
+      {{"naive", "plain doubles everywhere; wrong on degenerate input, to see why it matters", false},
+       {"fast", "exact decisions on the samples, constructed points rounded to doubles", true},
+       {"exact", "rational arithmetic for constructed points as well", false},
+       {"exact-roots", "algebraic numbers, for points that need square roots", false}}};
+  return kPrecisions;
+}
+
+Expected<void> check_precision(const std::string& id) {
+  std::vector<std::string_view> ids;
+  for (const PrecisionDescriptor& precision : precision_descriptors()) {
+    ids.push_back(precision.id);
+    if (precision.id != id) continue;
+    if (precision.is_available) return {};
+    return usage_error("precision \"" + id + "\" is not available in this build; \"fast\" is");
+  }
+  return usage_error("unknown precision " + in_quotes(id) + "; it is one of " + one_of(ids));
+}
+
+Expected<void> check_settings(std::span<const std::string> settings) {
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      return usage_error("--set expects NAME=VALUE, not " + in_quotes(setting));
+    const std::string_view name = std::string_view(setting).substr(0, equals);
+    const std::string_view text = std::string_view(setting).substr(equals + 1);
+    std::vector<std::string_view> names;
+    const ParameterDescriptor* found = nullptr;
+    for (const ParameterDescriptor& parameter : parameter_descriptors()) {
+      names.push_back(parameter.id);
+      if (parameter.id == name) found = &parameter;
+    }
+    if (found == nullptr) {
+      if (names.empty())
+        return usage_error("unknown parameter " + in_quotes(name) + "; the layers of this build have none");
+      return usage_error(unknown("parameter", name, names) + " (mesecina list parameters)");
+    }
+    const auto value = parse_number(text);
+    if (!value) return usage_error("--set " + printable(name) + ": " + describe(value.error(), text));
+    if (*value < found->low || *value > found->high) {
+      std::string range = "--set " + printable(name) + ": " + in_quotes(text) + " is not between ";
+      append_number(range, found->low);
+      range += " and ";
+      append_number(range, found->high);
+      return usage_error(std::move(range));
+    }
+  }
+  return {};
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Public names as users type them: lists of layers, number types, parameters.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/slot.h"
+
+namespace mes::cli {
+
+/// The names that a mistyped word most probably means, best first, three at most: by edit distance, and names that
+/// contain the word (or lie in it) before others.
+std::vector<std::string_view> nearest_names(std::string_view word, std::span<const std::string_view> names);
+
+/// "a", "a or b", "a, b or c".
+std::string one_of(std::span<const std::string_view> names);
+
+/// A comma list of layer ids, or "all"; without a text the layers that are visible at start. No layer twice; in the
+/// order of the list ("all" and none: bottom first). Error: `usage`, naming the nearest ids.
+Expected<std::vector<LayerIndex>> select_layers(const std::string& ids);
+Expected<LayerIndex> select_layer(const std::string& id);
+
+struct PrecisionDescriptor {
+  std::string_view id;
+  std::string_view explanation;
+  bool is_available = false;
+};
+std::span<const PrecisionDescriptor> precision_descriptors();
+
+/// Error: `usage`, for unknown names and for what this build cannot do.
+Expected<void> check_precision(const std::string& id);
+
+/// Settings NAME=VALUE against the parameter registry. Error: `usage`.
+Expected<void> check_settings(std::span<const std::string> settings);
+
+}  // namespace mes::cli

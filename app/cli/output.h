@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where results go: a file that appears whole, or standard output.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/cli/interruption.h"
+#include "core/base/error.h"
+
+namespace mes::cli {
+
+/// True for no name and for "-".
+bool is_standard_output(const std::string& file);
+
+/// Says no to an output that cannot be, before the work for it begins.
+Expected<void> check_output(const std::string& file);
+
+Expected<void> write_output(const std::string& file, std::string_view bytes, Interruption& interruption);
+
+}  // namespace mes::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mes::cli {
+namespace {
+
+double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+std::string two_digits(long long value) {
+  return value < 10 ? '0' + std::to_string(value) : std::to_string(value);
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const long long whole = std::llround(std::clamp(seconds, 0.0, 1e9));
+  if (whole < 60) return std::to_string(whole) + " s";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + two_digits(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + two_digits(whole % 3600 / 60) + " min";
+}
+
+Progress::Progress() : is_terminal_(::isatty(STDERR_FILENO) != 0), last_(started_) {}
+
+Progress::~Progress() {
+  if (is_shown_) std::fputs("\r\x1b[K", stderr);
+}
+
+void Progress::show(std::string_view task, double fraction) {
+  constexpr double kGlance = 0.4;
+  constexpr double kBetween = 0.1;
+  if (!is_terminal_) return;
+  const Clock::time_point now = Clock::now();
+  const double elapsed = seconds_between(started_, now);
+  if (elapsed < kGlance || (is_shown_ && seconds_between(last_, now) < kBetween)) return;
+  // Never backwards: the parts of the work are not known to the last when it begins.
+  shown_fraction_ = std::max(shown_fraction_, std::clamp(fraction, 0.0, 1.0));
+  std::string line = "\rmesecina: " + std::string(task) + ' ' +
+                     std::to_string(static_cast<int>(std::floor(100.0 * shown_fraction_))) + " %";
+  if (shown_fraction_ > 0.01)
+    line += ", " + duration_text(elapsed * (1.0 - shown_fraction_) / shown_fraction_) + " left";
+  line += "\x1b[K";
+  std::fputs(line.c_str(), stderr);
+  std::fflush(stderr);
+  is_shown_ = true;
+  last_ = now;
+}
+
+}  // namespace mes::cli

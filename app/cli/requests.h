@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands, and what they are asked for. Each writes its result and nothing else, or says why it cannot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/interruption.h"
+#include "core/base/error.h"
+
+namespace mes::cli {
+
+/// Common to everything that reads samples and computes.
+struct Source {
+  std::string file;
+  std::string from;  ///< id of the input format; empty = find out
+  std::string precision = "fast";
+  std::vector<std::string> settings;  ///< NAME=VALUE
+};
+
+struct ComputeRequest {
+  Source source;
+  std::string layers;
+  bool with_timing = true;
+  std::string output;
+};
+Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption);
+
+struct ExportRequest {
+  Source source;
+  std::string layer;
+  std::string format;
+  std::string output;
+};
+Expected<void> run_export(const ExportRequest& request, Interruption& interruption);
+
+struct RenderRequest {
+  Source source;
+  std::string layers;
+  std::string size = "1600x1200";
+  std::string view = "fit";
+  double scale = 1.0;
+  std::string background = "ffffff";
+  std::string output;
+};
+Expected<void> run_render(const RenderRequest& request, Interruption& interruption);
+
+struct ListRequest {
+  std::string what;
+  bool as_json = false;
+};
+Expected<void> run_list(const ListRequest& request, Interruption& interruption);
+
+/// What `list` can list.
+std::vector<std::string> listed_things();
+
+}  // namespace mes::cli
