@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the scene needs of a graphics library, and no more: instance buffers, off-screen targets, one kind of draw call.
+//
+// What it guarantees:
+//  1. Handles are never used twice; using a destroyed one is a broken invariant (MES_ASSERT).
+//  2. `resize_buffer` keeps the bytes it is asked to keep; the rest is undefined until updated.
+//  3. A draw call leaves no state behind that the next one depends on.
+//  4. `counters()` counts instance bytes only: uniforms are not uploads.
+//
+// Smallest use:
+//     GlDevice device;                       // a current OpenGL context is needed
+//     BufferId buffer = device.create_buffer(1024);
+//     device.draw({.program = {PrimitiveKind::point}, .buffer = buffer, ...});
+//
+// Cost: a draw call is a handful of driver calls. Threads: the one that owns the context.
+// Implementations: `GlDevice` (OpenGL 3.3 core), `RecordingDevice` (no GPU: checks and counts).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/base/primitives.h"
+
+namespace mes::render {
+
+/// Handles; zero is "none", for a framebuffer the one of the window.
+struct BufferId {
+  std::uint32_t value = 0;
+  friend constexpr auto operator<=>(BufferId, BufferId) = default;
+};
+struct FramebufferId {
+  std::uint32_t value = 0;
+  friend constexpr auto operator<=>(FramebufferId, FramebufferId) = default;
+};
+
+/// Bytes `offset .. offset + size` of a buffer.
+struct ByteRange {
+  std::size_t offset = 0;
+  std::size_t size = 0;
+};
+
+/// Pixels of a target; the origin is its lower left corner, as OpenGL has it.
+struct PixelRect {
+  int left = 0;
+  int bottom = 0;
+  int width = 0;
+  int height = 0;
+  friend constexpr bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// Colour with alpha, each channel multiplied by it, in [0, 1].
+using PremultipliedColor = std::array<float, 4>;
+
+enum class TargetFormat : std::uint8_t {
+  color,     ///< RGBA, 8 bits a channel, premultiplied
+  coverage,  ///< one channel, 8 bits: how much of the pixel a group of primitives covers
+};
+
+struct FramebufferSpec {
+  int width = 1;
+  int height = 1;
+  TargetFormat format = TargetFormat::color;
+  int samples = 1;  ///< multisampling; 1 is none. Edges are analytic, so 1 is what you want
+};
+
+/// How exactly a program works out where long lines and large circles pass, relative to the centre of the view.
+enum class Reach : std::uint8_t {
+  near,  ///< single precision: right while coordinates are below about 10^5 pixels from the centre
+  far,   ///< twice that many bits: deep zoom, and coordinates far outside
+};
+
+/// Chooses a program; compiled at first use.
+struct ProgramKey {
+  PrimitiveKind kind = PrimitiveKind::point;
+  Reach reach = Reach::near;
+  bool dashed = false;
+  friend constexpr auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
+};
+
+enum class Blend : std::uint8_t {
+  over,  ///< premultiplied source over destination
+  add,   ///< saturating sum, for coverage of pieces that do not overlap
+};
+
+/// All a draw call's program reads besides instances. The order of fields is the one of `shaders/uniforms.glsl`.
+/// The centre of the view is given twice, in drawing space: as three floats with 21, 16 and the remaining bits, which
+/// meet the same pieces of an instance's coordinates (their differences are then exact), and as the bits of two
+/// doubles a coordinate for programs that compute in double.
+struct DrawUniforms {
+  std::array<float, 2> center_1{};
+  std::array<float, 2> center_2{};
+  std::array<float, 2> center_3{};
+  float pixels_per_unit = 1.0F;   ///< of drawing space
+  float half_width_px = 0.5F;     ///< of strokes; radius of points
+  std::array<float, 2> half_view_px{};
+  float view_radius_px = 0.0F;    ///< of the circle around the view
+  float ring_px = 0.0F;           ///< half the stroke of hollow points; 0: filled
+  PremultipliedColor color{};
+  float dash_px = 0.0F;
+  float dash_period_px = 0.0F;
+  float arc_pieces = 0.0F;        ///< quads along a circle
+  float spare = 0.0F;
+  std::array<std::uint32_t, 4> center_bits{};
+  std::array<std::uint32_t, 4> center_low_bits{};
+};
+
+struct DrawCall {
+  FramebufferId target;
+  PixelRect area;  ///< of the target; nothing outside is touched
+  ProgramKey program;
+  Blend blend = Blend::over;
+  BufferId buffer;
+  std::uint32_t instances = 0;
+  DrawUniforms uniforms;
+};
+
+struct DeviceCounters {
+  std::uint64_t bytes_uploaded = 0;
+  std::uint64_t updates = 0;  ///< contiguous ranges written
+  std::uint64_t draw_calls = 0;
+  std::uint64_t instances_drawn = 0;
+  std::uint64_t composites = 0;
+  std::uint64_t bytes_allocated = 0;  ///< of all instance buffers alive
+};
+
+class Device {
+ public:
+  Device() = default;
+  virtual ~Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  /// Throws std::bad_alloc when the graphics memory is exhausted, as do the other two that allocate.
+  virtual BufferId create_buffer(std::size_t bytes) = 0;
+  virtual void destroy_buffer(BufferId buffer) = 0;
+  /// The first `keep_bytes` stay what they are; `keep_bytes` is at most the old and the new size.
+  virtual void resize_buffer(BufferId buffer, std::size_t bytes, std::size_t keep_bytes) = 0;
+  /// `data` holds the bytes of all ranges one after the other. Ranges do not overlap and lie inside the buffer.
+  virtual void update_buffer(BufferId buffer, std::span<const ByteRange> ranges, std::span<const std::byte> data) = 0;
+
+  virtual FramebufferId create_framebuffer(const FramebufferSpec& spec) = 0;
+  virtual void destroy_framebuffer(FramebufferId framebuffer) = 0;
+  /// Fills `area` of the target.
+  virtual void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) = 0;
+  /// RGBA bytes of `area`, premultiplied, bottom row first. Waits for drawing to end.
+  virtual void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) = 0;
+
+  virtual void draw(const DrawCall& call) = 0;
+  /// Paints `color` through a coverage target, whose lower left corner comes to that of `area`.
+  virtual void composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+                         const PremultipliedColor& color) = 0;
+
+  /// Largest width and height of a framebuffer.
+  virtual int max_framebuffer_size() const = 0;
+  virtual const DeviceCounters& counters() const = 0;
+};
+
+}  // namespace mes::render

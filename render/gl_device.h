@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `Device` on OpenGL 3.3 core. Double precision in shaders is used where the driver has it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "render/device.h"
+#include "render/gl_handles.h"
+
+namespace mes::render {
+
+struct GlDeviceOptions {
+  bool allow_double = true;  ///< false: programs keep to pairs of floats, as on hardware without doubles
+};
+
+class GlDevice final : public Device {
+ public:
+  /// A context of at least OpenGL 3.3 core must be current, and stay so for the device's life. Throws AssertionFailure
+  /// when it is older.
+  explicit GlDevice(const GlDeviceOptions& options = {});
+  ~GlDevice() override;
+
+  BufferId create_buffer(std::size_t bytes) override;
+  void destroy_buffer(BufferId buffer) override;
+  void resize_buffer(BufferId buffer, std::size_t bytes, std::size_t keep_bytes) override;
+  void update_buffer(BufferId buffer, std::span<const ByteRange> ranges, std::span<const std::byte> data) override;
+  FramebufferId create_framebuffer(const FramebufferSpec& spec) override;
+  void destroy_framebuffer(FramebufferId framebuffer) override;
+  void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) override;
+  void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) override;
+  void draw(const DrawCall& call) override;
+  void composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+                 const PremultipliedColor& color) override;
+  int max_framebuffer_size() const override { return max_size_; }
+  const DeviceCounters& counters() const override { return counters_; }
+
+  /// Renderer and version as the driver names them.
+  std::string description() const;
+  bool uses_double() const { return uses_double_; }
+  /// Waits until everything asked for is drawn; for measuring.
+  void finish();
+
+ private:
+  struct Buffer {
+    GlBuffer handle;
+    std::size_t bytes = 0;
+  };
+  struct Framebuffer {
+    GlFramebuffer handle;
+    GlTexture texture;             ///< what is read; of `resolve` when multisampled
+    GlRenderbuffer multisampled;
+    GlFramebuffer resolve;
+    FramebufferSpec spec;
+  };
+  struct Program {
+    GlProgram handle;
+    int real = -1;
+    int bits = -1;
+  };
+
+  Buffer& buffer_of(BufferId id);
+  Framebuffer& framebuffer_of(FramebufferId id);
+  Program& program_of(const ProgramKey& key);
+  void bind_target(FramebufferId target, const PixelRect& area);
+  /// Makes multisampled pixels readable; the framebuffer to read from.
+  unsigned resolved(FramebufferId source);
+
+  std::map<std::uint32_t, Buffer> buffers_;
+  std::map<std::uint32_t, Framebuffer> framebuffers_;
+  std::map<ProgramKey, Program> programs_;
+  Program composite_;
+  GlVertexArray vertex_array_;
+  std::uint32_t next_id_ = 1;
+  int max_size_ = 0;
+  int max_samples_ = 1;
+  bool uses_double_ = false;
+  DeviceCounters counters_;
+};
+
+}  // namespace mes::render

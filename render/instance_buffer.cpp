@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/instance_buffer.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "render/instance_layout.h"
+
+namespace mes::render {
+namespace {
+
+constexpr std::size_t kSmallest = 32;
+
+}  // namespace
+
+void InstanceBuffer::swap(InstanceBuffer& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(kind_, other.kind_);
+  std::swap(buffer_, other.buffer_);
+  std::swap(capacity_, other.capacity_);
+  std::swap(count_, other.count_);
+  std::swap(frame_, other.frame_);
+  std::swap(extent_, other.extent_);
+}
+
+void InstanceBuffer::clear() {
+  if (buffer_ != BufferId{}) device_->destroy_buffer(buffer_);
+  buffer_ = {};
+  capacity_ = 0;
+  count_ = 0;
+  extent_ = {};
+}
+
+void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
+  const std::size_t bytes = layout_of(kind_).bytes();
+  // Half as much again: between copying often and holding memory nobody uses.
+  const std::size_t room = std::max({instances, kSmallest, keep == 0 ? 0 : capacity_ + capacity_ / 2});
+  if (buffer_ == BufferId{}) {
+    if (instances == 0) return;
+    buffer_ = device_->create_buffer(room * bytes);
+    capacity_ = room;
+  } else if (instances > capacity_ || (keep == 0 && instances < capacity_ / 8 && capacity_ > kSmallest)) {
+    device_->resize_buffer(buffer_, room * bytes, keep * bytes);
+    capacity_ = room;
+  }
+}
+
+std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame) {
+  const std::size_t stride = stride_of(kind_);
+  MES_ASSERT(data.size() >= count * stride);
+  frame_ = frame;
+  extent_ = {};
+  count_ = 0;
+  reserve(count, 0);
+  count_ = count;
+  std::vector<std::uint32_t> index(count);
+  std::iota(index.begin(), index.end(), 0U);
+  return write(index, data);
+}
+
+std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& frame) {
+  if (patch.reset) return replace(patch.count, patch.data, frame);
+  if (patch.is_empty()) return 0;
+  MES_ASSERT(patch.data.size() >= patch.index.size() * stride_of(kind_));
+  MES_ASSERT(count_ == 0 || frame == frame_);
+  frame_ = frame;
+  if (patch.count > capacity_) reserve(patch.count, std::min(count_, patch.count));
+  count_ = patch.count;
+  if (count_ == 0) extent_ = {};
+  return write(patch.index, patch.data);
+}
+
+std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::span<const double> data) {
+  const std::size_t stride = stride_of(kind_);
+  const std::size_t doubles = layout_of(kind_).doubles();
+  const std::size_t bytes = layout_of(kind_).bytes();
+
+  // Positions in the patch by instance; of several for one instance only the last stays.
+  std::vector<std::uint32_t> order(index.size());
+  std::iota(order.begin(), order.end(), 0U);
+  if (!std::ranges::is_sorted(index)) {
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return index[i]; });
+  }
+  std::vector<double> encoded;
+  encoded.reserve(order.size() * doubles);
+  std::vector<ByteRange> ranges;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t instance = index[order[i]];
+    // Written and then dropped within one run of the graph.
+    if (instance >= count_) break;
+    if (i + 1 < order.size() && index[order[i + 1]] == instance) continue;
+    const std::size_t end = encoded.size();
+    encoded.resize(end + doubles);
+    encode_instance(kind_, frame_, data.subspan(order[i] * stride, stride), std::span(encoded).subspan(end), extent_);
+    const std::size_t offset = instance * bytes;
+    if (!ranges.empty() && ranges.back().offset + ranges.back().size == offset) {
+      ranges.back().size += bytes;
+    } else {
+      ranges.push_back({offset, bytes});
+    }
+  }
+  if (!ranges.empty()) device_->update_buffer(buffer_, ranges, std::as_bytes(std::span(encoded)));
+  return encoded.size() * sizeof(double);
+}
+
+}  // namespace mes::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one instance looks like in a buffer: the bits of its coordinates in drawing space, as doubles.
+//
+// The scalar of a patch is left out while no style reads it. A layout is a list of columns, each a vertex attribute of
+// two or four 32-bit words: one or two doubles. Attribute locations count from 0 in this order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/base/primitives.h"
+
+namespace mes::render {
+
+struct InstanceLayout {
+  std::uint8_t points = 0;   ///< columns of two doubles
+  std::uint8_t numbers = 0;  ///< columns of one double, after the points
+  constexpr std::size_t doubles() const { return std::size_t{2} * points + numbers; }
+  constexpr std::size_t bytes() const { return sizeof(double) * doubles(); }
+};
+
+constexpr InstanceLayout layout_of(PrimitiveKind kind) {
+  constexpr std::array<InstanceLayout, kPrimitiveKinds> layouts{{
+      {.points = 1, .numbers = 0},  // point: position
+      {.points = 1, .numbers = 1},  // disk: centre, radius
+      {.points = 1, .numbers = 1},  // circle: centre, radius
+      {.points = 2, .numbers = 0},  // segment: both ends
+      {.points = 2, .numbers = 0},  // ray: start, unit direction
+      {.points = 2, .numbers = 0},  // line: a point, unit direction
+      {.points = 3, .numbers = 0},  // triangle: corners
+  }};
+  return layouts[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace mes::render

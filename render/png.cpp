@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/png.h"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <mutex>
+
+namespace {
+
+struct FreeCompressor {
+  void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
+
+struct FreeBytes {
+  void operator()(unsigned char* bytes) const { std::free(bytes); }
+};
+
+/// What the PNG writer calls instead of its own compressor; the result is released with std::free.
+unsigned char* compress_with_libdeflate(unsigned char* data, int size, int* out_size, int level) {
+  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
+      libdeflate_alloc_compressor(std::clamp(level, 1, 12)));
+  if (!compressor) return nullptr;
+  const auto bytes = static_cast<std::size_t>(size);
+  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), bytes);
+  auto* out = static_cast<unsigned char*>(std::malloc(bound));
+  if (out == nullptr) return nullptr;
+  const std::size_t written = libdeflate_zlib_compress(compressor.get(), data, bytes, out, bound);
+  if (written == 0 || written > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    std::free(out);
+    return nullptr;
+  }
+  *out_size = static_cast<int>(written);
+  return out;
+}
+
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS compress_with_libdeflate
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+
+namespace mes::render {
+namespace {
+
+Error out_of_memory() {
+  return {.code = ErrorCode::out_of_memory, .text = "not enough memory to write the picture as PNG"};
+}
+
+}  // namespace
+
+Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
+  const std::size_t pixels = static_cast<std::size_t>(std::max(image.width, 0)) *
+                             static_cast<std::size_t>(std::max(image.height, 0));
+  if (pixels == 0 || image.rgba.size() != 4 * pixels) {
+    return std::unexpected(Error{.code = ErrorCode::usage, .text = "a picture needs at least one pixel"});
+  }
+  // The writer counts bytes in int: the raw lines and their filter bytes have to fit.
+  if (4 * pixels + static_cast<std::size_t>(image.height) > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    return std::unexpected(Error{.code = ErrorCode::usage, .text = "the picture is too large for PNG (2 GiB of pixels)"});
+  }
+  try {
+    bool opaque = true;
+    for (std::size_t i = 3; i < image.rgba.size() && opaque; i += 4) opaque = image.rgba[i] == 255;
+    std::vector<std::uint8_t> rgb;
+    if (opaque) {
+      rgb.resize(3 * pixels);
+      for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&image.rgba[4 * i], 3, &rgb[3 * i]);
+    }
+    const int channels = opaque ? 3 : 4;
+    const std::uint8_t* source = opaque ? rgb.data() : image.rgba.data();
+
+    // The writer's settings are variables of its own: one picture at a time.
+    static std::mutex writer;
+    const std::scoped_lock lock(writer);
+    stbi_write_png_compression_level = level;
+    // Differences to the left suit lines on a plain ground, and cost next to nothing.
+    stbi_write_force_png_filter = 1;
+    int size = 0;
+    const std::unique_ptr<unsigned char, FreeBytes> png(
+        stbi_write_png_to_mem(source, image.width * channels, image.width, image.height, channels, &size));
+    if (!png) return std::unexpected(out_of_memory());
+    std::vector<std::byte> out(static_cast<std::size_t>(size));
+    std::memcpy(out.data(), png.get(), out.size());
+    return out;
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(out_of_memory());
+  }
+}
+
+}  // namespace mes::render

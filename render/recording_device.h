@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device without a GPU: checks every call against the contract of `Device`, keeps buffer contents, counts.
+//
+// What it guarantees: a call that breaks the contract (dead handle, range outside the buffer, data of another size than
+// its ranges, a draw of more instances than the buffer holds, a uniform that is not finite) throws AssertionFailure.
+// Smallest use: `RecordingDevice device; Scene scene(device); ... CHECK(device.counters().bytes_uploaded == 0);`
+// Cost: memory of the buffers. Threads: one.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "render/device.h"
+
+namespace mes::render {
+
+class RecordingDevice final : public Device {
+ public:
+  BufferId create_buffer(std::size_t bytes) override;
+  void destroy_buffer(BufferId buffer) override;
+  void resize_buffer(BufferId buffer, std::size_t bytes, std::size_t keep_bytes) override;
+  void update_buffer(BufferId buffer, std::span<const ByteRange> ranges, std::span<const std::byte> data) override;
+  FramebufferId create_framebuffer(const FramebufferSpec& spec) override;
+  void destroy_framebuffer(FramebufferId framebuffer) override;
+  void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) override;
+  void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) override;
+  void draw(const DrawCall& call) override;
+  void composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+                 const PremultipliedColor& color) override;
+  int max_framebuffer_size() const override { return 16384; }
+  const DeviceCounters& counters() const override { return counters_; }
+
+  /// All draw calls since the last `forget_calls`, in order.
+  const std::vector<DrawCall>& calls() const { return calls_; }
+  void forget_calls() { calls_.clear(); }
+  std::span<const std::byte> contents(BufferId buffer) const;
+  std::size_t buffers_alive() const { return buffers_.size(); }
+  std::size_t framebuffers_alive() const { return framebuffers_.size(); }
+
+ private:
+  std::vector<std::byte>& bytes_of(BufferId id);
+  void check_target(FramebufferId target, const PixelRect& area) const;
+
+  std::map<std::uint32_t, std::vector<std::byte>> buffers_;
+  std::map<std::uint32_t, FramebufferSpec> framebuffers_;
+  std::vector<DrawCall> calls_;
+  std::uint32_t next_id_ = 1;
+  DeviceCounters counters_;
+};
+
+}  // namespace mes::render

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layers as instance buffers on a device, kept up to date by patches and drawn through a camera.
+//
+// What it guarantees:
+//  1. `apply` uploads the changed instances of a patch and nothing else. Instances next to each other go together.
+//  2. `draw` uploads nothing: camera, style and stacking order are uniforms and order of calls.
+//  3. Layers are painted in the order given, bottom first, each above all before it.
+//  4. Nothing that is finite makes garbage: coordinates of any size are clipped to where they can be seen.
+//
+// Smallest use:
+//     Scene scene(device);
+//     scene.apply(*engine.sync());
+//     scene.draw(camera, views, {.content_scale = 2.0});
+//
+// Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the count, plus one pass over the view
+// for a layer drawn as a group. No pass over the instances on the CPU. Threads: the one that owns the context.
+//
+// Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles;
+// the vertex shader takes the camera's centre off before anything is rounded to single precision.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/primitives.h"
+#include "core/document/layer_style.h"
+#include "core/graph/patch.h"
+#include "render/camera.h"
+#include "render/device.h"
+#include "render/instance_buffer.h"
+
+namespace mes::render {
+
+struct LayerView {
+  LayerIndex layer = 0;
+  LayerStyle style;
+};
+
+struct DrawOptions {
+  double content_scale = 1.0;  ///< framebuffer pixels per logical pixel; sizes of styles are logical
+  FramebufferId target{};      ///< the window by default
+  int left = 0;                ///< lower left corner of the view in the target; its size is the camera's
+  int bottom = 0;
+  bool overlays = true;
+};
+
+/// A few primitives of the app above all layers: selection, hovered sample, rubber band.
+struct Overlay {
+  PrimitiveKind kind = PrimitiveKind::point;
+  std::span<const double> data;  ///< `stride_of(kind)` doubles each, document units; copied
+  LayerStyle style;
+  bool ring = false;             ///< points are drawn as circles `line_width_px` wide instead of filled
+};
+
+class Scene {
+ public:
+  explicit Scene(Device& device);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Throws std::bad_alloc when graphics memory is exhausted; the layer concerned is then empty.
+  void apply(const FramePatch& patch);
+  /// Forgets all instances of a layer and gives its memory back.
+  void forget(LayerIndex layer);
+
+  /// Overlays are drawn in the order of their slots, a small number the app chooses. Cheap enough for every frame.
+  void set_overlay(std::uint32_t slot, const Overlay& overlay);
+  void clear_overlay(std::uint32_t slot);
+
+  void draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options);
+
+  /// The frame of the last patch; overlays are placed in it.
+  const DrawingFrame& frame() const { return frame_; }
+  std::uint32_t instances(LayerIndex layer, PrimitiveKind kind) const;
+  /// Bytes of instances uploaded by `apply` and `set_overlay` since the scene exists.
+  std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }
+  /// Draw calls of the last `draw`.
+  std::uint32_t draw_calls() const { return draw_calls_; }
+
+ private:
+  struct Layer {
+    std::array<InstanceBuffer, kPrimitiveKinds> kinds;
+  };
+  struct OverlaySet {
+    PrimitiveKind kind = PrimitiveKind::point;
+    InstanceBuffer buffer;
+    LayerStyle style;
+    bool ring = false;
+  };
+  struct Pass;
+
+  void draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring);
+  void draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring);
+  void draw_kind(const Pass& pass, const InstanceBuffer& buffer, const LayerStyle& style, bool ring,
+                 const PremultipliedColor& color, Blend blend, bool into_group);
+  FramebufferId group_target(int width, int height);
+
+  Device& device_;
+  std::vector<Layer> layers_;
+  std::vector<OverlaySet> overlays_;
+  DrawingFrame frame_;
+  FramebufferId group_{};
+  int group_width_ = 0;
+  int group_height_ = 0;
+  std::uint64_t bytes_uploaded_ = 0;
+  std::uint32_t draw_calls_ = 0;
+};
+
+}  // namespace mes::render

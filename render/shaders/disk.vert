@@ -1,0 +1,30 @@
+layout(location = 0) in uvec4 a_center;
+layout(location = 1) in uvec2 a_radius;
+
+out vec2 v_offset;
+flat out vec4 v_rim;  // outward normal, radius, alpha
+
+void main() {
+  Rim rim = rim_of(a_center, a_radius);
+  float r = rim.radius;
+  float q = sqrt(max(r * r - 1.0 / 12.0, 0.25));
+  if (r < 1e4) {
+    // As for points: the area of the soft disk is that of the disk.
+    rim.depth += r - q;
+    rim.nearest = -rim.depth * rim.outward;
+  } else {
+    q = r;
+  }
+  v_rim = vec4(rim.outward, min(q, 1e15), min(3.0 * r * r, 1.0));
+
+  // The bounding square, cut to the view; around a huge disk simply the view.
+  vec2 view = u_half_view + 1.0;
+  vec2 corner = strip_corner();
+  vec2 px = corner * view;
+  if (r < 4.0 * u_view_radius) {
+    vec2 center = rim.nearest - rim.outward * q;
+    px = clamp(center + corner * (q + 1.0), -view, view);
+  }
+  v_offset = px - rim.nearest;
+  gl_Position = !rim.shown || rim.depth > u_view_radius + 1.0 ? kHidden : place(px);
+}

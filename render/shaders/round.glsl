@@ -1,0 +1,36 @@
+// Disks and circles share how they are seen: by the point of the rim nearest to the centre of the view.
+
+struct Rim {
+  bool shown;
+  float radius;  // pixels
+  float depth;   // signed distance of the view's centre from the rim, negative inside
+  vec2 outward;  // unit vector from the centre of the disk to that of the view
+  vec2 nearest;  // the nearest rim point, pixels from the centre of the view
+};
+
+Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
+  Rim rim;
+  float unit_radius = near_number(radius_bits);
+  vec2 center = near_offset(center_bits);
+  float reach = length(center);
+  rim.shown = unit_radius >= 0.0;
+  rim.radius = unit_radius * u_pixels_per_unit;
+  rim.outward = reach > 0.0 ? -center / reach : vec2(1.0, 0.0);
+#if REACH == 0
+  rim.depth = (reach - unit_radius) * u_pixels_per_unit;
+#else
+  // |c| - r cancels when both are huge: (c.c - r.r) / (|c| + r), with the difference in `Wide`.
+  WideVec2 c = wide_offset(center_bits);
+  Wide r = wide_number(radius_bits);
+  Wide power = wide_sub(wide_add(wide_mul(c.x, c.x), wide_mul(c.y, c.y)), wide_mul(r, r));
+  float both = reach + unit_radius;
+  rim.depth = both > 0.0 ? narrow(power) / both * u_pixels_per_unit : 0.0;
+#endif
+  rim.nearest = -rim.depth * rim.outward;
+  return rim;
+}
+
+// Drivers may compute sine and its inverse to a fixed number of places after the point; times a huge radius that is
+// nothing. Small angles therefore go by their series.
+float steady_sin(float x) { return abs(x) < 0.25 ? x * (1.0 - x * x / 6.0 * (1.0 - x * x / 20.0)) : sin(x); }
+float steady_asin(float x) { return x < 0.25 ? x * (1.0 + x * x * (1.0 / 6.0 + x * x * (3.0 / 40.0))) : asin(x); }

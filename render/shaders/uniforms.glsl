@@ -1,0 +1,21 @@
+// What a draw call tells its programs; filled from `DrawUniforms`, in the same order.
+
+uniform vec4 u_real[5];
+uniform uvec4 u_bits[2];
+
+#define u_center_1 u_real[0].xy
+#define u_center_2 u_real[0].zw
+#define u_center_3 u_real[1].xy
+#define u_pixels_per_unit u_real[1].z
+#define u_half_width u_real[1].w
+#define u_half_view u_real[2].xy
+#define u_view_radius u_real[2].z
+#define u_ring u_real[2].w
+#define u_color u_real[3]
+#define u_dash u_real[4].x
+#define u_dash_period u_real[4].y
+#define u_arc_pieces u_real[4].z
+
+// Strokes thinner than a pixel keep that width and fade instead.
+float shown_half_width() { return max(u_half_width, 0.5); }
+float stroke_alpha() { return min(2.0 * u_half_width, 1.0); }

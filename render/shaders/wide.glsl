@@ -1,0 +1,124 @@
+// Numbers with more bits than a float, for the few sums where everything large cancels:
+// how far a line or a circle passes from the centre of the view. `Wide` is
+//   REACH 0  a float
+//   REACH 1  an unevaluated sum of two floats, about 48 bits
+//   REACH 2  a double
+// Each variant offers the same functions.
+
+#if REACH == 0
+
+#define Wide float
+Wide wide_offset(uvec2 bits, int axis) {
+  return axis == 0 ? near_offset(bits, u_center_1.x, u_center_2.x, u_center_3.x)
+                   : near_offset(bits, u_center_1.y, u_center_2.y, u_center_3.y);
+}
+Wide wide_number(uvec2 bits) { return near_number(bits); }
+Wide wide_sub(Wide a, Wide b) { return a - b; }
+Wide wide_add(Wide a, Wide b) { return a + b; }
+Wide wide_mul(Wide a, Wide b) { return a * b; }
+float narrow(Wide a) { return a; }
+
+#elif REACH == 1
+
+#define Wide vec2
+// Sum and what rounding took off (Knuth).
+Wide two_sum(float a, float b) {
+  PRECISE float sum = a + b;
+  PRECISE float part = sum - a;
+  PRECISE float rest = (a - (sum - part)) + (b - part);
+  return vec2(sum, rest);
+}
+Wide quick_two_sum(float a, float b) {
+  PRECISE float sum = a + b;
+  PRECISE float rest = b - (sum - a);
+  return vec2(sum, rest);
+}
+// Product and what rounding took off. Halves of 12 bits are cut off by a mask, not by arithmetic, so that a fused
+// multiply-add changes nothing.
+Wide two_product(float a, float b) {
+  float a1 = uintBitsToFloat(floatBitsToUint(a) & 0xfffff000u);
+  float b1 = uintBitsToFloat(floatBitsToUint(b) & 0xfffff000u);
+  float a2 = a - a1;
+  float b2 = b - b1;
+  PRECISE float product = a * b;
+  PRECISE float rest = ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
+  return vec2(product, rest);
+}
+Wide wide_add(Wide a, Wide b) {
+  Wide high = two_sum(a.x, b.x);
+  Wide low = two_sum(a.y, b.y);
+  Wide sum = quick_two_sum(high.x, high.y + low.x);
+  return quick_two_sum(sum.x, sum.y + low.y);
+}
+Wide wide_sub(Wide a, Wide b) { return wide_add(a, -b); }
+Wide wide_mul(Wide a, Wide b) {
+  Wide product = two_product(a.x, b.x);
+  return quick_two_sum(product.x, product.y + (a.x * b.y + a.y * b.x));
+}
+Wide wide_sum(float a, float b, float c) {
+  Wide first = two_sum(a, b);
+  Wide second = two_sum(first.x, c);
+  return quick_two_sum(second.x, second.y + first.y);
+}
+Wide wide_offset(uvec2 bits, int axis) {
+  vec3 p = pieces(bits);
+  return axis == 0 ? wide_sum(p.x - u_center_1.x, p.y - u_center_2.x, p.z - u_center_3.x)
+                   : wide_sum(p.x - u_center_1.y, p.y - u_center_2.y, p.z - u_center_3.y);
+}
+Wide wide_number(uvec2 bits) {
+  vec3 p = pieces(bits);
+  return wide_sum(p.x, p.y, p.z);
+}
+float narrow(Wide a) { return a.x; }
+
+#else
+
+#define Wide double
+Wide wide_number(uvec2 bits) { return packDouble2x32(bits); }
+Wide wide_offset(uvec2 bits, int axis) {
+  PRECISE double high = packDouble2x32(bits) - packDouble2x32(axis == 0 ? u_bits[0].xy : u_bits[0].zw);
+  return high - packDouble2x32(axis == 0 ? u_bits[1].xy : u_bits[1].zw);
+}
+Wide wide_sub(Wide a, Wide b) { return a - b; }
+Wide wide_add(Wide a, Wide b) { return a + b; }
+Wide wide_mul(Wide a, Wide b) { return a * b; }
+float narrow(Wide a) { return float(a); }
+
+#endif
+
+struct WideVec2 {
+  Wide x;
+  Wide y;
+};
+WideVec2 wide_offset(uvec4 bits) { return WideVec2(wide_offset(bits.xy, 0), wide_offset(bits.zw, 1)); }
+WideVec2 wide_vector(uvec4 bits) { return WideVec2(wide_number(bits.xy), wide_number(bits.zw)); }
+WideVec2 wide_sub(WideVec2 a, WideVec2 b) { return WideVec2(wide_sub(a.x, b.x), wide_sub(a.y, b.y)); }
+float wide_cross(WideVec2 a, WideVec2 b) {
+  return narrow(wide_sub(wide_mul(a.x, b.y), wide_mul(a.y, b.x)));
+}
+vec2 narrow(WideVec2 a) { return vec2(narrow(a.x), narrow(a.y)); }
+
+// A straight line as the view sees it, in pixels: points `offset` * turned(direction) + s * direction.
+struct Carrier {
+  vec2 direction;  // of unit length
+  float offset;    // signed distance of the line from the centre of the view
+  float start;     // s of the anchor
+  float size;      // length of `along`
+};
+
+// The line through an anchor. `along` need not be short, nor of unit length; the result is as good as the anchor is near,
+// or as many bits as `Wide` has.
+Carrier carrier(WideVec2 anchor, WideVec2 along) {
+  Carrier line;
+  vec2 d = narrow(along);
+  float unit = max(abs(d.x), abs(d.y));
+  // An anchor and a vector far apart in size must not underflow on the way.
+  vec2 scaled = unit > 0.0 ? d / unit : vec2(1.0, 0.0);
+  float norm = length(scaled);
+  line.direction = scaled / norm;
+  line.size = unit * norm * u_pixels_per_unit;
+  vec2 a = narrow(anchor) * u_pixels_per_unit;
+  line.start = dot(a, line.direction);
+  line.offset = unit > 0.0 ? wide_cross(along, anchor) / unit / norm * u_pixels_per_unit : a.y;
+  return line;
+}
