@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "core/io/format.h"
+#include "temporary_folder.h"
+
+using namespace mes;
+
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+LoadedFile read_good(const std::string& bytes, const std::string& name = "a.poff") {
+  auto read = read_sample_bytes(bytes, name);
+  if (!read) FAIL(read.error().message());
+  return *read;
+}
+
+}  // namespace
+
+TEST_CASE("loop lines name points of the file, closed or open") {
+  const LoadedFile file =
+      read_good("POFF 4 0 0\n0 0\n1 0\n1 1\n0 1\n# loop closed 0 1 2\n#loop open\t3 2\n# loopy\n# loop the loop\n");
+  CHECK(file.warnings.empty());
+  REQUIRE(file.data.contours.size() == 2);
+  CHECK(file.data.contours[0].closed);
+  CHECK(file.data.contours[0].points == Indices{0, 1, 2});
+  CHECK_FALSE(file.data.contours[1].closed);
+  CHECK(file.data.contours[1].points == Indices{3, 2});
+}
+
+TEST_CASE("a loop through points that do not exist is ignored with a warning, the points are not") {
+  const LoadedFile file = read_good("POFF 2 0 0\n0 0\n1 0\n# loop closed 0 2 1\n  # loop open 1 two\n");
+  CHECK(file.data.positions.size() == 2);
+  CHECK(file.data.contours.empty());
+  REQUIRE(file.warnings.size() == 2);
+  CHECK_THAT(file.warnings[0], Catch::StartsWith("a.poff:4:17: ") && Catch::Contains("\"2\""));
+  CHECK_THAT(file.warnings[1], Catch::StartsWith("a.poff:5:17: ") && Catch::Contains("\"two\""));
+}
+
+TEST_CASE("what follows the announced points is ignored with a warning") {
+  const LoadedFile file = read_good("POFF 1 0 0\n0 0 5\n6 7\n");
+  CHECK(file.data.positions.size() == 1);
+  REQUIRE(file.warnings.size() == 1);
+  CHECK_THAT(file.warnings[0], Catch::StartsWith("a.poff:2:5: "));
+}
+
+TEST_CASE("white space in POFF is anything, and comments may stand anywhere") {
+  const LoadedFile file = read_good("\xEF\xBB\xBF# first\r\n\tPOFF#x\r2\v0 0 1 # one\n\f2\n\n\n+3 4.");
+  CHECK(file.data.positions == std::vector<Vec2>{{1, 2}, {3, 4}});
+}
+
+TEST_CASE("a contours file beside a POFF file gives closed contours in file order") {
+  const auto read = read_sample_file("tests/data/earcut_dude.poff");
+  REQUIRE(read.has_value());
+  CHECK(read->warnings.empty());
+  CHECK(read->data.positions.size() == 104);
+  REQUIRE(read->data.contours.size() == 3);
+  CHECK(read->data.contours[0].points.size() == 94);
+  CHECK(read->data.contours[1].points == Indices{94, 95, 96, 97});
+  CHECK(read->data.contours[2].points == Indices{98, 99, 100, 101, 102, 103});
+  for (const auto& contour : read->data.contours) CHECK(contour.closed);
+}
+
+TEST_CASE("islands of an archipelago are contours of their own") {
+  const auto read = read_sample_file("tests/data/ne_hawaii.poff");
+  REQUIRE(read.has_value());
+  CHECK(read->data.contours.size() == 8);
+  std::size_t points = 0;
+  for (const auto& contour : read->data.contours) points += contour.points.size();
+  CHECK(points == read->data.positions.size());
+}
+
+TEST_CASE("a contours file that does not fit is ignored with a warning that names it") {
+  const test::TemporaryFolder folder;
+  const auto poff = folder.write("a.poff", "POFF 3 0 0\n0 0\n1 0\n0 1\n");
+  const std::string name = (folder / "a.contours").string();
+  struct Case {
+    std::string contours;
+    std::string place;
+    std::string says;
+  };
+  for (const Case& test :
+       {Case{"2\n", ":2:1: ", "have 2 points, the file has 3"}, Case{"2\n2\n", ":2:1: ", "more points"},
+        Case{"2 one\n", ":1:3: ", "\"one\""}, Case{"99999999999999999999999", ":1:1: ", "number"},
+        Case{"", ":1:1: ", "have 0 points"}, Case{"-1 4", ":1:1: ", "\"-1\""}}) {
+    folder.write("a.contours", test.contours);
+    const auto read = read_sample_file(poff);
+    REQUIRE(read.has_value());
+    CHECK(read->data.positions.size() == 3);
+    CHECK(read->data.contours.empty());
+    REQUIRE(read->warnings.size() == 1);
+    CHECK_THAT(read->warnings[0], Catch::StartsWith(name + test.place) && Catch::Contains(test.says));
+  }
+}
+
+TEST_CASE("loops in the file win over a contours file beside it") {
+  const test::TemporaryFolder folder;
+  folder.write("a.contours", "3\n");
+  const auto read = read_sample_file(folder.write("a.poff", "POFF 3 0 0\n0 0\n1 0\n0 1\n# loop open 0 2\n"));
+  REQUIRE(read.has_value());
+  REQUIRE(read->data.contours.size() == 1);
+  CHECK(read->data.contours[0].points == Indices{0, 2});
+}
+
+TEST_CASE("a contour column groups the rows of a table") {
+  const auto read = read_sample_file("tests/data/ampersand_contour_id.csv");
+  REQUIRE(read.has_value());
+  CHECK(read->format == "csv");
+  CHECK(read->data.positions.size() == 216);
+  CHECK(read->data.positions[1] == Vec2{463.54000000000013, 770.6200000000001});
+  REQUIRE(read->data.contours.size() == 2);
+  CHECK(read->data.contours[0].closed);
+  CHECK(read->data.contours[0].points.size() == 49);
+  CHECK(read->data.contours[1].points.size() == 167);
+}
+
+TEST_CASE("a repeated closing point is dropped and closes its contour") {
+  const LoadedFile whole = read_good("x,y\n0,0\n1,0\n1,1\n0,0\n", "a.csv");
+  CHECK(whole.data.positions == std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}});
+  REQUIRE(whole.data.contours.size() == 1);
+  CHECK(whole.data.contours[0].closed);
+  CHECK(whole.data.contours[0].points == Indices{0, 1, 2});
+
+  // Rows of two contours in turn; only the first repeats its beginning, so only it is closed.
+  const LoadedFile mixed = read_good("ring,x,y\na,0,0\nb,5,5\na,1,0\nb,6,5\na,1,1\na,0,0\nb,6,6\n", "a.csv");
+  CHECK(mixed.data.positions.size() == 6);
+  REQUIRE(mixed.data.contours.size() == 2);
+  CHECK(mixed.data.contours[0].closed);
+  CHECK(mixed.data.contours[0].points == Indices{0, 2, 4});
+  CHECK_FALSE(mixed.data.contours[1].closed);
+  CHECK(mixed.data.contours[1].points == Indices{1, 3, 5});
+  CHECK(mixed.data.positions[5] == Vec2{6, 6});
+}
+
+TEST_CASE("a column that numbers the rows groups nothing, and one called path is open") {
+  CHECK(read_good("id,x,y\n1,0,0\n2,1,0\n3,1,1\n", "a.csv").data.contours.empty());
+  const LoadedFile strokes = read_good("path,x,y\n1,0,0\n1,1,0\n2,1,1\n2,2,2\n", "a.csv");
+  REQUIRE(strokes.data.contours.size() == 2);
+  CHECK_FALSE(strokes.data.contours[0].closed);
+  const LoadedFile parts = read_good("part,ring,x,y\n0,0,1,2\n0,1,3,4\n1,0,5,6\n1,0,7,8\n", "a.csv");
+  CHECK(parts.data.contours.size() == 3);
+}
+
+TEST_CASE("without a repetition rows of a table are points and no curve") {
+  CHECK(read_good("0,0\n1,0\n1,1\n", "a.csv").data.contours.empty());
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "core/io/format.h"
+#include "temporary_folder.h"
+
+using namespace mes;
+
+namespace {
+
+struct Case {
+  std::string name;  ///< of the file: its extension counts
+  std::string bytes;
+  std::uint64_t line;
+  std::uint64_t column;
+  std::string says;  ///< part of the message
+};
+
+void require_refusal(const Case& test) {
+  INFO(test.name << ", expected to say: " << test.says);
+  const auto read = read_sample_bytes(test.bytes, test.name);
+  REQUIRE_FALSE(read.has_value());
+  const Error& error = read.error();
+  INFO(error.message());
+  CHECK(error.code == ErrorCode::bad_input);
+  CHECK(error.file == test.name);
+  CHECK(error.line == test.line);
+  CHECK(error.column == test.column);
+  CHECK_THAT(error.text, Catch::Contains(test.says));
+  // One printable line, however large the mistake is.
+  CHECK(error.text.size() < 300);
+  for (const char c : error.text) CHECK((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f));
+}
+
+std::string with_nul(const char* before, const char* after) {
+  return std::string(before) + '\0' + after;
+}
+
+}  // namespace
+
+TEST_CASE("POFF files that are wrong are refused where they are wrong") {
+  const std::string long_word(1'000'000, 'x');
+  const std::string long_digits(1'000'000, '7');
+  const std::vector<Case> cases{
+      {"a.poff", "", 1, 1, "empty"},
+      {"a.poff", " \n\t\r\n", 1, 1, "empty"},
+      {"a.poff", "# only this\n", 2, 1, "expected \"POFF\", found the end"},
+      {"a.poff", "OFF 3 0 0\n", 1, 1, "expected \"POFF\", found \"OFF\""},
+      {"a.poff", "POFFS 3 0 0\n", 1, 1, "found \"POFFS\""},
+      {"a.poff", "poff 1 0 0\n1 2\n", 1, 1, "found \"poff\""},
+      {"a.poff", "POFF", 1, 5, "number of points, found the end"},
+      {"a.poff", "POFF -3 0 0\n", 1, 6, "found \"-3\""},
+      {"a.poff", "POFF 2.5 0 0\n", 1, 6, "found \"2.5\""},
+      {"a.poff", "POFF 99999999999999999999 0 0\n", 1, 6, "points are announced"},
+      {"a.poff", "POFF 4294967295 0 0\n", 1, 6, "points are announced"},
+      {"a.poff", "POFF 4000000000 0 0\n1 2\n", 3, 1, "after 2 of 8000000000 coordinates"},
+      {"a.poff", "POFF 3 0\n", 2, 1, "two integers"},
+      {"a.poff", "POFF 3 0 zero\n", 1, 10, "found \"zero\""},
+      {"a.poff", "POFF 2 0 0\n1 2\n3", 3, 2, "after 3 of 4 coordinates"},
+      {"a.poff", "POFF 2 0 0\n1 2\n3 4x\n", 3, 3, "found \"4x\""},
+      {"a.poff", "POFF 2 0 0\r\n1 2\r\n3 ,4\r\n", 3, 3, "found \",4\""},
+      {"a.poff", "POFF 2 0 0\r1 2\r3 y\r", 3, 3, "found \"y\""},
+      {"a.poff", "\xEF\xBB\xBFPOFF x", 1, 6, "found \"x\""},
+      {"a.poff", "POFF 1 0 0\nnan 2\n", 2, 1, "\"nan\" is not a finite number"},
+      {"a.poff", "POFF 1 0 0\n1 -inf\n", 2, 3, "\"-inf\" is not a finite number"},
+      {"a.poff", "POFF 1 0 0\n1 INFINITY\n", 2, 3, "not a finite number"},
+      {"a.poff", "POFF 1 0 0\n1 1e309\n", 2, 3, "\"1e309\" is too large"},
+      {"a.poff", "POFF 1 0 0\n1 -2e999999999999999999999\n", 2, 3, "too large"},
+      {"a.poff", "POFF 1 0 0\n0x10 1\n", 2, 1, "found \"0x10\""},
+      {"a.poff", "POFF 1 0 0\n1,5 1\n", 2, 1, "found \"1,5\""},
+      {"a.poff", "POFF 1 0 0\n+ 1\n", 2, 1, "found \"+\""},
+      {"a.poff", "POFF 1 0 0\n+-1 1\n", 2, 1, "found \"+-1\""},
+      {"a.poff", "POFF 1 0 0\n1 2e\n", 2, 3, "found \"2e\""},
+      {"a.poff", "POFF 1 0 0\n1 " + long_word, 2, 3, "(1000000 characters)"},
+      {"a.poff", "POFF 1 0 0\n1 " + long_digits, 2, 3, "too large"},
+      {"a.poff", "POFF " + long_digits + " 0 0", 1, 6, "points are announced"},
+      {"a.poff", long_word, 1, 1, "(1000000 characters)"},
+      {"a.poff", "POFF 1 0 0\n1 \x01\x02\x7f\n", 2, 3, "\"\\x01\\x02\\x7f\""},
+      {"a.poff", "POFF 1 0 0\n1 \xff\xc3\x28\n", 2, 3, "\\xff\\xc3("},
+      {"a.poff", "POFF 1 0 0\n1 \xc2\x9b\n", 2, 3, "\\xc2\\x9b"},
+      {"a.poff", with_nul("POFF 1 0 0\n1 ", " 2\n"), 1, 1, "binary data"},
+      {"a.poff", "\x89PNG\r\n\x1a\n", 1, 1, "PNG picture"},
+      {"a.poff", "\xff\xfeP\x01O\x01", 1, 1, "UTF-16"},
+  };
+  for (const Case& test : cases) require_refusal(test);
+}
+
+TEST_CASE("tables that are wrong are refused where they are wrong") {
+  const std::string long_word(1'000'000, 'x');
+  const std::vector<Case> cases{
+      {"a.csv", "", 1, 1, "empty"},
+      {"a.csv", "# nothing\n", 1, 1, "no samples"},
+      {"a.csv", "x,y\n1,2\n3\n", 3, 2, "number for y, found the end of the line"},
+      {"a.csv", "x,y\n1,2\n3,\n", 3, 3, "number for y, found nothing"},
+      {"a.csv", "x,y\n1,2\n,3\n", 3, 1, "number for x, found nothing"},
+      {"a.csv", "x,y\n1,2\n3,four\n", 3, 3, "found \"four\""},
+      {"a.csv", "x,y\n1,2\n\n# c\n3,  four\n", 5, 5, "found \"four\""},
+      {"a.csv", "1,two\n3,4\n", 1, 3, "found \"two\""},
+      {"a.csv", "x,y\none,2\n", 2, 1, "found \"one\""},
+      {"a.csv", "id,x,y\n7,1,2\n8,1,oops\n", 3, 5, "found \"oops\""},
+      {"a.csv", "x,y\r\n1,2\r\n3,4e400\r\n", 3, 3, "too large"},
+      {"a.csv", "1,2\nnan,3\n", 2, 1, "not a finite number"},
+      {"a.csv", "nan,nan\n1,2\n", 1, 1, "not a finite number"},
+      {"a.csv", "1;2\n1,5;2,5;\n1.000,5;3\n", 3, 1, "found \"1.000,5\""},
+      {"a.csv", "1,2\n" + long_word + ",3\n", 2, 1, "(1000000 characters)"},
+      {"a.csv", "\"1\",\"2\"\n\"1\",\"2", 2, 5, "expected a number"},
+      {"a.tsv", "1\t2\n3\tb\n", 2, 3, "found \"b\""},
+      {"a.xyz", "1 2 3\n4\n", 2, 2, "number for y, found the end of the line"},
+      {"a.xyz", "1 2 3\n4 1e999 0\n", 2, 3, "too large"},
+      {"a.txt", "1 2\nhello\n", 2, 1, "found \"hello\""},
+      {"a.txt", "hello\n", 1, 1, "found \"hello\""},
+      {"a.txt", "5\n6\n7\n", 1, 2, "number for y, found the end of the line"},
+      {"a.txt", "1 2\n3 4,5\n", 2, 3, "found \"4,5\""},
+      {"notes", "Dear all,\nplease find enclosed\n", 1, 1, "none of the formats"},
+      {"a.wpoff", "WPOFF 1 0 0\n0 0 1\n", 1, 1, "none of the formats"},
+      {"a.geojson", "{\"type\": \"Point\"}", 1, 1, "none of the formats"},
+      {"a.svg", "<svg/>", 1, 1, "XML"},
+  };
+  for (const Case& test : cases) require_refusal(test);
+}
+
+TEST_CASE("files that cannot be read say why") {
+  const test::TemporaryFolder folder;
+  const auto missing = read_sample_file(folder / "missing.poff");
+  REQUIRE_FALSE(missing.has_value());
+  CHECK(missing.error().code == ErrorCode::bad_input);
+  CHECK(missing.error().message() ==
+        (folder / "missing.poff").string() + ": cannot be read: No such file or directory");
+  const auto directory = read_sample_file(folder.path());
+  REQUIRE_FALSE(directory.has_value());
+  CHECK_THAT(directory.error().text, Catch::Contains("Is a directory"));
+}
+
+TEST_CASE("an endless stream that is no text is left at once") {
+  const auto read = read_sample_file("/dev/zero");
+  REQUIRE_FALSE(read.has_value());
+  CHECK_THAT(read.error().text, Catch::Contains("binary data"));
+}
+
+TEST_CASE("a format that does not exist is the fault of the request") {
+  const auto read = read_sample_bytes("1 2\n", "a.txt", "svgz");
+  REQUIRE_FALSE(read.has_value());
+  CHECK(read.error().code == ErrorCode::usage);
+  CHECK_THAT(read.error().text, Catch::Contains("\"svgz\"") && Catch::Contains("poff"));
+}
+
+TEST_CASE("every prefix and every changed byte of a good file gives a result or a refusal") {
+  const std::string poff = "POFF 3 0 0\n0 0\n1.5e3 -2 # a comment\n7 8\n# loop closed 0 1 2\n";
+  const std::string csv = "ring;x;y\na;1,5;2\n\"b\";3;4\na;5;6e1\n";
+  for (const std::string& good : {poff, csv}) {
+    std::vector<std::string> variants;
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      variants.push_back(good.substr(0, i));
+      for (const char c : {'\0', '\n', '"', ';', '9', '-', '#', '\xff'}) {
+        variants.push_back(good);
+        variants.back()[i] = c;
+      }
+    }
+    for (const std::string& bytes : variants) {
+      for (const char* name : {"a.poff", "a.csv", "a"}) {
+        const auto read = read_sample_bytes(bytes, name);
+        if (read) {
+          for (const Vec2 p : read->data.positions) CHECK(is_finite(p));
+          for (const auto& contour : read->data.contours)
+            for (const std::uint32_t point : contour.points) CHECK(point < read->data.positions.size());
+        } else {
+          CHECK(read.error().line >= 1);
+          CHECK(read.error().column >= 1);
+        }
+      }
+    }
+  }
+}
