@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the scene needs of a graphics library, and no more: instance buffers, off-screen targets, one kind of draw call.
+// What the scene needs of a graphics library, and no more: instance buffers, off-screen targets, one kind of draw
+// call.
 //
 // What it guarantees:
 //  1. Handles are never used twice; using a destroyed one is a broken invariant (MES_ASSERT).
@@ -92,15 +93,15 @@ struct DrawUniforms {
   std::array<float, 2> center_1{};
   std::array<float, 2> center_2{};
   std::array<float, 2> center_3{};
-  float pixels_per_unit = 1.0F;   ///< of drawing space
-  float half_width_px = 0.5F;     ///< of strokes; radius of points
+  float pixels_per_unit = 1.0F;  ///< of drawing space
+  float half_width_px = 0.5F;    ///< of strokes; radius of points
   std::array<float, 2> half_view_px{};
-  float view_radius_px = 0.0F;    ///< of the circle around the view
-  float ring_px = 0.0F;           ///< half the stroke of hollow points; 0: filled
+  float view_radius_px = 0.0F;  ///< of the circle around the view
+  float ring_px = 0.0F;         ///< half the stroke of hollow points; 0: filled
   PremultipliedColor color{};
   float dash_px = 0.0F;
   float dash_period_px = 0.0F;
-  float arc_pieces = 0.0F;        ///< quads along a circle
+  float arc_pieces = 0.0F;  ///< quads along a circle
   float spare = 0.0F;
   std::array<std::uint32_t, 4> center_bits{};
   std::array<std::uint32_t, 4> center_low_bits{};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An OpenGL context without a window or a display server, for pictures from the command line and for tests.
 //
-// What it guarantees: either a current OpenGL 3.3 core (or better) context, or an error of code `no_display` that says
-// what is missing. It stays current on the creating thread until destroyed.
+// What it guarantees: either a current OpenGL 3.3 core (or better) context, or an error of code `no_display` that
+// says what is missing. It stays current on the creating thread until destroyed.
 //
 // Smallest use:
 //     auto context = EglContext::create();

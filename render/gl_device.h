@@ -17,8 +17,8 @@ struct GlDeviceOptions {
 
 class GlDevice final : public Device {
  public:
-  /// A context of at least OpenGL 3.3 core must be current, and stay so for the device's life. Throws AssertionFailure
-  /// when it is older.
+  /// A context of at least OpenGL 3.3 core must be current, and stay so for the device's life. Throws
+  /// AssertionFailure when it is older.
   explicit GlDevice(const GlDeviceOptions& options = {});
   ~GlDevice() override;
 
@@ -49,7 +49,7 @@ class GlDevice final : public Device {
   };
   struct Framebuffer {
     GlFramebuffer handle;
-    GlTexture texture;             ///< what is read; of `resolve` when multisampled
+    GlTexture texture;  ///< what is read; of `resolve` when multisampled
     GlRenderbuffer multisampled;
     GlFramebuffer resolve;
     FramebufferSpec spec;

@@ -29,8 +29,8 @@ struct ImageOptions {
   std::optional<Rgb> background;  ///< none: transparent
   double content_scale = 1.0;     ///< pixels per logical pixel of styles
   bool overlays = false;
-  int samples = 1;                ///< multisampling on top of analytic edges; 1 is enough
-  int tile_px = 4096;             ///< largest tile; the device's limit caps it
+  int samples = 1;     ///< multisampling on top of analytic edges; 1 is enough
+  int tile_px = 4096;  ///< largest tile; the device's limit caps it
 };
 
 /// Draws the camera's whole viewport.

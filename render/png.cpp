@@ -56,14 +56,16 @@ Error out_of_memory() {
 }  // namespace
 
 Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
-  const std::size_t pixels = static_cast<std::size_t>(std::max(image.width, 0)) *
-                             static_cast<std::size_t>(std::max(image.height, 0));
+  const std::size_t pixels =
+      static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0));
   if (pixels == 0 || image.rgba.size() != 4 * pixels) {
     return std::unexpected(Error{.code = ErrorCode::usage, .text = "a picture needs at least one pixel"});
   }
   // The writer counts bytes in int: the raw lines and their filter bytes have to fit.
-  if (4 * pixels + static_cast<std::size_t>(image.height) > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    return std::unexpected(Error{.code = ErrorCode::usage, .text = "the picture is too large for PNG (2 GiB of pixels)"});
+  if (4 * pixels + static_cast<std::size_t>(image.height) >
+      static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    return std::unexpected(
+        Error{.code = ErrorCode::usage, .text = "the picture is too large for PNG (2 GiB of pixels)"});
   }
   try {
     bool opaque = true;

@@ -12,8 +12,8 @@
 //     scene.apply(*engine.sync());
 //     scene.draw(camera, views, {.content_scale = 2.0});
 //
-// Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the count, plus one pass over the view
-// for a layer drawn as a group. No pass over the instances on the CPU. Threads: the one that owns the context.
+// Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the count, plus one pass over the
+// view for a layer drawn as a group. No pass over the instances on the CPU. Threads: the one that owns the context.
 //
 // Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles;
 // the vertex shader takes the camera's centre off before anything is rounded to single precision.
@@ -51,7 +51,7 @@ struct Overlay {
   PrimitiveKind kind = PrimitiveKind::point;
   std::span<const double> data;  ///< `stride_of(kind)` doubles each, document units; copied
   LayerStyle style;
-  bool ring = false;             ///< points are drawn as circles `line_width_px` wide instead of filled
+  bool ring = false;  ///< points are drawn as circles `line_width_px` wide instead of filled
 };
 
 class Scene {

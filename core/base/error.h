@@ -25,8 +25,8 @@ enum class ErrorCode : std::uint8_t {
 
 struct Error {
   ErrorCode code = ErrorCode::bad_input;
-  std::string text;          ///< one printable line, no trailing full stop, no file name
-  std::string file;          ///< empty when no file is involved
+  std::string text{};        ///< one printable line, no trailing full stop, no file name
+  std::string file{};        ///< empty when no file is involved
   std::uint64_t line = 0;    ///< from 1; 0 = unknown
   std::uint64_t column = 0;  ///< byte column from 1; 0 = unknown
 

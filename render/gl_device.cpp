@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gl_device.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "core/base/assert.h"
+#include "render/gl_programs.h"
+#include "render/instance_layout.h"
+
+namespace mes::render {
+namespace {
+
+// More ranges than this are written through one mapping instead of one call each: beyond some hundred calls their
+// fixed cost outweighs waiting for the drawing in flight.
+constexpr std::size_t kMapFrom = 512;
+
+constexpr int kRealVectors = 5;
+constexpr int kBitVectors = 2;
+static_assert(sizeof(DrawUniforms) == 16 * (kRealVectors + kBitVectors));
+
+/// Vertices of one instance, as a triangle strip.
+GLsizei vertices_of(const DrawCall& call) {
+  if (call.program.kind != PrimitiveKind::circle) return 4;
+  return 2 * (static_cast<GLsizei>(call.uniforms.arc_pieces) + 1);
+}
+
+void throw_if_out_of_memory() {
+  // Errors of earlier calls are not ours to report here, but have to be taken off the queue.
+  for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+    if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
+  }
+}
+
+GlBuffer make_buffer(std::size_t bytes) {
+  if (bytes > static_cast<std::size_t>(std::numeric_limits<GLsizeiptr>::max())) throw std::bad_alloc();
+  GLuint name = 0;
+  glGenBuffers(1, &name);
+  GlBuffer buffer(name);
+  glBindBuffer(GL_ARRAY_BUFFER, name);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
+  throw_if_out_of_memory();
+  return buffer;
+}
+
+GLenum internal_format(TargetFormat format) {
+  return format == TargetFormat::color ? GL_RGBA8 : GL_R8;
+}
+
+GlTexture make_texture(const FramebufferSpec& spec) {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  GlTexture texture(name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  const bool is_color = spec.format == TargetFormat::color;
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format(spec.format)), spec.width, spec.height, 0,
+               is_color ? GL_RGBA : GL_RED, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  throw_if_out_of_memory();
+  return texture;
+}
+
+GlFramebuffer make_framebuffer() {
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  return GlFramebuffer(name);
+}
+
+}  // namespace
+
+GlDevice::GlDevice(const GlDeviceOptions& options) {
+  if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 33) throw AssertionFailure("OpenGL 3.3 is needed");
+  int texture = 0;
+  int renderbuffer = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+  std::array<int, 2> viewport{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  max_size_ = std::min({texture, renderbuffer, viewport[0], viewport[1]});
+  glGetIntegerv(GL_MAX_SAMPLES, &max_samples_);
+  uses_double_ = options.allow_double && context_has_double();
+  GLuint name = 0;
+  glGenVertexArrays(1, &name);
+  vertex_array_ = GlVertexArray(name);
+  composite_.handle = build_composite_program();
+}
+
+GlDevice::~GlDevice() = default;
+
+GlDevice::Buffer& GlDevice::buffer_of(BufferId id) {
+  const auto found = buffers_.find(id.value);
+  MES_ASSERT(found != buffers_.end());
+  return found->second;
+}
+
+GlDevice::Framebuffer& GlDevice::framebuffer_of(FramebufferId id) {
+  const auto found = framebuffers_.find(id.value);
+  MES_ASSERT(found != framebuffers_.end());
+  return found->second;
+}
+
+GlDevice::Program& GlDevice::program_of(const ProgramKey& key) {
+  Program& program = programs_[key];
+  if (program.handle.get() == 0) {
+    program.handle = build_program(key, uses_double_);
+    program.real = glGetUniformLocation(program.handle.get(), "u_real");
+    program.bits = glGetUniformLocation(program.handle.get(), "u_bits");
+  }
+  return program;
+}
+
+BufferId GlDevice::create_buffer(std::size_t bytes) {
+  Buffer buffer{make_buffer(bytes), bytes};
+  const BufferId id{next_id_++};
+  buffers_.emplace(id.value, std::move(buffer));
+  counters_.bytes_allocated += bytes;
+  return id;
+}
+
+void GlDevice::destroy_buffer(BufferId buffer) {
+  counters_.bytes_allocated -= buffer_of(buffer).bytes;
+  buffers_.erase(buffer.value);
+}
+
+void GlDevice::resize_buffer(BufferId id, std::size_t bytes, std::size_t keep_bytes) {
+  Buffer& buffer = buffer_of(id);
+  MES_ASSERT(keep_bytes <= bytes && keep_bytes <= buffer.bytes);
+  GlBuffer grown = make_buffer(bytes);
+  if (keep_bytes > 0) {
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer.handle.get());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, grown.get());
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(keep_bytes));
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  }
+  counters_.bytes_allocated += bytes;
+  counters_.bytes_allocated -= buffer.bytes;
+  buffer.handle = std::move(grown);
+  buffer.bytes = bytes;
+}
+
+void GlDevice::update_buffer(BufferId id, std::span<const ByteRange> ranges, std::span<const std::byte> data) {
+  if (ranges.empty()) return;
+  const Buffer& buffer = buffer_of(id);
+  std::size_t low = ranges.front().offset;
+  std::size_t high = 0;
+  std::size_t total = 0;
+  for (const ByteRange& range : ranges) {
+    low = std::min(low, range.offset);
+    high = std::max(high, range.offset + range.size);
+    total += range.size;
+  }
+  MES_ASSERT(high <= buffer.bytes && total == data.size());
+
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.handle.get());
+  std::byte* mapped = nullptr;
+  if (ranges.size() > kMapFrom) {
+    mapped = static_cast<std::byte*>(glMapBufferRange(GL_ARRAY_BUFFER, static_cast<GLintptr>(low),
+                                                      static_cast<GLsizeiptr>(high - low), GL_MAP_WRITE_BIT));
+  }
+  const auto write = [&](std::byte* to) {
+    std::size_t from = 0;
+    for (const ByteRange& range : ranges) {
+      if (to != nullptr) {
+        std::memcpy(to + (range.offset - low), data.data() + from, range.size);
+      } else {
+        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(range.offset), static_cast<GLsizeiptr>(range.size),
+                        data.data() + from);
+      }
+      from += range.size;
+    }
+  };
+  write(mapped);
+  // False means that the memory was lost meanwhile, as a change of video mode can do.
+  if (mapped != nullptr && glUnmapBuffer(GL_ARRAY_BUFFER) == GL_FALSE) write(nullptr);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  counters_.bytes_uploaded += total;
+  counters_.updates += ranges.size();
+}
+
+FramebufferId GlDevice::create_framebuffer(const FramebufferSpec& spec) {
+  MES_ASSERT(spec.width > 0 && spec.height > 0 && spec.width <= max_size_ && spec.height <= max_size_);
+  Framebuffer target;
+  target.spec = spec;
+  target.spec.samples = std::clamp(spec.samples, 1, max_samples_);
+  target.texture = make_texture(spec);
+  target.handle = make_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, target.handle.get());
+  if (target.spec.samples == 1) {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture.get(), 0);
+  } else {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    target.multisampled = GlRenderbuffer(name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, target.spec.samples, internal_format(spec.format), spec.width,
+                                     spec.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, name);
+    target.resolve = make_framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.resolve.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture.get(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.handle.get());
+  }
+  throw_if_out_of_memory();
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw std::bad_alloc();
+  const FramebufferId id{next_id_++};
+  framebuffers_.emplace(id.value, std::move(target));
+  return id;
+}
+
+void GlDevice::destroy_framebuffer(FramebufferId framebuffer) {
+  static_cast<void>(framebuffer_of(framebuffer));
+  framebuffers_.erase(framebuffer.value);
+}
+
+void GlDevice::bind_target(FramebufferId target, const PixelRect& area) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target == FramebufferId{} ? 0 : framebuffer_of(target).handle.get());
+  glViewport(area.left, area.bottom, area.width, area.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(area.left, area.bottom, area.width, area.height);
+}
+
+void GlDevice::clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) {
+  bind_target(target, area);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearColor(color[0], color[1], color[2], color[3]);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+unsigned GlDevice::resolved(FramebufferId source) {
+  if (source == FramebufferId{}) return 0;
+  const Framebuffer& framebuffer = framebuffer_of(source);
+  if (framebuffer.spec.samples == 1) return framebuffer.handle.get();
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.handle.get());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.resolve.get());
+  glBlitFramebuffer(0, 0, framebuffer.spec.width, framebuffer.spec.height, 0, 0, framebuffer.spec.width,
+                    framebuffer.spec.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  return framebuffer.resolve.get();
+}
+
+void GlDevice::read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) {
+  MES_ASSERT(area.width >= 0 && area.height >= 0);
+  MES_ASSERT(rgba.size() ==
+             std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved(source));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  glReadPixels(area.left, area.bottom, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void GlDevice::draw(const DrawCall& call) {
+  if (call.instances == 0 || call.area.width <= 0 || call.area.height <= 0) return;
+  const Buffer& buffer = buffer_of(call.buffer);
+  const InstanceLayout layout = layout_of(call.program.kind);
+  MES_ASSERT(call.instances * layout.bytes() <= buffer.bytes);
+  const Program& program = program_of(call.program);
+  bind_target(call.target, call.area);
+
+  glUseProgram(program.handle.get());
+  glUniform4fv(program.real, kRealVectors, call.uniforms.center_1.data());
+  glUniform4uiv(program.bits, kBitVectors, call.uniforms.center_bits.data());
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, call.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+
+  glBindVertexArray(vertex_array_.get());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.handle.get());
+  const auto stride = static_cast<GLsizei>(layout.bytes());
+  std::size_t offset = 0;
+  const auto column = [&](GLuint location, GLint words) {
+    // The only way to say "offset into the bound buffer" in this interface.
+    glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, stride, reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(location, 1);
+    glEnableVertexAttribArray(location);
+    offset += sizeof(std::uint32_t) * static_cast<std::size_t>(words);
+  };
+  GLuint location = 0;
+  for (int i = 0; i < layout.points; ++i) column(location++, 4);
+  for (int i = 0; i < layout.numbers; ++i) column(location++, 2);
+  for (GLuint unused = location; unused < 3; ++unused) glDisableVertexAttribArray(unused);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_of(call), static_cast<GLsizei>(call.instances));
+
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glUseProgram(0);
+  glDisable(GL_SCISSOR_TEST);
+  ++counters_.draw_calls;
+  counters_.instances_drawn += call.instances;
+}
+
+void GlDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+                         const PremultipliedColor& color) {
+  static_cast<void>(resolved(coverage));
+  bind_target(target, area);
+  const GLuint program = composite_.handle.get();
+  glUseProgram(program);
+  glUniform4fv(glGetUniformLocation(program, "u_tint"), 1, color.data());
+  glUniform2i(glGetUniformLocation(program, "u_corner"), area.left, area.bottom);
+  glUniform1i(glGetUniformLocation(program, "u_coverage"), 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, framebuffer_of(coverage).texture.get());
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glBindVertexArray(vertex_array_.get());
+  for (GLuint unused = 0; unused < 3; ++unused) glDisableVertexAttribArray(unused);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glUseProgram(0);
+  glDisable(GL_SCISSOR_TEST);
+  ++counters_.composites;
+}
+
+std::string GlDevice::description() const {
+  const auto text = [](GLenum name) {
+    const auto* bytes = glGetString(name);
+    return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
+  };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+void GlDevice::finish() {
+  glFinish();
+}
+
+}  // namespace mes::render

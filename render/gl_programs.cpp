@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gl_programs.h"
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "core/base/assert.h"
+#include "render/shader_sources.h"
+
+namespace mes::render {
+namespace {
+
+using Sources = std::initializer_list<std::string_view>;
+
+/// The reach is told to vertex programs only.
+std::string preamble(const ProgramKey& key, bool use_double) {
+  std::string out = "#version 330 core\n";
+  // `precise` forbids the compiler to reorder sums whose rounding matters; without it we rely on its good sense.
+  if (epoxy_has_gl_extension("GL_ARB_gpu_shader5")) {
+    out += "#extension GL_ARB_gpu_shader5 : enable\n#define PRECISE precise\n";
+  } else {
+    out += "#define PRECISE\n";
+  }
+  if (use_double) out += "#extension GL_ARB_gpu_shader_fp64 : enable\n";
+  out += "#define REACH " + std::string(key.reach == Reach::near ? "0" : (use_double ? "2" : "1")) + "\n";
+  out += "#define DASHED " + std::string(key.dashed ? "1" : "0") + "\n";
+  for (const PrimitiveKind kind : {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}) {
+    std::string name(name_of(kind));
+    for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
+    out += "#define KIND_" + name + (key.kind == kind ? " 1\n" : " 0\n");
+  }
+  return out;
+}
+
+GlShader compile(GLenum stage, const std::string& source) {
+  GlShader shader(glCreateShader(stage));
+  const char* text = source.c_str();
+  glShaderSource(shader.get(), 1, &text, nullptr);
+  glCompileShader(shader.get());
+  GLint good = 0;
+  glGetShaderiv(shader.get(), GL_COMPILE_STATUS, &good);
+  if (good == 0) {
+    std::string log(4096, '\0');
+    GLsizei size = 0;
+    glGetShaderInfoLog(shader.get(), static_cast<GLsizei>(log.size()), &size, log.data());
+    log.resize(static_cast<std::size_t>(size));
+    throw AssertionFailure("a shader does not compile: " + log);
+  }
+  return shader;
+}
+
+GlProgram link(const std::string& head, Sources vertex, Sources fragment) {
+  const auto join = [&](Sources sources) {
+    std::string out = head;
+    for (const std::string_view source : sources) out += source;
+    return out;
+  };
+  const GlShader vertex_shader = compile(GL_VERTEX_SHADER, join(vertex));
+  const GlShader fragment_shader = compile(GL_FRAGMENT_SHADER, join(fragment));
+  GlProgram program(glCreateProgram());
+  glAttachShader(program.get(), vertex_shader.get());
+  glAttachShader(program.get(), fragment_shader.get());
+  glLinkProgram(program.get());
+  GLint good = 0;
+  glGetProgramiv(program.get(), GL_LINK_STATUS, &good);
+  if (good == 0) {
+    std::string log(4096, '\0');
+    GLsizei size = 0;
+    glGetProgramInfoLog(program.get(), static_cast<GLsizei>(log.size()), &size, log.data());
+    log.resize(static_cast<std::size_t>(size));
+    throw AssertionFailure("a program does not link: " + log);
+  }
+  glDetachShader(program.get(), vertex_shader.get());
+  glDetachShader(program.get(), fragment_shader.get());
+  return program;
+}
+
+}  // namespace
+
+bool context_has_double() {
+  return epoxy_has_gl_extension("GL_ARB_gpu_shader_fp64");
+}
+
+GlProgram build_program(const ProgramKey& key, bool use_double) {
+  using namespace shaders;
+  const std::string head = preamble(key, use_double);
+  switch (key.kind) {
+    case PrimitiveKind::point:
+      return link(head, {uniforms_glsl, place_glsl, point_vert}, {uniforms_glsl, point_frag});
+    case PrimitiveKind::disk:
+      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, disk_vert},
+                  {uniforms_glsl, round_distance_glsl, disk_frag});
+    case PrimitiveKind::circle:
+      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, circle_vert},
+                  {uniforms_glsl, round_distance_glsl, dash_glsl, circle_frag});
+    case PrimitiveKind::segment:
+    case PrimitiveKind::ray:
+    case PrimitiveKind::line:
+      return link(head, {uniforms_glsl, place_glsl, wide_glsl, stroke_vert}, {uniforms_glsl, dash_glsl, stroke_frag});
+    case PrimitiveKind::triangle:
+      return link(head, {uniforms_glsl, place_glsl, wide_glsl, triangle_vert}, {uniforms_glsl, triangle_frag});
+  }
+  MES_ASSERT(false && "every kind has a program");
+  return {};
+}
+
+GlProgram build_composite_program() {
+  return link("#version 330 core\n", {shaders::composite_vert}, {shaders::composite_frag});
+}
+
+}  // namespace mes::render

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/recording_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/base/assert.h"
+#include "render/instance_layout.h"
+
+namespace mes::render {
+namespace {
+
+/// What undefined contents look like: no number that a test would take for an instance.
+constexpr std::byte kUndefined{0xcd};
+
+bool is_finite(std::span<const float> values) {
+  return std::ranges::all_of(values, [](float v) { return std::isfinite(v); });
+}
+
+bool is_color(const PremultipliedColor& color) {
+  return std::ranges::all_of(color, [&](float c) { return c >= 0.0F && c <= 1.0F && c <= color[3]; });
+}
+
+}  // namespace
+
+std::vector<std::byte>& RecordingDevice::bytes_of(BufferId id) {
+  const auto found = buffers_.find(id.value);
+  MES_ASSERT(found != buffers_.end());
+  return found->second;
+}
+
+std::span<const std::byte> RecordingDevice::contents(BufferId buffer) const {
+  const auto found = buffers_.find(buffer.value);
+  MES_ASSERT(found != buffers_.end());
+  return found->second;
+}
+
+void RecordingDevice::check_target(FramebufferId target, const PixelRect& area) const {
+  MES_ASSERT(area.width > 0 && area.height > 0);
+  if (target == FramebufferId{}) return;
+  const auto found = framebuffers_.find(target.value);
+  MES_ASSERT(found != framebuffers_.end());
+  MES_ASSERT(area.left >= 0 && area.left + area.width <= found->second.width);
+  MES_ASSERT(area.bottom >= 0 && area.bottom + area.height <= found->second.height);
+}
+
+BufferId RecordingDevice::create_buffer(std::size_t bytes) {
+  MES_ASSERT(bytes > 0);
+  const BufferId id{next_id_++};
+  buffers_.emplace(id.value, std::vector<std::byte>(bytes, kUndefined));
+  counters_.bytes_allocated += bytes;
+  return id;
+}
+
+void RecordingDevice::destroy_buffer(BufferId buffer) {
+  counters_.bytes_allocated -= bytes_of(buffer).size();
+  buffers_.erase(buffer.value);
+}
+
+void RecordingDevice::resize_buffer(BufferId buffer, std::size_t bytes, std::size_t keep_bytes) {
+  std::vector<std::byte>& old = bytes_of(buffer);
+  MES_ASSERT(bytes > 0 && keep_bytes <= bytes && keep_bytes <= old.size());
+  std::vector<std::byte> resized(bytes, kUndefined);
+  std::copy_n(old.begin(), keep_bytes, resized.begin());
+  counters_.bytes_allocated += bytes;
+  counters_.bytes_allocated -= old.size();
+  old = std::move(resized);
+}
+
+void RecordingDevice::update_buffer(BufferId buffer, std::span<const ByteRange> ranges,
+                                    std::span<const std::byte> data) {
+  std::vector<std::byte>& bytes = bytes_of(buffer);
+  std::vector<ByteRange> sorted(ranges.begin(), ranges.end());
+  std::ranges::sort(sorted, {}, &ByteRange::offset);
+  std::size_t end = 0;
+  for (const ByteRange& range : sorted) {
+    MES_ASSERT(range.size > 0 && range.offset >= end);
+    end = range.offset + range.size;
+  }
+  MES_ASSERT(end <= bytes.size());
+  std::size_t from = 0;
+  for (const ByteRange& range : ranges) {
+    MES_ASSERT(from + range.size <= data.size());
+    std::memcpy(bytes.data() + range.offset, data.data() + from, range.size);
+    from += range.size;
+  }
+  MES_ASSERT(from == data.size());
+  counters_.bytes_uploaded += from;
+  counters_.updates += ranges.size();
+}
+
+FramebufferId RecordingDevice::create_framebuffer(const FramebufferSpec& spec) {
+  MES_ASSERT(spec.width > 0 && spec.height > 0 && spec.samples >= 1);
+  MES_ASSERT(spec.width <= max_framebuffer_size() && spec.height <= max_framebuffer_size());
+  const FramebufferId id{next_id_++};
+  framebuffers_.emplace(id.value, spec);
+  return id;
+}
+
+void RecordingDevice::destroy_framebuffer(FramebufferId framebuffer) {
+  MES_ASSERT(framebuffers_.erase(framebuffer.value) == 1);
+}
+
+void RecordingDevice::clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) {
+  check_target(target, area);
+  MES_ASSERT(is_color(color));
+}
+
+void RecordingDevice::read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) {
+  check_target(source, area);
+  MES_ASSERT(rgba.size() ==
+             std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+  std::ranges::fill(rgba, std::uint8_t{0});
+}
+
+void RecordingDevice::draw(const DrawCall& call) {
+  check_target(call.target, call.area);
+  MES_ASSERT(call.instances > 0);
+  MES_ASSERT(call.instances * layout_of(call.program.kind).bytes() <= bytes_of(call.buffer).size());
+  const DrawUniforms& u = call.uniforms;
+  MES_ASSERT(is_finite(u.center_1) && is_finite(u.center_2) && is_finite(u.center_3));
+  MES_ASSERT(is_finite(std::array{u.pixels_per_unit, u.half_width_px, u.view_radius_px, u.ring_px, u.dash_px,
+                                  u.dash_period_px, u.arc_pieces}));
+  MES_ASSERT(u.pixels_per_unit > 0.0F && u.half_view_px[0] > 0.0F && u.half_view_px[1] > 0.0F);
+  MES_ASSERT(!call.program.dashed || u.dash_period_px > 0.0F);
+  MES_ASSERT(call.program.kind != PrimitiveKind::circle || u.arc_pieces >= 3.0F);
+  MES_ASSERT(is_color(u.color));
+  calls_.push_back(call);
+  ++counters_.draw_calls;
+  counters_.instances_drawn += call.instances;
+}
+
+void RecordingDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+                                const PremultipliedColor& color) {
+  check_target(target, area);
+  const auto found = framebuffers_.find(coverage.value);
+  MES_ASSERT(found != framebuffers_.end() && found->second.format == TargetFormat::coverage);
+  MES_ASSERT(target != coverage && found->second.width >= area.width && found->second.height >= area.height);
+  MES_ASSERT(is_color(color));
+  ++counters_.composites;
+}
+
+}  // namespace mes::render
