@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina compute`: counters of structures and layers as JSON.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -24,7 +25,8 @@ std::size_t count_distinct(std::vector<Vec2> points) {
 
 Json json_of(const NodeReport& node, bool with_timing) {
   Json out = Json::object();
-  if (with_timing) out["ms"] = node.update_ms;
+  // Nanoseconds are all a clock has.
+  if (with_timing) out["ms"] = std::round(node.update_ms * 1e6) / 1e6;
   for (const Stat& stat : node.stats) std::visit([&](const auto& value) { out[stat.key] = value; }, stat.value);
   return out;
 }

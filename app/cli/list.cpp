@@ -69,13 +69,10 @@ std::vector<Entry> structures() {
   std::vector<Entry> out;
   for (const std::string_view id : structure_ids()) {
     Json readers = Json::array();
-    std::string text;
-    for (const LayerDescriptor& layer : layer_descriptors()) {
-      if (std::ranges::find(layer.structures, id) == layer.structures.end()) continue;
-      readers.push_back(layer.id);
-      text += text.empty() ? "shown by " : ", ";
-      text += layer.name;
-    }
+    for (const LayerDescriptor& layer : layer_descriptors())
+      if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);
+    const std::string text =
+        "read by " + std::to_string(readers.size()) + (readers.size() == 1 ? " layer" : " layers");
     out.push_back({std::string(id), text, {{"id", id}, {"layers", readers}}});
   }
   return out;

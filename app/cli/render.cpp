@@ -1,11 +1,123 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina render`: a picture of layers without a display.
+#include "render/egl_context.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "app/cli/computation.h"
+#include "app/cli/input.h"
 #include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/picture.h"
 #include "app/cli/requests.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/io/text_numbers.h"
+#include "render/gl_device.h"
+#include "render/offscreen.h"
+#include "render/png.h"
+#include "render/scene.h"
 
 namespace mes::cli {
+namespace {
 
-Expected<void> run_render(const RenderRequest&, Interruption&) {
-  return std::unexpected(Error{ErrorCode::no_display, "this build draws no pictures", {}, 0, 0});
+/// The request, understood.
+struct Picture {
+  std::vector<LayerIndex> layers;
+  PictureSize size;
+  std::optional<Box2> view;
+  std::optional<Rgb> background;
+  double scale = 1.0;
+};
+
+Expected<void> check_picture_name(const std::string& file) {
+  if (is_standard_output(file)) {
+    if (::isatty(STDOUT_FILENO) != 0) return usage_error("a picture cannot be printed on a terminal; name a file");
+    return {};
+  }
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".png") return {};
+  constexpr std::array<std::string_view, 3> kLater{".svg", ".pdf", ".ps"};
+  if (std::ranges::find(kLater, extension) != kLater.end())
+    return usage_error("pictures in " + extension + " are not available in this build; .png is");
+  return usage_error("the name of the picture must end in .png, not " + in_quotes(extension));
+}
+
+Expected<Picture> understand(const RenderRequest& request) {
+  Picture picture;
+  auto layers = select_layers(request.layers);
+  if (!layers) return std::unexpected(layers.error());
+  picture.layers = std::move(*layers);
+  // The stacking order is the registry's, whatever the order of the words.
+  std::ranges::sort(picture.layers);
+  const auto size = parse_size(request.size);
+  if (!size) return std::unexpected(size.error());
+  picture.size = *size;
+  const auto view = parse_view(request.view);
+  if (!view) return std::unexpected(view.error());
+  picture.view = *view;
+  const auto background = parse_background(request.background);
+  if (!background) return std::unexpected(background.error());
+  picture.background = *background;
+  constexpr double kLeastScale = 0.01;
+  constexpr double kMostScale = 100.0;
+  const auto scale = parse_number(request.scale);
+  if (!scale || *scale < kLeastScale || *scale > kMostScale)
+    return usage_error("--scale expects a number from 0.01 to 100, not " + in_quotes(request.scale));
+  picture.scale = *scale;
+  if (auto good = check_picture_name(request.output); !good) return std::unexpected(good.error());
+  return picture;
+}
+
+render::Camera camera_for(const Picture& picture, const Box2& samples, const LayerMirror& mirror) {
+  render::Camera camera;
+  camera.set_viewport(picture.size.width, picture.size.height);
+  constexpr double kMargin = 0.05;
+  if (picture.view) {
+    camera.fit(*picture.view, 0.0);
+  } else {
+    camera.fit(fit_box(samples, mirror, picture.layers), kMargin * std::min(picture.size.width, picture.size.height));
+  }
+  return camera;
+}
+
+}  // namespace
+
+Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
+  const auto picture = understand(request);
+  if (!picture) return std::unexpected(picture.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_input(request.source.file, request.source.from);
+  if (!input) return std::unexpected(input.error());
+
+  const auto context = render::EglContext::create();
+  if (!context) return std::unexpected(context.error());
+  render::GlDevice device;
+  render::Scene scene(device);
+  LayerMirror mirror;
+  const auto result =
+      run_computation(input->data, {.layers = picture->layers, .on_patch = [&](const FramePatch& patch) {
+                                      scene.apply(patch);
+                                      mirror.apply(patch);
+                                    }});
+  if (!result) return std::unexpected(result.error());
+
+  std::vector<render::LayerView> views;
+  for (const LayerIndex layer : picture->layers) views.push_back({layer, layer_descriptors()[layer].style});
+  const render::Camera camera = camera_for(*picture, result->document.bounding_box(), mirror);
+  const auto image = render::draw_image(device, scene, camera, views,
+                                        {.background = picture->background, .content_scale = picture->scale});
+  if (!image) return std::unexpected(image.error());
+  const auto png = render::encode_png(*image, render::kPngSmall);
+  if (!png) return std::unexpected(png.error());
+  return write_output(request.output, {reinterpret_cast<const char*>(png->data()), png->size()}, interruption);
 }
 
 }  // namespace mes::cli

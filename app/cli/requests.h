@@ -39,7 +39,7 @@ struct RenderRequest {
   std::string layers;
   std::string size = "1600x1200";
   std::string view = "fit";
-  double scale = 1.0;
+  std::string scale = "1";
   std::string background = "ffffff";
   std::string output;
 };

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "app/cli/messages.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::uint64_t kLongestSide = 32768;
+
+Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
+  Box2 box;
+  for (const PrimitiveKind kind : kAllPrimitiveKinds) {
+    const std::span<const double> instances = mirror.instances(layer, kind);
+    for (std::size_t at = 0; at < instances.size(); at += stride_of(kind)) {
+      const double* const v = instances.data() + at;
+      switch (kind) {
+        case PrimitiveKind::disk:
+        case PrimitiveKind::circle:
+          box.add(Vec2{v[0] - v[2], v[1] - v[2]});
+          box.add(Vec2{v[0] + v[2], v[1] + v[2]});
+          break;
+        case PrimitiveKind::triangle: box.add(Vec2{v[4], v[5]}); [[fallthrough]];
+        case PrimitiveKind::segment: box.add(Vec2{v[2], v[3]}); [[fallthrough]];
+        case PrimitiveKind::point: box.add(Vec2{v[0], v[1]}); break;
+        case PrimitiveKind::ray:
+        case PrimitiveKind::line: break;
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Expected<PictureSize> parse_size(const std::string& text) {
+  const std::size_t cross = text.find_first_of("xX");
+  const auto side = [](std::string_view digits) -> int {
+    const auto value = parse_count(digits);
+    return value && *value >= 1 && *value <= kLongestSide ? static_cast<int>(*value) : 0;
+  };
+  if (cross != std::string::npos) {
+    const PictureSize size{side(std::string_view(text).substr(0, cross)),
+                           side(std::string_view(text).substr(cross + 1))};
+    if (size.width != 0 && size.height != 0) return size;
+  }
+  return usage_error("--size expects WxH, each from 1 to " + std::to_string(kLongestSide) + ", not " +
+                     in_quotes(text));
+}
+
+Expected<std::optional<Box2>> parse_view(const std::string& text) {
+  if (text == "fit") return std::nullopt;
+  std::array<double, 4> corner{};
+  std::string_view rest = text;
+  bool good = true;
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    const std::size_t comma = rest.find(',');
+    good = good && (comma == std::string_view::npos) == (i + 1 == corner.size());
+    const auto value = parse_number(rest.substr(0, comma));
+    good = good && value.has_value();
+    if (!good) break;
+    corner[i] = *value;
+    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+  }
+  Box2 box;
+  if (good) {
+    box.add(Vec2{corner[0], corner[1]});
+    box.add(Vec2{corner[2], corner[3]});
+    good = box.width() > 0.0 && box.height() > 0.0 && std::isfinite(box.width()) && std::isfinite(box.height());
+  }
+  if (!good) return usage_error("--view expects fit or two corners X0,Y0,X1,Y1, not " + in_quotes(text));
+  return box;
+}
+
+Expected<std::optional<Rgb>> parse_background(const std::string& text) {
+  if (text == "transparent") return std::nullopt;
+  std::string_view digits = text;
+  if (digits.starts_with('#')) digits.remove_prefix(1);
+  std::uint32_t value = 0;
+  bool good = digits.size() == 6;
+  for (const char c : digits) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const std::size_t digit = kDigits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
+    good = good && digit != std::string_view::npos;
+    if (!good) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
+    value = value * 16 + static_cast<std::uint32_t>(digit);
+  }
+  if (!good) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
+  return Rgb{static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
+             static_cast<std::uint8_t>(value)};
+}
+
+Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers) {
+  Box2 box = samples;
+  for (const LayerIndex layer : layers)
+    if (layer_descriptors()[layer].in_fit_box) box.add(box_of(mirror, layer));
+  if (samples.is_empty()) return box;
+  const double reach = std::max(samples.width(), samples.height());
+  if (!(reach > 0.0)) return box;
+  const auto within = [reach](double value, double low, double high) {
+    return std::clamp(value, low - reach, high + reach);
+  };
+  box.low = {within(box.low.x, samples.low.x, samples.high.x), within(box.low.y, samples.low.y, samples.high.y)};
+  box.high = {within(box.high.x, samples.low.x, samples.high.x), within(box.high.y, samples.low.y, samples.high.y)};
+  return box;
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a picture is asked to be, read from the words of the command line.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/base/box2.h"
+#include "core/base/color.h"
+#include "core/base/error.h"
+#include "core/graph/layer_mirror.h"
+
+namespace mes::cli {
+
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// "1600x1200"; each side from 1 to 32768. Error: `usage`.
+Expected<PictureSize> parse_size(const std::string& text);
+
+/// "X0,Y0,X1,Y1", any two opposite corners; nothing for "fit". Error: `usage`.
+Expected<std::optional<Box2>> parse_view(const std::string& text);
+
+/// "RRGGBB", with or without #; nothing for "transparent". Error: `usage`.
+Expected<std::optional<Rgb>> parse_background(const std::string& text);
+
+/// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
+/// by no more than the samples' own size: one huge ball at a hole of the curve must not shrink everything else to a
+/// dot.
+Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
+
+}  // namespace mes::cli
