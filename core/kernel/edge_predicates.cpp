@@ -80,31 +80,45 @@ EdgeClass classify_edge(const EdgeCorners& corners, FilterCounts& counts) {
 
 namespace {
 
-// Coordinates scaled by a common power of two, so that the products below neither overflow nor vanish.
-EdgeCorners scaled_to_unit(const EdgeCorners& e) {
+// The difference of two points times a power of two that brings it to about unit size.
+Vec2 direction_between(Vec2 from, Vec2 to) {
+  Vec2 d = to - from;
+  if (!is_finite(d)) d = 0.5 * to - 0.5 * from;
+  const double size = std::max(std::abs(d.x), std::abs(d.y));
+  if (size == 0.0) return d;
+  const int exponent = std::ilogb(size);
+  return {std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent)};
+}
+
+// A positive multiple of the phase, whatever the sizes: when a product may have left the range of doubles, each leg
+// of the two angles is brought to unit size, which changes no angle.
+Phase angle_of(const EdgeCorners& e) {
   const double m = largest_difference(e);
-  if ((m > 1e-70 && m < 1e70) || m == 0.0) return e;
-  // Near the top of the range even the difference overflows; 1e308 is about 2^1023.
-  const int exponent = std::isfinite(m) ? std::ilogb(m) : 1024;
-  const auto scaled = [exponent, &e](Vec2 a) {
-    return Vec2{std::ldexp(a.x, -exponent) - std::ldexp(e.q.x, -exponent),
-                std::ldexp(a.y, -exponent) - std::ldexp(e.q.y, -exponent)};
-  };
-  EdgeCorners out{scaled(e.p), scaled(e.q), scaled(e.r), {}};
-  if (e.s) out.s = scaled(*e.s);
-  return out;
+  if (m > 1e-70 && m < 1e70) {
+    const Phase phase = phase_of(e);
+    // What a product lost below the smallest double is then below 1e-30 of the whole.
+    if (std::abs(phase.h) > 1e-150 || std::abs(phase.i) > 1e-150) return phase;
+  }
+  const Vec2 pq = direction_between(e.p, e.q);
+  const Vec2 pr = direction_between(e.p, e.r);
+  const Phase p{dot(pq, pr), cross(pq, pr)};
+  if (!e.s) return p;
+  const Vec2 sr = direction_between(*e.s, e.r);
+  const Vec2 sq = direction_between(*e.s, e.q);
+  const Phase s{dot(sr, sq), cross(sr, sq)};
+  return {p.h * s.h - p.i * s.i, p.i * s.h + p.h * s.i};
 }
 
 }  // namespace
 
 double edge_confidence(const EdgeCorners& corners) {
-  const Phase phase = phase_of(scaled_to_unit(corners));
+  const Phase phase = angle_of(corners);
   const double size = std::hypot(phase.h, phase.i);
   return size > 0.0 ? phase.h / size : 0.0;
 }
 
 double ambiguity_key(const EdgeCorners& corners) {
-  const Phase phase = phase_of(scaled_to_unit(corners));
+  const Phase phase = angle_of(corners);
   const double size = std::hypot(phase.h, phase.i);
   if (!(size > 0.0)) return 0.0;
   // |cos| where it varies, and its complement by the sine near 1, where |cos| is flat: both are within some 40 u of

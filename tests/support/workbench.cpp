@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/workbench.h"
+
+#include <algorithm>
+
+#include "core/structures/one_step_crust.h"
+
+namespace mes::test {
+
+std::vector<LayerIndex> all_layers() {
+  std::vector<LayerIndex> layers(layer_descriptors().size());
+  for (LayerIndex i = 0; i < layers.size(); ++i) layers[i] = i;
+  return layers;
+}
+
+Workbench::Workbench() {
+  graph_.set_demand(all_layers());
+  graph_.set_want_statistics(true);
+}
+
+Workbench::Workbench(const std::vector<Vec2>& positions) : Workbench() {
+  replace(positions);
+}
+
+void Workbench::replace(const std::vector<Vec2>& positions) {
+  SampleData data;
+  data.positions = positions;
+  apply(replace_all(document_, data));
+}
+
+void Workbench::insert(const std::vector<Vec2>& positions) {
+  apply(insert_samples(document_, positions));
+}
+
+void Workbench::remove(const std::vector<SampleId>& ids) {
+  apply(remove_samples(document_, ids));
+}
+
+void Workbench::move(SampleId id, Vec2 to) {
+  apply(move_samples(document_, std::vector{std::pair{id, to}}));
+}
+
+void Workbench::undo() {
+  apply_all(history_.undo());
+}
+
+void Workbench::redo() {
+  apply_all(history_.redo());
+}
+
+void Workbench::apply(const Expected<DocumentDelta>& delta) {
+  REQUIRE(delta.has_value());
+  document_.apply(*delta);
+  history_.record(*delta);
+  graph_.post(std::make_shared<const DocumentDelta>(*delta));
+  run();
+}
+
+void Workbench::apply_all(const std::vector<DocumentDelta>& deltas) {
+  for (const DocumentDelta& delta : deltas) {
+    document_.apply(delta);
+    graph_.post(std::make_shared<const DocumentDelta>(delta));
+  }
+  run();
+}
+
+void Workbench::run() {
+  JobControl job;
+  REQUIRE(graph_.run(patch_, job));
+  for (const NodeReport& node : patch_.nodes) {
+    INFO(node.structure << ": " << node.reason);
+    REQUIRE(node.state == NodeState::up_to_date);
+  }
+  for (const LayerReport& layer : patch_.reports) {
+    INFO(layer_descriptors()[layer.layer].id << ": " << layer.reason);
+    REQUIRE(layer.state == NodeState::up_to_date);
+  }
+  contents_.apply(patch_);
+  mirror_.apply(patch_);
+  REQUIRE(patch_.document_revision == document_.revision());
+}
+
+std::vector<SampleId> Workbench::ids() const {
+  std::vector<SampleId> out;
+  for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
+  return out;
+}
+
+std::vector<Vec2> Workbench::positions() const {
+  std::vector<Vec2> out;
+  for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
+  return out;
+}
+
+const StatValue& Workbench::stat(std::string_view structure, std::string_view key) const {
+  for (const NodeReport& node : patch_.nodes) {
+    if (node.structure != structure) continue;
+    for (const Stat& stat : node.stats)
+      if (stat.key == key) return stat.value;
+  }
+  FAIL("no such statistic: " << structure << " " << key);
+  assertion_failed("FAIL throws", __FILE_NAME__, __LINE__);
+}
+
+std::int64_t Workbench::count(std::string_view structure, std::string_view key) const {
+  return std::get<std::int64_t>(stat(structure, key));
+}
+
+double Workbench::measure(std::string_view structure, std::string_view key) const {
+  return std::get<double>(stat(structure, key));
+}
+
+std::span<const double> Workbench::instances(std::string_view layer, PrimitiveKind kind) const {
+  return mirror_.instances(find_layer(layer), kind);
+}
+
+std::string Workbench::trouble() const {
+  const std::string broken = broken_row(graph_);
+  if (!broken.empty()) return broken;
+  std::vector<Vec2> reversed = positions();
+  std::ranges::reverse(reversed);
+  const Workbench fresh(reversed);
+  return difference(state(), fresh.state());
+}
+
+PlaceEdge place_edge(Vec2 a, Vec2 b) {
+  if (lexicographically_less(b, a)) std::swap(a, b);
+  return {{a.x, a.y}, {b.x, b.y}};
+}
+
+std::set<PlaceEdge> crust_edges(const Graph& graph) {
+  const auto& delaunay = graph.structures().get<Delaunay>();
+  const auto& crust = graph.structures().get<OneStepCrust>();
+  std::set<PlaceEdge> out;
+  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+    const EdgeRow& row = delaunay.edge(edge);
+    if (row.is_alive() && crust.is_crust(edge))
+      out.insert(place_edge(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1])));
+  }
+  return out;
+}
+
+}  // namespace mes::test

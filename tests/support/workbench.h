@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A document, its history, and a graph with every layer shown that follows it edit by edit.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/document/commands.h"
+#include "core/document/history.h"
+#include "core/graph/graph.h"
+#include "core/graph/layer_mirror.h"
+#include "tests/support/layer_contents.h"
+#include "tests/support/state_of_graph.h"
+
+namespace mes::test {
+
+/// Every layer of the registry.
+std::vector<LayerIndex> all_layers();
+
+/// What it guarantees: after each edit the graph has run completely, every structure and layer is up to date, and the
+/// patch has been taken by both a plain buffer and a `LayerMirror`, which refuse malformed ones; otherwise the test
+/// fails.
+///
+/// Smallest use:
+///     Workbench bench(points);
+///     bench.insert({{1.0, 2.0}});
+///     CHECK(bench.count("one-step-crust", "crust_edges") == 12);
+class Workbench {
+ public:
+  Workbench();
+  explicit Workbench(const std::vector<Vec2>& positions);
+
+  void replace(const std::vector<Vec2>& positions);
+  void insert(const std::vector<Vec2>& positions);
+  void remove(const std::vector<SampleId>& ids);
+  void move(SampleId id, Vec2 to);
+  void undo();
+  void redo();
+
+  const Document& document() const { return document_; }
+  const Graph& graph() const { return graph_; }
+  const FramePatch& patch() const { return patch_; }
+  const LayerContents& contents() const { return contents_; }
+  const LayerMirror& mirror() const { return mirror_; }
+  GeometryState state() const { return state_of(graph_); }
+  template <class T>
+  const T& get() const {
+    return graph_.structures().get<T>();
+  }
+
+  /// Live ids by increasing age.
+  std::vector<SampleId> ids() const;
+  std::vector<Vec2> positions() const;
+
+  /// A counter, or a measure, from the statistics.
+  std::int64_t count(std::string_view structure, std::string_view key) const;
+  double measure(std::string_view structure, std::string_view key) const;
+  /// Instances of a layer, `stride_of(kind)` doubles each.
+  std::span<const double> instances(std::string_view layer, PrimitiveKind kind) const;
+
+  /// Empty when the rows are sound and everything equals a fresh graph of the same samples, given in reverse order;
+  /// otherwise what does not.
+  std::string trouble() const;
+
+ private:
+  void apply(const Expected<DocumentDelta>& delta);
+  void apply_all(const std::vector<DocumentDelta>& deltas);
+  void run();
+  const StatValue& stat(std::string_view structure, std::string_view key) const;
+
+  Document document_;
+  History history_;
+  Graph graph_;
+  FramePatch patch_;
+  LayerContents contents_;
+  LayerMirror mirror_;
+};
+
+/// An edge of the crust by the positions of its ends, the lexicographically smaller first.
+using PlaceEdge = std::pair<std::pair<double, double>, std::pair<double, double>>;
+PlaceEdge place_edge(Vec2 a, Vec2 b);
+std::set<PlaceEdge> crust_edges(const Graph& graph);
+
+}  // namespace mes::test
