@@ -25,19 +25,26 @@ nlohmann::json read_index() {
 
 using Edge = std::pair<Slot, Slot>;
 
-std::set<Edge> contour_edges(const SampleData& data) {
-  std::set<Edge> edges;
+struct ExpectedEdges {
+  std::set<Edge> curve;
+  std::set<Edge>
+      bridges;  ///< between the ends of open contours: the crust may close them, it knows nothing of openness
+};
+
+ExpectedEdges expected_edges(const SampleData& data) {
+  ExpectedEdges edges;
   for (const SampleData::Contour& contour : data.contours) {
     const std::size_t n = contour.points.size();
-    for (std::size_t i = 0; i + (contour.closed ? 0 : 1) < n; ++i)
-      edges.insert(std::minmax(contour.points[i], contour.points[(i + 1) % n]));
+    for (std::size_t i = 0; i + 1 < n; ++i) edges.curve.insert(std::minmax(contour.points[i], contour.points[i + 1]));
+    const Edge last = std::minmax(contour.points.front(), contour.points.back());
+    (contour.closed ? edges.curve : edges.bridges).insert(last);
   }
   return edges;
 }
 
 }  // namespace
 
-TEST_CASE("the crust of every sample shape is its curve") {
+TEST_CASE("the crust of every sample shape is its curve, but for gaps that it bridges") {
   const nlohmann::json index = read_index();
   REQUIRE(index.size() >= 12);
   for (const auto& entry : index) {
@@ -68,10 +75,11 @@ TEST_CASE("the crust of every sample shape is its curve") {
       if (!row.is_alive() || !crust.is_crust(edge)) continue;
       found.insert(std::minmax(delaunay.site_sample(row.v[0]), delaunay.site_sample(row.v[1])));
     }
-    CHECK(found == contour_edges(loaded->data));
-    const auto open = std::count_if(loaded->data.contours.begin(), loaded->data.contours.end(),
-                                    [](const auto& contour) { return !contour.closed; });
-    CHECK(crust.odd_count() == 2 * static_cast<std::size_t>(open));
+    const ExpectedEdges expected = expected_edges(loaded->data);
+    std::size_t bridged = 0;
+    for (const Edge& bridge : expected.bridges) bridged += found.erase(bridge);
+    CHECK(found == expected.curve);
+    CHECK(crust.odd_count() == 2 * (expected.bridges.size() - bridged));
   }
 }
 
