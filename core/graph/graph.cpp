@@ -96,7 +96,6 @@ void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
 
 void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
   if (on_task_) on_task_(node.structure->id());
-  lap_ms();
   node.state = NodeState::computing;
   node.reason.clear();
   node.witnesses.clear();
@@ -211,10 +210,10 @@ void Graph::report(FramePatch& out) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     StructureNode& node = nodes_[i];
     NodeReport& report = out.nodes[i];
-    report.structure = node.structure->id();
+    if (report.structure.empty()) report.structure = node.structure->id();
     report.state = node.needed ? node.state : NodeState::inactive;
-    report.reason = node.reason;
-    report.witnesses = node.witnesses;
+    if (report.reason != node.reason) report.reason = node.reason;
+    if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
     report.update_ms = node.ms;
     report.touched = node.changed == run_ ? node.touched : 0;
     report.rebuilt = node.last_was_rebuild;
@@ -233,7 +232,7 @@ void Graph::report(FramePatch& out) {
     report.layer = i;
     report.state = node.state;
     report.emit_ms = node.ms;
-    report.reason = node.reason;
+    if (report.reason != node.reason) report.reason = node.reason;
   }
 }
 
@@ -243,6 +242,7 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   out.layer_count = 0;
   out.complete = true;
   if (demand_changed_) mark_needed();
+  lap_ms();
   try {
     for (StructureNode& node : nodes_) {
       if (!node.needed) continue;
@@ -250,7 +250,6 @@ bool Graph::run(FramePatch& out, JobControl& job) {
       bring_up_to_date(node, job);
     }
     follow_extent(out);
-    lap_ms();
     for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
       if (!layer_nodes_[i].demanded) continue;
       job.checkpoint();

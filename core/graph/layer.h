@@ -12,6 +12,7 @@
 //                  }));
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -88,8 +89,7 @@ class InstancePlaces {
     auto& rows = row_at_[index_of(instance.kind())];
     place_[row] = encode(instance.kind(), static_cast<std::uint32_t>(rows.size()));
     rows.push_back(row);
-    auto& data = patch[instance.kind()].data;
-    data.insert(data.end(), instance.begin(), instance.end());
+    append_to(patch[instance.kind()].data, instance);
   }
   void grow(std::size_t rows) {
     if (place_.size() < rows) place_.resize(rows, kNoPlace);
@@ -160,10 +160,15 @@ class InstancePlaces {
   static std::uint32_t encode(PrimitiveKind kind, std::uint32_t index) {
     return (static_cast<std::uint32_t>(kind) << kIndexBits) | index;
   }
+  static void append_to(std::vector<double>& data, const Instance& instance) {
+    const std::size_t at = data.size();
+    data.resize(at + stride_of(instance.kind()));
+    std::copy(instance.begin(), instance.end(), data.begin() + static_cast<std::ptrdiff_t>(at));
+  }
   void write(std::uint32_t index, const Instance& instance, LayerPatch& patch) {
     KindPatch& out = patch[instance.kind()];
     out.index.push_back(index);
-    out.data.insert(out.data.end(), instance.begin(), instance.end());
+    append_to(out.data, instance);
   }
 
   std::vector<std::uint32_t> place_;  // by row: kind and index

@@ -19,10 +19,11 @@ namespace mes {
 
 /// Changed instances of one kind of one layer.
 struct KindPatch {
-  bool reset = false;                ///< `data` holds all instances 0 .. count-1 and `index` is empty
-  std::uint32_t count = 0;           ///< number of instances after this patch (shrinks need no data)
-  std::vector<std::uint32_t> index;  ///< instances to overwrite; may name one twice, the later wins
-  std::vector<double> data;          ///< `stride_of(kind)` doubles each, in the order of `index`
+  bool reset = false;       ///< `data` holds all instances 0 .. count-1 and `index` is empty
+  std::uint32_t count = 0;  ///< number of instances after this patch (shrinks need no data)
+  /// Instances to overwrite. May name one twice, then the later wins; one at or past `count` was dropped again.
+  std::vector<std::uint32_t> index;
+  std::vector<double> data;  ///< `stride_of(kind)` doubles each, in the order of `index`
 
   bool is_empty() const { return !reset && !count_changed && index.empty(); }
   bool count_changed = false;

@@ -169,8 +169,8 @@ bool Curve::update(JobControl&) {
   for (const Slot edge : labels_.edge_changes().removed) touch(edge);
   for (const Slot edge : labels_.edge_changes().touched) touch(edge);
   // A site whose degree changed ends or joins chains, also through edges that did not change themselves.
-  for (const Slot site : crust_.site_changes().touched) {
-    recorder_.note(site, true);
+  for (const Slot site : crust_.site_changes().touched) recorder_.note(site, true);
+  for (const Slot site : crust_.degree_changes()) {
     delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot) {
       if (crust_.is_crust(edge)) touch(edge);
     });

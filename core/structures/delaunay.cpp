@@ -24,8 +24,6 @@ void Delaunay::clear_tables() {
   site_of_sample_.assign(samples_.row_count(), kNoSlot);
   next_duplicate_.assign(samples_.row_count(), kNoSlot);
   face_.clear();
-  circumcenter_.clear();
-  circumradius_.clear();
   free_faces_.clear();
   edge_.clear();
   free_edges_.clear();
@@ -33,15 +31,15 @@ void Delaunay::clear_tables() {
 }
 
 void Delaunay::compute_circumcircle(Slot face) {
-  const FaceRow& row = face_[face];
+  FaceRow& row = face_[face];
   if (row.is_infinite()) return;
   // Beginning at the smallest corner makes the doubles independent of how the triangle came about.
   const Vec2 corner[3] = {site_position_[row.v[0]], site_position_[row.v[1]], site_position_[row.v[2]]};
   int first = lexicographically_less(corner[1], corner[0]) ? 1 : 0;
   if (lexicographically_less(corner[2], corner[first])) first = 2;
   const Circle circle = circumcircle(corner[first], corner[next3(first)], corner[prev3(first)]);
-  circumcenter_[face] = circle.center;
-  circumradius_[face] = circle.radius;
+  row.center = circle.center;
+  row.radius = circle.radius;
 }
 
 Slot Delaunay::new_site(Vec2 position) {
@@ -88,12 +86,13 @@ void Delaunay::rebuild(JobControl& job) {
   // The rounds keep bad inputs from being bad; the curve keeps the walk to each new site short.
   std::vector<KeyedSlot> order;
   order.reserve(samples_.count());
+  constexpr int kRoundBits = 3;
   const HilbertGrid grid(samples_.extent());
-  const int rounds = std::max(0, static_cast<int>(std::bit_width(samples_.count())) - 6);
+  const int rounds = std::max(0, static_cast<int>(std::bit_width(samples_.count())) - 6) / kRoundBits;
   for (Slot sample = 0; sample < samples_.row_count(); ++sample) {
     if (!samples_.is_alive(sample)) continue;
     const std::uint32_t hash = (sample + 1U) * 2654435769U;
-    const int round = rounds - std::min(rounds, std::countl_zero(hash ^ (hash << 15U)));
+    const int round = rounds - std::min(rounds, std::countl_zero(hash ^ (hash << 15U)) / kRoundBits);
     order.push_back(
         {(std::uint64_t(static_cast<unsigned>(round)) << 32U) | grid.key(samples_.position(sample)), sample});
   }
@@ -110,8 +109,8 @@ bool Delaunay::update(JobControl& job) {
   // Above some share of the sites, sorting and starting anew is cheaper than one insertion after the other.
   if (dimension_ != 2 || changes.size() > 64 + site_count_ / 8) return false;
   site_recorder_.begin(site_position_.size());
-  face_recorder_.begin(face_.size());
-  edge_recorder_.begin(edge_.size());
+  noted_faces_.clear();
+  noted_edges_.clear();
   for (const Slot sample : changes.removed)
     if (!mirror_->remove(sample)) return false;
   std::uint64_t done = 0;
@@ -126,9 +125,52 @@ bool Delaunay::update(JobControl& job) {
     }
   }
   site_recorder_.finish(site_changes_, [this](Slot site) { return is_site(site); });
-  face_recorder_.finish(face_changes_, [this](Slot face) { return face_[face].is_alive(); });
-  edge_recorder_.finish(edge_changes_, [this](Slot edge) { return edge_[edge].is_alive(); });
+  finish_face_changes();
+  finish_edge_changes();
   return true;
+}
+
+std::uint32_t Delaunay::new_mark() {
+  if (++last_mark_ == 0) {
+    for (FaceRow& row : face_) row.mark = 0;
+    for (EdgeRow& row : edge_) row.mark = 0;
+    last_mark_ = 1;
+  }
+  return last_mark_;
+}
+
+void Delaunay::finish_face_changes() {
+  face_changes_.clear();
+  const std::uint32_t seen = new_mark();
+  for (const NotedFace& note : noted_faces_) {
+    FaceRow& row = face_[note.face];
+    if (row.mark == seen) continue;
+    row.mark = seen;
+    if (row.is_alive()) {
+      face_changes_.touched.push_back(note.face);
+    } else if (note.was_alive) {
+      face_changes_.removed.push_back(note.face);
+    }
+  }
+}
+
+void Delaunay::finish_edge_changes() {
+  edge_changes_.clear();
+  touched_edges_before_.clear();
+  removed_edges_before_.clear();
+  const std::uint32_t seen = new_mark();
+  for (const NotedEdge& note : noted_edges_) {
+    EdgeRow& row = edge_[note.edge];
+    if (row.mark == seen) continue;
+    row.mark = seen;
+    if (row.is_alive()) {
+      edge_changes_.touched.push_back(note.edge);
+      touched_edges_before_.push_back(note.before);
+    } else if (note.before.is_alive()) {
+      edge_changes_.removed.push_back(note.edge);
+      removed_edges_before_.push_back(note.before);
+    }
+  }
 }
 
 void Delaunay::clear_changes() {

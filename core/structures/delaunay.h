@@ -18,11 +18,16 @@ namespace mes {
 inline constexpr Slot kInfiniteSite = 0xfffffffeU;
 
 /// A triangle, or the outside of a hull edge when one corner is `kInfiniteSite`. Corners run counter-clockwise;
-/// neighbour and edge `i` lie opposite corner `i`. Edges to infinity have no row (kNoSlot).
-struct FaceRow {
+/// neighbour and edge `i` lie opposite corner `i`. Edges to infinity have no row (kNoSlot). An edit reads some twenty
+/// rows in places that nothing has touched for long; so a row is one cache line, with everything about the face in
+/// it.
+struct alignas(64) FaceRow {
   Slot v[3] = {kNoSlot, kNoSlot, kNoSlot};
   Slot n[3] = {kNoSlot, kNoSlot, kNoSlot};
   Slot e[3] = {kNoSlot, kNoSlot, kNoSlot};
+  std::uint32_t mark = 0;  ///< work space of `Delaunay`
+  Vec2 center{};           ///< circumcentre, the Voronoi vertex dual to the face
+  double radius = 0.0;     ///< of the circumcircle
 
   bool is_alive() const { return v[0] != kNoSlot; }
   bool is_infinite() const { return v[0] == kInfiniteSite || v[1] == kInfiniteSite || v[2] == kInfiniteSite; }
@@ -42,6 +47,7 @@ constexpr int prev3(int i) {
 struct EdgeRow {
   Slot v[2] = {kNoSlot, kNoSlot};
   Slot f[2] = {kNoSlot, kNoSlot};
+  std::uint32_t mark = 0;  ///< work space of `Delaunay`
   bool is_alive() const { return v[0] != kNoSlot; }
 };
 
@@ -86,8 +92,8 @@ class Delaunay final : public Structure {
   const FaceRow& face(Slot face) const { return face_[face]; }
   bool is_finite_face(Slot face) const { return face_[face].is_alive() && !face_[face].is_infinite(); }
   /// Voronoi vertex dual to a finite face.
-  Vec2 circumcenter(Slot face) const { return circumcenter_[face]; }
-  double circumradius(Slot face) const { return circumradius_[face]; }
+  Vec2 circumcenter(Slot face) const { return face_[face].center; }
+  double circumradius(Slot face) const { return face_[face].radius; }
 
   // Edges.
   std::size_t edge_rows() const { return edge_.size(); }
@@ -99,6 +105,10 @@ class Delaunay final : public Structure {
   const ChangeSet& site_changes() const { return site_changes_; }
   const ChangeSet& face_changes() const { return face_changes_; }
   const ChangeSet& edge_changes() const { return edge_changes_; }
+  /// What the rows of `edge_changes` held before: the ends, or kNoSlot where the row was free. In the order of
+  /// `touched` and `removed`; `f` is not set.
+  const std::vector<EdgeRow>& touched_edges_before() const { return touched_edges_before_; }
+  const std::vector<EdgeRow>& removed_edges_before() const { return removed_edges_before_; }
 
   /// Calls `visit(edge, other_site, left_face)` for each finite edge at a site, counter-clockwise when it has faces;
   /// `left_face` lies to the left of the edge seen from the site.
@@ -117,6 +127,12 @@ class Delaunay final : public Structure {
   class MirrorBase;
 
   void clear_tables();
+  // Notes for the change sets. A row may be noted twice in a run of several edits; the first note counts.
+  void note_face(Slot face) { noted_faces_.push_back({face, face_[face].is_alive()}); }
+  void note_edge(Slot edge) { noted_edges_.push_back({edge, edge_[edge]}); }
+  std::uint32_t new_mark();
+  void finish_face_changes();
+  void finish_edge_changes();
   void compute_circumcircle(Slot face);
   Slot new_site(Vec2 position);
   void attach_sample(Slot sample, Slot site);
@@ -135,16 +151,25 @@ class Delaunay final : public Structure {
   std::vector<Slot> site_of_sample_;
   std::vector<Slot> next_duplicate_;
   std::vector<FaceRow> face_;
-  std::vector<Vec2> circumcenter_;
-  std::vector<double> circumradius_;
   std::vector<Slot> free_faces_;
   std::vector<EdgeRow> edge_;
   std::vector<Slot> free_edges_;
   std::vector<std::array<Slot, 2>> line_edges_;  // by site; only in dimension 1
 
   ChangeRecorder site_recorder_;
-  ChangeRecorder face_recorder_;
-  ChangeRecorder edge_recorder_;
+  struct NotedFace {
+    Slot face;
+    bool was_alive;
+  };
+  struct NotedEdge {
+    Slot edge;
+    EdgeRow before;
+  };
+  std::vector<NotedFace> noted_faces_;
+  std::vector<NotedEdge> noted_edges_;
+  std::uint32_t last_mark_ = 0;
+  std::vector<EdgeRow> touched_edges_before_;
+  std::vector<EdgeRow> removed_edges_before_;
   ChangeSet site_changes_;
   ChangeSet face_changes_;
   ChangeSet edge_changes_;

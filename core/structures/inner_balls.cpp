@@ -41,6 +41,10 @@ void InnerBalls::rebuild(JobControl&) {
 }
 
 bool InnerBalls::update(JobControl&) {
+  if (crust_.cocircular_count() == 0 && group_of_.empty()) {
+    changes_ = labels_.face_changes();
+    return true;
+  }
   recorder_.begin(delaunay_.face_rows());
   const ChangeSet& faces = labels_.face_changes();
   for (const Slot face : faces.removed) recorder_.note(face, true);

@@ -97,30 +97,37 @@ bool Labels::repair(JobControl& job) {
       [this](Slot face) { return delaunay_.face(face).is_infinite(); },
       [this](Slot face) {
         inside_[face] ^= 1U;
-        face_recorder_.note(face, true);
+        turned_.push_back(face);
       },
       job);
 }
 
 bool Labels::update(JobControl& job) {
   inside_.resize(delaunay_.face_rows(), 0);
+  turned_.clear();
+  join_.update(job, conflict_edges_);
+  label_new_faces();
+  if (!repair(job)) return false;
+
+  if (turned_.empty() && conflict_edges_.empty()) {
+    // The usual case: labels differ only where the triangulation does.
+    face_changes_ = delaunay_.face_changes();
+    edge_changes_ = delaunay_.edge_changes();
+    return true;
+  }
   face_recorder_.begin(delaunay_.face_rows());
   edge_recorder_.begin(delaunay_.edge_rows());
   for (const Slot face : delaunay_.face_changes().removed) face_recorder_.note(face, true);
   for (const Slot face : delaunay_.face_changes().touched) face_recorder_.note(face, true);
   for (const Slot edge : delaunay_.edge_changes().removed) edge_recorder_.note(edge, true);
   for (const Slot edge : delaunay_.edge_changes().touched) edge_recorder_.note(edge, true);
-
-  join_.update(job, conflict_edges_);
   for (const Slot edge : conflict_edges_) edge_recorder_.note(edge, true);
-  label_new_faces();
-  if (!repair(job)) return false;
-
-  face_recorder_.finish(face_changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
-  // Faces that were only turned over: their edges look different too.
-  for (const Slot face : face_changes_.touched)
+  for (const Slot face : turned_) {
+    face_recorder_.note(face, true);
     for (const Slot edge : delaunay_.face(face).e)
       if (edge != kNoSlot) edge_recorder_.note(edge, true);
+  }
+  face_recorder_.finish(face_changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
   edge_recorder_.finish(edge_changes_, [this](Slot edge) { return delaunay_.edge(edge).is_alive(); });
   return true;
 }

@@ -79,6 +79,7 @@ class Labels final : public Structure {
   SlotMarks unlabelled_;
   std::vector<Slot> queue_;
   std::vector<Slot> conflict_edges_;
+  std::vector<Slot> turned_;
   std::vector<Violation> violations_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 namespace mes {
 
@@ -24,40 +25,12 @@ int MedialAxis::axis_edges_at(Slot face) const {
   return count;
 }
 
-void MedialAxis::count_degree(Slot face) {
-  if (!is_node(face)) {
-    degree_[face] = 0;
-    return;
-  }
+int MedialAxis::node_degree(Slot face) const {
+  const std::vector<Slot>* group = balls_.group(face);
+  if (group == nullptr) return axis_edges_at(face);
   int degree = 0;
-  if (const std::vector<Slot>* group = balls_.group(face)) {
-    for (const Slot member : *group) degree += axis_edges_at(member);
-  } else {
-    degree = axis_edges_at(face);
-  }
-  degree_[face] = static_cast<std::uint16_t>(std::min(degree, 0xffff));
-}
-
-void MedialAxis::rebuild(JobControl&) {
-  clear_changes();
-  degree_.assign(delaunay_.face_rows(), 0);
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face)
-    if (delaunay_.face(face).is_alive() && labels_.is_inside(face)) count_degree(face);
-}
-
-bool MedialAxis::update(JobControl&) {
-  degree_.resize(delaunay_.face_rows(), 0);
-  recorder_.begin(delaunay_.face_rows());
-  for (const Slot face : balls_.changes().removed) recorder_.note(face, true);
-  for (const Slot face : balls_.changes().touched) {
-    recorder_.note(face, true);
-    // The degree of a neighbour depends on this face's label.
-    for (const Slot other : delaunay_.face(face).n) recorder_.note(balls_.ball(other), true);
-  }
-  recorder_.finish(node_changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
-  for (const Slot face : node_changes_.touched) count_degree(face);
-  for (const Slot face : node_changes_.removed) degree_[face] = 0;
-  return true;
+  for (const Slot member : *group) degree += axis_edges_at(member);
+  return degree;
 }
 
 StatList MedialAxis::statistics() const {
@@ -76,9 +49,10 @@ StatList MedialAxis::statistics() const {
   for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
     if (!delaunay_.face(face).is_alive() || !is_node(face)) continue;
     ++nodes;
-    leaves += degree_[face] == 1 ? 1 : 0;
-    branch_points += degree_[face] >= 3 ? 1 : 0;
-    isolated += degree_[face] == 0 ? 1 : 0;
+    const int degree = node_degree(face);
+    leaves += degree == 1 ? 1 : 0;
+    branch_points += degree >= 3 ? 1 : 0;
+    isolated += degree == 0 ? 1 : 0;
     smallest = std::min(smallest, delaunay_.circumradius(face));
     largest = std::max(largest, delaunay_.circumradius(face));
   }

@@ -2,9 +2,6 @@
 // The one-step medial axis: inner Voronoi vertices and the Voronoi edges between them, as a graph.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/base/change_set.h"
 #include "core/graph/structure.h"
 #include "core/structures/inner_balls.h"
@@ -34,29 +31,25 @@ class MedialAxis final : public Structure {
   bool is_zero_length(Slot edge) const { return crust_.is_cocircular(edge); }
   /// The face stands for a node of the axis.
   bool is_node(Slot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }
-  int node_degree(Slot face) const { return degree_[face]; }
+  /// Axis edges of positive length at a node. O(faces of the node), which is one unless samples are cocircular.
+  int node_degree(Slot face) const;
 
   const ChangeSet& edge_changes() const { return labels_.edge_changes(); }
-  /// Faces whose node or degree changed.
-  const ChangeSet& node_changes() const { return node_changes_; }
 
-  void rebuild(JobControl& job) override;
-  bool update(JobControl& job) override;
-  void clear_changes() override { node_changes_.clear(); }
-  std::size_t touched() const override { return node_changes_.size() + edge_changes().size(); }
+  // The axis has no rows of its own: it is a view of labels and balls, so there is nothing to follow.
+  void rebuild(JobControl&) override {}
+  bool update(JobControl&) override { return true; }
+  void clear_changes() override {}
+  std::size_t touched() const override { return edge_changes().size(); }
   StatList statistics() const override;
 
  private:
   int axis_edges_at(Slot face) const;
-  void count_degree(Slot face);
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
   Labels& labels_;
   InnerBalls& balls_;
-  std::vector<std::uint16_t> degree_;
-  ChangeRecorder recorder_;
-  ChangeSet node_changes_;
 };
 
 }  // namespace mes

@@ -34,15 +34,16 @@ void OneStepCrust::classify(Slot edge) {
   }
 }
 
-void OneStepCrust::set_degree(Slot site, int degree) {
+void OneStepCrust::add_to_degree(Slot site, int change) {
   odd_count_ -= is_odd(site) ? 1U : 0U;
-  degree_[site] = static_cast<std::uint8_t>(std::min(degree, 255));
+  degree_[site] = static_cast<std::uint8_t>(degree_[site] + change);
   odd_count_ += is_odd(site) ? 1U : 0U;
 }
 
 void OneStepCrust::rebuild(JobControl& job) {
   clear_changes();
   counts_ = {};
+  cocircular_count_ = 0;
   flags_.assign(delaunay_.edge_rows(), 0);
   face_bits_.assign(delaunay_.face_rows(), 0);
   degree_.assign(delaunay_.site_rows(), 0);
@@ -51,6 +52,7 @@ void OneStepCrust::rebuild(JobControl& job) {
     const EdgeRow& row = delaunay_.edge(edge);
     if (!row.is_alive()) continue;
     classify(edge);
+    cocircular_count_ += is_cocircular(edge) ? 1U : 0U;
     if (!is_crust(edge)) continue;
     ++degree_[row.v[0]];
     ++degree_[row.v[1]];
@@ -63,30 +65,51 @@ bool OneStepCrust::update(JobControl&) {
   flags_.resize(delaunay_.edge_rows());
   face_bits_.resize(delaunay_.face_rows());
   degree_.resize(delaunay_.site_rows());
-  for (const Slot edge : delaunay_.edge_changes().removed) flags_[edge] = 0;
+  degrees_before_.clear();
+  degree_marks_.begin(delaunay_.site_rows());
+  const auto change_degree = [this](Slot site, int change) {
+    if (degree_marks_.insert(site)) degrees_before_.push_back({site, degree_[site]});
+    add_to_degree(site, change);
+  };
+  const auto forget = [&](Slot edge, const EdgeRow& before) {
+    cocircular_count_ -= is_cocircular(edge) ? 1U : 0U;
+    if (!is_crust(edge)) return;
+    change_degree(before.v[0], -1);
+    change_degree(before.v[1], -1);
+  };
+  const ChangeSet& edges = delaunay_.edge_changes();
+  for (std::size_t i = 0; i < edges.removed.size(); ++i) {
+    forget(edges.removed[i], delaunay_.removed_edges_before()[i]);
+    flags_[edges.removed[i]] = 0;
+  }
   // A row may now be another triangle; its edges are all among the changed ones and set their bits below.
   for (const Slot face : delaunay_.face_changes().removed) face_bits_[face] = 0;
   for (const Slot face : delaunay_.face_changes().touched) face_bits_[face] = 0;
+  for (std::size_t i = 0; i < edges.touched.size(); ++i) {
+    const Slot edge = edges.touched[i];
+    const EdgeRow& before = delaunay_.touched_edges_before()[i];
+    const EdgeRow& now = delaunay_.edge(edge);
+    const bool was_crust = is_crust(edge);
+    const bool same_ends = before.v[0] == now.v[0] && before.v[1] == now.v[1];
+    if (!same_ends) forget(edge, before);
+    if (same_ends) cocircular_count_ -= is_cocircular(edge) ? 1U : 0U;
+    classify(edge);
+    cocircular_count_ += is_cocircular(edge) ? 1U : 0U;
+    const int change = (is_crust(edge) ? 1 : 0) - (same_ends && was_crust ? 1 : 0);
+    if (change == 0) continue;
+    change_degree(now.v[0], change);
+    change_degree(now.v[1], change);
+  }
   site_recorder_.begin(delaunay_.site_rows());
   degree_changes_.clear();
-  for (const Slot edge : delaunay_.edge_changes().touched) {
-    classify(edge);
-    for (const Slot site : delaunay_.edge(edge).v) site_recorder_.note(site, true);
-  }
-  // A site that lost an edge has others that changed, so it is among these.
+  for (const Slot site : delaunay_.site_changes().removed) site_recorder_.note(site, true);
   for (const Slot site : delaunay_.site_changes().touched) site_recorder_.note(site, true);
-  for (const Slot site : delaunay_.site_changes().removed) {
-    set_degree(site, 0);
+  for (const auto& [site, before] : degrees_before_) {
+    if (degree_[site] == before) continue;
     site_recorder_.note(site, true);
+    if (delaunay_.is_site(site)) degree_changes_.push_back(site);
   }
   site_recorder_.finish(site_changes_, [this](Slot site) { return delaunay_.is_site(site); });
-  for (const Slot site : site_changes_.touched) {
-    int degree = 0;
-    delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot) { degree += is_crust(edge) ? 1 : 0; });
-    if (degree == degree_[site]) continue;
-    set_degree(site, degree);
-    degree_changes_.push_back(site);
-  }
   return true;
 }
 

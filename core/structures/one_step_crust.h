@@ -35,6 +35,7 @@ class OneStepCrust final : public Structure {
   int degree(Slot site) const { return degree_[site]; }
   bool is_odd(Slot site) const { return (degree_[site] & 1U) != 0; }
   std::size_t odd_count() const { return odd_count_; }
+  std::size_t cocircular_count() const { return cocircular_count_; }
   /// Corners for the predicates, in the orientation of the edge's row.
   EdgeCorners corners(Slot edge) const;
   /// cos(alpha + beta), in [-1, 1]; 1 for collinear sites.
@@ -42,7 +43,7 @@ class OneStepCrust final : public Structure {
 
   /// Live sites whose degree differs from before.
   const std::vector<Slot>& degree_changes() const { return degree_changes_; }
-  /// Sites with a new degree, and sites whose edges changed.
+  /// Sites that changed themselves or have a new degree.
   const ChangeSet& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
@@ -59,17 +60,24 @@ class OneStepCrust final : public Structure {
   static constexpr std::uint8_t kCocircular = 2;
 
   void classify(Slot edge);
-  void set_degree(Slot site, int degree);
+  void add_to_degree(Slot site, int change);
 
   Delaunay& delaunay_;
   std::vector<std::uint8_t> flags_;
   std::vector<std::uint8_t> face_bits_;
   std::vector<std::uint8_t> degree_;
   std::size_t odd_count_ = 0;
+  std::size_t cocircular_count_ = 0;
   FilterCounts counts_;
   ChangeRecorder site_recorder_;
   ChangeSet site_changes_;
   std::vector<Slot> degree_changes_;
+  struct DegreeBefore {
+    Slot site;
+    std::uint8_t degree;
+  };
+  std::vector<DegreeBefore> degrees_before_;
+  SlotMarks degree_marks_;
 };
 
 }  // namespace mes

@@ -148,10 +148,12 @@ void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
   const ChangeSet& sites = crust_.site_changes();
   for (const Slot site : sites.removed) touch(site);
   for (const Slot site : sites.touched) touch(site);
+  for (const Slot edge : delaunay_.edge_changes().touched)
+    for (const Slot site : delaunay_.edge(edge).v) touch(site);
   // What an edge mends depends on the degrees at both of its ends.
   for (const Slot site : crust_.degree_changes())
     delaunay_.for_each_edge_at(site, [&](Slot, Slot other, Slot) { touch(other); });
-  seeds_.insert(seeds_.end(), sites.touched.begin(), sites.touched.end());
+  seeds_.insert(seeds_.end(), crust_.degree_changes().begin(), crust_.degree_changes().end());
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     const Slot site = seeds_[i];
     if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;

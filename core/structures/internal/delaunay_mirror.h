@@ -214,10 +214,10 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     v->set_point(target);
     d_.site_position_[site] = p;
     d_.site_recorder_.note(site, true);
-    in_zone_.begin(d_.face_.size());
+    const std::uint32_t in_zone = d_.new_mark();
     suspects_.clear();
     for (const FaceHandle f : zone_) {
-      in_zone_.insert(row_of(f));
+      d_.face_[row_of(f)].mark = in_zone;
       const int i = f->index(v);
       suspects_.push_back({f, i});
       suspects_.push_back({f, next3(i)});
@@ -233,7 +233,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       if (triangulation_.side_of_oriented_circle(f, across->point(), true) != CGAL::ON_POSITIVE_SIDE) continue;
       triangulation_.flip(f, i);
       for (const FaceHandle h : {f, g}) {
-        if (in_zone_.insert(row_of(h))) zone_.push_back(h);
+        FaceRow& row = d_.face_[row_of(h)];
+        if (row.mark != in_zone) zone_.push_back(h);
+        row.mark = in_zone;
         for (int k = 0; k < 3; ++k) suspects_.push_back({h, k});
       }
     }
@@ -254,30 +256,29 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   // Rewrites the rows of `zone_`. Faces without a row get one; rows of `old_rows_` that no face of the zone holds
   // die.
   void mirror_zone() {
+    const std::uint32_t mark = d_.new_mark();
     old_edges_.clear();
-    edge_marks_.begin(d_.edge_.size());
-    in_zone_.begin(d_.face_.size());
     for (const Slot row : old_rows_) {
-      for (const Slot e : d_.face_[row].e)
-        if (e != kNoSlot && edge_marks_.insert(e)) old_edges_.push_back(e);
-    }
-    for (const FaceHandle f : zone_) {
-      if (row_of(f) == kNoSlot || !in_zone_.insert(row_of(f))) {
-        f->info().slot = new_face_row();
-        in_zone_.grow(d_.face_.size());
-        in_zone_.insert(row_of(f));
+      d_.note_face(row);
+      for (const Slot e : d_.face_[row].e) {
+        if (e == kNoSlot || d_.edge_[e].mark == mark) continue;
+        d_.edge_[e].mark = mark;
+        old_edges_.push_back(e);
       }
     }
+    for (const FaceHandle f : zone_) {
+      if (row_of(f) == kNoSlot || d_.face_[row_of(f)].mark == mark) {
+        f->info().slot = new_face_row();
+        d_.note_face(row_of(f));
+      }
+      d_.face_[row_of(f)].mark = mark;
+    }
     for (const Slot row : old_rows_) {
-      d_.face_recorder_.note(row, d_.face_[row].is_alive());
-      if (in_zone_.contains(row)) continue;
+      if (d_.face_[row].mark == mark) continue;
       d_.face_[row] = FaceRow{};
       d_.free_faces_.push_back(row);
     }
-    for (const FaceHandle f : zone_) {
-      d_.face_recorder_.note(row_of(f), d_.face_[row_of(f)].is_alive());
-      write_corners(f);
-    }
+    for (const FaceHandle f : zone_) write_corners(f);
     // Rim: the edge stays, what lies on our side of it is new.
     for (const FaceHandle f : zone_) {
       FaceRow& row = d_.face_[row_of(f)];
@@ -285,31 +286,32 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
         const FaceHandle g = f->neighbor(i);
         row.n[i] = row_of(g);
         row.e[i] = kNoSlot;
-        if (in_zone_.contains(row.n[i])) continue;
         FaceRow& outer = d_.face_[row.n[i]];
+        if (outer.mark == mark) continue;
         const int j = g->index(f);
         outer.n[j] = row_of(f);
         row.e[i] = outer.e[j];
         if (row.e[i] == kNoSlot) continue;
-        edge_marks_.erase(row.e[i]);
+        d_.note_edge(row.e[i]);
         EdgeRow& edge = d_.edge_[row.e[i]];
-        d_.edge_recorder_.note(row.e[i], true);
+        edge.mark = 0;
         edge.f[edge.v[0] == row.v[next3(i)] ? 0 : 1] = row_of(f);
       }
     }
     // Inner edges take the rows of those that died.
     std::size_t spare = 0;
+    const auto is_spare = [&](Slot e) { return d_.edge_[e].mark == mark; };
     for (const FaceHandle f : zone_) {
       const Slot own = row_of(f);
       for (int i = 0; i < 3; ++i) {
         const Slot other = d_.face_[own].n[i];
-        if (!in_zone_.contains(other) || own > other) continue;
+        if (own > other || d_.face_[other].mark != mark) continue;
         const Slot a = d_.face_[own].v[next3(i)];
         const Slot b = d_.face_[own].v[prev3(i)];
         if (a == kInfiniteSite || b == kInfiniteSite) continue;
-        while (spare < old_edges_.size() && !edge_marks_.contains(old_edges_[spare])) ++spare;
+        while (spare < old_edges_.size() && !is_spare(old_edges_[spare])) ++spare;
         const Slot e = spare < old_edges_.size() ? old_edges_[spare++] : new_edge_row();
-        d_.edge_recorder_.note(e, d_.edge_[e].is_alive());
+        d_.note_edge(e);
         d_.edge_[e] = EdgeRow{{a, b}, {own, other}};
         d_.face_[own].e[i] = e;
         d_.face_[other].e[f->neighbor(i)->index(f)] = e;
@@ -317,8 +319,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     }
     for (; spare < old_edges_.size(); ++spare) {
       const Slot e = old_edges_[spare];
-      if (!edge_marks_.contains(e)) continue;
-      d_.edge_recorder_.note(e, true);
+      if (!is_spare(e)) continue;
+      d_.note_edge(e);
       d_.edge_[e] = EdgeRow{};
       d_.free_edges_.push_back(e);
     }
@@ -342,8 +344,6 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       return row;
     }
     d_.face_.emplace_back();
-    d_.circumcenter_.emplace_back();
-    d_.circumradius_.emplace_back();
     return static_cast<Slot>(d_.face_.size() - 1);
   }
 
@@ -360,8 +360,6 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   void mirror_all() {
     const std::size_t count = triangulation_.tds().number_of_faces();
     d_.face_.resize(count);
-    d_.circumcenter_.resize(count);
-    d_.circumradius_.resize(count);
     Slot next = 0;
     for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f)
       f->info().slot = next++;
@@ -416,8 +414,6 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   std::vector<std::pair<FaceHandle, int>> rim_;
   std::vector<std::pair<FaceHandle, int>> suspects_;
   std::size_t taken_rows_ = 0;
-  SlotMarks in_zone_;
-  SlotMarks edge_marks_;
 };
 
 }  // namespace mes

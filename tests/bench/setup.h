@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inputs and graphs of the benchmarks.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/document/commands.h"
+#include "core/graph/graph.h"
+
+namespace mes::bench {
+
+inline double now_us() {
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+inline std::vector<LayerIndex> layers_named(std::initializer_list<std::string_view> ids) {
+  std::vector<LayerIndex> out;
+  for (const std::string_view id : ids) out.push_back(find_layer(id));
+  return out;
+}
+
+inline std::shared_ptr<const DocumentDelta> replace_with(const Document& document, const std::vector<Vec2>& points) {
+  SampleData data;
+  data.positions = points;
+  return std::make_shared<const DocumentDelta>(*replace_all(document, data));
+}
+
+}  // namespace mes::bench
