@@ -17,9 +17,8 @@ namespace mes {
 ///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
 ///  each,
 ///     in the order of the drawing buffer.
-///  2. A patch that breaks its promises (data of the wrong size, growth without data, a
-///     count that changes unsaid, a value that is not finite, a negative radius, a ray or line without
-///     direction) is refused by an assertion.
+///  2. A patch that breaks its promises (data of the wrong size, growth without data, a count that changes unsaid, a
+///     value that is not finite, a negative radius, a ray or line without direction) is refused by an assertion.
 ///
 /// Smallest use:
 ///     LayerMirror mirror;
