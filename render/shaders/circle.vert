@@ -4,8 +4,7 @@ layout(location = 1) in uvec2 a_radius;
 out vec2 v_offset;
 flat out vec3 v_rim;  // outward normal, radius
 #if DASHED
-out float v_arc;       // pixels along the circle
-flat out float v_gap;  // period of dashes
+flat out vec2 v_dash;  // pixels along the circle of the rim point nearest to the view's centre; period of dashes
 #endif
 
 // A ring of u_arc_pieces quads along the part of the circle that can be seen.
@@ -38,9 +37,9 @@ void main() {
   // A whole number of dashes around the circle, counted from its rightmost point, so that they neither break where the
   // circle closes nor crawl when the view moves.
   float count = max(1.0, floor(kTurn * r / u_dash_period + 0.5));
-  v_gap = kTurn * r / count;
+  float period = kTurn * r / count;
   float from_right = atan(rim.outward.y, rim.outward.x) / kTurn;
-  v_arc = r * angle + fract(from_right * count) * v_gap;
+  v_dash = vec2(fract(from_right * count) * period, period);
 #endif
   gl_Position = !rim.shown || abs(rim.depth) > view ? kHidden : place(px);
 }

@@ -10,7 +10,7 @@ void main() {
   float sd = length(vec2(beyond, v_place.y)) - shown_half_width();
   float cover = clamp(0.5 - sd, 0.0, 1.0);
 #if DASHED
-  cover = min(cover, dash_cover(v_place.x + v_phase, u_dash_period));
+  cover *= dash_cover(v_place.x + v_phase, u_dash_period);
 #endif
   color = u_color * (cover * stroke_alpha());
 }
