@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions.h"
+
+#include <array>
+
+#include "core/base/assert.h"
+
+namespace mes {
+namespace {
+
+using enum ActionGroup;
+using enum ActionContext;
+using Id = ActionId;
+
+std::vector<ActionDescriptor> make_table() {
+  return {
+      {Id::new_document, "new", "New", "Start with an empty plane", file, always, false, {"Ctrl+N"}},
+      {Id::open, "open", "Open...", "Open a file of samples", file, always, false, {"Ctrl+O"}},
+      {Id::save, "save", "Save", "Write the samples to their file", file, always, false, {"Ctrl+S"}},
+      {Id::save_as,
+       "save-as",
+       "Save as...",
+       "Write the samples to another file",
+       file,
+       always,
+       false,
+       {"Ctrl+Shift+S"}},
+      {Id::quit, "quit", "Quit", "Close the window", file, always, false, {"Ctrl+Q"}},
+
+      {Id::undo, "undo", "Undo", "Take back the last step", edit, always, true, {"Ctrl+Z"}},
+      {Id::redo,
+       "redo",
+       "Redo",
+       "Do the step again that was taken back",
+       edit,
+       always,
+       true,
+       {"Ctrl+Shift+Z", "Ctrl+Y"}},
+      {Id::select_all, "select-all", "Select all", "Select every sample", edit, always, false, {"Ctrl+A"}},
+      {Id::invert_selection,
+       "invert-selection",
+       "Invert selection",
+       "Select what is not selected, and only that",
+       edit,
+       always,
+       false,
+       {"Ctrl+I"}},
+      {Id::deselect,
+       "deselect",
+       "Deselect",
+       "End the gesture under way, or select nothing",
+       edit,
+       always,
+       false,
+       {"Esc"}},
+      {Id::delete_selection,
+       "delete",
+       "Delete",
+       "Remove the selected samples",
+       edit,
+       with_selection,
+       false,
+       {"Delete", "Backspace"}},
+      {Id::nudge_left,
+       "nudge-left",
+       "Nudge left",
+       "Move the selected samples by one pixel of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Left"}},
+      {Id::nudge_right,
+       "nudge-right",
+       "Nudge right",
+       "Move the selected samples by one pixel of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Right"}},
+      {Id::nudge_up,
+       "nudge-up",
+       "Nudge up",
+       "Move the selected samples by one pixel of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Up"}},
+      {Id::nudge_down,
+       "nudge-down",
+       "Nudge down",
+       "Move the selected samples by one pixel of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Down"}},
+      {Id::nudge_left_far,
+       "nudge-left-far",
+       "Nudge left by ten",
+       "Move the selected samples by ten pixels of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Shift+Left"}},
+      {Id::nudge_right_far,
+       "nudge-right-far",
+       "Nudge right by ten",
+       "Move the selected samples by ten pixels of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Shift+Right"}},
+      {Id::nudge_up_far,
+       "nudge-up-far",
+       "Nudge up by ten",
+       "Move the selected samples by ten pixels of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Shift+Up"}},
+      {Id::nudge_down_far,
+       "nudge-down-far",
+       "Nudge down by ten",
+       "Move the selected samples by ten pixels of the screen",
+       edit,
+       with_selection,
+       true,
+       {"Shift+Down"}},
+
+      {Id::tool_select,
+       "tool-select",
+       "Select and move",
+       "Click or box to select; drag a sample to move it",
+       tools,
+       always,
+       false,
+       {"V"}},
+      {Id::tool_insert,
+       "tool-insert",
+       "Insert",
+       "Click to add a sample; keep the button down to place it",
+       tools,
+       always,
+       false,
+       {"I"}},
+      {Id::tool_spray,
+       "tool-spray",
+       "Spray",
+       "Drag to draw a stroke of evenly spaced samples",
+       tools,
+       always,
+       false,
+       {"S"}},
+
+      {Id::zoom_in, "zoom-in", "Zoom in", "Magnify at the cursor", view, always, true, {"+", "="}},
+      {Id::zoom_out, "zoom-out", "Zoom out", "Shrink at the cursor", view, always, true, {"-"}},
+      {Id::fit, "fit", "Fit to view", "Show all samples", view, always, false, {"F", "Home"}},
+      {Id::fit_selection,
+       "fit-selection",
+       "Fit selection",
+       "Show the selected samples",
+       view,
+       always,
+       false,
+       {"Shift+F"}},
+      {Id::previous_view,
+       "previous-view",
+       "Previous view",
+       "Return to where you looked before",
+       view,
+       without_selection,
+       false,
+       {"Backspace"}},
+      {Id::toggle_panels,
+       "toggle-panels",
+       "Panels",
+       "Hide all panels, or show them again",
+       view,
+       always,
+       false,
+       {"Tab"}},
+      {Id::toggle_layers, "toggle-layers", "Layers", "Show or hide the list of layers", view, always, false, {"L"}},
+      {Id::toggle_statistics,
+       "toggle-statistics",
+       "Statistics",
+       "Show or hide counts and times of every structure",
+       view,
+       always,
+       false,
+       {"T"}},
+
+      {Id::cancel_computation,
+       "cancel",
+       "Cancel computation",
+       "Stop computing; what is there stays on screen",
+       compute,
+       always,
+       false,
+       {"Ctrl+."}},
+      {Id::resume_computation,
+       "resume",
+       "Resume computation",
+       "Compute what was cancelled",
+       compute,
+       always,
+       false,
+       {}},
+
+      {Id::help, "help", "Keys and gestures", "Show every key", ActionGroup::help, always, false, {"?", "F1"}},
+  };
+}
+
+bool applies(ActionContext context, bool has_selection) {
+  return context == always || (context == with_selection) == has_selection;
+}
+
+}  // namespace
+
+std::string_view title_of(ActionGroup group) {
+  constexpr std::array<std::string_view, 6> titles{"File", "Edit", "Tools", "View", "Computation", "Help"};
+  return titles[static_cast<std::size_t>(group)];
+}
+
+std::span<const ActionDescriptor> action_descriptors() {
+  static const std::vector<ActionDescriptor> table = make_table();
+  return table;
+}
+
+const ActionDescriptor& descriptor_of(ActionId id) {
+  const ActionDescriptor& found = action_descriptors()[static_cast<std::size_t>(id)];
+  MES_ASSERT(found.id == id);
+  return found;
+}
+
+std::optional<ActionId> find_action(const KeyChord& chord, bool has_selection) {
+  for (const ActionDescriptor& action : action_descriptors()) {
+    if (!applies(action.context, has_selection)) continue;
+    for (const std::string_view key : action.keys)
+      if (parse_chord(key) == chord) return action.id;
+  }
+  return std::nullopt;
+}
+
+std::string tooltip_of(ActionId id) {
+  const ActionDescriptor& action = descriptor_of(id);
+  std::string out(action.name);
+  if (!action.keys.empty()) out += " (" + std::string(action.keys.front()) + ")";
+  out += '\n';
+  return out += action.tooltip;
+}
+
+std::span<const GestureDescriptor> gesture_descriptors() {
+  static constexpr std::array<GestureDescriptor, 10> table{{
+      {"Wheel", "zoom at the cursor"},
+      {"Middle drag, right drag", "pan"},
+      {"Space + drag", "pan"},
+      {"Click", "select a sample (select tool), add one (insert tool)"},
+      {"Shift + click or box", "add to the selection"},
+      {"Ctrl + Shift + click or box", "take out of the selection"},
+      {"Drag a sample", "move it, with the selection it belongs to"},
+      {"Drag empty space", "select what the box holds"},
+      {"Drag with the spray tool", "draw a stroke"},
+      {"Drop files on the window", "open them"},
+  }};
+  return table;
+}
+
+}  // namespace mes

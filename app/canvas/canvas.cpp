@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/canvas/canvas.h"
+
+#include <cmath>
+
+#include "app/tools/insert_tool.h"
+#include "app/tools/select_tool.h"
+#include "app/tools/spray_tool.h"
+
+namespace mes {
+namespace {
+
+constexpr double kZoomPerStep = 1.2;
+
+}  // namespace
+
+Canvas::Canvas(ToolContext& context)
+    : tools_{std::make_unique<SelectTool>(context), std::make_unique<InsertTool>(context),
+             std::make_unique<SprayTool>(context)} {}
+
+Pointer Canvas::pointer(Vec2 px, Modifiers modifiers) const {
+  return {(1.0 / content_scale_) * px, view_.camera().to_world(px), content_scale_ * view_.camera().units_per_pixel(),
+          modifiers};
+}
+
+void Canvas::press(PointerButton button, Vec2 px, Modifiers modifiers) {
+  move(px, modifiers);
+  if (has_pointer()) return;
+  if (button != PointerButton::left || space_held_) {
+    panning_ = true;
+    pan_button_ = button;
+    return;
+  }
+  tool().press(pointer(px, modifiers));
+}
+
+void Canvas::move(Vec2 px, Modifiers modifiers) {
+  const Vec2 delta = px - pointer_px_;
+  pointer_px_ = px;
+  modifiers_ = modifiers;
+  is_hovered_ = true;
+  if (panning_)
+    view_.pan(delta);
+  else if (tool().is_active())
+    tool().drag(pointer(px, modifiers));
+  else
+    tool().hover(pointer(px, modifiers));
+}
+
+void Canvas::release(PointerButton button, Vec2 px, Modifiers modifiers) {
+  if (panning_) {
+    move(px, modifiers);
+    if (button == pan_button_) panning_ = false;
+    return;
+  }
+  if (button != PointerButton::left || !tool().is_active()) return;
+  pointer_px_ = px;
+  tool().release(pointer(px, modifiers));
+}
+
+void Canvas::wheel(Vec2 px, double steps) {
+  view_.zoom_at(px, std::pow(kZoomPerStep, steps));
+}
+
+void Canvas::leave() {
+  is_hovered_ = false;
+  for (const auto& tool : tools_) tool->leave();
+}
+
+void Canvas::set_space_held(bool held) {
+  space_held_ = held;
+}
+
+bool Canvas::cancel_gesture() {
+  if (!has_pointer()) return false;
+  panning_ = false;
+  tool().cancel();
+  return true;
+}
+
+void Canvas::choose_tool(ToolId chosen) {
+  if (chosen == tool_id_ || tool().is_active()) return;
+  tool().leave();
+  tool_id_ = chosen;
+  if (is_hovered_) tool().hover(pointer(pointer_px_, modifiers_));
+}
+
+PointerShape Canvas::pointer_shape() const {
+  return panning_ || space_held_ ? PointerShape::hand : tool().pointer_shape();
+}
+
+void Canvas::follow_view() {
+  if (panning_ || !is_hovered_) return;
+  if (tool().is_active())
+    tool().drag(pointer(pointer_px_, modifiers_));
+  else
+    tool().hover(pointer(pointer_px_, modifiers_));
+}
+
+void Canvas::advance(double seconds) {
+  const bool moved = view_.is_moving();
+  view_.advance(seconds);
+  if (moved) follow_view();
+}
+
+}  // namespace mes

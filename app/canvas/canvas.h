@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plane as the pointer meets it: pans and zooms itself, and hands everything else to the tool in use.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "app/canvas/view_motion.h"
+#include "app/tools/tool.h"
+
+namespace mes {
+
+enum class PointerButton : std::uint8_t { left, middle, right };
+enum class ToolId : std::uint8_t { select, insert, spray };
+inline constexpr std::size_t kToolCount = 3;
+
+/// What it guarantees: from press to release one gesture has the pointer, whatever else is pressed meanwhile; the
+/// view may move under a tool's gesture, which then follows the pointer. Positions are framebuffer pixels. It knows
+/// no window and no OpenGL. Threads: none.
+class Canvas {
+ public:
+  explicit Canvas(ToolContext& context);
+
+  ViewMotion& view() { return view_; }
+  const ViewMotion& view() const { return view_; }
+  /// Framebuffer pixels per logical pixel.
+  void set_content_scale(double scale) { content_scale_ = scale; }
+  double content_scale() const { return content_scale_; }
+
+  void press(PointerButton button, Vec2 px, Modifiers modifiers);
+  void move(Vec2 px, Modifiers modifiers);
+  void release(PointerButton button, Vec2 px, Modifiers modifiers);
+  /// `steps` of the wheel, positive away from the user.
+  void wheel(Vec2 px, double steps);
+  void leave();
+  void set_space_held(bool held);
+  /// Ends the gesture under way without its effect; false when there was none.
+  bool cancel_gesture();
+
+  /// A gesture has the pointer: events belong here wherever it goes.
+  bool has_pointer() const { return panning_ || tool().is_active(); }
+  bool is_hovered() const { return is_hovered_; }
+  Vec2 pointer_px() const { return pointer_px_; }
+  Vec2 pointer_world() const { return view_.camera().to_world(pointer_px_); }
+  /// The cursor if it is here, else the middle of the free area: where keys zoom.
+  Vec2 zoom_center() const { return is_hovered_ ? pointer_px_ : view_.middle(); }
+
+  void choose_tool(ToolId tool);
+  ToolId tool_id() const { return tool_id_; }
+  Tool& tool() { return *tools_[static_cast<std::size_t>(tool_id_)]; }
+  const Tool& tool() const { return *tools_[static_cast<std::size_t>(tool_id_)]; }
+  PointerShape pointer_shape() const;
+
+  /// Moves the view on; what lies under the resting pointer may change with it.
+  void advance(double seconds);
+
+ private:
+  Pointer pointer(Vec2 px, Modifiers modifiers) const;
+  void follow_view();
+
+  ViewMotion view_;
+  std::array<std::unique_ptr<Tool>, kToolCount> tools_;
+  ToolId tool_id_ = ToolId::select;
+  double content_scale_ = 1.0;
+  Vec2 pointer_px_{};
+  Modifiers modifiers_;
+  bool is_hovered_ = false;
+  bool space_held_ = false;
+  bool panning_ = false;
+  PointerButton pan_button_ = PointerButton::middle;
+};
+
+}  // namespace mes

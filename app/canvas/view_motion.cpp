@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/canvas/view_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mes {
+namespace {
+
+constexpr double kZoomTime = 0.055;   // seconds after which 1/e of a zoom is left; longer feels like rubber
+constexpr double kFlightTime = 0.28;  // seconds; long enough to see where one goes
+constexpr double kRest = 0.8;         // seconds without motion after which the next one starts from a new view
+constexpr double kDoneZoom = 1e-3;    // a thousandth: below a pixel even at the rim of a large screen
+constexpr std::size_t kRemembered = 64;
+
+double ease(double t) {
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Zooms about the point that both views have in common, or pans when the scales are equal.
+render::Camera between(const render::Camera& from, const render::Camera& to, double t) {
+  render::Camera out = to;
+  const double a = from.units_per_pixel();
+  const double b = to.units_per_pixel();
+  const double scale = a * std::pow(b / a, t);
+  const double way = std::abs(b / a - 1.0) < 1e-6 ? t : (scale - a) / (b - a);
+  out.look_at(from.center() + way * (to.center() - from.center()), scale);
+  return out;
+}
+
+}  // namespace
+
+void ViewMotion::set_viewport(int width, int height) {
+  if (width == camera_.width() && height == camera_.height()) return;
+  // The upper left corner stays where it is on screen: resizing uncovers, it does not shift.
+  const Vec2 grown{0.5 * (width - camera_.width()), 0.5 * (height - camera_.height())};
+  camera_.set_viewport(width, height);
+  camera_.pan(-grown);
+  flight_.reset();
+}
+
+Vec2 ViewMotion::middle() const {
+  return {0.5 * (insets_.left + camera_.width() - insets_.right),
+          0.5 * (insets_.top + camera_.height() - insets_.bottom)};
+}
+
+void ViewMotion::remember() {
+  if (!earlier_.empty() && earlier_.back() == camera_) return;
+  earlier_.push_back(camera_);
+  if (earlier_.size() > kRemembered) earlier_.erase(earlier_.begin());
+}
+
+void ViewMotion::zoom_at(Vec2 px, double factor) {
+  if (!(factor > 0.0) || !std::isfinite(factor)) return;
+  if (rest_ > kRest) remember();
+  flight_.reset();
+  zoom_px_ = px;
+  pending_zoom_ += std::log(factor);
+  rest_ = 0.0;
+}
+
+void ViewMotion::pan(Vec2 delta_px) {
+  if (rest_ > kRest) remember();
+  flight_.reset();
+  camera_.pan(delta_px);
+  zoom_px_ = zoom_px_ + delta_px;
+  rest_ = 0.0;
+}
+
+render::Camera ViewMotion::fitted(const Box2& box, double margin_px) const {
+  render::Camera free = camera_;
+  free.set_viewport(std::max(1, static_cast<int>(camera_.width() - insets_.left - insets_.right)),
+                    std::max(1, static_cast<int>(camera_.height() - insets_.top - insets_.bottom)));
+  free.fit(box, margin_px);
+  render::Camera out = free;
+  out.set_viewport(camera_.width(), camera_.height());
+  out.pan(middle() - Vec2{0.5 * camera_.width(), 0.5 * camera_.height()});
+  return out;
+}
+
+void ViewMotion::fly_to(const render::Camera& goal) {
+  pending_zoom_ = 0.0;
+  rest_ = 0.0;
+  if (goal == camera_) return;
+  flight_ = Flight{camera_, goal, 0.0};
+}
+
+void ViewMotion::fit(const Box2& box, double margin_px, bool at_once) {
+  if (at_once) {
+    flight_.reset();
+    pending_zoom_ = 0.0;
+    camera_ = fitted(box, margin_px);
+    return;
+  }
+  remember();
+  fly_to(fitted(box, margin_px));
+}
+
+void ViewMotion::back() {
+  while (!earlier_.empty()) {
+    render::Camera goal = earlier_.back();
+    earlier_.pop_back();
+    goal.set_viewport(camera_.width(), camera_.height());
+    if (goal == camera_) continue;
+    fly_to(goal);
+    return;
+  }
+}
+
+void ViewMotion::advance(double seconds) {
+  rest_ = is_moving() ? 0.0 : rest_ + seconds;
+  if (flight_) {
+    flight_->elapsed += seconds;
+    if (flight_->elapsed >= kFlightTime) {
+      camera_ = flight_->to;
+      flight_.reset();
+    } else {
+      camera_ = between(flight_->from, flight_->to, ease(flight_->elapsed / kFlightTime));
+    }
+  }
+  if (pending_zoom_ != 0.0) {
+    double step = pending_zoom_ * (1.0 - std::exp(-seconds / kZoomTime));
+    if (std::abs(pending_zoom_ - step) < kDoneZoom) step = pending_zoom_;
+    camera_.zoom_at(zoom_px_, std::exp(step));
+    pending_zoom_ -= step;
+  }
+}
+
+}  // namespace mes

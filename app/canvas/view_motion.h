@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The camera of the canvas, moving smoothly to where it was told to go.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "render/camera.h"
+
+namespace mes {
+
+/// Pixels covered by panels at the sides of the view; what is fitted stays clear of them.
+struct Insets {
+  double left = 0.0;
+  double top = 0.0;
+  double right = 0.0;
+  double bottom = 0.0;
+};
+
+/// What it guarantees:
+///  1. While zooming the world point under the cursor stays under it, in every frame of the motion.
+///  2. A motion ends exactly at its goal and then `is_moving` is false: nothing needs to be drawn any more.
+///  3. `back` returns to the views that were left by a jump, or by zooming and panning after a rest.
+///
+/// Smallest use:
+///     motion.zoom_at(cursor, 1.2);
+///     while (motion.is_moving()) { motion.advance(seconds); draw(motion.camera()); }
+///
+/// Coordinates are framebuffer pixels, y down. View moves are no steps of undo. Threads: none.
+class ViewMotion {
+ public:
+  const render::Camera& camera() const { return camera_; }
+  void set_viewport(int width, int height);
+  void set_insets(const Insets& insets) { insets_ = insets; }
+
+  void zoom_at(Vec2 px, double factor);
+  /// At once: the picture sticks to the hand.
+  void pan(Vec2 delta_px);
+  /// Glides to show the box, or jumps when nothing was seen before.
+  void fit(const Box2& box, double margin_px, bool at_once = false);
+  void back();
+  bool can_go_back() const { return !earlier_.empty(); }
+
+  bool is_moving() const { return pending_zoom_ != 0.0 || flight_.has_value(); }
+  void advance(double seconds);
+  /// Centre of what the panels leave free.
+  Vec2 middle() const;
+
+ private:
+  struct Flight {
+    render::Camera from;
+    render::Camera to;
+    double elapsed = 0.0;
+  };
+  render::Camera fitted(const Box2& box, double margin_px) const;
+  void remember();
+  void fly_to(const render::Camera& goal);
+
+  render::Camera camera_;
+  Insets insets_;
+  std::vector<render::Camera> earlier_;
+  std::optional<Flight> flight_;
+  double pending_zoom_ = 0.0;  // logarithm of the factor still to come
+  Vec2 zoom_px_{};
+  double rest_ = 1e9;  // seconds since the last motion
+};
+
+}  // namespace mes

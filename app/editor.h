@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The document as the window edits it: commands, history, selection and index move together.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/sample_index.h"
+#include "app/selection.h"
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/document/history.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. Every change of the document goes through here, and reaches the index, the selection and the listener once, in
+///     order. A refused command changes nothing.
+///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step.
+///  3. `is_modified` compares document states: undoing back to what was saved is "not modified".
+///
+/// Smallest use:
+///     Editor editor([&](auto delta) { engine.post(std::move(delta)); });
+///     editor.load(data);
+///     editor.begin_gesture("Spray"); editor.insert({{p}}); editor.end_gesture();
+///
+/// Threads: none; it belongs to the window's thread. It knows no window and no OpenGL.
+class Editor {
+ public:
+  using Listener = std::function<void(std::shared_ptr<const DocumentDelta>)>;
+  explicit Editor(Listener listener);
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
+
+  const Document& document() const { return document_; }
+  const SampleIndex& index() const { return index_; }
+  Selection& selection() { return selection_; }
+  const Selection& selection() const { return selection_; }
+
+  /// Replaces everything and forgets the history: the loaded state is the saved one.
+  Expected<void> load(const SampleData& data);
+  /// Rows of the new samples.
+  Expected<std::vector<Slot>> insert(std::span<const Vec2> positions, const std::string& name);
+  Expected<void> move(std::span<const std::pair<SampleId, Vec2>> targets, const std::string& name);
+  Expected<void> remove(std::span<const SampleId> ids, const std::string& name);
+  Expected<void> remove_selection();
+  /// Shifts the selected samples. Repeated nudges within a gesture are one step.
+  Expected<void> nudge_selection(Vec2 offset);
+
+  void begin_gesture(std::string name) { history_.begin_gesture(std::move(name)); }
+  void end_gesture() { history_.end_gesture(); }
+  /// Ends the gesture and takes back what it did.
+  void cancel_gesture();
+  bool in_gesture() const { return history_.in_gesture(); }
+
+  bool can_undo() const { return history_.can_undo(); }
+  bool can_redo() const { return history_.can_redo(); }
+  std::string undo_name() const { return history_.undo_name(); }
+  std::string redo_name() const { return history_.redo_name(); }
+  void undo();
+  void redo();
+
+  bool is_modified() const { return document_.revision() != saved_revision_; }
+  void mark_saved() { saved_revision_ = document_.revision(); }
+
+ private:
+  void apply(const DocumentDelta& delta);
+
+  Document document_;
+  History history_;
+  Selection selection_;
+  SampleIndex index_;
+  Listener listener_;
+  std::uint64_t saved_revision_ = 0;
+};
+
+}  // namespace mes

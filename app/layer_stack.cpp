@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/layer_stack.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "core/base/assert.h"
+
+namespace mes {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+}  // namespace
+
+LayerStack::LayerStack(std::span<const LayerDescriptor> descriptors) : descriptors_(descriptors) {
+  reset();
+}
+
+void LayerStack::reset() {
+  order_.clear();
+  visible_.clear();
+  styles_.clear();
+  for (LayerIndex layer = 0; layer < descriptors_.size(); ++layer) {
+    order_.push_back(layer);
+    visible_.push_back(descriptors_[layer].visible_at_start);
+    styles_.push_back(descriptors_[layer].style);
+  }
+  solo_ = kNoSlot;
+  ++demand_revision_;
+}
+
+std::vector<LayerIndex> LayerStack::visible_layers() const {
+  std::vector<LayerIndex> out;
+  for (const LayerIndex layer : order_)
+    if (is_visible(layer)) out.push_back(layer);
+  return out;
+}
+
+void LayerStack::set_visible(LayerIndex layer, bool visible) {
+  if (solo_ == kNoSlot && visible_[layer] == visible) return;
+  solo_ = kNoSlot;
+  visible_[layer] = visible;
+  ++demand_revision_;
+}
+
+void LayerStack::solo(LayerIndex layer) {
+  if (solo_ == layer) return;
+  solo_ = layer;
+  ++demand_revision_;
+}
+
+void LayerStack::end_solo() {
+  if (solo_ == kNoSlot) return;
+  solo_ = kNoSlot;
+  ++demand_revision_;
+}
+
+void LayerStack::move(LayerIndex layer, LayerIndex target, bool above) {
+  if (layer == target) return;
+  const auto from = std::ranges::find(order_, layer);
+  MES_ASSERT(from != order_.end());
+  order_.erase(from);
+  auto to = std::ranges::find(order_, target);
+  MES_ASSERT(to != order_.end());
+  order_.insert(above ? to + 1 : to, layer);
+}
+
+bool matches_search(const LayerDescriptor& descriptor, std::string_view text) {
+  const std::string haystack =
+      lower(descriptor.name) + ' ' + lower(descriptor.id) + ' ' + lower(title_of(descriptor.group));
+  const std::string needle = lower(text);
+  std::size_t begin = 0;
+  while (begin < needle.size()) {
+    const std::size_t end = std::min(needle.find(' ', begin), needle.size());
+    if (end > begin && haystack.find(needle.substr(begin, end - begin)) == std::string::npos) return false;
+    begin = end + 1;
+  }
+  return true;
+}
+
+}  // namespace mes

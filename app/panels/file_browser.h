@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Choosing a file to open, or a name to save under.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/window/gui.h"
+
+namespace mes {
+
+/// What it guarantees: it reads a folder once, when it is entered; a folder that cannot be read is told, not left
+/// silently empty; saving over a file asks first, and a name without extension gets `.poff`.
+///
+/// Smallest use:
+///     browser.ask_open(folder);
+///     ... each frame: if (auto file = browser.draw(gui)) open(*file);
+class FileBrowser {
+ public:
+  void ask_open(const std::filesystem::path& folder);
+  void ask_save(const std::filesystem::path& folder, const std::string& name);
+  void close() { is_open_ = false; }
+  bool is_open() const { return is_open_; }
+  bool is_saving() const { return is_saving_; }
+  /// Draws the dialog while it is open. The chosen file, once.
+  std::optional<std::filesystem::path> draw(const Gui& gui);
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  struct Entry {
+    std::string name;
+    bool is_folder = false;
+    std::uintmax_t size = 0;
+  };
+  void ask(const std::filesystem::path& folder);
+  void enter(const std::filesystem::path& folder);
+  void draw_path(const Gui& gui);
+  void draw_entries(const Gui& gui, float height);
+  bool draw_overwrite_question(const Gui& gui);
+  /// What the name field says, as a path; enters it when it is a folder.
+  std::optional<std::filesystem::path> accept();
+
+  bool is_open_ = false;
+  bool is_saving_ = false;
+  bool all_files_ = false;
+  bool focus_name_ = false;
+  bool accepted_ = false;
+  std::filesystem::path folder_;
+  std::string name_;
+  std::string trouble_;
+  std::vector<Entry> entries_;
+  std::filesystem::path overwrite_;  // waits for a yes
+};
+
+}  // namespace mes

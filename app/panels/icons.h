@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small pictures for buttons, drawn as lines so that they are sharp at every scale.
+#pragma once
+
+#include <cstdint>
+
+#include "imgui.h"
+
+namespace mes {
+
+enum class Icon : std::uint8_t {
+  select,
+  insert,
+  spray,
+  fit,
+  undo,
+  redo,
+  eye,
+  eye_closed,
+  close,
+  grip,
+  help,
+  layers,
+  statistics
+};
+
+/// Draws the icon into the square `size` wide at `at`.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
+
+/// A square button with an icon; `chosen` is drawn as pressed. True when it was clicked.
+bool icon_button(const char* id, Icon icon, float size, bool chosen, bool enabled);
+
+}  // namespace mes

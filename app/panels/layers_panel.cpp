@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/layers_panel.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/panels/icons.h"
+#include "app/window/theme.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+constexpr const char* kDragKind = "mesecina-layer";
+
+bool has_kind(const LayerDescriptor& descriptor, std::initializer_list<PrimitiveKind> kinds) {
+  return std::ranges::any_of(kinds,
+                             [&](PrimitiveKind kind) { return std::ranges::count(descriptor.kinds, kind) > 0; });
+}
+bool has_points(const LayerDescriptor& descriptor) {
+  return has_kind(descriptor, {PrimitiveKind::point});
+}
+bool has_strokes(const LayerDescriptor& descriptor) {
+  return has_kind(descriptor,
+                  {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line, PrimitiveKind::circle});
+}
+
+bool is_failed(NodeState state) {
+  return state == NodeState::failed || state == NodeState::blocked;
+}
+
+std::string milliseconds(double ms) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), ms < 10.0 ? "%.2f ms" : "%.0f ms", ms);
+  return text.data();
+}
+
+std::string explanation(const PanelContext& context, LayerIndex layer) {
+  std::string out(context.layers.descriptor(layer).tooltip);
+  const LayerReport* report = context.picture.report(layer);
+  if (report == nullptr || !context.layers.is_visible(layer)) return out;
+  if (is_failed(report->state)) return out + "\n\nNot up to date: " + report->reason;
+  if (report->state == NodeState::computing) return out + "\n\nBeing computed";
+  return out + "\n\nUp to date; drawn from the structures in " + milliseconds(report->emit_ms);
+}
+
+}  // namespace
+
+bool LayersPanel::is_listed(const PanelContext& context, LayerIndex layer) const {
+  return (!only_visible_ || context.layers.is_visible(layer)) &&
+         matches_search(context.layers.descriptor(layer), search_);
+}
+
+void LayersPanel::draw_head(const PanelContext& context) {
+  const float unit = context.gui.unit();
+  ImGui::PushFont(context.gui.bold());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Layers");
+  ImGui::PopFont();
+  const char* mode = by_order_ ? "Drawing order" : "By subject";
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(mode).x -
+                  2 * ImGui::GetStyle().FramePadding.x);
+  if (ImGui::Button(mode)) by_order_ = !by_order_;
+  tooltip(context.gui, by_order_ ? "Layers as they lie on each other, top first. Click to list them by subject"
+                                 : "Layers by subject. Click to list them as they lie on each other");
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##search", "Search", &search_);
+  ImGui::Checkbox("Only visible", &only_visible_);
+  if (context.layers.soloed() != kNoSlot) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("End solo")) context.layers.end_solo();
+    tooltip(context.gui, "Show the other layers again");
+  }
+  ImGui::Dummy({0, 1 * unit});
+}
+
+void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImVec2 at, ImVec2 size) const {
+  const LayerStyle& style = context.layers.style(layer);
+  const LayerDescriptor& descriptor = context.layers.descriptor(layer);
+  const float unit = context.gui.unit();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  list.AddRectFilled(at, end, IM_COL32_WHITE, 3 * unit);
+  list.PushClipRect(at, end, true);
+  const ImU32 color = to_imgui(style.color, style.opacity);
+  const ImVec2 middle(0.5F * (at.x + end.x), 0.5F * (at.y + end.y));
+  const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
+  if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
+    list.AddRectFilled(at, end, color, 3 * unit);
+  else if (has_kind(descriptor, {PrimitiveKind::circle}))
+    list.AddCircle(middle, 0.36F * size.y, color, 0, width);
+  else if (has_strokes(descriptor))
+    list.AddLine({at.x + 4 * unit, end.y - 4 * unit}, {end.x - 4 * unit, at.y + 4 * unit}, color, width);
+  if (has_points(descriptor))
+    list.AddCircleFilled(
+        middle, std::clamp(0.5F * static_cast<float>(style.point_size_px) * unit, 1.5F, 0.42F * size.y), color);
+  list.PopClipRect();
+  list.AddRect(at, end, theme::kBorder, 3 * unit);
+}
+
+void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer) {
+  if (!ImGui::BeginPopup("style")) return;
+  const float unit = context.gui.unit();
+  const LayerDescriptor& descriptor = context.layers.descriptor(layer);
+  LayerStyle style = context.layers.style(layer);
+  ImGui::PushFont(context.gui.bold());
+  ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
+  ImGui::PopFont();
+
+  constexpr std::array<Rgb, 9> kPalette{palette::black,     palette::orange, palette::sky,
+                                        palette::green,     palette::yellow, palette::blue,
+                                        palette::vermilion, palette::purple, palette::grey};
+  for (std::size_t i = 0; i < kPalette.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, 4 * unit);
+    ImGui::PushID(static_cast<int>(i));
+    const ImVec4 color = ImGui::ColorConvertU32ToFloat4(to_imgui(kPalette[i]));
+    if (ImGui::ColorButton("##color", color, ImGuiColorEditFlags_NoTooltip, {22 * unit, 22 * unit}))
+      style.color = kPalette[i];
+    ImGui::PopID();
+  }
+  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
+  std::array<float, 3> rgb{channel(style.color.r), channel(style.color.g), channel(style.color.b)};
+  ImGui::SetNextItemWidth(230 * unit);
+  if (ImGui::ColorPicker3(
+          "##picker", rgb.data(),
+          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex)) {
+    const auto byte = [](float value) {
+      return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
+    };
+    style.color = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+  }
+  const auto slider = [&](const char* label, double& value, float low, float high, float factor, const char* format,
+                          bool logarithmic) {
+    auto shown = static_cast<float>(value) * factor;
+    ImGui::SetNextItemWidth(150 * unit);
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    if (ImGui::SliderFloat(label, &shown, low, high, format, flags)) value = static_cast<double>(shown / factor);
+  };
+  slider("Opacity", style.opacity, 0.0F, 100.0F, 100.0F, "%.0f %%", false);
+  if (has_points(descriptor)) slider("Point size", style.point_size_px, 0.5F, 64.0F, 1.0F, "%.1f px", true);
+  if (has_strokes(descriptor)) {
+    slider("Line width", style.line_width_px, 0.1F, 64.0F, 1.0F, "%.1f px", true);
+    ImGui::Checkbox("Dashed", &style.dashed);
+  }
+  ImGui::Checkbox("Flat", &style.flat);
+  tooltip(context.gui, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
+  context.layers.set_style(layer, style);
+  ImGui::BeginDisabled(context.layers.has_default_style(layer));
+  if (ImGui::Button("Reset style")) context.layers.reset_style(layer);
+  ImGui::EndDisabled();
+  ImGui::EndPopup();
+}
+
+void LayersPanel::draw_context_menu(const PanelContext& context, LayerIndex layer) {
+  if (!ImGui::BeginPopupContextItem("menu")) return;
+  LayerStack& layers = context.layers;
+  if (layers.soloed() == layer) {
+    if (ImGui::MenuItem("End solo")) layers.end_solo();
+  } else if (ImGui::MenuItem("Solo")) {
+    layers.solo(layer);
+  }
+  tooltip(context.gui, "Show this layer alone");
+  ImGui::Separator();
+  if (ImGui::MenuItem("Bring to front")) layers.move(layer, layers.order().back(), true);
+  if (ImGui::MenuItem("Send to back")) layers.move(layer, layers.order().front(), false);
+  ImGui::Separator();
+  if (ImGui::MenuItem("Copy style")) copied_ = layers.style(layer);
+  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value())) layers.set_style(layer, *copied_);
+  if (ImGui::MenuItem("Reset style", nullptr, false, !layers.has_default_style(layer))) layers.reset_style(layer);
+  ImGui::EndPopup();
+}
+
+void LayersPanel::draw_row(const PanelContext& context, LayerIndex layer) {
+  const float unit = context.gui.unit();
+  const LayerDescriptor& descriptor = context.layers.descriptor(layer);
+  const bool visible = context.layers.is_visible(layer);
+  const NodeState state = context.picture.state(layer);
+  const float height = 27 * unit;
+  ImGui::PushID(static_cast<int>(layer));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 swatch_size(30 * unit, 18 * unit);
+  const ImVec2 swatch_at(at.x + width - swatch_size.x - 2 * unit, at.y + 0.5F * (height - swatch_size.y));
+
+  // The swatch lies on the row and is asked first.
+  ImGui::SetCursorScreenPos(swatch_at);
+  if (ImGui::InvisibleButton("swatch", swatch_size)) ImGui::OpenPopup("style");
+  tooltip(context.gui, "Colour, opacity, sizes");
+  draw_style_popup(context, layer);
+
+  ImGui::SetCursorScreenPos(at);
+  const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, width - swatch_size.x - 6 * unit), height});
+  const bool hovered = ImGui::IsItemHovered();
+  if (clicked) context.layers.set_visible(layer, !visible);
+  tooltip(context.gui, explanation(context, layer));
+  draw_context_menu(context, layer);
+  if (ImGui::BeginDragDropSource()) {
+    ImGui::SetDragDropPayload(kDragKind, &layer, sizeof layer);
+    ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
+    ImGui::EndDragDropSource();
+  }
+  if (ImGui::BeginDragDropTarget()) {
+    const bool above = ImGui::GetIO().MousePos.y < at.y + 0.5F * height;
+    const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(
+        kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+    if (payload != nullptr) {
+      const float y = above ? at.y : at.y + height;
+      list.AddLine({at.x, y}, {at.x + width, y}, theme::kAccent, 2 * unit);
+      if (payload->IsDelivery()) context.layers.move(*static_cast<const LayerIndex*>(payload->Data), layer, above);
+    }
+    ImGui::EndDragDropTarget();
+  }
+
+  if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(0, 0x72, 0xB2, 0x12), 4 * unit);
+  const float icon = 18 * unit;
+  const bool failed = visible && is_failed(state);
+  draw_icon(list, visible ? Icon::eye : Icon::eye_closed, {at.x + 2 * unit, at.y + 0.5F * (height - icon)}, icon,
+            visible ? theme::kText : IM_COL32(0xB4, 0xBA, 0xC1, 0xFF));
+  const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
+  list.PushClipRect(at, {swatch_at.x - 6 * unit, at.y + height}, true);
+  list.AddText({at.x + 27 * unit, text_y},
+               failed    ? theme::kWarning
+               : visible ? theme::kText
+                         : theme::kTextQuiet,
+               descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
+  list.PopClipRect();
+  if (visible && state == NodeState::computing)
+    list.AddCircleFilled({swatch_at.x - 10 * unit, at.y + 0.5F * height}, 3 * unit, theme::kAccent);
+  draw_swatch(context, layer, swatch_at, swatch_size);
+  ImGui::SetCursorScreenPos({at.x, at.y + height});
+  ImGui::PopID();
+}
+
+void LayersPanel::draw(const PanelContext& context, const PanelArea& area) {
+  if (begin_panel("##layers", area)) {
+    draw_head(context);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::BeginChild("rows");
+    // A row may change the order while it is drawn.
+    const std::vector<LayerIndex> order(context.layers.order().begin(), context.layers.order().end());
+    const bool flat_list = by_order_ || !search_.empty();
+    std::size_t listed = 0;
+    for (const LayerGroup group :
+         {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::diagnostics}) {
+      const auto belongs = [&](LayerIndex layer) {
+        return is_listed(context, layer) && (flat_list || context.layers.descriptor(layer).group == group);
+      };
+      const auto count = static_cast<std::size_t>(std::ranges::count_if(order, belongs));
+      listed += count;
+      if (count == 0) continue;
+      if (!flat_list) {
+        const std::string title(title_of(group));
+        ImGui::PushFont(context.gui.small());
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+        ImGui::PushStyleColor(ImGuiCol_Header, 0);
+        const bool open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+        ImGui::PopStyleColor(2);
+        ImGui::PopFont();
+        if (!open) continue;
+      }
+      for (auto layer = order.rbegin(); layer != order.rend(); ++layer)
+        if (belongs(*layer)) draw_row(context, *layer);
+      if (flat_list) break;
+    }
+    if (listed == 0) ImGui::TextDisabled("No layer matches");
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+  }
+  ImGui::End();
+}
+
+}  // namespace mes

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/menu_bar.h"
+
+#include <array>
+#include <filesystem>
+
+namespace mes {
+namespace {
+
+void action_item(const PanelContext& context, ActionId id, const std::string& label = {}) {
+  const ActionDescriptor& action = descriptor_of(id);
+  const std::string name = label.empty() ? std::string(action.name) : label;
+  const std::string key = action.keys.empty() ? std::string() : std::string(action.keys.front());
+  if (ImGui::MenuItem(name.c_str(), key.c_str(), context.actions.is_checked(id), context.actions.is_enabled(id)))
+    context.actions.run(id);
+  tooltip(context.gui, std::string(action.tooltip));
+}
+
+void recent_files_menu(const PanelContext& context) {
+  const auto recent = context.settings.recent_files;  // opening one changes the list
+  if (!ImGui::BeginMenu("Recent files", !recent.empty())) return;
+  for (const std::string& file : recent) {
+    const std::filesystem::path path(file);
+    ImGui::PushID(file.c_str());
+    if (ImGui::MenuItem(path.filename().c_str())) context.open_file(file);
+    tooltip(context.gui, file);
+    ImGui::PopID();
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget these")) context.settings.recent_files.clear();
+  ImGui::EndMenu();
+}
+
+void file_menu(const PanelContext& context) {
+  action_item(context, ActionId::new_document);
+  action_item(context, ActionId::open);
+  recent_files_menu(context);
+  ImGui::Separator();
+  action_item(context, ActionId::save);
+  action_item(context, ActionId::save_as);
+  ImGui::Separator();
+  action_item(context, ActionId::quit);
+}
+
+void edit_menu(const PanelContext& context) {
+  const auto with_step = [](const char* verb, const std::string& step) {
+    return step.empty() ? std::string(verb) : std::string(verb) + ": " + step;
+  };
+  action_item(context, ActionId::undo, with_step("Undo", context.editor.undo_name()));
+  action_item(context, ActionId::redo, with_step("Redo", context.editor.redo_name()));
+  ImGui::Separator();
+  action_item(context, ActionId::select_all);
+  action_item(context, ActionId::invert_selection);
+  action_item(context, ActionId::deselect);
+  action_item(context, ActionId::delete_selection);
+}
+
+void view_menu(const PanelContext& context) {
+  for (const ActionId id :
+       {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
+    action_item(context, id);
+  ImGui::Separator();
+  for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_panels})
+    action_item(context, id);
+  ImGui::Separator();
+  if (ImGui::BeginMenu("Interface size")) {
+    constexpr std::array<int, 6> kPercents{75, 100, 125, 150, 175, 200};
+    for (const int percent : kPercents) {
+      const bool is_now = std::abs(context.settings.interface_scale - percent / 100.0) < 0.01;
+      if (ImGui::MenuItem((std::to_string(percent) + " %").c_str(), nullptr, is_now))
+        context.settings.interface_scale = percent / 100.0;
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::MenuItem("Layers as at the beginning")) context.layers.reset();
+  tooltip(context.gui, "Give every layer its first place, visibility and style back");
+}
+
+void shapes_menu(const PanelContext& context) {
+  for (const SampleShape& shape : context.shapes) {
+    if (ImGui::MenuItem(shape.name.c_str())) context.open_shape(shape);
+    tooltip(context.gui, shape.description);
+  }
+}
+
+}  // namespace
+
+float draw_menu_bar(const PanelContext& context) {
+  if (!ImGui::BeginMainMenuBar()) return 0.0F;
+  const float height = ImGui::GetWindowHeight();
+  if (ImGui::BeginMenu("File")) {
+    file_menu(context);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Edit")) {
+    edit_menu(context);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("View")) {
+    view_menu(context);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Tools")) {
+    for (const ActionId id : {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray})
+      action_item(context, id);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(context, id);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Shapes", !context.shapes.empty())) {
+    shapes_menu(context);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Help")) {
+    action_item(context, ActionId::help);
+    ImGui::Separator();
+    ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+  return height;
+}
+
+}  // namespace mes

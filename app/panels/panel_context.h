@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What panels may see and touch. Panels draw themselves from it each frame and keep nothing but their own folds.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "app/action_bindings.h"
+#include "app/canvas/canvas.h"
+#include "app/editor.h"
+#include "app/layer_stack.h"
+#include "app/messages.h"
+#include "app/sample_shapes.h"
+#include "app/settings.h"
+#include "app/window/file_desk.h"
+#include "app/window/gui.h"
+#include "app/window/picture.h"
+#include "core/engine/engine.h"
+
+namespace mes {
+
+struct PanelContext {
+  const Gui& gui;
+  const ActionBindings& actions;
+  Editor& editor;
+  Engine& engine;
+  LayerStack& layers;
+  Canvas& canvas;
+  Picture& picture;
+  FileDesk& files;
+  Settings& settings;
+  Messages& messages;
+  std::span<const SampleShape> shapes;
+  std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost
+  std::function<void(const SampleShape&)> open_shape;  ///< the same
+};
+
+/// A rectangle of the window, in screen coordinates.
+struct PanelArea {
+  ImVec2 at;
+  ImVec2 size;
+};
+
+/// A fixed panel without title; pair with ImGui::End().
+inline bool begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlags extra = 0) {
+  ImGui::SetNextWindowPos(area.at);
+  ImGui::SetNextWindowSize(area.size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  const bool open = ImGui::Begin(name, nullptr,
+                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                     ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoSavedSettings | extra);
+  ImGui::PopStyleVar();
+  return open;
+}
+
+/// Explains the last item when the pointer rests on it, also when it is disabled.
+inline void tooltip(const Gui& gui, const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(340.0F * gui.unit());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace mes

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/statistics_panel.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/window/theme.h"
+
+namespace mes {
+namespace {
+
+std::string to_text(const StatValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* real = std::get_if<double>(&value)) {
+    if (!std::isfinite(*real)) return "-";
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", *real);
+    return text.data();
+  }
+  std::string out;
+  for (const std::int64_t number : std::get<std::vector<std::int64_t>>(value)) {
+    if (!out.empty()) out += ", ";
+    out += std::to_string(number);
+  }
+  return out;
+}
+
+std::string readable(std::string key) {
+  for (char& c : key)
+    if (c == '_' || c == '-') c = ' ';
+  if (!key.empty() && key[0] >= 'a' && key[0] <= 'z') key[0] = static_cast<char>(key[0] - 'a' + 'A');
+  return key;
+}
+
+ImU32 state_color(NodeState state) {
+  switch (state) {
+    case NodeState::up_to_date: return IM_COL32(0x00, 0x9E, 0x73, 0xFF);
+    case NodeState::computing: return theme::kAccent;
+    case NodeState::failed:
+    case NodeState::blocked: return theme::kWarning;
+    case NodeState::inactive: break;
+  }
+  return theme::kBorder;
+}
+
+std::string work_text(const NodeReport& node) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), node.update_ms < 10 ? "%.2f ms" : "%.0f ms", node.update_ms);
+  std::string out = text.data();
+  out += node.rebuilt ? ", rebuilt" : ", " + std::to_string(node.touched) + " touched";
+  return out;
+}
+
+void draw_node(const PanelContext& context, const NodeReport& node) {
+  const float unit = context.gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()}, 4 * unit,
+                                              state_color(node.state));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+  ImGui::PushFont(context.gui.bold());
+  ImGui::TextUnformatted(readable(node.structure).c_str());
+  ImGui::PopFont();
+  const std::string work = work_text(node);
+  ImGui::PushFont(context.gui.small());
+  ImGui::SameLine(
+      std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(work.c_str()).x));
+  ImGui::TextDisabled("%s", work.c_str());
+  ImGui::PopFont();
+  if (!node.reason.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::TextWrapped("%s", node.reason.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
+    for (const Stat& stat : node.stats) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+      ImGui::TextDisabled("%s", readable(stat.key).c_str());
+      ImGui::TableNextColumn();
+      const std::string text = to_text(stat.value);
+      const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+      if (free > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
+      ImGui::TextUnformatted(text.c_str());
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Dummy({0, 4 * unit});
+}
+
+}  // namespace
+
+void draw_statistics_panel(const PanelContext& context, const PanelArea& area) {
+  if (begin_panel("##statistics", area)) {
+    ImGui::PushFont(context.gui.bold());
+    ImGui::TextUnformatted("Statistics");
+    ImGui::PopFont();
+    ImGui::Separator();
+    ImGui::BeginChild("nodes");
+    for (const NodeReport& node : context.picture.nodes()) {
+      if (node.state == NodeState::inactive) continue;
+      ImGui::PushID(node.structure.c_str());
+      draw_node(context, node);
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+  }
+  ImGui::End();
+}
+
+}  // namespace mes

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tools, and what one reaches for while drawing, as a strip of icons on the canvas.
+#pragma once
+
+#include "app/panels/panel_context.h"
+
+namespace mes {
+
+/// Draws the strip with its upper left corner at `at`; its width in screen coordinates.
+float draw_toolbar(const PanelContext& context, ImVec2 at);
+
+}  // namespace mes

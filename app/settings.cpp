@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/io/atomic_file.h"
+
+namespace mes {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kSchema = 1;
+// A settings file is small; what is larger is not one, and is not read into memory.
+constexpr std::uintmax_t kLargestFile = 1U << 20U;
+
+template <class T>
+T number_in(const json& object, const char* key, T low, T high, T otherwise) {
+  const auto entry = object.find(key);
+  if (entry == object.end() || !entry->is_number()) return otherwise;
+  const double value = entry->get<double>();
+  return static_cast<T>(std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
+}
+
+bool flag_in(const json& object, const char* key, bool otherwise) {
+  const auto entry = object.find(key);
+  return entry != object.end() && entry->is_boolean() ? entry->get<bool>() : otherwise;
+}
+
+std::string text_in(const json& object, const char* key) {
+  const auto entry = object.find(key);
+  return entry != object.end() && entry->is_string() ? entry->get<std::string>() : std::string();
+}
+
+Settings from_json(const json& object) {
+  Settings out;
+  if (const auto recent = object.find("recent_files"); recent != object.end() && recent->is_array()) {
+    for (const json& entry : *recent)
+      if (entry.is_string() && out.recent_files.size() < kRecentFiles) out.recent_files.push_back(entry);
+  }
+  out.spray_spacing_px = number_in(object, "spray_spacing_px", 2.0, 100.0, out.spray_spacing_px);
+  out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
+  out.window_width = number_in(object, "window_width", 320, 16384, out.window_width);
+  out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
+  out.show_layers = flag_in(object, "show_layers", out.show_layers);
+  out.show_statistics = flag_in(object, "show_statistics", out.show_statistics);
+  out.last_folder = text_in(object, "last_folder");
+  return out;
+}
+
+std::string set_aside(const fs::path& path, const std::string& why) {
+  fs::path broken = path;
+  broken += ".broken";
+  std::error_code error;
+  fs::rename(path, broken, error);
+  if (error) return "the settings in " + path.string() + " cannot be used (" + why + "); started with the defaults";
+  return "the settings could not be read (" + why + "); they were set aside as " + broken.string();
+}
+
+}  // namespace
+
+void remember_file(Settings& settings, const fs::path& file) {
+  std::error_code error;
+  fs::path absolute = fs::weakly_canonical(file, error);
+  if (error) absolute = fs::absolute(file, error);
+  const std::string text = absolute.string();
+  std::erase(settings.recent_files, text);
+  settings.recent_files.insert(settings.recent_files.begin(), text);
+  if (settings.recent_files.size() > kRecentFiles) settings.recent_files.resize(kRecentFiles);
+}
+
+fs::path default_settings_path() {
+  // Relative values are invalid by the XDG base directory specification and are ignored.
+  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
+    return fs::path(config) / "mesecina" / "settings.json";
+  if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/')
+    return fs::path(home) / ".config" / "mesecina" / "settings.json";
+  return {};
+}
+
+LoadedSettings load_settings(const fs::path& path) {
+  if (path.empty()) return {};
+  std::error_code error;
+  if (!fs::exists(path, error) || error) return {};
+  if (!fs::is_regular_file(path, error))
+    return {Settings{}, path.string() + " is not a file; started with the defaults"};
+  if (fs::file_size(path, error) > kLargestFile || error) return {Settings{}, set_aside(path, "far too large")};
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  if (!stream) return {Settings{}, path.string() + " cannot be read; started with the defaults"};
+  const json parsed = json::parse(bytes.str(), nullptr, false);
+  if (parsed.is_discarded()) return {Settings{}, set_aside(path, "not JSON")};
+  if (!parsed.is_object()) return {Settings{}, set_aside(path, "not a JSON object")};
+  if (number_in(parsed, "schema", 0, 1'000'000, 0) != kSchema)
+    return {Settings{}, set_aside(path, "another version")};
+  return {from_json(parsed), {}};
+}
+
+Expected<void> save_settings(const Settings& settings, const fs::path& path) {
+  if (path.empty()) return {};
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error)
+    return std::unexpected(
+        Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path.parent_path().string()});
+  const json object = {{"schema", kSchema},
+                       {"recent_files", settings.recent_files},
+                       {"spray_spacing_px", settings.spray_spacing_px},
+                       {"interface_scale", settings.interface_scale},
+                       {"window_width", settings.window_width},
+                       {"window_height", settings.window_height},
+                       {"show_layers", settings.show_layers},
+                       {"show_statistics", settings.show_statistics},
+                       {"last_folder", settings.last_folder}};
+  // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
+  return write_file_atomically(path, object.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace mes

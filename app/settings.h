@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window remembers from one start to the next.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+struct Settings {
+  std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
+  double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
+  double interface_scale = 1.0;           ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
+  int window_width = 1280;                ///< screen coordinates
+  int window_height = 800;
+  bool show_layers = true;
+  bool show_statistics = false;
+  std::string last_folder;  ///< of the file browser
+};
+
+inline constexpr std::size_t kRecentFiles = 12;
+
+/// Puts the file first, without a twin further down.
+void remember_file(Settings& settings, const std::filesystem::path& file);
+
+/// $XDG_CONFIG_HOME/mesecina/settings.json, or ~/.config/mesecina/settings.json; empty when there is no home.
+std::filesystem::path default_settings_path();
+
+struct LoadedSettings {
+  Settings settings;
+  std::string message;  ///< for the user, one line; empty when all is well
+};
+
+/// Never fails: a missing file gives the defaults; one that is broken is renamed to `settings.json.broken`, with a
+/// message; unknown keys are ignored and values out of range are brought into it.
+LoadedSettings load_settings(const std::filesystem::path& path);
+
+/// Atomic; makes the folder if need be.
+Expected<void> save_settings(const Settings& settings, const std::filesystem::path& path);
+
+}  // namespace mes

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/app.h"
+
+#include <algorithm>
+
+#include "app/panels/help.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/statistics_panel.h"
+#include "app/panels/status_bar.h"
+#include "app/panels/toolbar.h"
+#include "app/window/theme.h"
+
+namespace mes {
+namespace {
+
+constexpr int kSettlingFrames = 3;
+constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
+constexpr double kLongestStep = 0.05;       // seconds; after a sleep a motion goes on from where it was
+
+}  // namespace
+
+App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded)
+    : settings_(std::move(loaded.settings)),
+      settings_path_(default_settings_path()),
+      window_(std::move(window)),
+      assets_(find_assets(options.executable)),
+      shapes_(read_sample_shapes(assets_)),
+      gui_(*window_, assets_),
+      engine_({.wake = [] { GlfwWindow::wake(); }}),
+      layers_(layer_descriptors()),
+      editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
+      files_(editor_, [] { GlfwWindow::wake(); }),
+      tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); }},
+      canvas_(tool_context_) {
+  if (!loaded.message.empty()) messages_.problem(loaded.message);
+  bind_actions();
+  window_->set_listener(this);
+  open_first(options);
+}
+
+App::~App() {
+  window_->set_listener(nullptr);
+}
+
+double App::next_wait() const {
+  const EngineStatus status = engine_.status();
+  if (status.busy || files_.is_reading()) return kProgressInterval;
+  return 0.0;
+}
+
+void App::run() {
+  while (!is_closing_) {
+    if (frames_wanted_ > 0 || canvas_.view().is_moving())
+      window_->poll();
+    else
+      window_->wait(next_wait());
+    deliver_pointer();
+    take_read_file();
+    picture_.take_from(engine_);
+    frame();
+    frames_wanted_ = std::max(0, frames_wanted_ - 1);
+  }
+  remember_settings();
+}
+
+PanelContext App::panel_context() {
+  return {gui_,
+          actions_,
+          editor_,
+          engine_,
+          layers_,
+          canvas_,
+          picture_,
+          files_,
+          settings_,
+          messages_,
+          shapes_,
+          [this](const std::string& file) { open_file(file); },
+          [this](const SampleShape& shape) { open_shape(shape); }};
+}
+
+void App::follow_demand() {
+  if (layers_.demand_revision() == demand_seen_) return;
+  demand_seen_ = layers_.demand_revision();
+  engine_.set_demand(layers_.visible_layers());
+  picture_.forget_hidden(layers_);
+}
+
+void App::update_title() {
+  window_->set_title((editor_.is_modified() ? "* " : "") + files_.title() + " - Mesecina");
+}
+
+void App::frame() {
+  const double now = ImGui::GetTime();
+  if (window_->is_minimized()) return;
+  const auto size = window_->framebuffer_size();
+  if (size.width < 1 || size.height < 1) return;
+  gui_.begin_frame(settings_.interface_scale);
+  const double seconds = std::clamp(ImGui::GetTime() - now, 0.0, kLongestStep);
+  canvas_.set_content_scale(static_cast<double>(gui_.unit()) * window_->pixel_ratio());
+  canvas_.view().set_viewport(size.width, size.height);
+  draw_panels();
+  follow_demand();
+  engine_.set_want_statistics(settings_.show_statistics && show_panels_);
+  if (fit_when_read_) {
+    fit(!had_first_file_);
+    fit_when_read_ = false;
+    had_first_file_ = true;
+  }
+  canvas_.advance(seconds);
+  if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
+  draw_pointer_marks();
+  picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.tool().feedback().hovered,
+                canvas_.content_scale());
+  gui_.end_frame();
+  window_->swap();
+  update_title();
+}
+
+void App::draw_panels() {
+  const PanelContext context = panel_context();
+  const float unit = gui_.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  float top = 0.0F;
+  float left = 0.0F;
+  float right = 0.0F;
+  float bottom = 0.0F;
+  if (show_panels_) {
+    top = draw_menu_bar(context);
+    bottom = status_bar_height(gui_);
+    draw_status_bar(context, {{0, screen.y - bottom}, {screen.x, bottom}});
+    const float height = screen.y - top - bottom;
+    const float width = std::min(286 * unit, 0.45F * screen.x);
+    const bool both = settings_.show_layers && settings_.show_statistics;
+    if (settings_.show_layers || settings_.show_statistics) right = width;
+    const float upper = both ? 0.55F * height : height;
+    if (settings_.show_layers) layers_panel_.draw(context, {{screen.x - width, top}, {width, upper}});
+    if (settings_.show_statistics) {
+      const float from = both ? top + upper : top;
+      draw_statistics_panel(context, {{screen.x - width, from}, {width, top + height - from}});
+    }
+    const float margin = 10 * unit;
+    left = margin + draw_toolbar(context, {margin, top + margin});
+  }
+  draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
+  draw_dialogs();
+  draw_help(context, &show_help_);
+  const double ratio = window_->pixel_ratio();
+  canvas_.view().set_insets({static_cast<double>(left) * ratio, static_cast<double>(top) * ratio,
+                             static_cast<double>(right) * ratio, static_cast<double>(bottom) * ratio});
+}
+
+void App::draw_pointer_marks() {
+  const ToolFeedback feedback = canvas_.tool().feedback();
+  const bool over_canvas = canvas_.has_pointer() || (canvas_.is_hovered() && !gui_.wants_pointer(pointer_px_));
+  if (over_canvas)
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  else
+    ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
+  window_->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
+  if (!over_canvas) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float unit = gui_.unit();
+  const auto at = [unit](Vec2 px) {
+    return ImVec2(static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit);
+  };
+  if (feedback.box_px) {
+    list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccentSoft);
+    list.AddRect(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccent, 0.0F, 0, unit);
+  }
+  if (feedback.marker_px && feedback.ring_px > 0.0)
+    list.AddCircle(at(*feedback.marker_px), static_cast<float>(feedback.ring_px) * unit,
+                   IM_COL32(0, 0x72, 0xB2, 0x90), 0, 1.2F * unit);
+}
+
+}  // namespace mes

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window program: owns everything, passes events on, draws frames when something changed and sleeps otherwise.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/action_bindings.h"
+#include "app/canvas/canvas.h"
+#include "app/editor.h"
+#include "app/layer_stack.h"
+#include "app/messages.h"
+#include "app/panels/ask_unsaved.h"
+#include "app/panels/file_browser.h"
+#include "app/panels/layers_panel.h"
+#include "app/panels/panel_context.h"
+#include "app/sample_shapes.h"
+#include "app/settings.h"
+#include "app/window/file_desk.h"
+#include "app/window/glfw_window.h"
+#include "app/window/gui.h"
+#include "app/window/picture.h"
+#include "app/window/run_window.h"
+#include "core/engine/engine.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. The thread that draws never waits for the engine or for a file being read.
+///  2. Unsaved work is not lost without a question, whichever way the window is left.
+///  3. With nothing to show anew it sleeps and uses no processor time.
+///
+/// Threads: the main one. Members are destroyed in reverse order: panels and canvas first, then the engine with its
+/// thread, then what needs OpenGL, the window last.
+class App final : private WindowListener {
+ public:
+  App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded);
+  ~App() override;
+
+  void run();
+
+ private:
+  // app_events.cpp
+  void on_pointer_moved(Vec2 px, Modifiers modifiers) override;
+  void on_pointer_left() override;
+  void on_button(PointerButton button, bool pressed, Modifiers modifiers) override;
+  void on_wheel(double steps) override;
+  void on_key(const KeyChord& chord, bool repeated) override;
+  void on_typed(char32_t symbol, bool repeated) override;
+  void on_space(bool held) override;
+  void on_files_dropped(std::vector<std::string> files) override;
+  void on_close_wanted() override;
+  void on_anything() override;
+  void deliver_pointer();
+  bool close_top_dialog(const KeyChord& chord);
+  void run_by_key(const KeyChord& chord, bool repeated);
+
+  // app_actions.cpp
+  void bind_actions();
+  void bind_file_actions();
+  void bind_edit_actions();
+  void bind_view_actions();
+  void nudge(double x_px, double y_px);
+  void report(const Error& error);
+  Box2 fit_box() const;
+  void fit(bool at_once);
+
+  // app_files.cpp
+  void open_first(const WindowOptions& options);
+  void with_saved_work(std::function<void()> then);
+  void open_file(const std::string& file);
+  void open_shape(const SampleShape& shape);
+  void save();
+  void ask_save_as();
+  bool save_as(const std::filesystem::path& file);
+  void take_read_file();
+  void draw_dialogs();
+  void remember_settings();
+  std::filesystem::path browse_folder() const;
+
+  // app.cpp
+  void frame();
+  void draw_panels();
+  void draw_pointer_marks();
+  void follow_demand();
+  void update_title();
+  double next_wait() const;
+  PanelContext panel_context();
+
+  Settings settings_;
+  std::filesystem::path settings_path_;
+  Messages messages_;
+  std::unique_ptr<GlfwWindow> window_;
+  std::filesystem::path assets_;
+  std::vector<SampleShape> shapes_;
+  Gui gui_;
+  Picture picture_;
+  Engine engine_;
+  LayerStack layers_;
+  Editor editor_;
+  FileDesk files_;
+  ToolContext tool_context_;
+  Canvas canvas_;
+  ActionBindings actions_;
+  LayersPanel layers_panel_;
+  FileBrowser browser_;
+  AskUnsaved ask_unsaved_;
+  std::function<void()> after_save_;  // what waits for a save under a new name
+  bool show_help_ = false;
+  bool show_panels_ = true;
+  bool fit_when_read_ = false;
+  bool had_first_file_ = false;
+  bool is_closing_ = false;
+  int frames_wanted_ = 3;  // the panels need a few frames to settle after an event
+  double last_frame_ = 0.0;
+  std::uint64_t demand_seen_ = 0;
+  Vec2 pointer_px_{-1, -1};
+  Modifiers pointer_modifiers_;
+  bool pointer_moved_ = false;  // and the canvas has not heard of it: of many moves only the last one counts
+};
+
+}  // namespace mes

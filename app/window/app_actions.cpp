@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the actions of the table do here.
+#include "app/window/app.h"
+
+namespace mes {
+namespace {
+
+constexpr double kFitMargin = 40.0;  // logical pixels
+constexpr double kKeyZoom = 1.4;
+
+}  // namespace
+
+void App::bind_actions() {
+  bind_file_actions();
+  bind_edit_actions();
+  bind_view_actions();
+}
+
+void App::bind_file_actions() {
+  actions_.bind(ActionId::new_document, {[this] {
+                  with_saved_work([this] {
+                    files_.start_empty();
+                    messages_.clear_problem();
+                  });
+                }});
+  actions_.bind(ActionId::open, {[this] { with_saved_work([this] { browser_.ask_open(browse_folder()); }); }});
+  actions_.bind(ActionId::save, {[this] { save(); }});
+  actions_.bind(ActionId::save_as, {[this] { ask_save_as(); }});
+  actions_.bind(ActionId::quit, {[this] { with_saved_work([this] { is_closing_ = true; }); }});
+  actions_.bind(ActionId::help, {[this] { show_help_ = !show_help_; }});
+}
+
+void App::bind_edit_actions() {
+  const auto has_samples = [this] { return editor_.document().sample_count() > 0; };
+  const auto has_selection = [this] { return !editor_.selection().is_empty(); };
+  const auto by_hand = [this](auto change) {
+    return [this, change] {
+      change();
+      frames_wanted_ = 1;
+    };
+  };
+  actions_.bind(ActionId::undo, {by_hand([this] {
+                                   messages_.remark("Undone: " + editor_.undo_name());
+                                   editor_.undo();
+                                 }),
+                                 [this] { return editor_.can_undo(); }});
+  actions_.bind(ActionId::redo, {by_hand([this] {
+                                   messages_.remark("Redone: " + editor_.redo_name());
+                                   editor_.redo();
+                                 }),
+                                 [this] { return editor_.can_redo(); }});
+  actions_.bind(ActionId::select_all,
+                {by_hand([this] { editor_.selection().select_all(editor_.document()); }), has_samples});
+  actions_.bind(ActionId::invert_selection,
+                {by_hand([this] { editor_.selection().invert(editor_.document()); }), has_samples});
+  actions_.bind(ActionId::deselect, {by_hand([this] {
+                  if (!canvas_.cancel_gesture()) editor_.selection().clear();
+                })});
+  actions_.bind(ActionId::delete_selection,
+                {by_hand([this] {
+                   const std::size_t count = editor_.selection().size();
+                   if (auto done = editor_.remove_selection(); !done)
+                     report(done.error());
+                   else
+                     messages_.remark("Deleted " + std::to_string(count) + (count == 1 ? " sample" : " samples"));
+                 }),
+                 has_selection});
+  const auto bind_nudge = [&](ActionId id, double x, double y) {
+    actions_.bind(id, {[this, x, y] { nudge(x, y); }, has_selection});
+  };
+  bind_nudge(ActionId::nudge_left, -1, 0);
+  bind_nudge(ActionId::nudge_right, 1, 0);
+  bind_nudge(ActionId::nudge_up, 0, 1);
+  bind_nudge(ActionId::nudge_down, 0, -1);
+  bind_nudge(ActionId::nudge_left_far, -10, 0);
+  bind_nudge(ActionId::nudge_right_far, 10, 0);
+  bind_nudge(ActionId::nudge_up_far, 0, 10);
+  bind_nudge(ActionId::nudge_down_far, 0, -10);
+  const auto bind_tool = [&](ActionId id, ToolId tool) {
+    actions_.bind(
+        id, {[this, tool] { canvas_.choose_tool(tool); }, {}, [this, tool] { return canvas_.tool_id() == tool; }});
+  };
+  bind_tool(ActionId::tool_select, ToolId::select);
+  bind_tool(ActionId::tool_insert, ToolId::insert);
+  bind_tool(ActionId::tool_spray, ToolId::spray);
+}
+
+void App::bind_view_actions() {
+  actions_.bind(ActionId::zoom_in, {[this] { canvas_.view().zoom_at(canvas_.zoom_center(), kKeyZoom); }});
+  actions_.bind(ActionId::zoom_out, {[this] { canvas_.view().zoom_at(canvas_.zoom_center(), 1.0 / kKeyZoom); }});
+  actions_.bind(ActionId::fit, {[this] { fit(false); }});
+  actions_.bind(ActionId::fit_selection, {[this] {
+                                            Box2 box;
+                                            for (const Slot slot : editor_.selection().slots())
+                                              box.add(editor_.document().position(slot));
+                                            canvas_.view().fit(box, kFitMargin * canvas_.content_scale());
+                                          },
+                                          [this] { return !editor_.selection().is_empty(); }});
+  actions_.bind(ActionId::previous_view,
+                {[this] { canvas_.view().back(); }, [this] { return canvas_.view().can_go_back(); }});
+  const auto bind_toggle = [&](ActionId id, bool& value) {
+    actions_.bind(id, {[&value] { value = !value; }, {}, [&value] { return value; }});
+  };
+  bind_toggle(ActionId::toggle_panels, show_panels_);
+  bind_toggle(ActionId::toggle_layers, settings_.show_layers);
+  bind_toggle(ActionId::toggle_statistics, settings_.show_statistics);
+  actions_.bind(ActionId::cancel_computation,
+                {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
+  actions_.bind(ActionId::resume_computation,
+                {[this] { engine_.resume(); }, [this] { return engine_.status().cancelled; }});
+}
+
+void App::nudge(double x_px, double y_px) {
+  const double step = canvas_.view().camera().units_per_pixel();
+  if (auto done = editor_.nudge_selection({x_px * step, y_px * step}); !done) report(done.error());
+}
+
+void App::report(const Error& error) {
+  messages_.problem(error.message());
+}
+
+Box2 App::fit_box() const {
+  return editor_.document().bounding_box();
+}
+
+void App::fit(bool at_once) {
+  canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), at_once);
+}
+
+}  // namespace mes

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opening and saving, and the questions that go with it.
+#include <algorithm>
+
+#include "app/window/app.h"
+
+namespace mes {
+
+namespace fs = std::filesystem;
+
+void App::open_first(const WindowOptions& options) {
+  if (!options.files.empty()) {
+    files_.open(options.files.front());
+    if (options.files.size() > 1)
+      messages_.remark("Opened the first of " + std::to_string(options.files.size()) + " files");
+  } else if (!shapes_.empty()) {
+    files_.open_shape(shapes_.front().file, shapes_.front().name);
+  } else {
+    fit_when_read_ = true;
+  }
+}
+
+void App::with_saved_work(std::function<void()> then) {
+  canvas_.cancel_gesture();
+  if (!editor_.is_modified()) {
+    then();
+    return;
+  }
+  ask_unsaved_.ask(files_.title(), std::move(then));
+}
+
+void App::open_file(const std::string& file) {
+  with_saved_work([this, file] { files_.open(file); });
+}
+
+void App::open_shape(const SampleShape& shape) {
+  with_saved_work([this, shape] { files_.open_shape(shape.file, shape.name); });
+}
+
+void App::take_read_file() {
+  const auto outcome = files_.poll();
+  if (!outcome) return;
+  frames_wanted_ = 3;
+  if (outcome->error) {
+    report(*outcome->error);
+    const std::string text = outcome->file.string();
+    if (!fs::exists(outcome->file)) std::erase(settings_.recent_files, text);
+    return;
+  }
+  fit_when_read_ = true;
+  messages_.clear_problem();
+  if (!outcome->is_shape) remember_file(settings_, outcome->file);
+  if (!outcome->warnings.empty()) {
+    std::string text = outcome->warnings.front();
+    if (outcome->warnings.size() > 1)
+      text += " (and " + std::to_string(outcome->warnings.size() - 1) + " more remarks)";
+    messages_.problem(text);
+  }
+}
+
+void App::save() {
+  if (files_.file().empty())
+    ask_save_as();
+  else
+    save_as(files_.file());
+}
+
+void App::ask_save_as() {
+  const fs::path folder = files_.file().empty() ? browse_folder() : files_.file().parent_path();
+  std::string name = fs::path(files_.title()).stem().string();
+  std::ranges::replace(name, '/', '-');
+  browser_.ask_save(folder, name + ".poff");
+}
+
+bool App::save_as(const fs::path& file) {
+  const auto saved = files_.save_as(file);
+  if (!saved) {
+    report(saved.error());
+    return false;
+  }
+  remember_file(settings_, file);
+  messages_.clear_problem();
+  messages_.remark("Saved " + file.string());
+  return true;
+}
+
+fs::path App::browse_folder() const {
+  std::error_code error;
+  if (!settings_.last_folder.empty() && fs::is_directory(settings_.last_folder, error)) return settings_.last_folder;
+  return fs::current_path(error);
+}
+
+void App::draw_dialogs() {
+  switch (ask_unsaved_.draw(gui_)) {
+    case AskUnsaved::Answer::none: break;
+    case AskUnsaved::Answer::cancel: ask_unsaved_.close(); break;
+    case AskUnsaved::Answer::discard:
+      if (const auto then = ask_unsaved_.take_then()) then();
+      break;
+    case AskUnsaved::Answer::save:
+      after_save_ = ask_unsaved_.take_then();
+      if (files_.file().empty()) {
+        ask_save_as();
+      } else if (const auto then = std::move(after_save_); save_as(files_.file()) && then) {
+        then();
+      }
+      break;
+  }
+  const bool was_saving = browser_.is_saving();
+  if (const auto chosen = browser_.draw(gui_)) {
+    settings_.last_folder = chosen->parent_path().string();
+    if (!was_saving) {
+      files_.open(*chosen);
+    } else if (const auto then = std::move(after_save_); save_as(*chosen) && then) {
+      then();
+    }
+  }
+  if (!browser_.is_open()) after_save_ = {};
+}
+
+void App::remember_settings() {
+  const auto size = window_->size();
+  settings_.window_width = size.width;
+  settings_.window_height = size.height;
+  // Nobody is left to be told when this fails.
+  static_cast<void>(save_settings(settings_, settings_path_));
+}
+
+}  // namespace mes

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/gui.h"
+
+#include <array>
+#include <cmath>
+
+#include "app/window/theme.h"
+#include "imgui_impl_glfw.h"
+#include "imgui_impl_opengl3.h"
+#include "imgui_internal.h"
+
+namespace mes {
+namespace {
+
+constexpr float kTextPx = 15.0F;
+constexpr float kSmallTextPx = 12.5F;
+
+// Latin, Greek, and the few symbols that messages and panels use.
+constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2032, 0x2190,
+                                          0x2193, 0x2212, 0x2265, 0x25CF, 0x25CF, 0};
+
+ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return nullptr;
+  ImFontConfig config;
+  config.OversampleH = 2;
+  config.OversampleV = 1;
+  config.PixelSnapH = true;
+  return atlas.AddFontFromFileTTF(file.c_str(), size, &config, kGlyphs.data());
+}
+
+}  // namespace
+
+Gui::Gui(GlfwWindow& window, std::filesystem::path assets) : window_(window), assets_(std::move(assets)) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // the layout is ours, not the library's
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window awake
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  // Callbacks are forwarded by GlfwWindow.
+  ImGui_ImplGlfw_InitForOpenGL(window_.handle(), false);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Gui::~Gui() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Gui::load_fonts(double scale) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  const auto fonts = assets_ / "fonts";
+  const auto size = [scale](float px) { return std::round(px * static_cast<float>(scale)); };
+  ImFont* regular = add_font(atlas, fonts / "Inter-Regular.otf", size(kTextPx));
+  if (regular == nullptr) {
+    // The built-in font is a bitmap of 13 pixels: whole multiples keep it sharp.
+    ImFontConfig config;
+    config.SizePixels = 13.0F * static_cast<float>(std::max(1.0, std::round(scale)));
+    config.OversampleH = config.OversampleV = 1;
+    config.PixelSnapH = true;
+    regular = atlas.AddFontDefault(&config);
+  }
+  bold_ = add_font(atlas, fonts / "Inter-SemiBold.otf", size(kTextPx));
+  if (bold_ == nullptr) bold_ = regular;
+  small_ = add_font(atlas, fonts / "Inter-Regular.otf", size(kSmallTextPx));
+  if (small_ == nullptr) small_ = regular;
+  atlas.Build();
+}
+
+void Gui::begin_frame(double interface_scale) {
+  const double ratio = window_.pixel_ratio();
+  const double scale = std::clamp(window_.content_scale() * interface_scale, 0.5, 8.0);
+  if (scale != font_scale_) {
+    font_scale_ = scale;
+    unit_ = static_cast<float>(scale / ratio);
+    load_fonts(scale);
+    apply_theme(ImGui::GetStyle(), unit_);
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  }
+  ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / ratio);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Gui::end_frame() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Gui::wants_pointer(Vec2 px) const {
+  // The library's own answer dates from its last frame; the pointer may have jumped onto a panel since.
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.ActiveId != 0 || has_popup()) return true;
+  const double ratio = window_.pixel_ratio();
+  const ImVec2 at(static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio));
+  for (const ImGuiWindow* window : context.Windows) {
+    if (!window->WasActive || window->Hidden || (window->Flags & ImGuiWindowFlags_NoMouseInputs) != 0) continue;
+    if (window->OuterRectClipped.Contains(at)) return true;
+  }
+  return false;
+}
+
+bool Gui::wants_text() const {
+  return ImGui::GetIO().WantTextInput;
+}
+
+bool Gui::has_popup() const {
+  return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+}
+
+}  // namespace mes

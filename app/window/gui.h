@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Dear ImGui in our window: context, fonts, theme, scale, and who gets an event.
+#pragma once
+
+#include <filesystem>
+
+#include "app/window/glfw_window.h"
+#include "imgui.h"
+
+namespace mes {
+
+/// What it guarantees: text is drawn at the framebuffer's own resolution at every content scale; fonts are made again
+/// only when the scale changes. Lengths given to Dear ImGui are screen coordinates; `unit()` of them is one logical
+/// pixel. Threads: the window's. One at a time.
+class Gui {
+ public:
+  Gui(GlfwWindow& window, std::filesystem::path assets);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  /// `interface_scale` enlarges the panels beyond what the desktop asks for.
+  void begin_frame(double interface_scale);
+  void end_frame();
+
+  float unit() const { return unit_; }
+  ImFont* bold() const { return bold_; }
+  ImFont* small() const { return small_; }
+
+  /// A panel, popup or menu lies at this framebuffer position, or has hold of the pointer.
+  bool wants_pointer(Vec2 px) const;
+  /// Text is being typed.
+  bool wants_text() const;
+  /// A popup, menu or dialog is open.
+  bool has_popup() const;
+
+ private:
+  void load_fonts(double scale);
+
+  GlfwWindow& window_;
+  std::filesystem::path assets_;
+  double font_scale_ = 0.0;
+  float unit_ = 1.0F;
+  ImFont* bold_ = nullptr;
+  ImFont* small_ = nullptr;
+};
+
+}  // namespace mes

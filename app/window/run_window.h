@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interactive window as one call.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mes {
+
+struct WindowOptions {
+  std::vector<std::string> files;  ///< the first is opened; none: a built-in shape
+  std::string executable;          ///< as the program was called; finds what comes with it
+};
+
+/// Runs until the window is closed. Exit code of the program: 0, or 4 without display or OpenGL, with one line on
+/// stderr.
+int run_window(const WindowOptions& options);
+
+}  // namespace mes

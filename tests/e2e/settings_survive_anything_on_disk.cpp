@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "app/sample_shapes.h"
+#include "app/settings.h"
+
+using namespace mes;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "mesecina-settings-XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    path = pattern;
+  }
+  ~Folder() { fs::remove_all(path); }
+};
+
+void write(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+}  // namespace
+
+TEST_CASE("what is saved is loaded") {
+  const Folder folder;
+  const fs::path path = folder.path / "new" / "settings.json";
+  Settings settings;
+  settings.spray_spacing_px = 17.5;
+  settings.window_width = 1000;
+  settings.show_statistics = true;
+  remember_file(settings, "/tmp/a.poff");
+  remember_file(settings, "/tmp/b.poff");
+  remember_file(settings, "/tmp/a.poff");
+  REQUIRE(save_settings(settings, path));
+  const LoadedSettings loaded = load_settings(path);
+  CHECK(loaded.message.empty());
+  CHECK(loaded.settings.recent_files == std::vector<std::string>{"/tmp/a.poff", "/tmp/b.poff"});
+  CHECK(loaded.settings.spray_spacing_px == 17.5);
+  CHECK(loaded.settings.window_width == 1000);
+  CHECK(loaded.settings.show_statistics);
+}
+
+TEST_CASE("the list of recent files does not grow for ever") {
+  Settings settings;
+  for (int i = 0; i < 50; ++i) remember_file(settings, "/tmp/" + std::to_string(i) + ".poff");
+  CHECK(settings.recent_files.size() == kRecentFiles);
+  CHECK(settings.recent_files.front() == "/tmp/49.poff");
+}
+
+TEST_CASE("a missing file gives the defaults without a word") {
+  const Folder folder;
+  const LoadedSettings loaded = load_settings(folder.path / "none.json");
+  CHECK(loaded.message.empty());
+  CHECK(loaded.settings.window_width == Settings{}.window_width);
+}
+
+TEST_CASE("a broken file is set aside with a message") {
+  for (const char* bytes : {"", "{", "[1,2]", "{\"schema\": 99}", "\x00\xff\xfe", "{\"schema\": \"one\"}"}) {
+    const Folder folder;
+    const fs::path path = folder.path / "settings.json";
+    write(path, bytes);
+    const LoadedSettings loaded = load_settings(path);
+    CAPTURE(bytes);
+    CHECK_FALSE(loaded.message.empty());
+    CHECK_FALSE(fs::exists(path));
+    CHECK(fs::exists(folder.path / "settings.json.broken"));
+    CHECK(save_settings(loaded.settings, path));
+  }
+}
+
+TEST_CASE("values of a wrong kind or out of range do no harm") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  write(path,
+        R"({"schema": 1, "window_width": -5, "window_height": 1e300, "spray_spacing_px": "wide",
+            "recent_files": [1, null, "/x.poff"], "show_layers": 3, "future": {"a": []}})");
+  const LoadedSettings loaded = load_settings(path);
+  CHECK(loaded.message.empty());
+  CHECK(loaded.settings.window_width == 320);
+  CHECK(loaded.settings.window_height == 16384);
+  CHECK(loaded.settings.spray_spacing_px == Settings{}.spray_spacing_px);
+  CHECK(loaded.settings.recent_files == std::vector<std::string>{"/x.poff"});
+  CHECK(loaded.settings.show_layers);
+}
+
+TEST_CASE("an unwritable place is an error, not a crash") {
+  CHECK_FALSE(save_settings({}, "/proc/nowhere/settings.json"));
+}
+
+TEST_CASE("shapes that are listed but missing are left out") {
+  const Folder folder;
+  fs::create_directory(folder.path / "shapes");
+  CHECK(read_sample_shapes(folder.path).empty());
+  write(folder.path / "shapes" / "a.poff", "POFF 0 0 0\n");
+  write(
+      folder.path / "shapes" / "index.json",
+      R"([{"file": "a.poff", "name": "A", "description": "d"}, {"file": "b.poff", "name": "B"}, 7, {"name": "C"}])");
+  const auto shapes = read_sample_shapes(folder.path);
+  REQUIRE(shapes.size() == 1);
+  CHECK(shapes[0].name == "A");
+  write(folder.path / "shapes" / "index.json", "{broken");
+  CHECK(read_sample_shapes(folder.path).empty());
+}
