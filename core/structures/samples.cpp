@@ -8,6 +8,8 @@ namespace mes {
 Samples::Samples() : Structure("samples", {}), curve_(std::make_shared<const CurveOrder>()) {}
 
 void Samples::apply(const DocumentDelta& delta) {
+  // What changes nothing makes no revision, here as in the document.
+  if (delta.is_empty()) return;
   if (delta.replaces_all()) {
     position_ = delta.after->position;
     id_ = delta.after->id;
