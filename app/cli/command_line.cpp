@@ -98,7 +98,10 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
   render->add_option("--view", to.render.view, "fit, or X0,Y0,X1,Y1: two corners of what must be seen")
       ->capture_default_str();
-  render->add_option("--scale", to.render.scale, "Factor for line widths and point sizes, as for a denser screen")
+  render
+      ->add_option("--scale", to.render.scale,
+                   "Factor for line widths and point sizes, as for a denser screen; dots of samples shrink where "
+                   "they would run together")
       ->capture_default_str();
   render->add_option("--background", to.render.background, "RRGGBB or transparent")->capture_default_str();
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();

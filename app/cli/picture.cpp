@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "app/cli/messages.h"
@@ -110,6 +111,27 @@ Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const Lay
   box.low = {within(box.low.x, samples.low.x, samples.high.x), within(box.low.y, samples.low.y, samples.high.y)};
   box.high = {within(box.high.x, samples.low.x, samples.high.x), within(box.high.y, samples.low.y, samples.high.y)};
   return box;
+}
+
+double typical_spacing(std::vector<Vec2> samples) {
+  constexpr std::size_t kProbes = 500;
+  std::ranges::sort(samples, lexicographically_less);
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+  if (samples.size() < 2) return 0.0;
+  std::vector<double> nearest;
+  const std::size_t step = std::max<std::size_t>(1, samples.size() / kProbes);
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    // Outwards in x on both sides until x alone is farther than the best.
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t k = i; k-- > 0 && samples[i].x - samples[k].x < best;)
+      best = std::min(best, distance(samples[i], samples[k]));
+    for (std::size_t k = i + 1; k < samples.size() && samples[k].x - samples[i].x < best; ++k)
+      best = std::min(best, distance(samples[i], samples[k]));
+    nearest.push_back(best);
+  }
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return *middle;
 }
 
 }  // namespace mes::cli

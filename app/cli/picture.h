@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/box2.h"
 #include "core/base/color.h"
@@ -31,5 +32,9 @@ Expected<std::optional<Rgb>> parse_background(const std::string& text);
 /// by no more than the samples' own size: one huge ball at a hole of the curve must not shrink everything else to a
 /// dot.
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
+
+/// Median distance from a sample to the nearest other one, 0 when there are no two; from a few hundred samples when
+/// there are many. O(n log n).
+double typical_spacing(std::vector<Vec2> samples);
 
 }  // namespace mes::cli

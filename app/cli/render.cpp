@@ -15,6 +15,7 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/picture.h"
+#include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/io/text_numbers.h"
@@ -88,6 +89,51 @@ render::Camera camera_for(const Picture& picture, const Box2& samples, const Lay
   return camera;
 }
 
+/// Styles as they are, but samples that stand closer than their dots are wide get smaller dots, so that they are seen
+/// one by one where pixels allow, and the curve under them.
+std::vector<render::LayerView> views_of(const Picture& picture, const render::Camera& camera,
+                                        const std::vector<Vec2>& samples) {
+  constexpr double kShareOfSpacing = 0.7;
+  constexpr double kSmallestDot = 1.5;
+  std::vector<render::LayerView> views;
+  for (const LayerIndex layer : picture.layers) {
+    LayerStyle style = layer_descriptors()[layer].style;
+    if (layer_descriptors()[layer].id == "points" && samples.size() > 1) {
+      const double spacing_px = typical_spacing(samples) / camera.units_per_pixel() / picture.scale;
+      const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
+      style.point_size_px = std::min(style.point_size_px, limit);
+    }
+    views.push_back({layer, style});
+  }
+  return views;
+}
+
+/// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
+/// seam.
+Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& scene, const render::Camera& camera,
+                                      std::span<const render::LayerView> views, const render::ImageOptions& options) {
+  constexpr std::uint64_t kMuch = 50'000;
+  constexpr int kBands = 8;
+  std::uint64_t instances = 0;
+  for (const render::LayerView& view : views)
+    for (const PrimitiveKind kind : kAllPrimitiveKinds) instances += scene.instances(view.layer, kind);
+  const int height = camera.height();
+  if (instances < kMuch || height < 2 * kBands) return render::draw_image(device, scene, camera, views, options);
+
+  Progress progress;
+  render::Image image{camera.width(), height, {}};
+  for (int band = 0; band < kBands; ++band) {
+    const int top = band * height / kBands;
+    const int bottom = (band + 1) * height / kBands;
+    const auto part =
+        render::draw_image(device, scene, camera.part(0, top, camera.width(), bottom - top), views, options);
+    if (!part) return part;
+    image.rgba.insert(image.rgba.end(), part->rgba.begin(), part->rgba.end());
+    progress.show("drawing", static_cast<double>(band + 1) / kBands);
+  }
+  return image;
+}
+
 }  // namespace
 
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
@@ -109,11 +155,10 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
                                     }});
   if (!result) return std::unexpected(result.error());
 
-  std::vector<render::LayerView> views;
-  for (const LayerIndex layer : picture->layers) views.push_back({layer, layer_descriptors()[layer].style});
   const render::Camera camera = camera_for(*picture, result->document.bounding_box(), mirror);
-  const auto image = render::draw_image(device, scene, camera, views,
-                                        {.background = picture->background, .content_scale = picture->scale});
+  const std::vector<render::LayerView> views = views_of(*picture, camera, input->data.positions);
+  const auto image = draw_in_bands(device, scene, camera, views,
+                                   {.background = picture->background, .content_scale = picture->scale});
   if (!image) return std::unexpected(image.error());
   const auto png = render::encode_png(*image, render::kPngSmall);
   if (!png) return std::unexpected(png.error());
