@@ -276,10 +276,10 @@ EARTH = "Public domain (Natural Earth)"
 
 # file, name, description, licence, how to make it, epsilon, cap and floor of the spacing
 SHAPES = [
+    ("elephant", "Elephant", "One outline: the axis runs through body, trunk, legs and tail.", CLIP_ART,
+     traced("svg_elephant_3000", 1.4), 0.3, 3.8, 0.5),
     ("lizard", "Lizard", "A gecko with spread toes and a curled tail: its medial axis is its skeleton.", CLIP_ART,
-     traced("svg_lizard_2500", 1.0), 0.32, 3.2, 0.9),
-    ("elephant", "Elephant", "One outline, wide and narrow parts, a trunk and a tail.", CLIP_ART,
-     traced("svg_elephant_3000", 1.4), 0.25, 3.0, 0.5),
+     traced("svg_lizard_2500", 1.0), 0.42, 4.4, 0.9),
     ("kanji", "Kanji", "The character for love: eight parts, narrow gaps between them, one hole.", CLIP_ART,
      traced("svg_kanji_love_3000", 0.9), 0.27, 3.4, 0.6),
     ("ampersand", "Ampersand", "A glyph of DejaVu Sans: corners send an axis branch into each of them.", DEJAVU,
