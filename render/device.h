@@ -101,7 +101,7 @@ struct DrawUniforms {
   PremultipliedColor color{};
   float dash_px = 0.0F;
   float dash_period_px = 0.0F;
-  float arc_pieces = 0.0F;  ///< quads along a circle
+  float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
   float spare = 0.0F;
   std::array<std::uint32_t, 4> center_bits{};
   std::array<std::uint32_t, 4> center_low_bits{};

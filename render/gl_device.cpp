@@ -23,7 +23,8 @@ static_assert(sizeof(DrawUniforms) == 16 * (kRealVectors + kBitVectors));
 
 /// Vertices of one instance, as a triangle strip.
 GLsizei vertices_of(const DrawCall& call) {
-  if (call.program.kind != PrimitiveKind::circle) return 4;
+  if (call.program.kind == PrimitiveKind::point) return 3;
+  if (call.program.kind != PrimitiveKind::circle || call.uniforms.arc_pieces == 0.0F) return 4;
   return 2 * (static_cast<GLsizei>(call.uniforms.arc_pieces) + 1);
 }
 

@@ -10,9 +10,9 @@
 namespace mes::render {
 namespace {
 
-// Rounding of single precision at this many pixels from the centre is a sixteenth of a pixel; beyond it lines and
-// circles are placed with more bits.
-constexpr double kNearReach = 0x1p19;
+// Beyond this many pixels from the centre lines and circles are placed with more bits. There single precision rounds
+// to 1/128 of a pixel. Smaller: costlier programs at ordinary views; larger: lines begin to shake.
+constexpr double kNearReach = 0x1p17;
 // Scales at which the drawing is far below a pixel, or a pixel far below what doubles tell apart.
 constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
@@ -76,11 +76,13 @@ float pixels(double logical, double content_scale, double low, double high) {
   return static_cast<float>(size * content_scale);
 }
 
-/// Quads along a circle: more cost vertices, fewer cost fragments between the chord and the rim.
+/// Quads along a circle: more cost vertices, fewer cost fragments between the chord and the rim. Small circles are a
+/// square each (0): measured, a square of 30 pixels costs as much as eight quads.
 float arc_pieces(double largest_radius_px) {
-  if (largest_radius_px < 6.0) return 4.0F;
-  if (largest_radius_px < 40.0) return 10.0F;
-  return largest_radius_px < 400.0 ? 20.0F : 32.0F;
+  if (largest_radius_px < 16.0) return 0.0F;
+  if (largest_radius_px < 60.0) return 8.0F;
+  if (largest_radius_px < 150.0) return 12.0F;
+  return largest_radius_px < 500.0 ? 20.0F : 32.0F;
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ flat out vec3 v_rim;  // outward normal, radius
 flat out vec2 v_dash;  // pixels along the circle of the rim point nearest to the view's centre; period of dashes
 #endif
 
-// A ring of u_arc_pieces quads along the part of the circle that can be seen.
+// A ring of u_arc_pieces quads along the part of the circle that can be seen; where all circles are small (no pieces)
+// simply a square.
 void main() {
   Rim rim = rim_of(a_center, a_radius);
   float r = min(rim.radius, 1e15);
@@ -20,18 +21,21 @@ void main() {
   float square = product > 0.0 ? (view - rim.depth) * ((view + rim.depth) / product) : 1.0;
   float limit = square >= 1.0 ? 0.5 * kTurn : min(2.02 * steady_asin(sqrt(max(square, 0.0))), 0.5 * kTurn);
 
-  float angle = limit * (2.0 * float(gl_VertexID >> 1) / u_arc_pieces - 1.0);
+  float pieces = max(u_arc_pieces, 1.0);
+  float angle = limit * (2.0 * float(gl_VertexID >> 1) / pieces - 1.0);
   float sine = steady_sin(angle);
   float half_sine = steady_sin(0.5 * angle);
   vec2 tangent = turned(rim.outward);
   vec2 on_rim = rim.nearest - (2.0 * r * half_sine * half_sine) * rim.outward + (r * sine) * tangent;
   vec2 radial = (1.0 - 2.0 * half_sine * half_sine) * rim.outward + sine * tangent;
   // Outer corners lie where tangents at the outer edge meet; the inner edges are chords and need no more room.
-  float step_sine = steady_sin(0.5 * limit / u_arc_pieces);
-  float bulge = (r + h) * (2.0 * step_sine * step_sine / cos(limit / u_arc_pieces)) + h;
+  float step_sine = steady_sin(0.5 * limit / pieces);
+  float bulge = (r + h) * (2.0 * step_sine * step_sine / cos(limit / pieces)) + h;
   vec2 px = on_rim + ((gl_VertexID & 1) == 1 ? bulge : -min(h, r)) * radial;
 
-  v_offset = px - rim.nearest;
+  if (u_arc_pieces == 0.0) px = rim.nearest - rim.outward * r + strip_corner() * (r + h);
+
+  v_offset = px - rim.anchor;
   v_rim = vec3(rim.outward, r);
 #if DASHED
   // A whole number of dashes around the circle, counted from its rightmost point, so that they neither break where the

@@ -7,15 +7,17 @@ flat out vec4 v_rim;  // outward normal, radius, alpha
 void main() {
   Rim rim = rim_of(a_center, a_radius);
   float r = rim.radius;
-  float q = sqrt(max(r * r - 1.0 / 12.0, 0.25));
+  float q = soft_radius(r);
   if (r < 1e4) {
-    // As for points: the area of the soft disk is that of the disk.
     rim.depth += r - q;
     rim.nearest = -rim.depth * rim.outward;
+#if REACH != 0
+    rim.anchor = rim.nearest;
+#endif
   } else {
     q = r;
   }
-  v_rim = vec4(rim.outward, min(q, 1e15), min(3.0 * r * r, 1.0));
+  v_rim = vec4(rim.outward, min(q, 1e15), soft_alpha(r));
 
   // The bounding square, cut to the view; around a huge disk simply the view.
   vec2 view = u_half_view + 1.0;
@@ -25,6 +27,6 @@ void main() {
     vec2 center = rim.nearest - rim.outward * q;
     px = clamp(center + corner * (q + 1.0), -view, view);
   }
-  v_offset = px - rim.nearest;
+  v_offset = px - rim.anchor;
   gl_Position = !rim.shown || rim.depth > u_view_radius + 1.0 ? kHidden : place(px);
 }

@@ -1,9 +1,13 @@
 in vec2 v_offset;
-flat in vec2 v_shape;
 out vec4 color;
 
 void main() {
-  float sd = length(v_offset) - v_shape.x;
-  if (u_ring > 0.0) sd = abs(sd) - max(u_ring, 0.5);
-  color = u_color * (clamp(0.5 - sd, 0.0, 1.0) * v_shape.y);
+  float r = u_half_width;
+  float from_center = length(v_offset);
+  if (u_ring > 0.0) {
+    float sd = abs(from_center - r) - max(u_ring, 0.5);
+    color = u_color * (clamp(0.5 - sd, 0.0, 1.0) * min(2.0 * u_ring, 1.0));
+  } else {
+    color = u_color * (clamp(0.5 - from_center + soft_radius(r), 0.0, 1.0) * soft_alpha(r));
+  }
 }

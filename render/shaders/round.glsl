@@ -6,6 +6,7 @@ struct Rim {
   float depth;   // signed distance of the view's centre from the rim, negative inside
   vec2 outward;  // unit vector from the centre of the disk to that of the view
   vec2 nearest;  // the nearest rim point, pixels from the centre of the view
+  vec2 anchor;   // where fragment programs measure from: the centre, or for what may be huge the nearest rim point
 };
 
 Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
@@ -18,6 +19,7 @@ Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
   rim.outward = reach > 0.0 ? -center / reach : vec2(1.0, 0.0);
 #if REACH == 0
   rim.depth = (reach - unit_radius) * u_pixels_per_unit;
+  rim.anchor = center * u_pixels_per_unit;
 #else
   // |c| - r cancels when both are huge: (c.c - r.r) / (|c| + r), with the difference in `Wide`.
   WideVec2 c = wide_offset(center_bits);
@@ -27,6 +29,9 @@ Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
   rim.depth = both > 0.0 ? narrow(power) / both * u_pixels_per_unit : 0.0;
 #endif
   rim.nearest = -rim.depth * rim.outward;
+#if REACH != 0
+  rim.anchor = rim.nearest;
+#endif
   return rim;
 }
 

@@ -19,3 +19,8 @@ uniform uvec4 u_bits[2];
 // Strokes thinner than a pixel keep that width and fade instead.
 float shown_half_width() { return max(u_half_width, 0.5); }
 float stroke_alpha() { return min(2.0 * u_half_width, 1.0); }
+
+// A ramp one pixel wide around radius q covers pi (q^2 + 1/12). A disk of radius r is therefore drawn with a radius a
+// little smaller, so that its area is right; below the radius where that fails, a cone of fixed size fades.
+float soft_radius(float r) { return sqrt(max(r * r - 1.0 / 12.0, 0.25)); }
+float soft_alpha(float r) { return min(3.0 * r * r, 1.0); }
