@@ -107,7 +107,9 @@ void Curve::set_normals(const Chain& chain) {
   const std::size_t n = chain.sites.size();
   // Right of the direction: outside, when the inside is on the left.
   const auto unit_normal = [&](Slot from, Slot to) {
-    const Vec2 d = delaunay_.site_position(to) - delaunay_.site_position(from);
+    Vec2 d = delaunay_.site_position(to) - delaunay_.site_position(from);
+    // Near the largest doubles the difference or its length overflows.
+    if (!std::isfinite(length(d))) d = 0.25 * delaunay_.site_position(to) - 0.25 * delaunay_.site_position(from);
     const double size = length(d);
     return size > 0.0 ? Vec2{d.y / size, -d.x / size} : Vec2{};
   };

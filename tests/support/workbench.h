@@ -41,6 +41,7 @@ class Workbench {
   void move(SampleId id, Vec2 to);
   void undo();
   void redo();
+  std::size_t steps_done() const { return history_.position(); }
 
   const Document& document() const { return document_; }
   const Graph& graph() const { return graph_; }
