@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine's guarantees, one by one. Where the moment matters, its thread is held in the `wake` callback, so that
+// nothing depends on how fast the machine is.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <condition_variable>
+#include <mutex>
+
+#include "core/base/rng.h"
+#include "core/engine/engine.h"
+#include "tests/support/shapes_benchmark.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+// Holds the engine's thread where it reports; open unless closed.
+class Gate {
+ public:
+  void pass() {
+    std::unique_lock lock(mutex_);
+    ++arrivals_;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return open_; });
+  }
+  void close() {
+    const std::lock_guard lock(mutex_);
+    open_ = false;
+    arrivals_ = 0;
+  }
+  void open() {
+    const std::lock_guard lock(mutex_);
+    open_ = true;
+    changed_.notify_all();
+  }
+  /// Waits until the engine stands at the closed gate.
+  void await() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return arrivals_ > 0; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool open_ = true;
+  int arrivals_ = 0;
+};
+
+// A window's side of the engine: document, history, and what the patches have drawn.
+class Client {
+ public:
+  Client() : engine_(std::make_unique<Engine>(Engine::Options{[this] { gate_.pass(); }})) {}
+  ~Client() { gate_.open(); }
+
+  Engine& engine() { return *engine_; }
+  Gate& gate() { return gate_; }
+  const Document& document() const { return document_; }
+  const LayerContents& contents() const { return contents_; }
+  const FramePatch& last() const { return *last_; }
+  int patches() const { return patches_; }
+  void destroy() { engine_.reset(); }
+
+  void demand(std::vector<std::string_view> ids) {
+    std::vector<LayerIndex> layers;
+    for (const std::string_view id : ids) layers.push_back(find_layer(id));
+    engine_->set_demand(layers);
+  }
+  void replace(const std::vector<Vec2>& positions) {
+    SampleData data;
+    data.positions = positions;
+    post(replace_all(document_, data));
+  }
+  void insert(const std::vector<Vec2>& positions) { post(insert_samples(document_, positions)); }
+  void remove(SampleId id) { post(remove_samples(document_, std::vector{id})); }
+  void move(SampleId id, Vec2 to) { post(move_samples(document_, std::vector{std::pair{id, to}})); }
+  void undo() {
+    for (const DocumentDelta& delta : history_.undo()) {
+      document_.apply(delta);
+      engine_->post(std::make_shared<const DocumentDelta>(delta));
+    }
+  }
+  /// Takes everything that is ready when all work is done.
+  void sync() {
+    patches_ = 0;
+    while (auto patch = engine_->sync()) {
+      contents_.apply(*patch);
+      mirror_.apply(*patch);
+      ++patches_;
+      engine_->recycle(std::move(last_));
+      last_ = std::move(patch);
+    }
+  }
+  std::vector<Vec2> positions() const {
+    std::vector<Vec2> out;
+    for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
+    return out;
+  }
+  std::vector<SampleId> ids() const {
+    std::vector<SampleId> out;
+    for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
+    return out;
+  }
+  /// The layers that the last patch brings something for.
+  std::vector<std::string_view> layers_in_last() const {
+    std::vector<std::string_view> out;
+    for (std::size_t i = 0; i < last_->layer_count; ++i)
+      out.push_back(layer_descriptors()[last_->layers[i].layer].id);
+    return out;
+  }
+  const NodeReport& report(std::string_view structure) const {
+    const auto found = std::ranges::find(last_->nodes, structure, &NodeReport::structure);
+    REQUIRE(found != last_->nodes.end());
+    return *found;
+  }
+
+ private:
+  void post(const Expected<DocumentDelta>& delta) {
+    REQUIRE(delta.has_value());
+    if (delta->is_empty()) return;
+    document_.apply(*delta);
+    history_.record(*delta);
+    engine_->post(std::make_shared<const DocumentDelta>(*delta));
+  }
+
+  Document document_;
+  History history_;
+  Gate gate_;
+  LayerContents contents_;
+  LayerMirror mirror_;
+  std::unique_ptr<FramePatch> last_;
+  int patches_ = 0;
+  std::unique_ptr<Engine> engine_;  // last: its thread passes the gate
+};
+
+// Instances without what depends on history: the numbers that points carry as their scalar.
+std::vector<std::vector<double>> drawn(const LayerContents& contents, LayerIndex layer) {
+  auto out = contents.sorted(layer);
+  if (layer == find_layer("points"))
+    for (auto& instance : out) instance.back() = 0.0;
+  return out;
+}
+
+// Every demanded layer holds what a fresh graph of the same samples draws.
+void check_layers(const Client& client, const std::vector<LayerIndex>& layers) {
+  const Workbench fresh(client.positions());
+  for (const LayerIndex layer : layers) {
+    if (layer == find_layer("last-change")) continue;
+    INFO(layer_descriptors()[layer].id);
+    const bool same = drawn(client.contents(), layer) == drawn(fresh.contents(), layer);
+    CHECK(same);
+  }
+}
+
+std::vector<Vec2> many(std::size_t n) {
+  return uniform_square(n, 5);
+}
+
+}  // namespace
+
+TEST_CASE("sync gives the same instances as the graph") {
+  Client client;
+  client.engine().set_demand(all_layers());
+  for (const auto& positions : {benchmark_curve(500), noisy_curve(300), uniform_square(200), std::vector<Vec2>{}}) {
+    client.replace(positions);
+    client.sync();
+    CHECK(client.last().complete);
+    CHECK(client.last().document_revision == client.document().revision());
+    check_layers(client, all_layers());
+  }
+}
+
+TEST_CASE("an edit sends changes only, and undo restores the instances") {
+  Client client;
+  client.engine().set_demand(all_layers());
+  client.replace(benchmark_curve(2000));
+  client.sync();
+  std::vector<std::vector<std::vector<double>>> before;
+  for (const LayerIndex layer : all_layers()) before.push_back(drawn(client.contents(), layer));
+
+  const SampleId id = client.ids()[700];
+  client.move(id, client.positions()[700] + Vec2{0.3, 0.2});
+  client.sync();
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < client.last().layer_count; ++i) {
+    // Normals are sent again for the whole chain through the edit.
+    if (client.last().layers[i].layer == find_layer("curve-normals")) continue;
+    for (const KindPatch& kind : client.last().layers[i].kinds) {
+      CHECK_FALSE(kind.reset);
+      numbers += kind.data.size();
+    }
+  }
+  CHECK(numbers > 0);
+  CHECK(numbers < 3000);
+  check_layers(client, all_layers());
+  client.insert({{1.0, 2.0}, {3.0, 4.0}});
+  client.remove(client.ids()[100]);
+  client.sync();
+  check_layers(client, all_layers());
+  for (int i = 0; i < 3; ++i) client.undo();
+  client.sync();
+  for (const LayerIndex layer : all_layers()) {
+    if (layer == find_layer("last-change")) continue;
+    INFO(layer_descriptors()[layer].id);
+    const bool same = drawn(client.contents(), layer) == before[layer];
+    CHECK(same);
+  }
+}
+
+TEST_CASE("posts that come while the engine is busy are computed as one step") {
+  Client client;
+  client.demand({"points", "medial-axis"});
+  client.replace(benchmark_curve(300));
+  client.sync();
+  client.gate().close();
+  client.insert({{0.0, 0.0}});
+  client.gate().await();
+  CHECK(client.engine().status().busy);
+  for (int i = 0; i < 60; ++i) client.insert({{1.0 + i, 0.5 * i}});
+  client.gate().open();
+  client.sync();
+  // One patch for the run that was held, one for all the others.
+  CHECK(client.patches() == 2);
+  CHECK(client.last().document_revision == client.document().revision());
+  CHECK(client.contents().count(find_layer("points"), PrimitiveKind::point) == 361);
+  check_layers(client, {find_layer("points"), find_layer("medial-axis")});
+}
+
+TEST_CASE("poll never waits, and gives patches in order") {
+  Client client;
+  client.demand({"points"});
+  client.replace(benchmark_curve(100));
+  client.sync();
+  CHECK(client.engine().poll() == nullptr);
+  client.gate().close();
+  client.insert({{0.0, 0.0}});
+  client.gate().await();
+  CHECK(client.engine().poll() == nullptr);
+  CHECK(client.engine().status().busy);
+  client.gate().open();
+  std::vector<std::uint64_t> revisions;
+  while (revisions.empty() || revisions.back() != client.document().revision()) {
+    if (auto patch = client.engine().poll()) revisions.push_back(patch->document_revision);
+  }
+  CHECK(std::ranges::is_sorted(revisions));
+  client.sync();
+  CHECK_FALSE(client.engine().status().busy);
+  CHECK(client.engine().status().task.empty());
+}
+
+TEST_CASE("a layer that comes into demand is sent whole, others are not sent again") {
+  Client client;
+  client.demand({"points"});
+  client.replace(benchmark_curve(200));
+  client.sync();
+  CHECK(client.layers_in_last() == std::vector<std::string_view>{"points"});
+  client.demand({"points", "curve"});
+  client.sync();
+  CHECK(client.layers_in_last() == std::vector<std::string_view>{"curve"});
+  CHECK(client.last().layers[0][PrimitiveKind::segment].reset);
+  check_layers(client, {find_layer("points"), find_layer("curve")});
+  // Gone, changed behind its back, and back.
+  client.demand({"points"});
+  client.insert({{0.0, 0.0}});
+  client.sync();
+  client.demand({"points", "curve"});
+  client.sync();
+  CHECK(client.last().layers[0][PrimitiveKind::segment].reset);
+  check_layers(client, {find_layer("points"), find_layer("curve")});
+}
+
+TEST_CASE("hidden layers cost nothing") {
+  Client client;
+  client.demand({"points"});
+  client.replace(benchmark_curve(200));
+  client.sync();
+  for (const NodeReport& node : client.last().nodes) {
+    INFO(node.structure);
+    CHECK(node.state == (node.structure == "samples" ? NodeState::up_to_date : NodeState::inactive));
+  }
+  for (const LayerReport& layer : client.last().reports)
+    CHECK(layer.state == (layer.layer == find_layer("points") ? NodeState::up_to_date : NodeState::inactive));
+  client.demand({"delaunay"});
+  client.sync();
+  CHECK(client.report("delaunay").state == NodeState::up_to_date);
+  CHECK(client.report("one-step-crust").state == NodeState::inactive);
+  client.demand({});
+  client.insert({{0.0, 0.0}});
+  client.sync();
+  CHECK(client.last().layer_count == 0);
+  CHECK(client.last().document_revision == client.document().revision());
+  CHECK(client.report("delaunay").state == NodeState::inactive);
+}
+
+TEST_CASE("statistics come only while they are wanted") {
+  Client client;
+  client.demand({"medial-axis"});
+  client.replace(benchmark_curve(200));
+  client.sync();
+  for (const NodeReport& node : client.last().nodes) CHECK(node.stats.empty());
+  client.engine().set_want_statistics(true);
+  client.sync();
+  CHECK(client.patches() == 1);
+  CHECK(client.last().layer_count == 0);
+  for (const NodeReport& node : client.last().nodes) {
+    INFO(node.structure);
+    CHECK(node.stats.empty() == (node.state == NodeState::inactive));
+  }
+  client.insert({{0.0, 0.0}});
+  client.sync();
+  for (const Stat& stat : client.report("samples").stats)
+    if (stat.key == "samples") CHECK(std::get<std::int64_t>(stat.value) == 201);
+  client.engine().set_want_statistics(false);
+  client.sync();
+  for (const NodeReport& node : client.last().nodes) CHECK(node.stats.empty());
+}
+
+TEST_CASE("cancel ends a long computation, and resume finishes it") {
+  Client client;
+  client.demand({"points", "delaunay", "medial-axis"});
+  client.gate().close();
+  client.replace(many(20000));
+  client.gate().await();
+  client.engine().cancel();
+  client.gate().open();
+  client.sync();
+  CHECK(client.engine().status().cancelled);
+  CHECK_FALSE(client.engine().status().busy);
+  if (client.patches() > 0) CHECK_FALSE(client.last().complete);
+  CHECK(client.contents().count(find_layer("delaunay"), PrimitiveKind::segment) == 0);
+  // Nothing happens by itself.
+  client.sync();
+  CHECK(client.patches() == 0);
+  client.engine().resume();
+  client.sync();
+  CHECK_FALSE(client.engine().status().cancelled);
+  CHECK(client.last().complete);
+  CHECK(client.last().document_revision == client.document().revision());
+  check_layers(client, {find_layer("points"), find_layer("delaunay"), find_layer("medial-axis")});
+}
+
+TEST_CASE("an edit after cancel goes on with everything") {
+  Client client;
+  client.demand({"points", "curve"});
+  client.replace(benchmark_curve(5000));
+  client.sync();
+  client.gate().close();
+  client.replace(many(20000));
+  client.gate().await();
+  client.engine().cancel();
+  client.gate().open();
+  client.sync();
+  REQUIRE(client.engine().status().cancelled);
+  client.insert({{1.0, 1.0}});
+  client.sync();
+  CHECK_FALSE(client.engine().status().cancelled);
+  CHECK(client.last().complete);
+  check_layers(client, {find_layer("points"), find_layer("curve")});
+}
+
+TEST_CASE("cancelling idle work changes nothing") {
+  Client client;
+  client.demand({"curve"});
+  client.replace(benchmark_curve(100));
+  client.sync();
+  client.engine().cancel();
+  CHECK_FALSE(client.engine().status().cancelled);
+  client.insert({{0.0, 0.0}});
+  client.sync();
+  CHECK(client.last().complete);
+  check_layers(client, {find_layer("curve")});
+}
+
+TEST_CASE("replacing everything supersedes what is being computed") {
+  Client client;
+  client.demand({"points", "delaunay"});
+  client.gate().close();
+  client.replace(many(20000));
+  client.gate().await();
+  client.replace(benchmark_curve(100));
+  client.gate().open();
+  bool was_cut_short = false;
+  while (auto patch = client.engine().sync()) was_cut_short = was_cut_short || !patch->complete;
+  CHECK(was_cut_short);
+  // The patches above were not kept; the whole picture comes with fresh demand.
+  client.demand({});
+  client.sync();
+  client.demand({"points", "delaunay"});
+  client.sync();
+  check_layers(client, {find_layer("points"), find_layer("delaunay")});
+}
+
+TEST_CASE("an engine can be destroyed at any moment") {
+  // Busy, at several points of the work.
+  for (int i = 0; i < 12; ++i) {
+    Client client;
+    client.engine().set_demand(all_layers());
+    client.gate().close();
+    client.replace(many(20000));
+    client.gate().await();
+    client.gate().open();
+    for (int look = 0; look < i * 20000; ++look) client.engine().status();
+    client.destroy();
+  }
+  // With work that nobody took, with cancelled work, and before it was ever used.
+  for (int i = 0; i < 100; ++i) {
+    Client client;
+    if (i % 3 == 0) continue;
+    client.demand({"curve"});
+    client.replace(benchmark_curve(50));
+    if (i % 3 == 1) client.engine().cancel();
+  }
+  SUCCEED("all of them came to an end");
+}
+
+TEST_CASE("any mixture of edits, undo and demand ends in the right picture") {
+  Rng rng(9);
+  Client client;
+  std::vector<LayerIndex> shown = all_layers();
+  client.engine().set_demand(shown);
+  client.replace(noisy_curve(120));
+  for (int step = 0; step < 250; ++step) {
+    const std::vector<SampleId> ids = client.ids();
+    switch (rng.below(8)) {
+      case 0:
+      case 1: client.insert({{rng.uniform(-200.0, 200.0), rng.uniform(-200.0, 200.0)}}); break;
+      case 2:
+        if (ids.size() > 30) client.remove(ids[rng.below(ids.size())]);
+        break;
+      case 3:
+      case 4: {
+        const std::size_t at = rng.below(ids.size());
+        client.move(ids[at], client.positions()[at] + Vec2{rng.uniform(-9.0, 9.0), rng.uniform(-9.0, 9.0)});
+        break;
+      }
+      case 5: client.undo(); break;
+      case 6:
+        shown.clear();
+        for (const LayerIndex layer : all_layers())
+          if (rng.below(3) == 0) shown.push_back(layer);
+        client.engine().set_demand(shown);
+        break;
+      default: client.engine().set_want_statistics(rng.below(2) == 0);
+    }
+    // Often several of these fall into one run.
+    if (rng.below(3) == 0) continue;
+    INFO("step " << step);
+    client.sync();
+    check_layers(client, shown);
+  }
+}
