@@ -18,16 +18,12 @@ void AskUnsaved::close() {
 }
 
 AskUnsaved::Answer AskUnsaved::draw(const Gui& gui) {
-  if (!is_open_) return Answer::none;
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
   Answer answer = Answer::none;
-  if (ImGui::BeginPopupModal(
-          kTitle, nullptr,
-          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+  if (Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     ImGui::PushFont(gui.bold());
     ImGui::Text("%s has changes that are not saved", title_.c_str());
     ImGui::PopFont();
@@ -38,10 +34,7 @@ AskUnsaved::Answer AskUnsaved::draw(const Gui& gui) {
     if (ImGui::Button("Don't save", size)) answer = Answer::discard;
     ImGui::SameLine();
     if (ImGui::Button("Cancel", size)) answer = Answer::cancel;
-    if (answer != Answer::none) {
-      is_open_ = false;
-      ImGui::CloseCurrentPopup();
-    }
+    if (answer != Answer::none) is_open_ = false;
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

@@ -188,18 +188,13 @@ bool FileBrowser::draw_overwrite_question(const Gui& gui) {
 }
 
 std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
-  if (!is_open_) return std::nullopt;
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size(std::min(640 * unit, screen.x - 24 * unit), std::min(520 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.45F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   std::optional<fs::path> out;
-  if (!ImGui::BeginPopupModal(
-          kTitle, nullptr,
-          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
-    return out;
+  if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
   ImGui::TextUnformatted(is_saving_ ? "Save samples as" : "Open samples");
   ImGui::PopFont();
@@ -238,7 +233,6 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
     out = overwrite_;
   }
   if (out) is_open_ = false;
-  if (!is_open_) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return out;
 }

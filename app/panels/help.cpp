@@ -32,15 +32,15 @@ void heading(const PanelContext& context, std::string_view text) {
 
 void row(const PanelContext& context, std::span<const std::string_view> keys, std::string_view text, float text_at) {
   const float unit = context.gui.unit();
-  const float start = ImGui::GetCursorPosX();
+  const ImVec2 start = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, 4 * unit);
     key_cap(context, keys[i]);
   }
-  if (keys.empty()) ImGui::Dummy({1, ImGui::GetTextLineHeight() + 4 * unit});
-  ImGui::SameLine(start + text_at);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * unit);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddText({start.x + text_at, start.y + 2 * unit}, theme::kText, text.data(),
+                                      text.data() + text.size());
+  ImGui::SetCursorScreenPos(after);
 }
 
 void group(const PanelContext& context, ActionGroup which, float text_at) {
@@ -52,41 +52,39 @@ void group(const PanelContext& context, ActionGroup which, float text_at) {
 }  // namespace
 
 void draw_help(const PanelContext& context, bool* open) {
-  if (!*open) return;
   const float unit = context.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(960 * unit, screen.x - 24 * unit), std::min(640 * unit, screen.y - 24 * unit));
+  const ImVec2 size(std::min(1000 * unit, screen.x - 24 * unit), std::min(660 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32_WHITE);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 4 * unit});
-  if (!ImGui::IsPopupOpen("##help")) ImGui::OpenPopup("##help");
-  if (ImGui::BeginPopupModal(
-          "##help", nullptr,
-          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+  if (Gui::begin_dialog("##help", *open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
     ImGui::PushFont(context.gui.bold());
     ImGui::TextUnformatted("Keys and gestures");
     ImGui::PopFont();
     ImGui::SameLine(size.x - 48 * unit);
-    if (icon_button("close", Icon::close, 24 * unit, false, true)) *open = false;
+    if (icon_button("close", Icon::close, 24 * unit)) *open = false;
     ImGui::BeginChild("page");
     const int columns = size.x > 820 * unit ? 3 : 2;
     if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
-      const float text_at = 118 * unit;
       ImGui::TableNextColumn();
-      group(context, ActionGroup::file, text_at);
-      group(context, ActionGroup::tools, text_at);
-      group(context, ActionGroup::compute, text_at);
-      group(context, ActionGroup::help, text_at);
+      group(context, ActionGroup::file, 118 * unit);
+      group(context, ActionGroup::tools, 118 * unit);
+      group(context, ActionGroup::view, 118 * unit);
       ImGui::TableNextColumn();
-      group(context, ActionGroup::edit, 150 * unit);
+      group(context, ActionGroup::edit, 168 * unit);
+      group(context, ActionGroup::compute, 168 * unit);
+      group(context, ActionGroup::help, 168 * unit);
       ImGui::TableNextColumn();
-      group(context, ActionGroup::view, text_at);
       heading(context, "With the mouse");
       for (const GestureDescriptor& gesture : gesture_descriptors()) {
         key_cap(context, gesture.input);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
         ImGui::TextWrapped("%.*s", static_cast<int>(gesture.meaning.size()), gesture.meaning.data());
+        ImGui::PopStyleColor();
+        ImGui::Dummy({0, 2 * unit});
       }
       ImGui::EndTable();
     }
@@ -94,7 +92,6 @@ void draw_help(const PanelContext& context, bool* open) {
     const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
     if (beside) *open = false;
-    if (!*open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

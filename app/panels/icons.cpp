@@ -121,18 +121,20 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
   }
 }
 
-bool icon_button(const char* id, Icon icon, float size, bool chosen, bool enabled) {
+bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::InvisibleButton(id, {size, size});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
-  if (chosen)
+  if (look == ButtonLook::chosen)
     list.AddRectFilled(at, {at.x + size, at.y + size}, theme::kAccent, rounding);
-  else if (ImGui::IsItemHovered())
+  else if (look == ButtonLook::on || ImGui::IsItemHovered())
     list.AddRectFilled(at, {at.x + size, at.y + size}, theme::kAccentSoft, rounding);
   const float inset = 0.16F * size;
-  const ImU32 color = chosen ? IM_COL32_WHITE : enabled ? theme::kText : IM_COL32(0xB4, 0xBA, 0xC1, 0xFF);
+  ImU32 color = enabled ? theme::kText : IM_COL32(0xB4, 0xBA, 0xC1, 0xFF);
+  if (look == ButtonLook::chosen) color = IM_COL32_WHITE;
+  if (look == ButtonLook::on) color = theme::kAccent;
   draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, color);
   ImGui::EndDisabled();
   return clicked;

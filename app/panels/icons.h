@@ -27,7 +27,13 @@ enum class Icon : std::uint8_t {
 /// Draws the icon into the square `size` wide at `at`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
 
-/// A square button with an icon; `chosen` is drawn as pressed. True when it was clicked.
-bool icon_button(const char* id, Icon icon, float size, bool chosen, bool enabled);
+enum class ButtonLook : std::uint8_t {
+  plain,
+  chosen,  ///< the one of several that is in use
+  on,      ///< a switch that is on
+};
+
+/// A square button with an icon. True when it was clicked.
+bool icon_button(const char* id, Icon icon, float size, ButtonLook look = ButtonLook::plain, bool enabled = true);
 
 }  // namespace mes

@@ -160,7 +160,7 @@ void draw_problem(const PanelContext& context, ImVec2 at, float width) {
   ImGui::PopStyleColor();
   ImGui::SameLine(wanted - 30 * unit);
   ImGui::SetCursorPosY(start);
-  if (icon_button("close", Icon::close, 1.2F * size, false, true)) context.messages.clear_problem();
+  if (icon_button("close", Icon::close, 1.2F * size)) context.messages.clear_problem();
   tooltip(context.gui, "Close");
   ImGui::End();
   ImGui::PopStyleColor(2);

@@ -8,8 +8,10 @@ namespace {
 
 void action_button(const PanelContext& context, ActionId id, Icon icon, float size) {
   const bool enabled = context.actions.is_enabled(id);
-  if (icon_button(descriptor_of(id).public_id.data(), icon, size, context.actions.is_checked(id), enabled))
-    context.actions.run(id);
+  ButtonLook look = ButtonLook::plain;
+  if (context.actions.is_checked(id))
+    look = descriptor_of(id).group == ActionGroup::tools ? ButtonLook::chosen : ButtonLook::on;
+  if (icon_button(descriptor_of(id).public_id.data(), icon, size, look, enabled)) context.actions.run(id);
   tooltip(context.gui, tooltip_of(id));
 }
 

@@ -54,7 +54,7 @@ void App::run() {
       window_->poll();
     else
       window_->wait(next_wait());
-    deliver_pointer();
+    deliver_events();
     take_read_file();
     picture_.take_from(engine_);
     frame();
@@ -110,8 +110,7 @@ void App::frame() {
   canvas_.advance(seconds);
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
-  picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.tool().feedback().hovered,
-                canvas_.content_scale());
+  picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.content_scale());
   gui_.end_frame();
   window_->swap();
   update_title();
@@ -161,9 +160,15 @@ void App::draw_pointer_marks() {
   if (!over_canvas) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float unit = gui_.unit();
+  const Slot hovered = feedback.hovered;
   const auto at = [unit](Vec2 px) {
     return ImVec2(static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit);
   };
+  if (hovered != kNoSlot && editor_.document().is_alive(hovered)) {
+    const Vec2 px =
+        (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(editor_.document().position(hovered));
+    list.AddCircle(at(px), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+  }
   if (feedback.box_px) {
     list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccentSoft);
     list.AddRect(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccent, 0.0F, 0, unit);

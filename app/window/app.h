@@ -2,6 +2,7 @@
 // The window program: owns everything, passes events on, draws frames when something changed and sleeps otherwise.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -52,7 +53,9 @@ class App final : private WindowListener {
   void on_files_dropped(std::vector<std::string> files) override;
   void on_close_wanted() override;
   void on_anything() override;
-  void deliver_pointer();
+  void deliver_events();
+  void follow_pointer(Vec2 px, Modifiers modifiers);
+  int dialog() const;
   bool close_top_dialog(const KeyChord& chord);
   void run_by_key(const KeyChord& chord, bool repeated);
 
@@ -115,9 +118,12 @@ class App final : private WindowListener {
   int frames_wanted_ = 3;  // the panels need a few frames to settle after an event
   double last_frame_ = 0.0;
   std::uint64_t demand_seen_ = 0;
+  struct Event {
+    bool is_move = false;
+    std::function<void()> run;
+  };
+  std::deque<Event> events_;  // not yet acted on
   Vec2 pointer_px_{-1, -1};
-  Modifiers pointer_modifiers_;
-  bool pointer_moved_ = false;  // and the canvas has not heard of it: of many moves only the last one counts
 };
 
 }  // namespace mes

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Events of the window: panels have first refusal, then the canvas, then the table of actions.
+#include <algorithm>
+
 #include "app/window/app.h"
 
 namespace mes {
@@ -15,38 +17,59 @@ void App::on_anything() {
 
 void App::on_pointer_moved(Vec2 px, Modifiers modifiers) {
   pointer_px_ = px;
-  pointer_modifiers_ = modifiers;
-  pointer_moved_ = true;
+  events_.push_back({true, [this, px, modifiers] { follow_pointer(px, modifiers); }});
 }
 
-void App::deliver_pointer() {
-  if (!pointer_moved_) return;
-  pointer_moved_ = false;
-  if (canvas_.has_pointer() || !gui_.wants_pointer(pointer_px_))
-    canvas_.move(pointer_px_, pointer_modifiers_);
+void App::follow_pointer(Vec2 px, Modifiers modifiers) {
+  if (canvas_.has_pointer() || !gui_.wants_pointer(px))
+    canvas_.move(px, modifiers);
   else
     canvas_.leave();
 }
 
+// Which dialog has the keys now.
+int App::dialog() const {
+  return (show_help_ ? 1 : 0) + (ask_unsaved_.is_open() ? 2 : 0) + (browser_.is_open() ? 4 : 0);
+}
+
+// Events that came with one that opened or closed a dialog wait for the next frame, when it is really there (or
+// gone): on a slow machine a whole sentence of keys can arrive between two frames, and each must reach whom it was
+// meant for.
+void App::deliver_events() {
+  const int before = dialog();
+  while (!events_.empty() && dialog() == before) {
+    const Event event = std::move(events_.front());
+    events_.pop_front();
+    // Of many moves in a row the last one says all, but to a stroke being drawn.
+    const bool is_stroke = canvas_.tool_id() == ToolId::spray && canvas_.has_pointer();
+    if (event.is_move && !is_stroke && !events_.empty() && events_.front().is_move) continue;
+    event.run();
+  }
+  if (!events_.empty()) frames_wanted_ = std::max(frames_wanted_, 2);
+}
+
 void App::on_pointer_left() {
-  if (!canvas_.has_pointer()) canvas_.leave();
-  pointer_moved_ = false;
+  events_.push_back({false, [this] {
+                       if (!canvas_.has_pointer()) canvas_.leave();
+                     }});
 }
 
 void App::on_button(PointerButton button, bool pressed, Modifiers modifiers) {
-  deliver_pointer();
-  if (!pressed) {
-    canvas_.release(button, pointer_px_, modifiers);
-    return;
-  }
-  if (canvas_.has_pointer() || gui_.wants_pointer(pointer_px_)) return;
-  messages_.clear_remark();
-  canvas_.press(button, pointer_px_, modifiers);
+  events_.push_back({false, [this, button, pressed, modifiers, px = pointer_px_] {
+                       if (!pressed) {
+                         canvas_.release(button, px, modifiers);
+                         return;
+                       }
+                       if (canvas_.has_pointer() || gui_.wants_pointer(px)) return;
+                       messages_.clear_remark();
+                       canvas_.press(button, px, modifiers);
+                     }});
 }
 
 void App::on_wheel(double steps) {
-  if (!canvas_.has_pointer() && gui_.wants_pointer(pointer_px_)) return;
-  canvas_.wheel(pointer_px_, steps);
+  events_.push_back({false, [this, steps, px = pointer_px_] {
+                       if (canvas_.has_pointer() || !gui_.wants_pointer(px)) canvas_.wheel(px, steps);
+                     }});
 }
 
 // Dialogs take all keys; Esc (and for the help page its own keys) closes them.
@@ -81,12 +104,12 @@ void App::run_by_key(const KeyChord& chord, bool repeated) {
 }
 
 void App::on_key(const KeyChord& chord, bool repeated) {
-  run_by_key(chord, repeated);
+  events_.push_back({false, [this, chord, repeated] { run_by_key(chord, repeated); }});
 }
 
 void App::on_typed(char32_t symbol, bool repeated) {
   const KeyChord chord{symbol, {}};
-  if (is_typed_symbol(chord)) run_by_key(chord, repeated);
+  if (is_typed_symbol(chord)) events_.push_back({false, [this, chord, repeated] { run_by_key(chord, repeated); }});
 }
 
 void App::on_space(bool held) {

@@ -66,10 +66,9 @@ void App::save() {
 }
 
 void App::ask_save_as() {
-  const fs::path folder = files_.file().empty() ? browse_folder() : files_.file().parent_path();
   std::string name = fs::path(files_.title()).stem().string();
   std::ranges::replace(name, '/', '-');
-  browser_.ask_save(folder, name + ".poff");
+  browser_.ask_save(browse_folder(), name + ".poff");
 }
 
 bool App::save_as(const fs::path& file) {
@@ -86,6 +85,7 @@ bool App::save_as(const fs::path& file) {
 
 fs::path App::browse_folder() const {
   std::error_code error;
+  if (!files_.file().empty()) return files_.file().parent_path();
   if (!settings_.last_folder.empty() && fs::is_directory(settings_.last_folder, error)) return settings_.last_folder;
   return fs::current_path(error);
 }

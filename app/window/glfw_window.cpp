@@ -128,10 +128,7 @@ void GlfwWindow::install_callbacks() {
     ImGui_ImplGlfw_MouseButtonCallback(window, button, action, bits);
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window, &x, &y);
-    self->listener_->on_pointer_moved(self->to_framebuffer(x, y), modifiers_of(bits));
+    // It happened where the last move ended; asking for the position now would give that of later events.
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const PointerButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? PointerButton::left
                                 : button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::right

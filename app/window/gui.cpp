@@ -97,8 +97,10 @@ bool Gui::wants_pointer(Vec2 px) const {
   if (context.ActiveId != 0 || has_popup()) return true;
   const double ratio = window_.pixel_ratio();
   const ImVec2 at(static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio));
+  // Popups are known by the stack of open ones; their windows outlive them by a frame.
+  constexpr int kNotPanels = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
   for (const ImGuiWindow* window : context.Windows) {
-    if (!window->WasActive || window->Hidden || (window->Flags & ImGuiWindowFlags_NoMouseInputs) != 0) continue;
+    if (!window->Active || window->Hidden || (window->Flags & kNotPanels) != 0) continue;
     if (window->OuterRectClipped.Contains(at)) return true;
   }
   return false;
@@ -106,6 +108,17 @@ bool Gui::wants_pointer(Vec2 px) const {
 
 bool Gui::wants_text() const {
   return ImGui::GetIO().WantTextInput;
+}
+
+bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
+  const bool was_open = ImGui::IsPopupOpen(id);
+  if (!open && !was_open) return false;
+  if (!was_open) ImGui::OpenPopup(id);
+  if (!ImGui::BeginPopupModal(id, nullptr, flags | ImGuiWindowFlags_NoSavedSettings)) return false;
+  if (open) return true;
+  ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+  return false;
 }
 
 bool Gui::has_popup() const {

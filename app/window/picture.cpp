@@ -2,13 +2,11 @@
 #include "app/window/picture.h"
 
 #include <algorithm>
-#include <array>
 
 namespace mes {
 namespace {
 
 constexpr std::uint32_t kSelectionMark = 0;
-constexpr std::uint32_t kHoverMark = 1;
 constexpr double kFailedOpacity = 0.35;
 
 // The last good picture of a failed layer stays, drained of its colour.
@@ -33,6 +31,7 @@ bool Picture::take_from(Engine& engine) {
     nodes_.swap(patch->nodes);
     engine.recycle(std::move(patch));
     took = true;
+    ++patches_;
   }
   return took;
 }
@@ -72,32 +71,61 @@ void Picture::mark_selection(const Editor& editor) {
   scene_.set_overlay(kSelectionMark, {PrimitiveKind::point, mark_data_, style, false});
 }
 
-void Picture::mark_hovered(const Editor& editor, Slot hovered) {
-  if (hovered == kNoSlot || !editor.document().is_alive(hovered)) {
-    scene_.clear_overlay(kHoverMark);
-    return;
+// The picture without panels, for frames in which it stays the same.
+void Picture::keep(int width, int height) {
+  GLuint name = kept_.get();
+  if (name == 0) {
+    glGenTextures(1, &name);
+    kept_ = render::GlTexture(name);
+    GLuint reader = 0;
+    glGenFramebuffers(1, &reader);
+    kept_reader_ = render::GlFramebuffer(reader);
   }
-  const Vec2 p = editor.document().position(hovered);
-  const std::array<double, 3> point{p.x, p.y, 0.0};
-  LayerStyle style;
-  style.color = palette::blue;
-  style.point_size_px = 15.0;
-  style.line_width_px = 2.0;
-  scene_.set_overlay(kHoverMark, {PrimitiveKind::point, point, style, true});
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glReadBuffer(GL_BACK);
+  glBindTexture(GL_TEXTURE_2D, name);
+  if (width != kept_width_ || height != kept_height_) {
+    kept_width_ = width;
+    kept_height_ = height;
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, width, height, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_reader_.get());
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  } else {
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, Slot hovered,
+void Picture::show_kept(int width, int height) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_reader_.get());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                    double content_scale) {
   mark_selection(editor);
-  mark_hovered(editor, hovered);
-  std::vector<render::LayerView> views;
+  ShownState now{camera, content_scale, patches_, marked_, {}};
   for (const LayerIndex layer : layers.visible_layers()) {
-    const NodeState now = state(layer);
-    const bool failed = now == NodeState::failed || now == NodeState::blocked;
-    views.push_back({layer, failed ? greyed(layers.style(layer)) : layers.style(layer)});
+    const NodeState is = state(layer);
+    const bool failed = is == NodeState::failed || is == NodeState::blocked;
+    now.layers.emplace_back(layer, failed ? greyed(layers.style(layer)) : layers.style(layer));
   }
+  if (now == shown_) {
+    show_kept(camera.width(), camera.height());
+    return;
+  }
+  std::vector<render::LayerView> views;
+  for (const auto& [layer, style] : now.layers) views.push_back({layer, style});
   device_.clear({}, {0, 0, camera.width(), camera.height()}, {1.0F, 1.0F, 1.0F, 1.0F});
   scene_.draw(camera, views, {.content_scale = content_scale});
+  keep(camera.width(), camera.height());
+  shown_ = std::move(now);
 }
 
 }  // namespace mes

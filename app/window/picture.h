@@ -2,19 +2,25 @@
 // What the engine has computed, on the graphics card, with the marks of the window above it.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "app/editor.h"
 #include "app/layer_stack.h"
 #include "core/engine/engine.h"
 #include "render/gl_device.h"
+#include "render/gl_handles.h"
 #include "render/scene.h"
 
 namespace mes {
 
-/// What it guarantees: it never waits for the engine; a layer whose structure failed keeps its last good picture;
-/// marks (selection, hovered sample) are uploaded only when they change. Needs a current OpenGL context for its life.
-/// Threads: the window's.
+/// What it guarantees:
+///  1. It never waits for the engine; a layer whose structure failed keeps its last good picture, greyed.
+///  2. The layers are drawn only when the view, a style, a patch or the selection changed; a frame in which only
+///  panels
+///     or the pointer moved costs one copy of the last picture, however many primitives there are.
+///
+/// Needs a current OpenGL context for its life. Threads: the window's.
 class Picture {
  public:
   Picture();
@@ -23,8 +29,8 @@ class Picture {
   bool take_from(Engine& engine);
   /// Frees the graphics memory of layers that are shown no more.
   void forget_hidden(const LayerStack& layers);
-  void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, Slot hovered,
-            double content_scale);
+  /// Fills the window.
+  void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale);
 
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
@@ -34,21 +40,38 @@ class Picture {
   const render::Scene& scene() const { return scene_; }
 
  private:
+  struct MarkedState {
+    std::uint64_t document = ~std::uint64_t{0};
+    std::uint64_t selection = ~std::uint64_t{0};
+    DrawingFrame frame;
+    friend bool operator==(const MarkedState&, const MarkedState&) = default;
+  };
+  /// Everything the pixels of the layers depend on.
+  struct ShownState {
+    render::Camera camera;
+    double content_scale = 0.0;
+    std::uint64_t patches = 0;
+    MarkedState marked;
+    std::vector<std::pair<LayerIndex, LayerStyle>> layers;
+    friend bool operator==(const ShownState&, const ShownState&) = default;
+  };
   void mark_selection(const Editor& editor);
-  void mark_hovered(const Editor& editor, Slot hovered);
+  void keep(int width, int height);
+  void show_kept(int width, int height) const;
 
   render::GlDevice device_;
   render::Scene scene_;
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   std::uint64_t document_revision_ = 0;
-  struct MarkedState {
-    std::uint64_t document = ~std::uint64_t{0};
-    std::uint64_t selection = ~std::uint64_t{0};
-    DrawingFrame frame;
-    friend bool operator==(const MarkedState&, const MarkedState&) = default;
-  } marked_;
+  std::uint64_t patches_ = 0;
+  MarkedState marked_;
   std::vector<double> mark_data_;  // kept for its memory
+  ShownState shown_;
+  render::GlTexture kept_;
+  render::GlFramebuffer kept_reader_;
+  int kept_width_ = 0;
+  int kept_height_ = 0;
 };
 
 }  // namespace mes
