@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "app/cli/command_line.h"
 #include "app/cli/messages.h"
@@ -12,18 +15,24 @@
 
 namespace {
 
-/// What no boundary caught, on whichever thread, ends the program with one line instead of a core dump.
-[[noreturn]] void end_in_one_line() {
+/// What no boundary caught, on whichever thread, ends the program with one line instead of a core dump. It allocates
+/// nothing: lack of memory is the likeliest reason to be here.
+[[noreturn]] void end_in_one_line() noexcept {
+  const auto print = [](std::string_view text) {
+    static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
+  };
+  print("mesecina: ");
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
-    mes::cli::say("ended by a broken invariant");
+    print("ended without a reason");
   } catch (const std::bad_alloc&) {
-    mes::cli::say("there is not enough memory");
+    print("there is not enough memory");
   } catch (const std::exception& error) {
-    mes::cli::say(error.what());
+    print(error.what());
   } catch (...) {
-    mes::cli::say("ended by an unknown exception");
+    print("ended by an unknown exception");
   }
+  print("\n");
   std::_Exit(1);
 }
 

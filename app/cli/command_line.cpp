@@ -8,7 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <optional>
+#include <system_error>
 
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
@@ -175,6 +175,8 @@ int run_command_line(int argc, const char* const* argv, const OpenWindow& open_w
     return run(argc, argv, open_window);
   } catch (const std::bad_alloc&) {
     return report({ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0});
+  } catch (const std::system_error& error) {
+    return report({ErrorCode::out_of_memory, "the system refuses: " + std::string(error.what()), {}, 0, 0});
   } catch (const std::exception& error) {
     return report({ErrorCode::cannot_compute, error.what(), {}, 0, 0});
   }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "run_binary.h"
+
+using mes::test::run;
+using mes::test::RunResult;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* kDude = "tests/data/earcut_dude.poff";
+constexpr const char* kHawaii = "tests/data/ne_hawaii.poff";
+
+std::string exported(const std::string& file, const std::string& layer, const std::string& format,
+                     const std::string& input = {}) {
+  const RunResult result = run({"export", file, "--layer", layer, "--format", format}, {.input = input});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+  return result.out;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("csv has a header, one primitive a line and every digit") {
+  CHECK(exported("-", "points", "csv", "0.1 0.2\n0.30000000000000004 -1e-300\n") ==
+        "x,y,scalar\n0.1,0.2,0\n0.30000000000000004,-1e-300,1\n");
+  CHECK(lines_of(exported("-", "delaunay", "csv", "0 0\n3 4\n")).at(0).starts_with("x1,y1,x2,y2"));
+  CHECK(lines_of(exported(kDude, "interior-voronoi-disks", "csv")).at(0) == "x,y,r,scalar");
+}
+
+TEST_CASE("csv has as many lines as compute counts, with the kind where there are several") {
+  const Json layers = Json::parse(
+      run({"compute", kHawaii, "--layers", "voronoi,medial-axis,points,interior-voronoi-disks"}).out)["layers"];
+  for (const auto& [layer, counts] : layers.items()) {
+    INFO(layer);
+    std::size_t expected = 1;
+    for (const char* kind : {"points", "segments", "rays", "lines", "disks"}) expected += counts.value(kind, 0U);
+    const std::vector<std::string> lines = lines_of(exported(kHawaii, layer, "csv"));
+    CHECK(lines.size() == expected);
+    for (const std::string& line : lines)
+      CHECK(std::ranges::count(line, ',') == std::ranges::count(lines.front(), ','));
+  }
+  const std::vector<std::string> voronoi = lines_of(exported(kHawaii, "voronoi", "csv"));
+  CHECK(voronoi.at(0).starts_with("kind,x1,y1,x2,y2"));
+  CHECK(std::ranges::any_of(voronoi, [](const std::string& line) { return line.starts_with("ray,"); }));
+}
+
+TEST_CASE("exported samples are the samples, with their curve order") {
+  const std::string text = exported(kHawaii, "points", "poff");
+  CHECK(text.starts_with("POFF 129 0 0\n"));
+  CHECK_THAT(text, Catch::Contains("\n# loop closed 0 1 2 "));
+  // Written and read again, nothing changes.
+  CHECK(exported("-", "points", "poff", text) == text);
+}
+
+TEST_CASE("the curve is exported as the loops it consists of") {
+  const std::string text = exported("-", "curve", "poff", "0 0\n4 0\n0 3\n4 3\n2 -1\n2 4\n");
+  const std::vector<std::string> lines = lines_of(text);
+  CHECK(lines.at(0) == "POFF 6 0 0");
+  REQUIRE(lines.size() == 8);
+  CHECK(lines.back().starts_with("# loop closed "));
+  CHECK(std::ranges::count(lines.back(), ' ') == 8);
+}
+
+TEST_CASE("exports are equal from run to run") {
+  for (const char* layer : {"voronoi", "curve", "interior-voronoi-disks"})
+    CHECK(exported(kDude, layer, "csv") == exported(kDude, layer, "csv"));
+}
+
+TEST_CASE("exported points are read as a table again") {
+  const std::string csv = exported(kDude, "points", "csv");
+  const RunResult result = run({"compute", "-", "--layers", "points"}, {.input = csv});
+  REQUIRE(result.exit_code == 0);
+  CHECK(Json::parse(result.out)["input"]["samples"] == 104);
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "run_binary.h"
+
+using mes::test::run;
+using mes::test::RunResult;
+
+namespace {
+
+constexpr const char* kDude = "tests/data/earcut_dude.poff";
+
+void require_usage_error(const std::vector<std::string>& arguments, const std::vector<std::string>& says) {
+  const RunResult result = run(arguments);
+  INFO(Catch::StringMaker<std::vector<std::string>>::convert(arguments));
+  INFO(result.err);
+  CHECK(result.exit_code == 2);
+  CHECK(result.out.empty());
+  CHECK_THAT(result.err, Catch::StartsWith("mesecina: "));
+  CHECK(std::ranges::count(result.err, '\n') == 1);
+  for (const std::string& part : says) CHECK_THAT(result.err, Catch::Contains(part));
+}
+
+}  // namespace
+
+TEST_CASE("an unknown layer names the nearest ones") {
+  require_usage_error({"compute", kDude, "--layers", "medial-axs"}, {"\"medial-axs\"", "did you mean medial-axis"});
+  require_usage_error({"compute", kDude, "--layers", "points,interior-disks"}, {"interior-voronoi-disks"});
+  require_usage_error({"compute", kDude, "--layers", "axis"}, {"medial-axis"});
+  require_usage_error({"compute", kDude, "--layers", "points,,curve"}, {"unknown layer \"\""});
+  require_usage_error({"export", kDude, "--layer", "Points", "--format", "csv"}, {"points"});
+  require_usage_error({"render", kDude, "--layers", std::string(100'000, 'x'), "-o", "a.png"},
+                      {"(100000 characters)"});
+}
+
+TEST_CASE("what this build cannot do is said, not ignored") {
+  require_usage_error({"compute", kDude, "--precision", "exact"}, {"not available in this build"});
+  require_usage_error({"compute", kDude, "--precision", "exakt"}, {"unknown precision", "exact-roots"});
+  require_usage_error({"export", kDude, "--layer", "points", "--format", "geojson"}, {"not available in this build"});
+  require_usage_error({"export", kDude, "--layer", "points", "--format", "xls"}, {"csv or poff"});
+  require_usage_error({"export", kDude, "--layer", "voronoi-disks", "--format", "poff"}, {"no points"});
+  require_usage_error({"render", kDude, "-o", "a.svg"}, {"not available in this build"});
+  require_usage_error({"render", kDude, "-o", "a.jpeg"}, {".png"});
+  for (const char* command : {"evolve", "play", "demo"}) require_usage_error({command}, {"not available"});
+}
+
+TEST_CASE("sizes, views, scales and colours are checked") {
+  for (const char* size : {"0x10", "10", "10x", "x", "-1x5", "32769x1", "1e3x5", "10x10x10", "1 x1"})
+    require_usage_error({"render", kDude, "-o", "a.png", "--size", size}, {"--size"});
+  for (const char* view :
+       {"all", "0,0,1", "0,0,1,1,1", "0,0,0,1", "0,0,nan,1", "0,0,1e999,1", "0,0,1,", "-1e308,0,1e308,1"})
+    require_usage_error({"render", kDude, "-o", "a.png", "--view", view}, {"--view"});
+  for (const char* scale : {"0", "-1", "nan", "1000", "two"})
+    require_usage_error({"render", kDude, "-o", "a.png", "--scale", scale}, {"--scale"});
+  for (const char* color : {"white", "fff", "#12345", "12345g", ""})
+    require_usage_error({"render", kDude, "-o", "a.png", "--background", color}, {"--background"});
+}
+
+TEST_CASE("settings need a parameter that exists") {
+  require_usage_error({"compute", kDude, "--set", "lambda"}, {"NAME=VALUE"});
+  require_usage_error({"compute", kDude, "--set", "=1"}, {"NAME=VALUE"});
+  require_usage_error({"compute", kDude, "--set", "lambda=1"}, {"unknown parameter \"lambda\""});
+}
+
+TEST_CASE("missing and surplus arguments point to the help") {
+  require_usage_error({"compute"}, {"FILE", "mesecina compute --help"});
+  require_usage_error({"render", kDude}, {"--output"});
+  require_usage_error({"export", kDude}, {"required"});
+  require_usage_error({"list"}, {"WHAT"});
+  require_usage_error({"list", "colours"}, {"layers"});
+  require_usage_error({"compute", kDude, "second"}, {"second"});
+  require_usage_error({"compute", kDude, "--colour", "red"}, {"--colour"});
+  require_usage_error({"--colour"}, {"--colour", "mesecina --help"});
+  require_usage_error({"compute", kDude, "--from", "svg"}, {"\"svg\"", "poff"});
+}
+
+TEST_CASE("help and version are results") {
+  const RunResult version = run({"--version"});
+  CHECK(version.exit_code == 0);
+  CHECK(version.out == "mesecina " MESECINA_VERSION "\n");
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{}, {"compute"}, {"export"}, {"render"}, {"list"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.push_back("--help");
+    const RunResult help = run(arguments);
+    CHECK(help.exit_code == 0);
+    CHECK(help.err.empty());
+    CHECK_THAT(help.out, Catch::Contains("Usage:"));
+  }
+}

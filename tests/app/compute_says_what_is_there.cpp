@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using mes::test::contents_of;
+using mes::test::run;
+using mes::test::RunResult;
+using mes::test::TemporaryFolder;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kDude = "tests/data/earcut_dude.poff";
+
+Json json_of(const RunResult& result) {
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+  return Json::parse(result.out);
+}
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+// A circle of n samples and, around the same centre, one half as large.
+std::string annulus(int n) {
+  std::string out;
+  for (const double radius : {10.0, 5.0})
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2.0 * 3.14159265358979 * (i + (radius < 6.0 ? 0.37 : 0.0)) / n;
+      out += std::to_string(radius * std::cos(angle)) + ' ' + std::to_string(radius * std::sin(angle)) + '\n';
+    }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("compute answers with the promised keys") {
+  const Json out = json_of(run({"compute", kDude, "--layers", "medial-axis,interior-voronoi-disks"}));
+  CHECK(keys_of(out) ==
+        std::vector<std::string>{"schema", "version", "input", "precision", "structures", "layers", "diagnostics"});
+  CHECK(out["schema"] == 1);
+  CHECK(out["precision"] == "fast");
+  CHECK(
+      out["input"] ==
+      Json{{"file", kDude}, {"format", "poff"}, {"samples", 104}, {"distinct", 104}, {"contours", 3}, {"balls", 0}});
+  CHECK(keys_of(out["layers"]) == std::vector<std::string>{"medial-axis", "interior-voronoi-disks"});
+  CHECK(out["diagnostics"] == Json{{"theorem", nullptr}, {"reasons", Json::array()}});
+  for (const char* structure : {"delaunay", "one-step-crust", "labels", "inner-balls", "medial-axis"}) {
+    INFO(structure);
+    REQUIRE(out["structures"].contains(structure));
+    CHECK(out["structures"][structure]["ms"].get<double>() >= 0.0);
+  }
+  CHECK_FALSE(out["structures"].contains("curve"));
+  CHECK(out["structures"]["delaunay"]["vertices"] == 104);
+  const Json& axis = out["layers"]["medial-axis"];
+  CHECK(axis["segments"].get<int>() + axis["zero_length"].get<int>() > 0);
+  CHECK(axis["length"].get<double>() == Approx(out["structures"]["medial-axis"]["length"].get<double>()));
+  const Json& disks = out["layers"]["interior-voronoi-disks"];
+  CHECK(disks["disks"] == out["structures"]["labels"]["inside"]);
+  CHECK(disks["radius_sum"].get<double>() > 0.0);
+}
+
+TEST_CASE("without times the same command gives the same bytes") {
+  const std::vector<std::string> command{"compute", kDude, "--layers", "all", "--no-timing"};
+  const RunResult first = run(command);
+  CHECK(first.exit_code == 0);
+  CHECK(first.out == run(command).out);
+  CHECK_THAT(first.out, !Catch::Contains("\"ms\""));
+  CHECK(Json::parse(first.out)["layers"].size() > 15);
+}
+
+TEST_CASE("the axis of an annulus is one component with one cycle") {
+  const Json out = json_of(run({"compute", "-", "--layers", "medial-axis"}, {.input = annulus(60)}));
+  CHECK(out["input"]["file"] == "-");
+  CHECK(out["input"]["format"] == "pairs");
+  CHECK(out["structures"]["medial-axis"]["components"] == 1);
+  CHECK(out["structures"]["medial-axis"]["cycles"] == 1);
+  // The middle circle, drawn by chords between nodes.
+  CHECK(out["structures"]["medial-axis"]["length"].get<double>() == Approx(2 * 3.14159 * 7.5).epsilon(0.02));
+}
+
+TEST_CASE("an open star of segments, rays and lines is counted by kind") {
+  // Two samples: their Voronoi diagram is one line.
+  const Json two = json_of(run({"compute", "-", "--layers", "voronoi,delaunay"}, {.input = "0 0\n1 0\n"}));
+  CHECK(two["layers"]["voronoi"]["lines"] == 1);
+  CHECK(two["layers"]["delaunay"]["segments"] == 1);
+  CHECK(two["layers"]["delaunay"]["length"] == 1.0);
+  // A unit square: cocircular, so one Voronoi edge has no length.
+  const Json square = json_of(run({"compute", "-", "--layers", "voronoi"}, {.input = "0 0\n1 0\n1 1\n0 1\n"}));
+  CHECK(square["layers"]["voronoi"]["rays"] == 4);
+  CHECK(square["layers"]["voronoi"]["segments"] == 0);
+  CHECK(square["layers"]["voronoi"]["zero_length"] == 1);
+}
+
+TEST_CASE("duplicates count as samples and once as distinct") {
+  const Json out = json_of(run({"compute", "-"}, {.input = "0 0\n1 0\n0 0\n-0 0\n0 1\n"}));
+  CHECK(out["input"]["samples"] == 5);
+  CHECK(out["input"]["distinct"] == 3);
+}
+
+TEST_CASE("degenerate samples give numbers or null, never NaN") {
+  for (const char* input : {"POFF 0 0 0", "0 0\n", "0 0\n0 0\n", "0 0\n1 1\n2 2\n", "1e300 0\n-1e300 0\n0 1e300\n",
+                            "1e-300 0\n-1e-300 0\n0 1e-300\n", "0 0\n1e-200 1\n1 0\n"}) {
+    INFO(input);
+    const RunResult result = run({"compute", "-", "--layers", "all"}, {.input = input});
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(Json::accept(result.out));
+    CHECK_THAT(result.out, !Catch::Contains("nan", Catch::CaseSensitive::No));
+    CHECK_THAT(result.out, !Catch::Contains("infinity", Catch::CaseSensitive::No));
+  }
+}
+
+TEST_CASE("the result goes to a file when one is named, and nowhere else") {
+  const TemporaryFolder folder;
+  const RunResult result = run({"compute", kDude, "--no-timing", "-o", (folder / "a.json").string()});
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.empty());
+  CHECK(contents_of(folder / "a.json") == run({"compute", kDude, "--no-timing", "-o", "-"}).out);
+  CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("a name that is not UTF-8 does not spoil the JSON") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a\xff.txt", "0 0\n").string();
+  CHECK_NOTHROW(json_of(run({"compute", path})));
+}

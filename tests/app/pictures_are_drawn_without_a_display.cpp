@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using mes::test::contents_of;
+using mes::test::run;
+using mes::test::RunOptions;
+using mes::test::RunResult;
+using mes::test::TemporaryFolder;
+
+namespace {
+
+constexpr const char* kDude = "tests/data/earcut_dude.poff";
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes.at(at + i));
+  return value;
+}
+
+// No display of either kind, as on a server.
+RunOptions headless() {
+  RunOptions options;
+  options.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+  return options;
+}
+
+std::string picture(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "render");
+  for (const char* word : {"-o", "-"}) arguments.emplace_back(word);
+  const RunResult result = run(arguments, headless());
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+  return result.out;
+}
+
+}  // namespace
+
+TEST_CASE("a picture has the size that was asked for and is a PNG") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "a.png").string();
+  const RunResult result = run({"render", kDude, "--size", "321x123", "-o", file}, headless());
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.out.empty());
+  const std::string png = contents_of(file);
+  CHECK(png.starts_with("\x89PNG\r\n\x1a\n"));
+  CHECK(big_endian(png, 16) == 321);
+  CHECK(big_endian(png, 20) == 123);
+  CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("the same command draws the same bytes, and every option changes them") {
+  const std::vector<std::string> plain{kDude, "--size", "200x150"};
+  const std::string first = picture(plain);
+  CHECK(first == picture(plain));
+  std::vector<std::string> pictures{first};
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{"--scale", "2"},
+                                                                                      {"--background", "102030"},
+                                                                                      {"--background", "transparent"},
+                                                                                      {"--view", "-10,-20,700,800"},
+                                                                                      {"--view=300,300,400,500"},
+                                                                                      {"--layers", "points"}}) {
+    std::vector<std::string> arguments = plain;
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const std::string other = picture(arguments);
+    CHECK(std::ranges::find(pictures, other) == pictures.end());
+    pictures.push_back(other);
+  }
+}
+
+TEST_CASE("the order of the listed layers does not matter: stacking is the registry's") {
+  CHECK(picture({kDude, "--size", "200x150", "--layers", "points,curve,medial-axis"}) ==
+        picture({kDude, "--size", "200x150", "--layers", "medial-axis,points,curve"}));
+}
+
+TEST_CASE("two corners of a view may be given in any order") {
+  CHECK(picture({kDude, "--size", "100x100", "--view", "300,300,400,500"}) ==
+        picture({kDude, "--size", "100x100", "--view", "400,500,300,300"}));
+}
+
+TEST_CASE("a sample without extent is drawn, and so is none") {
+  for (const char* input : {"POFF 0 0 0", "1e15 7\n", "3 4\n3 4\n", "1e300 1e300\n-1e300 -1e300\n"}) {
+    RunOptions options = headless();
+    options.input = input;
+    const RunResult result = run({"render", "-", "--layers", "all", "--size", "64x64", "-o", "-"}, options);
+    INFO(input << ": " << result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(result.out.starts_with("\x89PNG"));
+  }
+}
+
+TEST_CASE("without a display the window says so, and what to do instead") {
+  const RunResult result = run({kDude}, headless());
+  INFO(result.err);
+  CHECK(result.exit_code == 4);
+  CHECK(result.out.empty());
+  CHECK(std::ranges::count(result.err, '\n') == 1);
+  CHECK_THAT(result.err, Catch::StartsWith("mesecina: ") && Catch::Contains("mesecina render"));
+}
+
+TEST_CASE("without OpenGL pictures end with code 4, and the other commands work") {
+  RunOptions options = headless();
+  // A driver that does not exist.
+  options.environment.emplace_back("__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json");
+  const TemporaryFolder folder;
+  const RunResult result = run({"render", kDude, "-o", (folder / "a.png").string()}, options);
+  INFO(result.err);
+  CHECK(result.exit_code == 4);
+  CHECK(std::ranges::count(result.err, '\n') == 1);
+  CHECK(folder.file_count() == 0);
+  CHECK(run({"compute", kDude}, options).exit_code == 0);
+}
