@@ -50,9 +50,14 @@ struct EglContext::Impl {
 
   void close() {
     if (display == EGL_NO_DISPLAY) return;
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    // Another context may have become current since.
+    if (context != EGL_NO_CONTEXT && eglGetCurrentContext() == context) {
+      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      eglReleaseThread();
+    }
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
+    // The display stays initialised: it is one for the whole process, others may draw with it, and drivers that are
+    // unloaded at its end leave memory behind.
     display = EGL_NO_DISPLAY;
     context = EGL_NO_CONTEXT;
   }
