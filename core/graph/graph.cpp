@@ -6,6 +6,8 @@
 #include <cmath>
 #include <new>
 
+#include "core/base/parallel.h"
+
 namespace mes {
 
 Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Samples>()) {
@@ -166,7 +168,8 @@ void Graph::withdraw(LayerIndex index, FramePatch& out) {
   layer_nodes_[index].sent = false;
 }
 
-void Graph::emit(LayerIndex index, FramePatch& out) {
+// Decides what a layer needs: nothing, an update, or a reset.
+Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   LayerNode& node = layer_nodes_[index];
   bool changed = false;
   bool may_update = node.sent && node.synced + 1 == run_ && frame_changed_ != run_;
@@ -177,7 +180,7 @@ void Graph::emit(LayerIndex index, FramePatch& out) {
       node.reason = input.reason;
       // The last good picture stays, unless it is in a frame that is gone.
       if (node.sent && frame_changed_ == run_) withdraw(index, out);
-      return;
+      return Emission::none;
     }
     if (input.changed <= node.synced) continue;
     changed = true;
@@ -187,22 +190,60 @@ void Graph::emit(LayerIndex index, FramePatch& out) {
   node.reason.clear();
   if (node.sent && !changed && frame_changed_ <= node.synced) {
     node.synced = run_;
-    return;
+    return Emission::none;
   }
-  if (on_task_) on_task_(layers_[index].descriptor.id);
-  LayerPatch& patch = begin_patch(index, out);
-  node.sent = false;
-  for (const auto& part : layers_[index].parts) {
-    if (may_update) {
-      part->update(patch);
-    } else {
-      part->reset(patch);
+  return may_update ? Emission::update : Emission::reset;
+}
+
+void Graph::emit_layers(FramePatch& out, JobControl& job) {
+  resets_.clear();
+  for (LayerIndex index = 0; index < layer_nodes_.size(); ++index) {
+    if (!layer_nodes_[index].demanded) continue;
+    const Emission emission = emission_of(index, out);
+    if (emission == Emission::none) continue;
+    LayerNode& node = layer_nodes_[index];
+    node.sent = false;
+    LayerPatch& patch = begin_patch(index, out);
+    if (emission == Emission::reset) {
+      resets_.push_back(out.layer_count - 1);
+      continue;
     }
+    fill(patch, emission, job);
+    if (patch.is_empty()) --out.layer_count;
   }
-  node.sent = true;
-  node.synced = run_;
-  if (patch.is_empty()) --out.layer_count;
-  node.ms = lap_ms();
+  if (resets_.empty()) return;
+  if (on_task_) on_task_("layers");
+  // Layers only read the tables, so those that are sent whole are made side by side.
+  run_tasks(resets_.size(), [&](std::size_t i) { fill(out.layers[resets_[i]], Emission::reset, job); });
+  job.checkpoint();
+}
+
+// Whatever ends this early leaves an empty patch, and the layer is sent whole next time.
+void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
+  LayerNode& node = layer_nodes_[patch.layer];
+  const auto drop = [&](std::string reason) {
+    for (KindPatch& kind : patch.kinds) kind.clear();
+    node.state = NodeState::failed;
+    node.reason = std::move(reason);
+  };
+  try {
+    if (emission == Emission::update) {
+      for (const auto& part : layers_[patch.layer].parts) part->update(patch);
+    } else {
+      const auto start = std::chrono::steady_clock::now();
+      for (const auto& part : layers_[patch.layer].parts) {
+        if (job.stop_requested()) return drop("cancelled");
+        part->reset(patch);
+      }
+      node.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+    node.sent = true;
+    node.synced = run_;
+  } catch (const std::bad_alloc&) {
+    drop("out of memory");
+  } catch (const std::exception& error) {
+    drop(error.what());
+  }
 }
 
 void Graph::report(FramePatch& out) {
@@ -250,11 +291,7 @@ bool Graph::run(FramePatch& out, JobControl& job) {
       bring_up_to_date(node, job);
     }
     follow_extent(out);
-    for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
-      if (!layer_nodes_[i].demanded) continue;
-      job.checkpoint();
-      emit(i, out);
-    }
+    emit_layers(out, job);
   } catch (const Cancelled&) {
     out.complete = false;
     dirty_ = true;

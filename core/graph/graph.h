@@ -83,7 +83,10 @@ class Graph {
   void compute(StructureNode& node, bool may_update, JobControl& job);
   LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
   void withdraw(LayerIndex index, FramePatch& out);
-  void emit(LayerIndex index, FramePatch& out);
+  enum class Emission : std::uint8_t { none, update, reset };
+  Emission emission_of(LayerIndex index, FramePatch& out);
+  void emit_layers(FramePatch& out, JobControl& job);
+  void fill(LayerPatch& patch, Emission emission, JobControl& job);
   void follow_extent(FramePatch& out);
   void report(FramePatch& out);
   double lap_ms();
@@ -101,6 +104,7 @@ class Graph {
   bool want_statistics_ = false;
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
+  std::vector<std::size_t> resets_;  // work space: patches to fill from all rows
 };
 
 }  // namespace mes

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
+#include "core/base/prefetch.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/graph/patch.h"
 #include "core/graph/structure.h"
@@ -94,6 +95,7 @@ class InstancePlaces {
   void grow(std::size_t rows) {
     if (place_.size() < rows) place_.resize(rows, kNoPlace);
   }
+  void expect(Slot row) const { prefetch(place_.data() + row); }
   /// The row draws nothing any more.
   void withdraw(Slot row) {
     const std::uint32_t place = place_[row];
@@ -201,6 +203,7 @@ class TablePart final : public LayerPart {
 
   void update(LayerPatch& patch) override {
     places_.grow(rows_());
+    for (const Slot row : changes_.touched) places_.expect(row);
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
     for (const Slot row : changes_.removed) places_.withdraw(row);
     Instance instance;

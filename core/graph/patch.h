@@ -78,7 +78,7 @@ struct NodeReport {
 struct LayerReport {
   LayerIndex layer = 0;
   NodeState state = NodeState::inactive;
-  double emit_ms = 0.0;
+  double emit_ms = 0.0;  ///< of the last time the layer was sent whole
   std::string reason;
 };
 

@@ -113,13 +113,13 @@ Phase angle_of(const EdgeCorners& e) {
 
 double edge_confidence(const EdgeCorners& corners) {
   const Phase phase = angle_of(corners);
-  const double size = std::hypot(phase.h, phase.i);
+  const double size = length({phase.h, phase.i});
   return size > 0.0 ? phase.h / size : 0.0;
 }
 
 double ambiguity_key(const EdgeCorners& corners) {
   const Phase phase = angle_of(corners);
-  const double size = std::hypot(phase.h, phase.i);
+  const double size = length({phase.h, phase.i});
   if (!(size > 0.0)) return 0.0;
   // |cos| where it varies, and its complement by the sine near 1, where |cos| is flat: both are within some 40 u of
   // the true value, since D and X carry errors of a few u times the lengths of their factors.

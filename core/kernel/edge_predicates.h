@@ -32,6 +32,13 @@ struct FilterCounts {
   std::uint64_t static_filter = 0;
   std::uint64_t interval = 0;
   std::uint64_t exact = 0;
+
+  FilterCounts& operator+=(const FilterCounts& other) {
+    static_filter += other.static_filter;
+    interval += other.interval;
+    exact += other.exact;
+    return *this;
+  }
 };
 
 struct EdgeClass {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "core/base/parallel.h"
+#include "core/base/prefetch.h"
+
 namespace mes {
 
 OneStepCrust::OneStepCrust(Delaunay& delaunay) : Structure("one-step-crust", {&delaunay}), delaunay_(delaunay) {}
@@ -19,18 +22,17 @@ EdgeCorners OneStepCrust::corners(Slot edge) const {
   return corners;
 }
 
+std::uint8_t OneStepCrust::flags_for(Slot edge, FilterCounts& counts) const {
+  if (delaunay_.edge(edge).f[0] == kNoSlot) return kCrust;
+  const EdgeClass result = classify_edge(corners(edge), counts);
+  return static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U));
+}
+
 void OneStepCrust::classify(Slot edge) {
-  const EdgeRow& row = delaunay_.edge(edge);
-  if (row.f[0] == kNoSlot) {
-    flags_[edge] = kCrust;
-    return;
-  }
-  const EdgeClass result = classify_edge(corners(edge), counts_);
-  flags_[edge] =
-      static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U));
-  for (const Slot face : row.f) {
+  flags_[edge] = flags_for(edge, counts_);
+  for (const Slot face : delaunay_.edge(edge).f) {
     const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
-    face_bits_[face] = static_cast<std::uint8_t>(result.is_crust ? face_bits_[face] | bit : face_bits_[face] & ~bit);
+    face_bits_[face] = static_cast<std::uint8_t>(is_crust(edge) ? face_bits_[face] | bit : face_bits_[face] & ~bit);
   }
 }
 
@@ -43,19 +45,33 @@ void OneStepCrust::add_to_degree(Slot site, int change) {
 void OneStepCrust::rebuild(JobControl& job) {
   clear_changes();
   counts_ = {};
-  cocircular_count_ = 0;
   flags_.assign(delaunay_.edge_rows(), 0);
   face_bits_.assign(delaunay_.face_rows(), 0);
   degree_.assign(delaunay_.site_rows(), 0);
+  std::vector<FilterCounts> counts(chunk_count(delaunay_.edge_rows()));
+  parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    job.checkpoint();
+    for (std::size_t edge = begin; edge < end; ++edge)
+      if (delaunay_.edge(static_cast<Slot>(edge)).is_alive())
+        flags_[edge] = flags_for(static_cast<Slot>(edge), counts[chunk]);
+  });
+  for (const FilterCounts& part : counts) counts_ += part;
+  parallel_for(delaunay_.face_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t face = begin; face < end; ++face) {
+      const FaceRow& row = delaunay_.face(static_cast<Slot>(face));
+      unsigned bits = 0;
+      for (unsigned i = 0; i < 3; ++i)
+        if (row.e[i] != kNoSlot && is_crust(row.e[i])) bits |= 1U << i;
+      face_bits_[face] = static_cast<std::uint8_t>(bits);
+    }
+  });
+  cocircular_count_ = 0;
   for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
-    if ((edge & 0xffffU) == 0) job.checkpoint(edge, delaunay_.edge_rows());
-    const EdgeRow& row = delaunay_.edge(edge);
-    if (!row.is_alive()) continue;
-    classify(edge);
+    if (flags_[edge] == 0) continue;
     cocircular_count_ += is_cocircular(edge) ? 1U : 0U;
     if (!is_crust(edge)) continue;
-    ++degree_[row.v[0]];
-    ++degree_[row.v[1]];
+    ++degree_[delaunay_.edge(edge).v[0]];
+    ++degree_[delaunay_.edge(edge).v[1]];
   }
   odd_count_ = 0;
   for (Slot site = 0; site < degree_.size(); ++site) odd_count_ += is_odd(site) ? 1U : 0U;
@@ -78,6 +94,13 @@ bool OneStepCrust::update(JobControl&) {
     change_degree(before.v[1], -1);
   };
   const ChangeSet& edges = delaunay_.edge_changes();
+  for (const Slot edge : edges.touched) {
+    prefetch(flags_.data() + edge);
+    for (const Slot face : delaunay_.edge(edge).f) {
+      const Slot apex = delaunay_.apex(face, edge);
+      if (apex != kInfiniteSite) prefetch(delaunay_.site_positions().data() + apex);
+    }
+  }
   for (std::size_t i = 0; i < edges.removed.size(); ++i) {
     forget(edges.removed[i], delaunay_.removed_edges_before()[i]);
     flags_[edges.removed[i]] = 0;

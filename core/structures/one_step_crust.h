@@ -59,6 +59,7 @@ class OneStepCrust final : public Structure {
   static constexpr std::uint8_t kCrust = 1;
   static constexpr std::uint8_t kCocircular = 2;
 
+  std::uint8_t flags_for(Slot edge, FilterCounts& counts) const;
   void classify(Slot edge);
   void add_to_degree(Slot site, int change);
 

@@ -35,6 +35,7 @@ struct Track {
     graph.post(delta);
     graph.run(patch, job);
     for (Slot slot = 0; slot < points.size(); ++slot) ids.push_back(document.id(slot));
+    ids.emplace_back();  // of the extra sample that `insert` takes
     raw.insert_range_and_index(points);
   }
 
@@ -68,23 +69,43 @@ struct Track {
     theirs.push_back(now_us() - start);
     points[i] = to;
   }
-  // Takes a sample out and puts it back; `time_removal` says which half counts.
-  void remove_and_insert(bool on_curve, bool time_removal) {
-    const std::size_t i = pick();
-    const double ours_out = run(remove_samples(document, std::vector{ids[i]}));
-    double start = now_us();
+  double remove_ours(std::size_t i) { return run(remove_samples(document, std::vector{ids[i]})); }
+  double remove_raw(std::size_t i) {
+    const double start = now_us();
     raw.remove(i);
-    const double theirs_out = now_us() - start;
+    return now_us() - start;
+  }
+  double insert_ours(std::size_t i, Vec2 at) {
+    ids[i] = document.next_id();
+    points[i] = at;
+    return run(insert_samples(document, std::vector{at}));
+  }
+  double insert_raw(std::size_t i, Vec2 at, std::size_t hint) {
+    const double start = now_us();
+    raw.insert_near(i, at, hint);
+    return now_us() - start;
+  }
+  // A random sample goes; it comes back unmeasured.
+  void remove(bool on_curve) {
+    const std::size_t i = pick();
     const Vec2 back = nudged(i, on_curve);
+    ours.push_back(remove_ours(i));
+    theirs.push_back(remove_raw(i));
+    insert_ours(i, back);
+    insert_raw(i, back, neighbour(i));
+  }
+  // A sample comes next to a random one and goes again, unmeasured. The raw call is told a vertex next to the place;
+  // ours has to find it.
+  void insert(bool on_curve) {
+    const std::size_t near = pick();
+    const std::size_t extra = ids.size() - 1;
+    const Vec2 at = on_curve ? points[near] + (0.4 + 0.2 * rng.uniform()) * (points[neighbour(near)] - points[near])
+                             : nudged(near, false);
     const SampleId id = document.next_id();
-    const double ours_in = run(insert_samples(document, std::vector{back}));
-    start = now_us();
-    raw.insert_near(i, back, neighbour(i));
-    const double theirs_in = now_us() - start;
-    ids[i] = id;
-    points[i] = back;
-    ours.push_back(time_removal ? ours_out : ours_in);
-    theirs.push_back(time_removal ? theirs_out : theirs_in);
+    ours.push_back(run(insert_samples(document, std::vector{at})));
+    theirs.push_back(insert_raw(extra, at, near));
+    run(remove_samples(document, std::vector{id}));
+    remove_raw(extra);
   }
 };
 
@@ -97,8 +118,10 @@ void edit(benchmark::State& state, RatioTable& table, const std::string& what, s
   for (auto _ : state) {
     if (kind == Edit::move) {
       track.move(on_curve);
+    } else if (kind == Edit::remove) {
+      track.remove(on_curve);
     } else {
-      track.remove_and_insert(on_curve, kind == Edit::remove);
+      track.insert(on_curve);
     }
     state.SetIterationTime(1e-6 * track.ours.back());
   }

@@ -33,6 +33,7 @@ void RawDelaunay::insert_range_and_index(std::span<const Vec2> points) {
     impl_->vertex.push_back(impl_->triangulation.nearest_vertex({p.x, p.y}, hint));
     hint = impl_->vertex.back()->face();
   }
+  impl_->vertex.emplace_back();  // one more index, for a sample to come
 }
 
 void RawDelaunay::move(std::size_t index, Vec2 to) {

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+#include "core/base/parallel.h"
+#include "core/base/prefetch.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/delaunay.h"
 #include "core/structures/internal/hilbert.h"
@@ -102,6 +104,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
  private:
   static Slot site_of(VertexHandle v) { return v->info().slot; }
   static Slot row_of(FaceHandle f) { return f->info().slot; }
+  void expect_row(FaceHandle f) const {
+    if (row_of(f) != kNoSlot) prefetch(d_.face_.data() + row_of(f));
+  }
 
   Slot bind_new_site(VertexHandle v, Vec2 p) {
     const Slot site = d_.new_site(p);
@@ -173,6 +178,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     do {
       const FaceHandle f = face;
       const FaceHandle outer = f->neighbor(f->index(v));
+      expect_row(f);
+      expect_row(outer);
       rim_.push_back({outer, outer->index(f)});
       old_rows_.push_back(row_of(f));
       // Whatever CGAL makes of these faces counts as new; only faces outside the hole keep a row.
@@ -249,8 +256,11 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   void collect_star(VertexHandle v) {
     auto face = triangulation_.incident_faces(v);
     const auto end = face;
-    do zone_.push_back(face);
-    while (++face != end);
+    do {
+      zone_.push_back(face);
+      expect_row(face);
+      expect_row(face->neighbor(face->index(v)));
+    } while (++face != end);
   }
 
   // Rewrites the rows of `zone_`. Faces without a row get one; rows of `old_rows_` that no face of the zone holds
@@ -258,6 +268,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   void mirror_zone() {
     const std::uint32_t mark = d_.new_mark();
     old_edges_.clear();
+    for (const Slot row : old_rows_)
+      for (const Slot e : d_.face_[row].e)
+        if (e != kNoSlot) prefetch(d_.edge_.data() + e);
     for (const Slot row : old_rows_) {
       d_.note_face(row);
       for (const Slot e : d_.face_[row].e) {
@@ -326,15 +339,20 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     }
   }
 
-  void write_corners(FaceHandle f) {
+  void read_corners(FaceHandle f) {
     const Slot slot = row_of(f);
     FaceRow& row = d_.face_[slot];
     for (int i = 0; i < 3; ++i) {
       const VertexHandle v = f->vertex(i);
       row.v[i] = triangulation_.is_infinite(v) ? kInfiniteSite : site_of(v);
-      if (row.v[i] != kInfiniteSite) d_.site_face_[row.v[i]] = slot;
     }
     d_.compute_circumcircle(slot);
+  }
+
+  void write_corners(FaceHandle f) {
+    read_corners(f);
+    for (const Slot site : d_.face_[row_of(f)].v)
+      if (site != kInfiniteSite) d_.site_face_[site] = row_of(f);
   }
 
   Slot new_face_row() {
@@ -357,33 +375,51 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     return static_cast<Slot>(d_.edge_.size() - 1);
   }
 
+  // The triangulation is only read here, and every row and every field of it is written by one thread.
   void mirror_all() {
-    const std::size_t count = triangulation_.tds().number_of_faces();
-    d_.face_.resize(count);
-    Slot next = 0;
-    for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f)
-      f->info().slot = next++;
-    triangulation_.infinite_vertex()->info().slot = kInfiniteSite;
-    d_.edge_.reserve(3 * d_.site_count_);
+    std::vector<FaceHandle> handles;
+    handles.reserve(triangulation_.tds().number_of_faces());
     for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
-      const Slot own = f->info().slot;
-      write_corners(f);
-      FaceRow& row = d_.face_[own];
-      for (int i = 0; i < 3; ++i) {
-        const FaceHandle g = f->neighbor(i);
-        row.n[i] = row_of(g);
-        if (row.n[i] > own) continue;
-        // The neighbour's row is complete: make the edge now that both sides are known.
-        FaceRow& other = d_.face_[row.n[i]];
-        const Slot a = row.v[next3(i)];
-        const Slot b = row.v[prev3(i)];
-        if (a == kInfiniteSite || b == kInfiniteSite) continue;
-        const auto e = static_cast<Slot>(d_.edge_.size());
-        d_.edge_.push_back(EdgeRow{{a, b}, {own, row.n[i]}});
-        row.e[i] = e;
-        other.e[g->index(FaceHandle(f))] = e;
-      }
+      f->info().slot = static_cast<Slot>(handles.size());
+      handles.push_back(f);
     }
+    d_.face_.resize(handles.size());
+    std::vector<std::size_t> first_edge(chunk_count(handles.size()) + 1, 0);
+    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        const FaceHandle f = handles[slot];
+        read_corners(f);
+        for (int i = 0; i < 3; ++i) {
+          d_.face_[slot].n[i] = row_of(f->neighbor(i));
+          first_edge[chunk + 1] += owns_edge(static_cast<Slot>(slot), i) ? 1U : 0U;
+        }
+      }
+    });
+    for (std::size_t chunk = 1; chunk < first_edge.size(); ++chunk) first_edge[chunk] += first_edge[chunk - 1];
+    d_.edge_.resize(first_edge.back());
+    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      auto e = static_cast<Slot>(first_edge[chunk]);
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        FaceRow& row = d_.face_[slot];
+        for (int i = 0; i < 3; ++i) {
+          if (!owns_edge(static_cast<Slot>(slot), i)) continue;
+          const FaceHandle f = handles[slot];
+          d_.edge_[e] = EdgeRow{{row.v[next3(i)], row.v[prev3(i)]}, {static_cast<Slot>(slot), row.n[i]}};
+          row.e[i] = e;
+          d_.face_[row.n[i]].e[f->neighbor(i)->index(f)] = e;
+          ++e;
+        }
+      }
+    });
+    parallel_for(d_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t site = begin; site < end; ++site) d_.site_face_[site] = row_of(vertex_[site]->face());
+    });
+  }
+
+  // Of the two faces at a finite edge, the one with the larger row makes the edge's row.
+  bool owns_edge(Slot face, int i) const {
+    const FaceRow& row = d_.face_[face];
+    return row.n[i] < face && row.v[next3(i)] != kInfiniteSite && row.v[prev3(i)] != kInfiniteSite;
   }
 
   // All sites on one line: edges between neighbours along it.
