@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <system_error>
 
 #include "app/cli/messages.h"
@@ -57,7 +58,8 @@ void add_source(CLI::App& command, Source& source) {
   command.add_option("--precision", source.precision, "Number type: " + ids_of(precision_descriptors()))
       ->capture_default_str();
   command
-      .add_option("--set", source.settings, "Set a parameter, NAME=VALUE (mesecina list parameters); may be repeated")
+      .add_option("--set", source.settings,
+                  "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
@@ -77,7 +79,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   CLI::App* const compute = app.add_subcommand("compute", "Counts and measures of structures and layers, as JSON");
   add_source(*compute, to.compute.source);
   compute->add_option("--layers", to.compute.layers,
-                      "Comma list of layer ids (mesecina list layers), or all; default: those visible at start");
+                      "Comma list of layer ids (mesecina list layers), or all;\n"
+                      "default: those visible at start");
   compute->add_flag("!--no-timing", to.compute.with_timing, "Leave out times: equal input gives equal bytes");
   compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
 
@@ -86,22 +89,27 @@ void describe_commands(CLI::App& app, Arguments& to) {
   exported->add_option("--layer", to.exported.layer, "Layer id (mesecina list layers)")->required();
   exported
       ->add_option("--format", to.exported.format,
-                   "csv: one primitive a line; poff: points, or the ends of segments with the chains they form")
+                   "csv: one primitive a line, segments without length left out;\n"
+                   "poff: points, or the ends of segments with the chains they form")
       ->required();
   exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
 
   CLI::App* const render = app.add_subcommand("render", "A picture of layers, as PNG; needs no display");
   add_source(*render, to.render.source);
   render->add_option("--layers", to.render.layers,
-                     "Comma list of layer ids, or all; default: those visible at start. They are drawn in the order "
-                     "of mesecina list layers, the first at the bottom, however they are listed here");
+                     "Comma list of layer ids, or all; default: those visible at start.\n"
+                     "They are drawn in the order of mesecina list layers, the first at\n"
+                     "the bottom, however they are listed here");
   render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
-  render->add_option("--view", to.render.view, "fit, or X0,Y0,X1,Y1: two corners of what must be seen")
+  render
+      ->add_option("--view", to.render.view,
+                   "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"
+                   "samples and the layers that count for it, with a margin of 5 %")
       ->capture_default_str();
   render
       ->add_option("--scale", to.render.scale,
-                   "Factor for line widths and point sizes, as for a denser screen; dots of samples shrink where "
-                   "they would run together")
+                   "Factor for line widths and point sizes, as for a denser screen;\n"
+                   "dots of samples shrink where they would run together")
       ->capture_default_str();
   render->add_option("--background", to.render.background, "RRGGBB or transparent")->capture_default_str();
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
@@ -143,6 +151,27 @@ int refuse(const CLI::App& app, const std::string& text) {
   return report({ErrorCode::usage, line + "; see " + command + " --help", {}, 0, 0});
 }
 
+/// A first word that is no file, looks like no name of one and is nearly a command: what its writer meant.
+std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std::string>& files) {
+  if (files.empty() || files.front().find_first_of("./") != std::string::npos) return std::nullopt;
+  const std::string& word = files.front();
+  if (std::filesystem::exists(word)) return std::nullopt;
+  if (std::ranges::find(kLaterCommands, word) != kLaterCommands.end())
+    return Error{
+        ErrorCode::usage, "command \"" + word + "\" is not available in this build; see mesecina --help", {}, 0, 0};
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  const std::vector<std::string_view> names(commands.begin(), commands.end());
+  constexpr std::size_t kMostMistakes = 2;
+  const std::string_view nearest = nearest_names(word, names).front();
+  if (edit_distance(word, nearest) > kMostMistakes) return std::nullopt;
+  return Error{ErrorCode::usage,
+               "unknown command " + in_quotes(word) + "; did you mean " + std::string(nearest) + '?',
+               {},
+               0,
+               0};
+}
+
 int run(int argc, const char* const* argv, const OpenWindow& open_window) {
   CLI::App app;
   Arguments arguments;
@@ -155,6 +184,9 @@ int run(int argc, const char* const* argv, const OpenWindow& open_window) {
     return std::fflush(stdout) == 0 ? code
                                     : report({ErrorCode::cannot_write, "cannot be written", "standard output", 0, 0});
   } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty())
+      if (const auto mistake = mistaken_command(app, app["FILE"]->as<std::vector<std::string>>()))
+        return report(*mistake);
     return refuse(app, error.what());
   }
   if (const auto chosen = app.get_subcommands(); !chosen.empty()) {
@@ -162,9 +194,7 @@ int run(int argc, const char* const* argv, const OpenWindow& open_window) {
     const auto done = run_command(*chosen.front(), arguments);
     return done ? kExitDone : report(done.error());
   }
-  if (!arguments.files.empty() && !std::filesystem::exists(arguments.files.front()) &&
-      std::ranges::find(kLaterCommands, arguments.files.front()) != kLaterCommands.end())
-    return refuse(app, "command \"" + arguments.files.front() + "\" is not available in this build");
+  if (const auto mistake = mistaken_command(app, arguments.files)) return report(*mistake);
   return open_window(std::move(arguments.files));
 }
 

@@ -12,6 +12,9 @@
 
 namespace mes::cli {
 
+/// Letters to insert, remove or replace to get from one word to the other. O(product of their lengths).
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
 /// The names that a mistyped word most probably means, best first, three at most: by edit distance, and names that
 /// contain the word (or lie in it) before others.
 std::vector<std::string_view> nearest_names(std::string_view word, std::span<const std::string_view> names);

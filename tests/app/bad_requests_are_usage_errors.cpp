@@ -42,7 +42,10 @@ TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"export", kDude, "--layer", "voronoi-disks", "--format", "poff"}, {"no points"});
   require_usage_error({"render", kDude, "-o", "a.svg"}, {"not available in this build"});
   require_usage_error({"render", kDude, "-o", "a.jpeg"}, {".png"});
-  for (const char* command : {"evolve", "play", "demo"}) require_usage_error({command}, {"not available"});
+  for (const char* command : {"evolve", "play", "demo"}) {
+    require_usage_error({command}, {"not available"});
+    require_usage_error({command, kDude, "--steps", "5"}, {"not available"});
+  }
 }
 
 TEST_CASE("sizes, views, scales and colours are checked") {
@@ -73,6 +76,11 @@ TEST_CASE("missing and surplus arguments point to the help") {
   require_usage_error({"compute", kDude, "--colour", "red"}, {"--colour"});
   require_usage_error({"--colour"}, {"--colour", "mesecina --help"});
   require_usage_error({"compute", kDude, "--from", "svg"}, {"\"svg\"", "poff"});
+}
+
+TEST_CASE("a mistyped command names the one that is meant") {
+  require_usage_error({"rendr", kDude, "-o", "a.png"}, {"\"rendr\"", "did you mean render?"});
+  require_usage_error({"lists"}, {"did you mean list?"});
 }
 
 TEST_CASE("help and version are results") {
