@@ -9,9 +9,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/messages.h"
-#ifdef MESECINA_HAS_WINDOW
 #include "app/window/run_window.h"
-#endif
 
 namespace {
 
@@ -43,14 +41,7 @@ int main(int argc, char** argv) {
   // A reader that goes away and a file that grows too large are errors of a write, not reasons to die in silence.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-#ifdef MESECINA_HAS_WINDOW
   return mes::cli::run_command_line(argc, argv, [argv](std::vector<std::string> files) {
     return mes::run_window({.files = std::move(files), .executable = argv[0]});
   });
-#else
-  return mes::cli::run_command_line(argc, argv, [](const std::vector<std::string>&) {
-    return mes::cli::report(
-        {mes::ErrorCode::no_display, "this build has no window; mesecina render draws pictures", {}, 0, 0});
-  });
-#endif
 }

@@ -103,7 +103,8 @@ Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const Lay
   for (const LayerIndex layer : layers)
     if (layer_descriptors()[layer].in_fit_box) box.add(box_of(mirror, layer));
   if (samples.is_empty()) return box;
-  const double reach = std::max(samples.width(), samples.height());
+  constexpr double kReach = 0.1;
+  const double reach = kReach * std::max(samples.width(), samples.height());
   if (!(reach > 0.0)) return box;
   const auto within = [reach](double value, double low, double high) {
     return std::clamp(value, low - reach, high + reach);

@@ -29,8 +29,8 @@ Expected<std::optional<Box2>> parse_view(const std::string& text);
 Expected<std::optional<Rgb>> parse_background(const std::string& text);
 
 /// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
-/// by no more than the samples' own size: one huge ball at a hole of the curve must not shrink everything else to a
-/// dot.
+/// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of
+/// the curve must not shrink everything else to a dot.
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
 
 /// Median distance from a sample to the nearest other one, 0 when there are no two; from a few hundred samples when
