@@ -15,7 +15,7 @@ build_packages=(
   libstb-dev libdeflate-dev                                # PNG
   libcli11-dev nlohmann-json3-dev                          # command line, JSON
 )
-test_packages=(catch2 xvfb xauth xdotool imagemagick)
+test_packages=(catch2 xvfb xdotool)
 bench_packages=(libbenchmark-dev)
 
 case ${1:-test} in
