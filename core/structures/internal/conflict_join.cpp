@@ -46,7 +46,7 @@ bool ConflictJoin::mends_both_ends(Slot edge) const {
 void ConflictJoin::push_edges_of(Slot site, Slot position) {
   delaunay_.for_each_edge_at(site, [&](Slot edge, Slot other, Slot) {
     if (grown_.contains(other)) return;
-    heap_.push_back({ambiguity_key(crust_.corners(edge)), edge, other, position, mends_both_ends(edge)});
+    heap_.push_back(candidate(edge, other, position));
     std::ranges::push_heap(heap_, [this](const Candidate& a, const Candidate& b) { return is_surer(a, b); });
   });
 }
@@ -79,6 +79,7 @@ void ConflictJoin::grow(Slot seed, JobControl& job) {
     push_edges_of(next.site, static_cast<Slot>(tree_.size() - 1));
   }
   MES_ASSERT((odd & 1U) == 0);
+  grown_sites_ += tree_.size();
 
   // In a tree the set of edges with an odd number of odd sites behind them is found from the leaves.
   Cluster cluster;
@@ -124,11 +125,125 @@ void ConflictJoin::rebuild(JobControl& job) {
   changed_.clear();
   conflict_.clear();
   cluster_of_.clear();
+  grown_sites_ = 0;
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
   conflict_.assign(delaunay_.edge_rows(), 0);
   cluster_of_.assign(delaunay_.site_rows(), kNoSlot);
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site)
-    if (delaunay_.is_site(site) && crust_.is_odd(site) && cluster_of_[site] == kNoSlot) grow(site, job);
+  for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
+    if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;
+    grow(site, job);
+    if (is_too_much()) return join_all(job);
+  }
+}
+
+void ConflictJoin::join_all(JobControl& job) {
+  // Kruskal, remembering the order of merging as a binary forest: leaves are sites, inner nodes merges.
+  std::vector<Candidate> edges;
+  edges.reserve(delaunay_.edge_rows());
+  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+    if ((edge & 0xffffU) == 0) job.checkpoint();
+    const EdgeRow& row = delaunay_.edge(edge);
+    if (row.is_alive()) edges.push_back(candidate(edge, row.v[1], row.v[0]));
+  }
+  std::ranges::sort(edges, [this](const Candidate& a, const Candidate& b) { return is_surer(b, a); });
+  job.checkpoint();
+
+  struct Merge {
+    Slot left, right;  ///< below `sites`: a site, otherwise sites + number of an earlier merge
+    bool closes;       ///< two odd components made an even one
+  };
+  const auto sites = static_cast<Slot>(delaunay_.site_rows());
+  std::vector<Slot> parent(sites);
+  std::vector<Slot> node(sites);  // of the component, by root
+  std::vector<std::uint8_t> odd(sites);
+  for (Slot site = 0; site < sites; ++site) {
+    parent[site] = node[site] = site;
+    odd[site] = delaunay_.is_site(site) && crust_.is_odd(site) ? 1 : 0;
+  }
+  const auto root = [&parent](Slot site) {
+    while (parent[site] != site) site = parent[site] = parent[parent[site]];
+    return site;
+  };
+  std::vector<Merge> merges;
+  std::vector<Slot> tree;  // edge of each merge
+  merges.reserve(sites);
+  tree.reserve(sites);
+  std::vector<Slot> degree(sites + std::size_t{1}, 0);
+  for (const Candidate& edge : edges) {
+    Slot a = root(edge.site);
+    Slot b = root(edge.from);
+    if (a == b) continue;
+    merges.push_back({node[a], node[b], odd[a] != 0 && odd[b] != 0});
+    tree.push_back(edge.edge);
+    ++degree[edge.site];
+    ++degree[edge.from];
+    parent[b] = a;
+    odd[a] ^= odd[b];
+    node[a] = sites + static_cast<Slot>(merges.size() - 1);
+  }
+  job.checkpoint();
+
+  // The conflicts: edges of the tree with an odd number of odd sites behind them, found by plucking leaves.
+  std::vector<std::uint8_t> is_conflict(delaunay_.edge_rows(), 0);
+  std::vector<Slot> xor_of_edges(sites, 0);
+  for (Slot i = 0; i < tree.size(); ++i)
+    for (const Slot end : delaunay_.edge(tree[i]).v) xor_of_edges[end] ^= i;
+  for (Slot site = 0; site < sites; ++site) {
+    odd[site] = delaunay_.is_site(site) && crust_.is_odd(site) ? 1 : 0;
+  }
+  conflict_count_ = 0;
+  for (Slot start = 0; start < sites; ++start) {
+    Slot leaf = start;
+    while (degree[leaf] == 1) {
+      const Slot i = xor_of_edges[leaf];
+      const EdgeRow& row = delaunay_.edge(tree[i]);
+      const Slot next = row.v[0] == leaf ? row.v[1] : row.v[0];
+      if (odd[leaf] != 0) {
+        is_conflict[tree[i]] = 1;
+        ++conflict_count_;
+        odd[next] ^= 1U;
+      }
+      degree[leaf] = 0;
+      --degree[next];
+      xor_of_edges[next] ^= i;
+      leaf = next;
+    }
+  }
+  for (Slot edge = 0; edge < is_conflict.size(); ++edge)
+    if (is_conflict[edge] != conflict_[edge]) changed_.push_back(edge);
+  conflict_.swap(is_conflict);
+
+  // The clusters: the outermost merges that close.
+  clusters_.clear();
+  cluster_of_.assign(sites, kNoSlot);
+  std::vector<std::uint8_t> covered(merges.size(), 0);
+  std::vector<Slot> stack;
+  for (std::size_t m = merges.size(); m-- > 0;) {
+    const auto pass_on = [&](Slot child) {
+      if (child >= sites) covered[child - sites] = 1;
+    };
+    if (covered[m] == 0 && merges[m].closes) {
+      const Slot id = next_cluster_++;
+      Cluster& cluster = clusters_[id];
+      stack.assign(1, sites + static_cast<Slot>(m));
+      while (!stack.empty()) {
+        const Slot at = stack.back();
+        stack.pop_back();
+        if (at < sites) {
+          cluster.sites.push_back(at);
+          cluster_of_[at] = id;
+          continue;
+        }
+        if (conflict_[tree[at - sites]] != 0) cluster.conflicts.push_back(tree[at - sites]);
+        stack.push_back(merges[at - sites].left);
+        stack.push_back(merges[at - sites].right);
+      }
+      covered[m] = 1;
+    }
+    if (covered[m] == 0) continue;
+    pass_on(merges[m].left);
+    pass_on(merges[m].right);
+  }
 }
 
 void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
@@ -138,6 +253,7 @@ void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
   cluster_of_.resize(delaunay_.site_rows(), kNoSlot);
   changed_.clear();
   seeds_.clear();
+  grown_sites_ = 0;
   const auto touch = [this](Slot site) {
     const Slot id = cluster_of_[site];
     if (id == kNoSlot) return;
@@ -158,6 +274,9 @@ void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
     const Slot site = seeds_[i];
     if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;
     grow(site, job);
+    if (!is_too_much()) continue;
+    join_all(job);
+    break;
   }
   for (const Slot edge : changed_)
     if (delaunay_.edge(edge).is_alive()) changed_edges.push_back(edge);

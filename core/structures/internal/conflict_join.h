@@ -34,7 +34,8 @@ namespace mes {
 ///
 /// Cost: O(sites in the clusters touched, times log). Near a corner a cluster has a handful of sites; two odd sites
 /// far apart, such as the ends of an open stroke, make one cluster of all that is more doubtful than the way between
-/// them.
+/// them. Where clusters grow to a good part of the plane, as among random points, growing them one by one would visit
+/// the same sites again and again; then the whole tree is made at once by Kruskal's algorithm, O(n log n).
 class ConflictJoin {
  public:
   explicit ConflictJoin(const Delaunay& delaunay, const OneStepCrust& crust) : delaunay_(delaunay), crust_(crust) {}
@@ -63,6 +64,12 @@ class ConflictJoin {
   };
 
   bool mends_both_ends(Slot edge) const;
+  Candidate candidate(Slot edge, Slot site, Slot from) const {
+    return {ambiguity_key(crust_.corners(edge)), edge, site, from, mends_both_ends(edge)};
+  }
+  /// Everything at once; replaces clusters and conflicts.
+  void join_all(JobControl& job);
+  bool is_too_much() const { return grown_sites_ > 64 + delaunay_.site_count() / 4; }
   bool is_surer(const Candidate& a, const Candidate& b) const;
   void grow(Slot seed, JobControl& job);
   void dissolve(Slot cluster);
@@ -77,6 +84,7 @@ class ConflictJoin {
   std::vector<Slot> cluster_of_;  ///< by site; sized when the first odd site appears
 
   // Work space.
+  std::size_t grown_sites_ = 0;  ///< in this call, over all growths
   SlotMarks grown_;
   std::vector<Candidate> heap_;
   std::vector<Candidate> tree_;
