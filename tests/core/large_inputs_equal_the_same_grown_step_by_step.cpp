@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Large inputs, whose rebuild may work in pieces and on several threads, against the same samples added batch by
+// batch, each small enough to be an update; and against being taken away again.
+#include <catch2/catch.hpp>
+
+#include "core/base/rng.h"
+#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes_degenerate.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+// Along a curve in order, each prefix is an open stroke, whose ends see half of it; that is another matter.
+std::vector<Vec2> shuffled(std::vector<Vec2> positions) {
+  Rng rng(31);
+  for (std::size_t i = positions.size(); i > 1; --i) std::swap(positions[i - 1], positions[rng.below(i)]);
+  return positions;
+}
+
+void check_grown(const std::vector<Vec2>& positions) {
+  const Workbench at_once(positions);
+  const GeometryState expected = at_once.state();
+  CHECK(broken_row(at_once.graph()) == "");
+  const std::int64_t decided = at_once.count("one-step-crust", "decided_by_static_filter") +
+                               at_once.count("one-step-crust", "decided_by_intervals") +
+                               at_once.count("one-step-crust", "decided_exactly");
+  CHECK(decided == at_once.count("delaunay", "edges"));
+
+  const std::size_t start = positions.size() / 3;
+  Workbench grown({positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(start)});
+  int updates = 0;
+  for (std::size_t from = start; from < positions.size();) {
+    const std::size_t to = std::min(positions.size(), from + from / 12 + 1);
+    grown.insert(
+        {positions.begin() + static_cast<std::ptrdiff_t>(from), positions.begin() + static_cast<std::ptrdiff_t>(to)});
+    for (const NodeReport& node : grown.patch().nodes)
+      if (node.structure == "one-step-crust") updates += node.rebuilt ? 0 : 1;
+    from = to;
+  }
+  CHECK(updates > 5);
+  CHECK(broken_row(grown.graph()) == "");
+  CHECK(difference(grown.state(), expected) == "");
+  for (const char* key : {"nodes", "edges", "components", "cycles", "leaves", "branch_points", "isolated"})
+    CHECK(grown.count("medial-axis", key) == at_once.count("medial-axis", key));
+
+  // Back to the start by undo: updates again.
+  while (grown.steps_done() > 1) grown.undo();
+  const Workbench beginning({positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(start)});
+  CHECK(difference(grown.state(), beginning.state()) == "");
+}
+
+}  // namespace
+
+TEST_CASE("a large smooth curve") {
+  check_grown(shuffled(benchmark_curve(30000)));
+}
+
+TEST_CASE("a large curve with corners") {
+  check_grown(shuffled(rough_curve(30000)));
+}
+
+TEST_CASE("many random points, odd ones everywhere") {
+  check_grown(uniform_square(15000));
+}
+
+TEST_CASE("a large lattice, where every quadruple is cocircular") {
+  constexpr std::int64_t kSide = 110;
+  const Workbench bench(shuffled(integer_lattice(kSide).positions));
+  CHECK(broken_row(bench.graph()) == "");
+  CHECK(bench.count("one-step-crust", "crust_edges") == 2 * kSide * (kSide - 1));
+  CHECK(bench.count("one-step-crust", "odd_samples") == 4 * (kSide - 2));
+  CHECK(bench.count("one-step-crust", "cocircular_edges") == (kSide - 1) * (kSide - 1));
+}
