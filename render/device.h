@@ -102,7 +102,7 @@ struct DrawUniforms {
   float dash_px = 0.0F;
   float dash_period_px = 0.0F;
   float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
-  float spare = 0.0F;
+  float one = 1.0F;         ///< what a compiler must not know
   std::array<std::uint32_t, 4> center_bits{};
   std::array<std::uint32_t, 4> center_low_bits{};
 };

@@ -84,11 +84,15 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
   max_size_ = std::min({texture, renderbuffer, viewport[0], viewport[1]});
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples_);
-  uses_double_ = options.allow_double && context_has_double();
+  uses_precise_ = options.allow_precise && epoxy_has_gl_extension("GL_ARB_gpu_shader5");
+  uses_double_ = options.allow_double && uses_precise_ && epoxy_has_gl_extension("GL_ARB_gpu_shader_fp64");
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   vertex_array_ = GlVertexArray(name);
   composite_.handle = build_composite_program();
+  composite_.coverage = glGetUniformLocation(composite_.handle.get(), "u_coverage");
+  composite_.tint = glGetUniformLocation(composite_.handle.get(), "u_tint");
+  composite_.corner = glGetUniformLocation(composite_.handle.get(), "u_corner");
 }
 
 GlDevice::~GlDevice() = default;
@@ -108,7 +112,7 @@ GlDevice::Framebuffer& GlDevice::framebuffer_of(FramebufferId id) {
 GlDevice::Program& GlDevice::program_of(const ProgramKey& key) {
   Program& program = programs_[key];
   if (program.handle.get() == 0) {
-    program.handle = build_program(key, uses_double_);
+    program.handle = build_program(key, {.use_double = uses_double_, .use_precise = uses_precise_});
     program.real = glGetUniformLocation(program.handle.get(), "u_real");
     program.bits = glGetUniformLocation(program.handle.get(), "u_bits");
   }
@@ -304,11 +308,10 @@ void GlDevice::composite(FramebufferId target, const PixelRect& area, Framebuffe
                          const PremultipliedColor& color) {
   static_cast<void>(resolved(coverage));
   bind_target(target, area);
-  const GLuint program = composite_.handle.get();
-  glUseProgram(program);
-  glUniform4fv(glGetUniformLocation(program, "u_tint"), 1, color.data());
-  glUniform2i(glGetUniformLocation(program, "u_corner"), area.left, area.bottom);
-  glUniform1i(glGetUniformLocation(program, "u_coverage"), 0);
+  glUseProgram(composite_.handle.get());
+  glUniform4fv(composite_.tint, 1, color.data());
+  glUniform2i(composite_.corner, area.left, area.bottom);
+  glUniform1i(composite_.coverage, 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, framebuffer_of(coverage).texture.get());
   glDisable(GL_DEPTH_TEST);

@@ -12,7 +12,8 @@
 namespace mes::render {
 
 struct GlDeviceOptions {
-  bool allow_double = true;  ///< false: programs keep to pairs of floats, as on hardware without doubles
+  bool allow_double = true;   ///< false: programs keep to pairs of floats, as on hardware without doubles
+  bool allow_precise = true;  ///< false: nothing beyond OpenGL 3.3 is used to keep sums in order
 };
 
 class GlDevice final : public Device {
@@ -56,8 +57,15 @@ class GlDevice final : public Device {
   };
   struct Program {
     GlProgram handle;
-    int real = -1;
+    int real = -1;  ///< locations of uniforms
     int bits = -1;
+  };
+
+  struct CompositeProgram {
+    GlProgram handle;
+    int coverage = -1;
+    int tint = -1;
+    int corner = -1;
   };
 
   Buffer& buffer_of(BufferId id);
@@ -70,12 +78,13 @@ class GlDevice final : public Device {
   std::map<std::uint32_t, Buffer> buffers_;
   std::map<std::uint32_t, Framebuffer> framebuffers_;
   std::map<ProgramKey, Program> programs_;
-  Program composite_;
+  CompositeProgram composite_;
   GlVertexArray vertex_array_;
   std::uint32_t next_id_ = 1;
   int max_size_ = 0;
   int max_samples_ = 1;
   bool uses_double_ = false;
+  bool uses_precise_ = false;
   DeviceCounters counters_;
 };
 

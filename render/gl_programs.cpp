@@ -13,17 +13,17 @@ namespace {
 
 using Sources = std::initializer_list<std::string_view>;
 
-/// The reach is told to vertex programs only.
-std::string preamble(const ProgramKey& key, bool use_double) {
+std::string preamble(const ProgramKey& key, const ProgramFeatures& features) {
   std::string out = "#version 330 core\n";
-  // `precise` forbids the compiler to reorder sums whose rounding matters; without it we rely on its good sense.
-  if (epoxy_has_gl_extension("GL_ARB_gpu_shader5")) {
-    out += "#extension GL_ARB_gpu_shader5 : enable\n#define PRECISE precise\n";
+  // Sums whose rounding matters must not be reordered. `precise` forbids it; without it the compiler is kept from
+  // seeing through them by bits it does not know to be zero.
+  if (features.use_precise) {
+    out += "#extension GL_ARB_gpu_shader5 : enable\n#define PRECISE precise\n#define HOLD(x) (x)\n";
   } else {
-    out += "#define PRECISE\n";
+    out += "#define PRECISE\n#define HOLD(x) uintBitsToFloat(floatBitsToUint(x) ^ u_nothing)\n";
   }
-  if (use_double) out += "#extension GL_ARB_gpu_shader_fp64 : enable\n";
-  out += "#define REACH " + std::string(key.reach == Reach::near ? "0" : (use_double ? "2" : "1")) + "\n";
+  if (features.use_double) out += "#extension GL_ARB_gpu_shader_fp64 : enable\n";
+  out += "#define REACH " + std::string(key.reach == Reach::near ? "0" : (features.use_double ? "2" : "1")) + "\n";
   out += "#define DASHED " + std::string(key.dashed ? "1" : "0") + "\n";
   for (const PrimitiveKind kind : {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}) {
     std::string name(name_of(kind));
@@ -78,13 +78,9 @@ GlProgram link(const std::string& head, Sources vertex, Sources fragment) {
 
 }  // namespace
 
-bool context_has_double() {
-  return epoxy_has_gl_extension("GL_ARB_gpu_shader_fp64");
-}
-
-GlProgram build_program(const ProgramKey& key, bool use_double) {
+GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) {
   using namespace shaders;
-  const std::string head = preamble(key, use_double);
+  const std::string head = preamble(key, features);
   switch (key.kind) {
     case PrimitiveKind::point:
       return link(head, {uniforms_glsl, place_glsl, point_vert}, {uniforms_glsl, point_frag});

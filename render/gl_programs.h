@@ -7,11 +7,14 @@
 
 namespace mes::render {
 
-/// True when programs may compute in double (ARB_gpu_shader_fp64 and what goes with it).
-bool context_has_double();
+/// Extensions of OpenGL 3.3 that programs may use.
+struct ProgramFeatures {
+  bool use_double = false;   ///< ARB_gpu_shader_fp64
+  bool use_precise = false;  ///< ARB_gpu_shader5
+};
 
 /// Compiles and links. Throws AssertionFailure with the compiler's words when a program is wrong.
-GlProgram build_program(const ProgramKey& key, bool use_double);
+GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features);
 GlProgram build_composite_program();
 
 }  // namespace mes::render

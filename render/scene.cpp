@@ -21,7 +21,7 @@ constexpr double kMaxScale = 0x1p80;
 constexpr double kDash = 5.0;
 constexpr double kGap = 4.0;
 
-/// Strips first: triangles of a group have to be summed before anything else covers them.
+/// Triangles first: those of a group have to be summed before anything else covers them.
 constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
     PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,
     PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::point};
@@ -183,7 +183,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
         if (triangles) {
           draw_group(pass, std::span(&buffer, 1), style, ring);
         } else {
-          draw_kind(pass, buffer, style, ring, color, Blend::over, false);
+          draw_kind(pass, buffer, style, ring, color, Blend::over);
         }
       }
     }
@@ -203,7 +203,7 @@ void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, 
     for (const InstanceBuffer& buffer : kinds) {
       if (buffer.kind() != kind || buffer.count() == 0) continue;
       const Blend blend = kind == PrimitiveKind::triangle ? Blend::add : Blend::over;
-      draw_kind(inner, buffer, style, ring, {1.0F, 1.0F, 1.0F, 1.0F}, blend, true);
+      draw_kind(inner, buffer, style, ring, {1.0F, 1.0F, 1.0F, 1.0F}, blend);
     }
   }
   device_.composite(pass.target, pass.area, group, premultiplied(style.color, style.opacity));
@@ -222,7 +222,7 @@ FramebufferId Scene::group_target(int width, int height) {
 }
 
 void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const LayerStyle& style, bool ring,
-                      const PremultipliedColor& color, Blend blend, bool) {
+                      const PremultipliedColor& color, Blend blend) {
   const DrawingFrame& frame = buffer.frame();
   const Camera& camera = pass.camera;
   const CenterParts x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, frame.scale);

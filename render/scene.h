@@ -95,7 +95,7 @@ class Scene {
   void draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring);
   void draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring);
   void draw_kind(const Pass& pass, const InstanceBuffer& buffer, const LayerStyle& style, bool ring,
-                 const PremultipliedColor& color, Blend blend, bool into_group);
+                 const PremultipliedColor& color, Blend blend);
   FramebufferId group_target(int width, int height);
 
   Device& device_;

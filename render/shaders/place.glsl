@@ -28,10 +28,10 @@ vec3 pieces(uvec2 bits) {
 // centre are close, and only the last sum rounds.
 float near_offset(uvec2 bits, float c1, float c2, float c3) {
   vec3 p = pieces(bits);
-  PRECISE float first = p.x - c1;
-  PRECISE float second = p.y - c2;
-  PRECISE float third = p.z - c3;
-  PRECISE float sum = first + second;
+  PRECISE float first = HOLD(p.x - c1);
+  PRECISE float second = HOLD(p.y - c2);
+  PRECISE float third = HOLD(p.z - c3);
+  PRECISE float sum = HOLD(first + second);
   return sum + third;
 }
 vec2 near_offset(uvec4 bits) {

@@ -15,6 +15,7 @@ uniform uvec4 u_bits[2];
 #define u_dash u_real[4].x
 #define u_dash_period u_real[4].y
 #define u_arc_pieces u_real[4].z
+#define u_nothing (floatBitsToUint(u_real[4].w) & 1u)
 
 // Strokes thinner than a pixel keep that width and fade instead.
 float shown_half_width() { return max(u_half_width, 0.5); }

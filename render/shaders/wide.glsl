@@ -23,14 +23,14 @@ float narrow(Wide a) { return a; }
 #define Wide vec2
 // Sum and what rounding took off (Knuth).
 Wide two_sum(float a, float b) {
-  PRECISE float sum = a + b;
-  PRECISE float part = sum - a;
-  PRECISE float rest = (a - (sum - part)) + (b - part);
+  PRECISE float sum = HOLD(a + b);
+  PRECISE float part = HOLD(sum - a);
+  PRECISE float rest = HOLD((a - (sum - part)) + (b - part));
   return vec2(sum, rest);
 }
 Wide quick_two_sum(float a, float b) {
-  PRECISE float sum = a + b;
-  PRECISE float rest = b - (sum - a);
+  PRECISE float sum = HOLD(a + b);
+  PRECISE float rest = HOLD(b - (sum - a));
   return vec2(sum, rest);
 }
 // Product and what rounding took off. Halves of 12 bits are cut off by a mask, not by arithmetic, so that a fused
@@ -38,10 +38,10 @@ Wide quick_two_sum(float a, float b) {
 Wide two_product(float a, float b) {
   float a1 = uintBitsToFloat(floatBitsToUint(a) & 0xfffff000u);
   float b1 = uintBitsToFloat(floatBitsToUint(b) & 0xfffff000u);
-  float a2 = a - a1;
-  float b2 = b - b1;
-  PRECISE float product = a * b;
-  PRECISE float rest = ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
+  PRECISE float a2 = HOLD(a - a1);
+  PRECISE float b2 = HOLD(b - b1);
+  PRECISE float product = HOLD(a * b);
+  PRECISE float rest = HOLD(HOLD(HOLD(a1 * b1 - product) + HOLD(a1 * b2)) + HOLD(a2 * b1)) + HOLD(a2 * b2);
   return vec2(product, rest);
 }
 Wide wide_add(Wide a, Wide b) {

@@ -19,6 +19,10 @@ using enum PrimitiveKind;
 constexpr int kWidth = 400;
 constexpr int kHeight = 300;
 
+/// With doubles, with pairs of floats, and with nothing but OpenGL 3.3.
+const std::vector<GlDeviceOptions> kWays{
+    {}, {.allow_double = false}, {.allow_double = false, .allow_precise = false}};
+
 LayerStyle black(double width_px, double point_px = 5.0) {
   LayerStyle out;
   out.line_width_px = width_px;
@@ -85,11 +89,11 @@ TEST_CASE("samples at relative distance 1e-13 are seen apart in a view of 1e-12"
 }
 
 TEST_CASE("panning by whole pixels shifts the picture, at every depth") {
-  const bool use_double = GENERATE(true, false);
-  Drawing drawing(GlDeviceOptions{.allow_double = use_double});
+  const GlDeviceOptions options = GENERATE(from_range(kWays));
+  Drawing drawing(options);
   const Vec2 sample{0.7310585786300049, -0.3141592653589793};
   for (const double view_width : {4.0, 1e-3, 1e-6, 1e-9, 1e-12}) {
-    CAPTURE(use_double, view_width);
+    CAPTURE(options.allow_double, options.allow_precise, view_width);
     const auto at = [&](double x, double y) { return Vec2{sample.x + x * view_width, sample.y + y * view_width}; };
     std::vector<double> points;
     std::vector<double> segments;
@@ -125,11 +129,10 @@ TEST_CASE("panning by whole pixels shifts the picture, at every depth") {
 
 TEST_CASE("a line whose ends are far outside passes at the right pixels") {
   // With pairs of floats a view of 1e-9 is placed to a small part of a pixel, with doubles one of 1e-12.
-  const bool use_double = GENERATE(true, false);
-  const double view_width = use_double ? 1e-12 : 1e-9;
-  Drawing drawing(GlDeviceOptions{.allow_double = use_double});
-  CAPTURE(use_double);
-  if (use_double) REQUIRE(drawing.device().uses_double());
+  const GlDeviceOptions options = GENERATE(from_range(kWays));
+  Drawing drawing(options);
+  const double view_width = drawing.device().uses_double() ? 1e-12 : 1e-9;
+  CAPTURE(options.allow_double, options.allow_precise);
 
   for (const double angle : {0.0, 0.3, 0.785398, 1.5707963, 2.5}) {
     CAPTURE(angle);
@@ -169,8 +172,8 @@ TEST_CASE("a line whose ends are far outside passes at the right pixels") {
 }
 
 TEST_CASE("the rim of a circle stays smooth and in place when magnified") {
-  const bool use_double = GENERATE(true, false);
-  Drawing drawing(GlDeviceOptions{.allow_double = use_double});
+  const GlDeviceOptions options = GENERATE(from_range(kWays));
+  Drawing drawing(options);
   for (const double view_width : {1e-2, 1e-4, 1e-6, 1e-9}) {
     // 3-4-5: the rim passes exactly through the point looked at.
     const Vec2 rim{0.75 + 0.125, 1.0 - 0.25};
@@ -184,7 +187,7 @@ TEST_CASE("the rim of a circle stays smooth and in place when magnified") {
     const double pixel = view_width / kWidth;
     const Image ring = drawing.draw(camera, {{0, black(3.0)}});
     const Image full = drawing.draw(camera, {{1, black(1.0)}});
-    CAPTURE(use_double, view_width);
+    CAPTURE(options.allow_double, options.allow_precise, view_width);
     double worst_ring = 0.0;
     double worst_full = 0.0;
     for (int y = 0; y < kHeight; ++y) {
