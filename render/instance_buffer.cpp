@@ -2,6 +2,7 @@
 #include "render/instance_buffer.h"
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -55,9 +56,16 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   count_ = 0;
   reserve(count, 0);
   count_ = count;
-  std::vector<std::uint32_t> index(count);
-  std::iota(index.begin(), index.end(), 0U);
-  return write(index, data);
+  if (count == 0) return 0;
+  const std::size_t doubles = layout_of(kind_).doubles();
+  std::vector<double> encoded(count * doubles);
+  for (std::size_t i = 0; i < count; ++i) {
+    encode_instance(kind_, frame_, data.subspan(i * stride, stride), std::span(encoded).subspan(i * doubles, doubles),
+                    extent_);
+  }
+  const ByteRange all{0, encoded.size() * sizeof(double)};
+  device_->update_buffer(buffer_, std::span(&all, 1), std::as_bytes(std::span(encoded)));
+  return all.size;
 }
 
 std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& frame) {
@@ -66,7 +74,15 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
   MES_ASSERT(patch.data.size() >= patch.index.size() * stride_of(kind_));
   MES_ASSERT(count_ == 0 || frame == frame_);
   frame_ = frame;
-  if (patch.count > capacity_) reserve(patch.count, std::min(count_, patch.count));
+  if (patch.count > capacity_) {
+    try {
+      reserve(patch.count, count_);
+    } catch (const std::bad_alloc&) {
+      // Later patches build on this one: nothing is better than a part.
+      clear();
+      throw;
+    }
+  }
   count_ = patch.count;
   if (count_ == 0) extent_ = {};
   return write(patch.index, patch.data);

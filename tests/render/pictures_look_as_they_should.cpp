@@ -91,3 +91,27 @@ TEST_CASE("a fan of triangles has no seams") {
     for (int x = 35; x < 85; ++x) CHECK(cover(image, x, y) == Approx(0.5).margin(0.03));
   }
 }
+
+TEST_CASE("overlays lie above all layers, points of them filled or as rings") {
+  Drawing drawing;
+  drawing.set(0, disk, {40, 40, 25});
+  drawing.set(1, point, {20, 40, 40, 40, 60, 40});
+  const std::vector<double> selected{20, 40, 0, 40, 40, 0};
+  const std::vector<double> hovered{60, 40, 0, 100, 60, 0};
+  const std::vector<double> box{10, 10, 110, 10, 0, 110, 10, 110, 70, 0, 110, 70, 10, 70, 0, 10, 70, 10, 10, 0};
+  const std::vector<double> inside{10, 10, 110, 10, 110, 70, 0, 10, 10, 110, 70, 10, 70, 0};
+  LayerStyle band = style(palette::blue, 0.12);
+  drawing.scene().set_overlay(0, {.kind = triangle, .data = inside, .style = band});
+  band.opacity = 1.0;
+  band.dashed = true;
+  drawing.scene().set_overlay(1, {.kind = segment, .data = box, .style = band});
+  LayerStyle mark = style(palette::vermilion);
+  mark.point_size_px = 9.0;
+  drawing.scene().set_overlay(2, {.kind = point, .data = selected, .style = mark});
+  mark.point_size_px = 14.0;
+  mark.line_width_px = 2.0;
+  drawing.scene().set_overlay(3, {.kind = point, .data = hovered, .style = mark, .ring = true});
+  const std::vector<LayerView> views{{0, style(palette::orange, 0.4)}, {1, style(palette::black)}};
+  CHECK(compare_with_golden(drawing.draw(pixel_camera(120, 80), views, {.background = kWhite, .overlays = true}),
+                            "overlays") == "");
+}
