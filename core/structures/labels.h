@@ -47,7 +47,8 @@ class Labels final : public Structure {
  private:
   /// The label must change across the face's edge i.
   bool is_border(Slot face, int i) const {
-    const bool crust = ((crust_.crust_bits_of_face(face) >> static_cast<unsigned>(i)) & 1U) != 0;
+    const unsigned bits = crust_.crust_bits_of_face(face);
+    const bool crust = ((bits >> static_cast<unsigned>(i)) & 1U) != 0;
     return crust != (join_.conflict_count() != 0 && has_conflict(face, i));
   }
   bool has_conflict(Slot face, int i) const {
