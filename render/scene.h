@@ -61,8 +61,8 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Throws std::bad_alloc when graphics memory is exhausted; the kind concerned is then empty, and the layer has to be
-  /// asked for again as a whole.
+  /// Throws std::bad_alloc when graphics memory is exhausted; the kind concerned is then empty, and the layer has to
+  /// be asked for again as a whole.
   void apply(const FramePatch& patch);
   /// Forgets all instances of a layer and gives its memory back.
   void forget(LayerIndex layer);
