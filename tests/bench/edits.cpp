@@ -180,14 +180,14 @@ void register_edits(RatioTable& table) {
     const double goal = n >= 100000 ? 4.0 : (n >= 10000 ? 5.0 : 0.0);
     const std::string suffix = "/" + std::to_string(n);
     const auto add = [&](const std::string& name, const std::string& what, auto input, Edit kind, bool on_curve,
-                         double its_goal, const char* against) {
+                         double its_goal, const char* against, std::int64_t iterations = 20000) {
       benchmark::RegisterBenchmark(
           ("edit/" + name + suffix).c_str(),
           [&table, what, input, n, kind, on_curve, its_goal, against](benchmark::State& state) {
             edit(state, table, what, input(n, 1), kind, on_curve, its_goal, against);
           })
           ->UseManualTime()
-          ->Iterations(20000)
+          ->Iterations(iterations)
           ->Unit(benchmark::kMicrosecond);
     };
     add("move/curve", "move, curve", test::benchmark_curve, Edit::move, true, goal, nullptr);
@@ -197,9 +197,11 @@ void register_edits(RatioTable& table) {
     add("remove/rough", "remove, rough curve", test::rough_curve, Edit::remove, true, 10.0, "remove, curve");
     add("insert/rough", "insert, rough curve", test::rough_curve, Edit::insert, true, 10.0, "insert, curve");
     if (n <= 100000) {
-      add("move/square", "move, uniform square", test::uniform_square, Edit::move, false, 20.0, "move, curve");
-      add("remove/square", "remove, uniform square", test::uniform_square, Edit::remove, false, 20.0,
-          "remove, curve");
+      // Odd samples everywhere: an edit costs milliseconds here.
+      const std::int64_t few = n <= 1000 ? 2000 : (n <= 10000 ? 200 : 20);
+      add("move/square", "move, uniform square", test::uniform_square, Edit::move, false, 20.0, "move, curve", few);
+      add("remove/square", "remove, uniform square", test::uniform_square, Edit::remove, false, 20.0, "remove, curve",
+          few);
     }
   }
   benchmark::RegisterBenchmark("hand_over", [&table](benchmark::State& state) { hand_over(state, table); })

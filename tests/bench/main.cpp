@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   mes::bench::RatioTable table;
   mes::bench::register_scratch(table);
   mes::bench::register_edits(table);
+  mes::bench::register_drawing(table);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 

@@ -45,5 +45,6 @@ inline double median(std::vector<double> values) {
 /// Registers the benchmarks of each file; their results go to the table, which outlives them.
 void register_scratch(RatioTable& table);
 void register_edits(RatioTable& table);
+void register_drawing(RatioTable& table);
 
 }  // namespace mes::bench
