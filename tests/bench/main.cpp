@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Our pipeline against the raw CGAL operation, side by side in one process, with a table of ratios at the end.
-// `--benchmark_filter=REGEX` chooses, e.g. `--benchmark_filter=/10000$`.
+// `--benchmark_filter=REGEX` chooses, e.g. `--benchmark_filter=/10000/`.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
