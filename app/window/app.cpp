@@ -102,11 +102,7 @@ void App::frame() {
   draw_panels();
   follow_demand();
   engine_.set_want_statistics(settings_.show_statistics && show_panels_);
-  if (fit_when_read_) {
-    fit(!had_first_file_);
-    fit_when_read_ = false;
-    had_first_file_ = true;
-  }
+  fit_if_wanted();
   canvas_.advance(seconds);
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();

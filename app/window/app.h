@@ -67,7 +67,7 @@ class App final : private WindowListener {
   void nudge(double x_px, double y_px);
   void report(const Error& error);
   Box2 fit_box() const;
-  void fit(bool at_once);
+  void fit_if_wanted();
 
   // app_files.cpp
   void open_first(const WindowOptions& options);
@@ -112,7 +112,8 @@ class App final : private WindowListener {
   std::function<void()> after_save_;  // what waits for a save under a new name
   bool show_help_ = false;
   bool show_panels_ = true;
-  bool fit_when_read_ = false;
+  enum class Fit : std::uint8_t { none, glide, at_once };
+  Fit fit_wanted_ = Fit::none;  // done in the next frame, when the panels are where they will be
   bool had_first_file_ = false;
   bool is_closing_ = false;
   int frames_wanted_ = 3;  // the panels need a few frames to settle after an event

@@ -88,7 +88,7 @@ void App::bind_edit_actions() {
 void App::bind_view_actions() {
   actions_.bind(ActionId::zoom_in, {[this] { canvas_.view().zoom_at(canvas_.zoom_center(), kKeyZoom); }});
   actions_.bind(ActionId::zoom_out, {[this] { canvas_.view().zoom_at(canvas_.zoom_center(), 1.0 / kKeyZoom); }});
-  actions_.bind(ActionId::fit, {[this] { fit(false); }});
+  actions_.bind(ActionId::fit, {[this] { fit_wanted_ = Fit::glide; }});
   actions_.bind(ActionId::fit_selection, {[this] {
                                             Box2 box;
                                             for (const Slot slot : editor_.selection().slots())
@@ -123,8 +123,10 @@ Box2 App::fit_box() const {
   return editor_.document().bounding_box();
 }
 
-void App::fit(bool at_once) {
-  canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), at_once);
+void App::fit_if_wanted() {
+  if (fit_wanted_ == Fit::none) return;
+  canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
+  fit_wanted_ = Fit::none;
 }
 
 }  // namespace mes

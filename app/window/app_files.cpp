@@ -16,7 +16,7 @@ void App::open_first(const WindowOptions& options) {
   } else if (!shapes_.empty()) {
     files_.open_shape(shapes_.front().file, shapes_.front().name);
   } else {
-    fit_when_read_ = true;
+    fit_wanted_ = Fit::at_once;
   }
 }
 
@@ -47,7 +47,8 @@ void App::take_read_file() {
     if (!fs::exists(outcome->file)) std::erase(settings_.recent_files, text);
     return;
   }
-  fit_when_read_ = true;
+  fit_wanted_ = had_first_file_ ? Fit::glide : Fit::at_once;
+  had_first_file_ = true;
   messages_.clear_problem();
   if (!outcome->is_shape) remember_file(settings_, outcome->file);
   if (!outcome->warnings.empty()) {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real window on a virtual display, driven by real mouse and key events.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace mes::test {
+
+using Environment = std::map<std::string, std::string>;
+
+/// A program of its own process; killed with this object.
+class Child {
+ public:
+  Child() = default;
+  /// Runs `arguments[0]`; standard error goes to `error_file` if that is given. Values in `extra` are set, empty ones
+  /// unset.
+  Child(const std::vector<std::string>& arguments, const Environment& extra,
+        const std::filesystem::path& error_file = {});
+  ~Child();
+  Child(Child&& other) noexcept;
+  Child& operator=(Child&& other) noexcept;
+
+  pid_t pid() const { return pid_; }
+  bool is_running();
+  /// Exit code, or 128 + signal; waits.
+  int wait();
+
+ private:
+  pid_t pid_ = -1;
+  int status_ = 0;
+};
+
+struct Color {
+  int r = 0;
+  int g = 0;
+  int b = 0;
+};
+
+class Screenshot {
+ public:
+  Screenshot(int width, int height, std::vector<std::uint8_t> rgb)
+      : width_(width), height_(height), rgb_(std::move(rgb)) {}
+  bool is_empty() const { return rgb_.empty(); }
+  Color at(int x, int y) const;
+  bool is_dark(int x, int y) const;
+  bool is_white(int x, int y) const;
+  /// Pixels that satisfy the condition.
+  int count(const std::function<bool(Color)>& condition) const;
+  /// Pixels of which some channel differs by more than `tolerance`; all of them when the sizes differ.
+  int differences(const Screenshot& other, int tolerance) const;
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> rgb_;
+};
+
+/// Reads any picture ImageMagick can; empty when there is none.
+Screenshot read_picture(const std::filesystem::path& file);
+
+/// A virtual screen of 1280 x 800 pixels. Where the tools for it are missing the test is skipped (exit code 4), on a
+/// build machine (CI set) it fails.
+class VirtualScreen {
+ public:
+  VirtualScreen();
+  const std::string& display() const { return display_; }
+  Screenshot shoot() const;
+  /// One call of xdotool; its standard output.
+  std::string xdotool(const std::string& arguments) const;
+  /// The rest of the arguments one by one, so that a program draws between them.
+  void drag(std::array<int, 2> from, std::array<int, 2> to, int steps) const;
+
+ private:
+  std::string display_;
+  Child server_;
+};
+
+/// Asks again until it is true; false after a minute and a half.
+bool eventually(const std::function<bool()>& condition);
+
+/// Standard output of a shell command.
+std::string output_of(const std::string& command);
+std::string bytes_of(const std::filesystem::path& file);
+
+}  // namespace mes::test
