@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
@@ -68,7 +69,11 @@ TEST_CASE("what is odd but bearable is said, and the result is given") {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("too little memory is said in one line") {
   std::string input = "POFF 400000 0 0\n";
-  for (int i = 0; i < 400000; ++i) input += std::to_string(i % 1000) + ".25 " + std::to_string(i / 1000) + ".5\n";
+  for (int i = 0; i < 400000; ++i) {
+    const double angle = 1.5e-5 * i;
+    const double radius = 1e5 + 3e4 * std::cos(7 * angle);
+    input += std::to_string(radius * std::cos(angle)) + ' ' + std::to_string(radius * std::sin(angle)) + '\n';
+  }
   // Enough to start and to read, not enough to compute.
   const RunResult result = run({"compute", "-", "--layers", "all"}, {.input = input, .address_space_mib = 300});
   INFO(result.err);
