@@ -81,9 +81,10 @@ class LayerPart {
 
 class InstancePlaces {
  public:
-  void reset(std::size_t rows) {
+  void reset(std::size_t rows, PrimitiveKind main_kind) {
     place_.assign(rows, kNoPlace);
     for (auto& rows_of_kind : row_at_) rows_of_kind.clear();
+    row_at_[index_of(main_kind)].reserve(rows);
   }
   /// Bulk emission: the row's instance is the next of its kind.
   void append(Slot row, const Instance& instance, LayerPatch& patch) {
@@ -163,9 +164,7 @@ class InstancePlaces {
     return (static_cast<std::uint32_t>(kind) << kIndexBits) | index;
   }
   static void append_to(std::vector<double>& data, const Instance& instance) {
-    const std::size_t at = data.size();
-    data.resize(at + stride_of(instance.kind()));
-    std::copy(instance.begin(), instance.end(), data.begin() + static_cast<std::ptrdiff_t>(at));
+    data.insert(data.end(), instance.begin(), instance.end());
   }
   void write(std::uint32_t index, const Instance& instance, LayerPatch& patch) {
     KindPatch& out = patch[instance.kind()];
@@ -187,11 +186,13 @@ class TablePart final : public LayerPart {
 
   void reset(LayerPatch& patch) override {
     const std::size_t rows = rows_();
-    places_.reset(rows);
+    // Room for all rows as the first kind: memory that is not written costs nothing, growing step by step does.
+    places_.reset(rows, kinds_.front());
     for (const PrimitiveKind kind : kinds_) {
       patch[kind].clear();
       patch[kind].reset = true;
     }
+    patch[kinds_.front()].data.reserve(rows * stride_of(kinds_.front()));
     Instance instance;
     for (std::size_t row = 0; row < rows; ++row) {
       instance.clear();
