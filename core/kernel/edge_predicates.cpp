@@ -42,6 +42,19 @@ double largest_difference(const EdgeCorners& e) {
   return e.s ? std::max({m, size(e.r, *e.s), size(e.q, *e.s)}) : m;
 }
 
+// Points of a grid that is not much finer than the edge is long, such as pixel corners and other integers:
+// differences are then at most 2^12 grid steps, H and I at most 2^51, and doubles evaluate them without rounding.
+// These are the inputs where ties are the rule, so it pays to decide them here.
+bool is_on_coarse_grid(const EdgeCorners& e, double largest) {
+  const double steps = std::ldexp(1.0, 11 - std::ilogb(largest));
+  const auto is_whole = [steps](double x) {
+    const double scaled = x * steps;
+    return scaled == std::trunc(scaled) && (scaled != 0.0 || x == 0.0);
+  };
+  const auto is_on_grid = [&](Vec2 a) { return is_whole(a.x) && is_whole(a.y); };
+  return is_on_grid(e.p) && is_on_grid(e.q) && is_on_grid(e.r) && (!e.s || is_on_grid(*e.s));
+}
+
 EdgeClass classify_slowly(const EdgeCorners& corners, FilterCounts& counts) {
   {
     CGAL::Protect_FPU_rounding<true> rounding;
@@ -73,6 +86,10 @@ EdgeClass classify_edge(const EdgeCorners& corners, FilterCounts& counts) {
     if (std::abs(phase.h) > bound && (!corners.s || std::abs(phase.i) > bound)) {
       ++counts.static_filter;
       return {phase.h > 0.0, false};
+    }
+    if (is_on_coarse_grid(corners, m)) {
+      ++counts.static_filter;
+      return {phase.h >= 0.0, corners.s && phase.i == 0.0};
     }
   }
   return classify_slowly(corners, counts);
@@ -129,6 +146,22 @@ double ambiguity_key(const EdgeCorners& corners) {
 }
 
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b) {
+  const double size_a = largest_difference(a);
+  const double size_b = largest_difference(b);
+  if (std::min(size_a, size_b) > 1e-30 && std::max(size_a, size_b) < 1e30 && is_on_coarse_grid(a, size_a) &&
+      is_on_coarse_grid(b, size_b)) {
+    // All four numbers are exact; so are their products as sums of two doubles.
+    const Phase pa = phase_of(a);
+    const Phase pb = phase_of(b);
+    if (pa.i != 0.0 && pb.i != 0.0) {
+      const double left = std::abs(pa.h) * pb.i;
+      const double right = std::abs(pb.h) * pa.i;
+      if (left != right) return left < right ? -1 : 1;
+      const double left_rest = std::fma(std::abs(pa.h), pb.i, -left);
+      const double right_rest = std::fma(std::abs(pb.h), pa.i, -right);
+      return left_rest < right_rest ? -1 : (right_rest < left_rest ? 1 : 0);
+    }
+  }
   const GeneralPhase<Rational> pa = phase_in<Rational>(a);
   const GeneralPhase<Rational> pb = phase_in<Rational>(b);
   const Rational left = abs(pa.h) * pb.i;

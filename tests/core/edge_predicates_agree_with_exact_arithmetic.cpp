@@ -344,7 +344,7 @@ TEST_CASE("the crust test does not see similarities that doubles hold exactly") 
   }
 }
 
-TEST_CASE("easy edges cost no more than the static filter, ties go to the exact stage") {
+TEST_CASE("easy edges cost no more than the static filter, ties off a grid go to the exact stage") {
   FilterCounts easy;
   for (int i = 0; i < 100; ++i) {
     const double height = 1.3 + 0.01 * i;
@@ -361,8 +361,17 @@ TEST_CASE("easy edges cost no more than the static filter, ties go to the exact 
     classify_edge(right_sum(rng), ties);
     classify_edge(right_hull(rng), ties);
   }
-  CHECK(ties.static_filter == 0);
-  CHECK(ties.exact == 200);
+  // Ties on a coarse grid are decided by doubles that do not round, all others exactly.
+  CHECK(ties.interval == 0);
+  CHECK(ties.static_filter + ties.exact == 200);
+  CHECK(ties.exact > 50);
+  FilterCounts grid;
+  CHECK(classify_edge({{0, 1}, {0, 0}, {1, 0}, Vec2{1, -1}}, grid).is_crust);
+  CHECK(classify_edge({{0, 0}, {1, 0}, {0, 1}, Vec2{1, 1}}, grid).is_cocircular);
+  CHECK(grid.static_filter == 2);
+  // A bit off the grid, and the tie is none.
+  CHECK_FALSE(classify_edge({{0, 1}, {0, 0}, {1, 0}, Vec2{1, std::nextafter(-1.0, 0.0)}}, grid).is_crust);
+  CHECK(grid.static_filter == 2);
 
   // Beyond the range of the static filter its neighbour decides, without exact numbers.
   FilterCounts large;
