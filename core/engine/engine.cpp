@@ -20,11 +20,10 @@ struct Engine::Impl {
     thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
   }
   ~Impl() {
-    {
-      const std::lock_guard lock(mutex);
-      stopping = true;
-      job_stop.request_stop();
-    }
+    // Under the lock: between the worker's look at the stop token and its sleep the notification would be lost.
+    const std::lock_guard lock(mutex);
+    stopping = true;
+    job_stop.request_stop();
     thread.request_stop();
     work_there.notify_all();
   }

@@ -22,6 +22,7 @@ class Gate {
   void pass() {
     std::unique_lock lock(mutex_);
     ++arrivals_;
+    ++passes_;
     changed_.notify_all();
     changed_.wait(lock, [this] { return open_; });
   }
@@ -35,7 +36,13 @@ class Gate {
     open_ = true;
     changed_.notify_all();
   }
-  /// Waits until the engine stands at the closed gate.
+  /// Waits until the engine has reported the end of its last run, which it does a moment after the patch is there:
+  /// each run reports its beginning and its end.
+  void settle() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return passes_ % 2 == 0; });
+  }
+  /// Waits until the engine stands at the closed gate; when it was idle before, at the beginning of a run.
   void await() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return arrivals_ > 0; });
@@ -46,6 +53,7 @@ class Gate {
   std::condition_variable changed_;
   bool open_ = true;
   int arrivals_ = 0;
+  int passes_ = 0;
 };
 
 // A window's side of the engine: document, history, and what the patches have drawn.
@@ -91,6 +99,7 @@ class Client {
       engine_->recycle(std::move(last_));
       last_ = std::move(patch);
     }
+    gate_.settle();
   }
   std::vector<Vec2> positions() const {
     std::vector<Vec2> out;
@@ -319,6 +328,7 @@ TEST_CASE("statistics come only while they are wanted") {
 TEST_CASE("cancel ends a long computation, and resume finishes it") {
   Client client;
   client.demand({"points", "delaunay", "medial-axis"});
+  client.sync();
   client.gate().close();
   client.replace(many(20000));
   client.gate().await();
@@ -375,6 +385,7 @@ TEST_CASE("cancelling idle work changes nothing") {
 TEST_CASE("replacing everything supersedes what is being computed") {
   Client client;
   client.demand({"points", "delaunay"});
+  client.sync();
   client.gate().close();
   client.replace(many(20000));
   client.gate().await();
@@ -396,6 +407,7 @@ TEST_CASE("an engine can be destroyed at any moment") {
   for (int i = 0; i < 12; ++i) {
     Client client;
     client.engine().set_demand(all_layers());
+    client.sync();
     client.gate().close();
     client.replace(many(20000));
     client.gate().await();
