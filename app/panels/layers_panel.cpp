@@ -29,6 +29,27 @@ bool is_failed(NodeState state) {
   return state == NodeState::failed || state == NodeState::blocked;
 }
 
+// Rows lie close together; what opens from them does not.
+class PopupSpacing {
+ public:
+  explicit PopupSpacing(float unit) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
+  }
+  ~PopupSpacing() { ImGui::PopStyleVar(2); }
+  PopupSpacing(const PopupSpacing&) = delete;
+  PopupSpacing& operator=(const PopupSpacing&) = delete;
+};
+
+// One of a few words, side by side; the chosen one stands out.
+bool choice(const char* label, bool chosen) {
+  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentSoft : 0U);
+  ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kAccent : theme::kTextQuiet);
+  const bool clicked = ImGui::Button(label);
+  ImGui::PopStyleColor(2);
+  return clicked;
+}
+
 std::string milliseconds(double ms) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), ms < 10.0 ? "%.2f ms" : "%.0f ms", ms);
@@ -57,12 +78,14 @@ void LayersPanel::draw_head(const PanelContext& context) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Layers");
   ImGui::PopFont();
-  const char* mode = by_order_ ? "Drawing order" : "By subject";
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(mode).x -
-                  2 * ImGui::GetStyle().FramePadding.x);
-  if (ImGui::Button(mode)) by_order_ = !by_order_;
-  tooltip(context.gui, by_order_ ? "Layers as they lie on each other, top first. Click to list them by subject"
-                                 : "Layers by subject. Click to list them as they lie on each other");
+  const float padding = ImGui::GetStyle().FramePadding.x;
+  const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  if (choice("Subject", !by_order_)) by_order_ = false;
+  tooltip(context.gui, "List the layers by what they are about");
+  ImGui::SameLine(0, 2 * unit);
+  if (choice("Order", by_order_)) by_order_ = true;
+  tooltip(context.gui, "List the layers as they lie on each other, top first");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##search", "Search", &search_);
   ImGui::Checkbox("Only visible", &only_visible_);
@@ -99,8 +122,9 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
 }
 
 void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer) {
-  if (!ImGui::BeginPopup("style")) return;
   const float unit = context.gui.unit();
+  const PopupSpacing spacing(unit);
+  if (!ImGui::BeginPopup("style")) return;
   const LayerDescriptor& descriptor = context.layers.descriptor(layer);
   LayerStyle style = context.layers.style(layer);
   ImGui::PushFont(context.gui.bold());
@@ -152,6 +176,7 @@ void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer
 }
 
 void LayersPanel::draw_context_menu(const PanelContext& context, LayerIndex layer) {
+  const PopupSpacing spacing(context.gui.unit());
   if (!ImGui::BeginPopupContextItem("menu")) return;
   LayerStack& layers = context.layers;
   if (layers.soloed() == layer) {

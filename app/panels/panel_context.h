@@ -57,7 +57,7 @@ inline bool begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlag
 
 /// Explains the last item when the pointer rests on it, also when it is disabled.
 inline void tooltip(const Gui& gui, const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (text.empty() || !gui.is_resting() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(340.0F * gui.unit());
   ImGui::TextUnformatted(text.c_str());

@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-constexpr int kSettlingFrames = 3;
+constexpr int kSettlingFrames = 2;
 constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
 constexpr double kLongestStep = 0.05;       // seconds; after a sleep a motion goes on from where it was
 
@@ -44,7 +44,7 @@ App::~App() {
 
 double App::next_wait() const {
   const EngineStatus status = engine_.status();
-  if (status.busy || files_.is_reading()) return kProgressInterval;
+  if (status.busy || files_.is_reading() || gui_.is_about_to_rest()) return kProgressInterval;
   return 0.0;
 }
 
@@ -57,8 +57,11 @@ void App::run() {
     deliver_events();
     take_read_file();
     picture_.take_from(engine_);
+    const bool was_about_to_rest = gui_.is_about_to_rest();
     frame();
     frames_wanted_ = std::max(0, frames_wanted_ - 1);
+    // A tooltip that comes up now is measured in its first frame and seen in its second.
+    if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
   }
   remember_settings();
 }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kTextPx = 15.0F;
 constexpr float kSmallTextPx = 12.5F;
+constexpr float kRestSeconds = 0.4F;  // before a tooltip comes; shorter is a nuisance while passing by
 
 // Latin, Greek, and the few symbols that messages and panels use.
 constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2032, 0x2190,
@@ -104,6 +105,14 @@ bool Gui::wants_pointer(Vec2 px) const {
     if (window->OuterRectClipped.Contains(at)) return true;
   }
   return false;
+}
+
+bool Gui::is_resting() const {
+  return ImGui::GetCurrentContext()->HoveredIdTimer > kRestSeconds;
+}
+
+bool Gui::is_about_to_rest() const {
+  return ImGui::GetCurrentContext()->HoveredIdPreviousFrame != 0 && !is_resting();
 }
 
 bool Gui::wants_text() const {

@@ -29,6 +29,10 @@ class Gui {
 
   /// A panel, popup or menu lies at this framebuffer position, or has hold of the pointer.
   bool wants_pointer(Vec2 px) const;
+  /// The pointer has lain on something long enough that it may be explained.
+  bool is_resting() const;
+  /// It lies on something, but not yet so long: the next frame must come by itself.
+  bool is_about_to_rest() const;
   /// Text is being typed.
   bool wants_text() const;
   /// A popup, menu or dialog is open.
