@@ -14,7 +14,7 @@ struct Settings {
   std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
   double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
   double interface_scale = 1.0;           ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
-  int window_width = 1280;                ///< screen coordinates
+  int window_width = 1280;                ///< logical pixels
   int window_height = 800;
   bool show_layers = true;
   bool show_statistics = false;

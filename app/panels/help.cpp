@@ -54,7 +54,7 @@ void group(const PanelContext& context, ActionGroup which, float text_at) {
 void draw_help(const PanelContext& context, bool* open) {
   const float unit = context.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(1000 * unit, screen.x - 24 * unit), std::min(660 * unit, screen.y - 24 * unit));
+  const ImVec2 size(std::min(1000 * unit, screen.x - 24 * unit), std::min(600 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32_WHITE);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening and saving, and the questions that go with it.
 #include <algorithm>
+#include <cmath>
 
 #include "app/window/app.h"
 
@@ -121,8 +122,9 @@ void App::draw_dialogs() {
 
 void App::remember_settings() {
   const auto size = window_->size();
-  settings_.window_width = size.width;
-  settings_.window_height = size.height;
+  const double units = window_->content_scale() / window_->pixel_ratio();
+  settings_.window_width = static_cast<int>(std::lround(size.width / units));
+  settings_.window_height = static_cast<int>(std::lround(size.height / units));
   // Nobody is left to be told when this fails.
   static_cast<void>(save_settings(settings_, settings_path_));
 }

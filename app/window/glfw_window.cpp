@@ -101,6 +101,21 @@ GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
   crosshair_ = glfwCreateStandardCursor(GLFW_CROSSHAIR_CURSOR);
   hand_ = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
   install_callbacks();
+  keep_on_screen();
+}
+
+// A size that was right on another screen may be too large for this one.
+void GlfwWindow::keep_on_screen() {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  int x = 0;
+  int y = 0;
+  Size free;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &free.width, &free.height);
+  const Size now = size();
+  if (free.width < 1 || free.height < 1 || (now.width <= free.width && now.height <= free.height)) return;
+  glfwSetWindowSize(window_, std::min(now.width, free.width), std::min(now.height, free.height));
+  glfwSetWindowPos(window_, x, y);
 }
 
 GlfwWindow::~GlfwWindow() {

@@ -40,7 +40,7 @@ class GlfwWindow {
  public:
   struct Options {
     std::string title;
-    int width = 1280;
+    int width = 1280;  ///< logical pixels
     int height = 800;
   };
   static Expected<std::unique_ptr<GlfwWindow>> create(const Options& options);
@@ -75,6 +75,7 @@ class GlfwWindow {
  private:
   explicit GlfwWindow(GLFWwindow* window);
   void install_callbacks();
+  void keep_on_screen();
   Vec2 to_framebuffer(double x, double y) const;
   void key(int key, int scancode, int action, int modifiers);
 

@@ -55,8 +55,10 @@ void apply_theme(ImGuiStyle& style, float scale) {
   colors[ImGuiCol_Header] = color(theme::kAccentSoft);
   colors[ImGuiCol_HeaderHovered] = color(IM_COL32(0x00, 0x72, 0xB2, 0x1A));
   colors[ImGuiCol_HeaderActive] = color(IM_COL32(0x00, 0x72, 0xB2, 0x38));
-  colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = color(theme::kAccent);
-  colors[ImGuiCol_SliderGrabActive] = color(IM_COL32(0x00, 0x5A, 0x8E, 0xFF));
+  colors[ImGuiCol_CheckMark] = color(theme::kAccent);
+  // Pale, because the number is written over it.
+  colors[ImGuiCol_SliderGrab] = color(IM_COL32(0x9C, 0xC8, 0xE4, 0xFF));
+  colors[ImGuiCol_SliderGrabActive] = color(IM_COL32(0x7C, 0xB6, 0xDA, 0xFF));
   colors[ImGuiCol_PlotHistogram] = color(theme::kAccent);
   colors[ImGuiCol_TextSelectedBg] = color(IM_COL32(0x00, 0x72, 0xB2, 0x40));
   colors[ImGuiCol_ScrollbarBg] = color(IM_COL32(0, 0, 0, 0));
