@@ -74,7 +74,10 @@ double Graph::lap_ms() {
 }
 
 void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
-  bool inputs_changed = node.structure == &samples_ && (samples_.has_pending() || node.synced == 0);
+  bool inputs_changed = node.structure == &samples_ &&
+                        (samples_.has_pending() || (node.synced == 0 && node.state != NodeState::failed));
+  // What failed is tried again when its inputs have changed since, not before.
+  const std::uint64_t seen = node.state == NodeState::failed ? node.tried : node.synced;
   bool may_update = node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
   for (const std::size_t i : node.inputs) {
     const StructureNode& input = nodes_[i];
@@ -84,7 +87,7 @@ void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
       node.synced = 0;
       return;
     }
-    if (input.changed <= node.synced && node.synced != 0) continue;
+    if (input.changed <= seen && seen != 0) continue;
     inputs_changed = true;
     may_update = may_update && input.rebuilt != run_;
   }
@@ -107,6 +110,7 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
   };
   // Whatever goes wrong, the tables are worthless then: nothing may follow them until they are rebuilt.
   node.synced = 0;
+  node.tried = run_;
   try {
     node.last_was_rebuild = !(may_update && node.structure->update(job));
     if (node.last_was_rebuild) {

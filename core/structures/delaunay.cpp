@@ -111,11 +111,13 @@ bool Delaunay::update(JobControl& job) {
   site_recorder_.begin(site_position_.size());
   noted_faces_.clear();
   noted_edges_.clear();
+  zone_faces_ = 0;
   for (const Slot sample : changes.removed)
-    if (!mirror_->remove(sample)) return false;
+    if (!mirror_->remove(sample) || is_too_much()) return false;
   std::uint64_t done = 0;
   for (const Slot sample : changes.touched) {
     if ((++done & 255U) == 0) job.checkpoint(done, changes.touched.size());
+    if (is_too_much()) return false;
     const Slot site = site_of_sample(sample);
     const Vec2 target = samples_.position(sample);
     if (site == kNoSlot) {

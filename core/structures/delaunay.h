@@ -133,6 +133,9 @@ class Delaunay final : public Structure {
   std::uint32_t new_mark();
   void finish_face_changes();
   void finish_edge_changes();
+  /// The edits of this run have together touched so much that starting anew is cheaper: many sites removed one by one
+  /// from the end of a stroke each have a star as large as what they leave.
+  bool is_too_much() const { return zone_faces_ > 1000 + face_.size(); }
   void compute_circumcircle(Slot face);
   Slot new_site(Vec2 position);
   void attach_sample(Slot sample, Slot site);
@@ -168,6 +171,7 @@ class Delaunay final : public Structure {
   std::vector<NotedFace> noted_faces_;
   std::vector<NotedEdge> noted_edges_;
   std::uint32_t last_mark_ = 0;
+  std::size_t zone_faces_ = 0;  ///< rewritten in this run
   std::vector<EdgeRow> touched_edges_before_;
   std::vector<EdgeRow> removed_edges_before_;
   ChangeSet site_changes_;

@@ -266,6 +266,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   // Rewrites the rows of `zone_`. Faces without a row get one; rows of `old_rows_` that no face of the zone holds
   // die.
   void mirror_zone() {
+    d_.zone_faces_ += zone_.size();
     const std::uint32_t mark = d_.new_mark();
     old_edges_.clear();
     for (const Slot row : old_rows_)
