@@ -114,6 +114,7 @@ struct DrawCall {
   Blend blend = Blend::over;
   BufferId buffer;
   std::uint32_t instances = 0;
+  std::uint32_t every = 1;  ///< only instances 0, every, 2 every, ... are drawn
   DrawUniforms uniforms;
 };
 

@@ -262,6 +262,7 @@ void GlDevice::read_pixels(FramebufferId source, const PixelRect& area, std::spa
 }
 
 void GlDevice::draw(const DrawCall& call) {
+  MES_ASSERT(call.every > 0);
   if (call.instances == 0 || call.area.width <= 0 || call.area.height <= 0) return;
   const Buffer& buffer = buffer_of(call.buffer);
   const InstanceLayout layout = layout_of(call.program.kind);
@@ -281,27 +282,38 @@ void GlDevice::draw(const DrawCall& call) {
 
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, buffer.handle.get());
-  const auto stride = static_cast<GLsizei>(layout.bytes());
-  std::size_t offset = 0;
-  const auto column = [&](GLuint location, GLint words) {
-    // The only way to say "offset into the bound buffer" in this interface.
-    glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, stride, reinterpret_cast<const void*>(offset));
-    glVertexAttribDivisor(location, 1);
-    glEnableVertexAttribArray(location);
-    offset += sizeof(std::uint32_t) * static_cast<std::size_t>(words);
+  const auto draw_from = [&](std::size_t first, std::size_t stride, std::uint32_t count) {
+    std::size_t offset = first;
+    const auto column = [&](GLuint location, GLint words) {
+      // The only way to say "offset into the bound buffer" in this interface.
+      glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, static_cast<GLsizei>(stride),
+                             reinterpret_cast<const void*>(offset));
+      glVertexAttribDivisor(location, 1);
+      glEnableVertexAttribArray(location);
+      offset += sizeof(std::uint32_t) * static_cast<std::size_t>(words);
+    };
+    GLuint location = 0;
+    for (int i = 0; i < layout.points; ++i) column(location++, 4);
+    for (int i = 0; i < layout.numbers; ++i) column(location++, 2);
+    for (GLuint unused = location; unused < 3; ++unused) glDisableVertexAttribArray(unused);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_of(call), static_cast<GLsizei>(count));
   };
-  GLuint location = 0;
-  for (int i = 0; i < layout.points; ++i) column(location++, 4);
-  for (int i = 0; i < layout.numbers; ++i) column(location++, 2);
-  for (GLuint unused = location; unused < 3; ++unused) glDisableVertexAttribArray(unused);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_of(call), static_cast<GLsizei>(call.instances));
+  // No driver need take a larger stride; beyond it the few instances that are left are drawn one by one.
+  constexpr std::size_t kLargestStride = 2048;
+  const std::size_t stride = layout.bytes() * call.every;
+  const std::uint32_t drawn = (call.instances + call.every - 1) / call.every;
+  if (stride <= kLargestStride) {
+    draw_from(0, stride, drawn);
+  } else {
+    for (std::uint32_t i = 0; i < drawn; ++i) draw_from(i * stride, layout.bytes(), 1);
+  }
 
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   glUseProgram(0);
   glDisable(GL_SCISSOR_TEST);
   ++counters_.draw_calls;
-  counters_.instances_drawn += call.instances;
+  counters_.instances_drawn += drawn;
 }
 
 void GlDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,

@@ -116,7 +116,7 @@ void RecordingDevice::read_pixels(FramebufferId source, const PixelRect& area, s
 
 void RecordingDevice::draw(const DrawCall& call) {
   check_target(call.target, call.area);
-  MES_ASSERT(call.instances > 0);
+  MES_ASSERT(call.instances > 0 && call.every > 0);
   MES_ASSERT(call.instances * layout_of(call.program.kind).bytes() <= bytes_of(call.buffer).size());
   const DrawUniforms& u = call.uniforms;
   MES_ASSERT(is_finite(u.center_1) && is_finite(u.center_2) && is_finite(u.center_3));
@@ -128,7 +128,7 @@ void RecordingDevice::draw(const DrawCall& call) {
   MES_ASSERT(is_color(u.color));
   calls_.push_back(call);
   ++counters_.draw_calls;
-  counters_.instances_drawn += call.instances;
+  counters_.instances_drawn += (call.instances + call.every - 1) / call.every;
 }
 
 void RecordingDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,

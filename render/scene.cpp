@@ -92,6 +92,7 @@ struct Scene::Pass {
   double content_scale;
   FramebufferId target;
   PixelRect area;
+  std::uint32_t every = 1;  // of disks
 };
 
 Scene::Scene(Device& device) : device_(device) {}
@@ -151,7 +152,10 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
                   .target = options.target,
                   .area = {options.left, options.bottom, camera.width(), camera.height()}};
   for (const LayerView& view : views) {
-    if (view.layer < layers_.size()) draw_layer(pass, layers_[view.layer].kinds, view.style, false);
+    if (view.layer >= layers_.size()) continue;
+    Pass of_view = pass;
+    of_view.every = std::max(1U, view.every);
+    draw_layer(of_view, layers_[view.layer].kinds, view.style, false);
   }
   if (!options.overlays) return;
   for (const OverlaySet& set : overlays_) {
@@ -197,7 +201,8 @@ void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   const Pass inner{.camera = pass.camera,
                    .content_scale = pass.content_scale,
                    .target = group,
-                   .area = {0, 0, pass.area.width, pass.area.height}};
+                   .area = {0, 0, pass.area.width, pass.area.height},
+                   .every = pass.every};
   device_.clear(group, inner.area, {});
   for (const PrimitiveKind kind : kDrawOrder) {
     for (const InstanceBuffer& buffer : kinds) {
@@ -236,6 +241,7 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Laye
   call.blend = blend;
   call.buffer = buffer.buffer();
   call.instances = buffer.count();
+  if (buffer.kind() == PrimitiveKind::disk) call.every = pass.every;
   DrawUniforms& u = call.uniforms;
   u.center_1 = {x.first, y.first};
   u.center_2 = {x.second, y.second};

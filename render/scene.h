@@ -36,6 +36,9 @@ namespace mes::render {
 struct LayerView {
   LayerIndex layer = 0;
   LayerStyle style;
+  /// Of disks only each `every`-th is drawn: a preview for when so many large ones lie on each other that painting
+  /// them all takes too long. Pictures for keeps have 1.
+  std::uint32_t every = 1;
 };
 
 struct DrawOptions {

@@ -129,6 +129,15 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
         ImGui::TextDisabled("%.*s", static_cast<int>(hint.size()), hint.data());
       }
     }
+    if (const std::uint32_t every = context.picture.every(); every > 1) {
+      ImGui::SameLine(0, 16 * unit);
+      ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+      ImGui::Text("1 of %u disks shown", every);
+      ImGui::PopStyleColor();
+      tooltip(context.gui,
+              "There are so many large disks that painting them all would make the window slow. Pictures made by "
+              "mesecina render have them all");
+    }
     ImGui::PopClipRect();
     ImGui::SameLine(counts_at);
     ImGui::TextUnformatted(count_text.c_str());

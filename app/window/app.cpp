@@ -109,7 +109,10 @@ void App::frame() {
   canvas_.advance(seconds);
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
+  const std::uint32_t share = picture_.every();
   picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.content_scale());
+  // The status bar tells the share; it was drawn before it was known.
+  if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   gui_.end_frame();
   window_->swap();
   update_title();

@@ -2,6 +2,7 @@
 #include "app/window/picture.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace mes {
 namespace {
@@ -107,6 +108,13 @@ void Picture::show_kept(int width, int height) const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
+  std::uint32_t out = 0;
+  for (const LayerIndex layer : layers.visible_layers())
+    out = std::max(out, scene_.instances(layer, PrimitiveKind::disk));
+  return out;
+}
+
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                    double content_scale) {
   mark_selection(editor);
@@ -116,14 +124,21 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
     now.layers.emplace_back(layer, failed ? greyed(layers.style(layer)) : layers.style(layer));
   }
-  if (now == shown_) {
+  const bool is_same = now == shown_;
+  if (is_same && !detail_.is_refining()) {
     show_kept(camera.width(), camera.height());
     return;
   }
+  const std::uint32_t every =
+      is_same ? detail_.begin_refinement() : detail_.begin_changed(largest_disk_layer(layers));
   std::vector<render::LayerView> views;
-  for (const auto& [layer, style] : now.layers) views.push_back({layer, style});
+  for (const auto& [layer, style] : now.layers) views.push_back({layer, style, every});
+  const auto start = std::chrono::steady_clock::now();
   device_.clear({}, {0, 0, camera.width(), camera.height()}, {1.0F, 1.0F, 1.0F, 1.0F});
   scene_.draw(camera, views, {.content_scale = content_scale});
+  // Only then is it known what it cost. Nothing else is left to do in this frame.
+  device_.finish();
+  detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   keep(camera.width(), camera.height());
   shown_ = std::move(now);
 }

@@ -292,3 +292,22 @@ TEST_CASE("the real device holds the same as the recording one") {
   const auto camera = pixel_camera(200, 200);
   CHECK(drawing.draw(camera, {{0, style}}) == drawing.draw(camera, {{1, style}}));
 }
+
+TEST_CASE("a preview draws each n-th disk, and all of everything else") {
+  RecordingDevice device;
+  Scene scene(device);
+  std::vector<double> disks;
+  for (int i = 0; i < 1001; ++i) disks.insert(disks.end(), {0.01 * i, 0.0, 1.0});
+  scene.apply(instances(0, disk, disks));
+  scene.apply(instances(1, segment, many_segments(1001)));
+  const auto drawn = [&](std::uint32_t every) {
+    const std::uint64_t before = device.counters().instances_drawn;
+    const std::vector<LayerView> views{{0, {}, every}, {1, {}, every}};
+    scene.draw(pixel_camera(100, 100), views, {});
+    return device.counters().instances_drawn - before;
+  };
+  CHECK(drawn(1) == 1001 + 1001);
+  CHECK(drawn(0) == 1001 + 1001);
+  CHECK(drawn(10) == 101 + 1001);
+  CHECK(drawn(4096) == 1 + 1001);
+}

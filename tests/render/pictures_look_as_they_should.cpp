@@ -115,3 +115,24 @@ TEST_CASE("overlays lie above all layers, points of them filled or as rings") {
   CHECK(compare_with_golden(drawing.draw(pixel_camera(120, 80), views, {.background = kWhite, .overlays = true}),
                             "overlays") == "");
 }
+
+TEST_CASE("each n-th disk is drawn where it is, however large n is") {
+  Drawing drawing;
+  std::vector<double> disks;
+  for (int i = 0; i < 2000; ++i) disks.insert(disks.end(), {5.0 + 0.05 * i, 10.0, i % 500 == 0 ? 4.0 : 1.0});
+  drawing.set(0, PrimitiveKind::disk, disks);
+  // Both ways of skipping: by the stride of a buffer, and one by one beyond the largest stride.
+  for (const std::uint32_t every : {20U, 500U}) {
+    const render::Image image = drawing.draw(pixel_camera(110, 20), {{0, {}, every}});
+    CAPTURE(every);
+    for (const int x : {5, 30, 55, 80}) {
+      CHECK(cover(image, x, 10) > 0.99);
+      CHECK(cover(image, x, 7) > 0.9);
+    }
+    const double alone = 4 * 3.14159265 * 16.0;
+    if (every == 500)
+      CHECK(covered_area(image) == Approx(alone).epsilon(0.02));
+    else
+      CHECK(covered_area(image) > 1.2 * alone);
+  }
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "app/canvas/canvas.h"
+
+using namespace mes;
+
+namespace {
+
+struct Bench {
+  Editor editor{{}};
+  double spacing = 10.0;
+  ToolContext context{editor, spacing, {}};
+  Canvas canvas{context};
+  ViewMotion& view = canvas.view();
+
+  Bench() {
+    view.set_viewport(1000, 800);
+    view.fit({{-100, -100}, {100, 100}}, 0.0, true);
+  }
+  void settle() {
+    for (int i = 0; i < 1000 && view.is_moving(); ++i) canvas.advance(0.016);
+    REQUIRE_FALSE(view.is_moving());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("while zooming the point under the cursor stays there in every frame") {
+  Bench bench;
+  const Vec2 cursor{730, 120};
+  const Vec2 world = bench.view.camera().to_world(cursor);
+  const double before = bench.view.camera().units_per_pixel();
+  bench.canvas.wheel(cursor, 3);
+  int frames = 0;
+  while (bench.view.is_moving()) {
+    bench.canvas.advance(0.016);
+    CHECK(distance(bench.view.camera().to_screen(world), cursor) < 1e-6);
+    REQUIRE(++frames < 200);
+  }
+  CHECK(frames > 3);
+  CHECK(bench.view.camera().units_per_pixel() == Approx(before / (1.2 * 1.2 * 1.2)));
+}
+
+TEST_CASE("fitting stays clear of the panels and ends exactly there") {
+  Bench bench;
+  bench.view.set_insets({.left = 100, .top = 50, .right = 300, .bottom = 30});
+  const Box2 box{{10, 20}, {50, 40}};
+  bench.view.fit(box, 20.0);
+  bench.settle();
+  const auto& camera = bench.view.camera();
+  const Vec2 low = camera.to_screen(box.low);
+  const Vec2 high = camera.to_screen(box.high);
+  CHECK(low.x == Approx(100 + 20));
+  CHECK(high.x == Approx(1000 - 300 - 20));
+  CHECK(0.5 * (low.y + high.y) == Approx(0.5 * (50 + 800 - 30)));
+}
+
+TEST_CASE("previous view returns to what was left") {
+  Bench bench;
+  const render::Camera first = bench.view.camera();
+  CHECK_FALSE(bench.view.can_go_back());
+  bench.canvas.advance(5.0);
+  bench.canvas.wheel({500, 400}, 4);
+  bench.settle();
+  bench.canvas.advance(5.0);
+  const render::Camera second = bench.view.camera();
+  bench.view.fit({{1000, 1000}, {1001, 1001}}, 0.0);
+  bench.settle();
+  bench.view.back();
+  bench.settle();
+  CHECK(bench.view.camera() == second);
+  bench.view.back();
+  bench.settle();
+  CHECK(bench.view.camera() == first);
+}
+
+TEST_CASE("resizing the window leaves the drawing in its place") {
+  Bench bench;
+  const Vec2 before = bench.view.camera().to_screen({17, 23});
+  bench.view.set_viewport(1400, 700);
+  CHECK(distance(bench.view.camera().to_screen({17, 23}), before) < 1e-9);
+}
+
+TEST_CASE("middle, right and Space drags pan, and change nothing else") {
+  Bench bench;
+  REQUIRE(bench.editor.insert(std::array{Vec2{0, 0}}, "insert"));
+  const auto digest = bench.editor.document().digest();
+  const auto drag = [&](PointerButton button) {
+    const Vec2 before = bench.view.camera().to_screen({0, 0});
+    bench.canvas.press(button, before, {});
+    bench.canvas.move(before + Vec2{30, 10}, {});
+    bench.canvas.release(button, before + Vec2{50, -20}, {});
+    return bench.view.camera().to_screen({0, 0}) - before;
+  };
+  for (const PointerButton button : {PointerButton::middle, PointerButton::right}) {
+    CHECK(distance(drag(button), {50, -20}) < 1e-9);
+  }
+  bench.canvas.set_space_held(true);
+  CHECK(distance(drag(PointerButton::left), {50, -20}) < 1e-9);
+  bench.canvas.set_space_held(false);
+  CHECK(bench.editor.document().digest() == digest);
+  CHECK(distance(drag(PointerButton::left), {0, 0}) < 1e-9);
+  CHECK(bench.editor.document().digest() != digest);
+  CHECK(bench.canvas.has_pointer() == false);
+}
+
+TEST_CASE("a view that moves under a held sample takes the sample along with the pointer") {
+  Bench bench;
+  REQUIRE(bench.editor.insert(std::array{Vec2{0, 0}}, "insert"));
+  const Vec2 at = bench.view.camera().to_screen({0, 0});
+  bench.canvas.press(PointerButton::left, at, {});
+  bench.canvas.move(at + Vec2{40, 0}, {});
+  bench.canvas.wheel({0, 0}, 2);
+  bench.settle();
+  const Vec2 now = bench.view.camera().to_screen(bench.editor.document().position(0));
+  CHECK(distance(now, at + Vec2{40, 0}) < 1e-6);
+  bench.canvas.release(PointerButton::left, at + Vec2{40, 0}, {});
+  bench.editor.undo();
+  CHECK(bench.editor.document().position(0) == Vec2{0, 0});
+}
+
+TEST_CASE("a second button during a gesture does not disturb it") {
+  Bench bench;
+  bench.canvas.choose_tool(ToolId::insert);
+  bench.canvas.press(PointerButton::left, {100, 100}, {});
+  bench.canvas.press(PointerButton::right, {100, 100}, {});
+  bench.canvas.choose_tool(ToolId::spray);
+  bench.canvas.release(PointerButton::right, {100, 100}, {});
+  CHECK(bench.canvas.has_pointer());
+  bench.canvas.release(PointerButton::left, {120, 100}, {});
+  CHECK_FALSE(bench.canvas.has_pointer());
+  CHECK(bench.editor.document().sample_count() == 1);
+  CHECK(bench.canvas.tool_id() == ToolId::insert);
+}
