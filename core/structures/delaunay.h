@@ -31,6 +31,8 @@ struct alignas(64) FaceRow {
 
   bool is_alive() const { return v[0] != kNoSlot; }
   bool is_infinite() const { return v[0] == kInfiniteSite || v[1] == kInfiniteSite || v[2] == kInfiniteSite; }
+  /// Two faces have at most one edge in common.
+  int index_of_neighbour(Slot face) const { return n[0] == face ? 0 : (n[1] == face ? 1 : 2); }
   int index_of_edge(Slot edge) const { return e[0] == edge ? 0 : (e[1] == edge ? 1 : 2); }
   int index_of_site(Slot site) const { return v[0] == site ? 0 : (v[1] == site ? 1 : 2); }
 };

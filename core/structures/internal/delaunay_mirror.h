@@ -404,10 +404,10 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
         FaceRow& row = d_.face_[slot];
         for (int i = 0; i < 3; ++i) {
           if (!owns_edge(static_cast<Slot>(slot), i)) continue;
-          const FaceHandle f = handles[slot];
           d_.edge_[e] = EdgeRow{{row.v[next3(i)], row.v[prev3(i)]}, {static_cast<Slot>(slot), row.n[i]}};
           row.e[i] = e;
-          d_.face_[row.n[i]].e[f->neighbor(i)->index(f)] = e;
+          FaceRow& other = d_.face_[row.n[i]];
+          other.e[other.index_of_neighbour(static_cast<Slot>(slot))] = e;
           ++e;
         }
       }
