@@ -41,7 +41,7 @@ class Structure {
   virtual void clear_changes() = 0;
   /// Rows named by the change sets.
   virtual std::size_t touched() const = 0;
-  /// Counters of SPEC-like public names; may cost O(n).
+  /// Counters under their public names (snake case); may cost O(n).
   virtual StatList statistics() const = 0;
 
  private:
