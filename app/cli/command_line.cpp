@@ -55,7 +55,7 @@ void add_source(CLI::App& command, Source& source) {
   command.add_option("FILE", source.file, "Samples to read, or - for standard input")->required();
   command.add_option("--from", source.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  command.add_option("--precision", source.precision, "Number type: " + ids_of(precision_descriptors()))
+  command.add_option("--precision", source.precision, "Number type: " + ids_of(kPrecisionDescriptors))
       ->capture_default_str();
   command
       .add_option("--set", source.settings,
@@ -124,15 +124,10 @@ void describe_commands(CLI::App& app, Arguments& to) {
     command->set_help_flag("-h,--help", "Print this help and exit");
 }
 
-Expected<void> check_source(const Source& source) {
-  if (auto good = check_precision(source.precision); !good) return good;
-  return check_settings(source.settings);
-}
-
 Expected<void> run_command(const CLI::App& command, const Arguments& arguments) {
   Interruption interruption;
   const auto run = [&](const auto& request, auto function) -> Expected<void> {
-    if (auto good = check_source(request.source); !good) return good;
+    if (const auto good = settings_of(request.source); !good) return std::unexpected(good.error());
     return function(request, interruption);
   };
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);

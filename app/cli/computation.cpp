@@ -98,6 +98,7 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
   Progress progress;
   TaskList tasks(request.layers);
   Engine engine({.wake = [&bell] { bell.ring(); }});
+  engine.set_settings(request.settings);
   engine.post(delta);
   engine.set_want_statistics(request.want_statistics);
   engine.set_demand(request.layers);

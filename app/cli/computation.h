@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/commands.h"
+#include "core/document/computation_settings.h"
 #include "core/document/document.h"
 #include "core/graph/patch.h"
 
@@ -15,6 +16,7 @@ namespace mes::cli {
 
 struct ComputationRequest {
   std::vector<LayerIndex> layers;
+  ComputationSettings settings;
   bool want_statistics = false;
   /// Gets every patch in order; the last one's reports are final.
   std::function<void(const FramePatch&)> on_patch;

@@ -50,6 +50,8 @@ Json json_of(const LayerSummary& summary, const LayerDescriptor& layer) {
 }  // namespace
 
 Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption) {
+  const auto settings = settings_of(request.source);
+  if (!settings) return std::unexpected(settings.error());
   const auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_output(request.output); !good) return good;
@@ -58,9 +60,10 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
 
   LayerMirror mirror;
   const auto result = run_computation(
-      input->data, {.layers = *layers, .want_statistics = true, .on_patch = [&](const FramePatch& patch) {
-                      mirror.apply(patch);
-                    }});
+      input->data,
+      {.layers = *layers, .settings = *settings, .want_statistics = true, .on_patch = [&](const FramePatch& patch) {
+         mirror.apply(patch);
+       }});
   if (!result) return std::unexpected(result.error());
 
   Json out;

@@ -37,6 +37,8 @@ Expected<std::string> text_of(const LayerMirror& mirror, LayerIndex layer, const
 }  // namespace
 
 Expected<void> run_export(const ExportRequest& request, Interruption& interruption) {
+  const auto settings = settings_of(request.source);
+  if (!settings) return std::unexpected(settings.error());
   if (auto good = check_export_format(request.format); !good) return good;
   const auto layer = select_layer(request.layer);
   if (!layer) return std::unexpected(layer.error());
@@ -49,7 +51,8 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
 
   LayerMirror mirror;
   const auto result = run_computation(
-      input->data, {.layers = {*layer}, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
+      input->data,
+      {.layers = {*layer}, .settings = *settings, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
   if (!result) return std::unexpected(result.error());
   const auto text = text_of(mirror, *layer, request.format, result->document);
   if (!text) return std::unexpected(text.error());

@@ -123,11 +123,10 @@ std::vector<Entry> parameters() {
 
 std::vector<Entry> precisions() {
   std::vector<Entry> out;
-  for (const PrecisionDescriptor& precision : precision_descriptors())
-    out.push_back(
-        {std::string(precision.id),
-         std::string(precision.explanation) + (precision.is_available ? "" : " (not in this build)"),
-         {{"id", precision.id}, {"explanation", precision.explanation}, {"available", precision.is_available}}});
+  for (const PrecisionDescriptor& precision : kPrecisionDescriptors)
+    out.push_back({std::string(precision.id),
+                   std::string(precision.explanation),
+                   {{"id", precision.id}, {"name", precision.name}, {"explanation", precision.explanation}}});
   return out;
 }
 

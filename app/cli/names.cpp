@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "app/cli/messages.h"
-#include "core/document/parameter.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
@@ -102,55 +102,55 @@ Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
   return layers;
 }
 
-std::span<const PrecisionDescriptor> precision_descriptors() {
-  static constexpr std::array<PrecisionDescriptor, 4> kPrecisions{
-      {{"naive", "plain doubles everywhere; wrong on degenerate input, to see why it matters", false},
-       {"fast", "exact decisions on the samples, constructed points rounded to doubles", true},
-       {"exact", "rational arithmetic for constructed points as well", false},
-       {"exact-roots", "algebraic numbers, for points that need square roots", false}}};
-  return kPrecisions;
-}
+namespace {
 
-Expected<void> check_precision(const std::string& id) {
+Expected<Precision> precision_of(const std::string& id) {
   std::vector<std::string_view> ids;
-  for (const PrecisionDescriptor& precision : precision_descriptors()) {
-    ids.push_back(precision.id);
-    if (precision.id != id) continue;
-    if (precision.is_available) return {};
-    return usage_error("precision \"" + id + "\" is not available in this build; \"fast\" is");
+  for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors) {
+    if (descriptor.id == id) return descriptor.precision;
+    ids.push_back(descriptor.id);
   }
   return usage_error("unknown precision " + in_quotes(id) + "; it is one of " + one_of(ids));
 }
 
-Expected<void> check_settings(std::span<const std::string> settings) {
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0)
-      return usage_error("--set expects NAME=VALUE, not " + in_quotes(setting));
-    const std::string_view name = std::string_view(setting).substr(0, equals);
-    const std::string_view text = std::string_view(setting).substr(equals + 1);
-    std::vector<std::string_view> names;
-    const ParameterDescriptor* found = nullptr;
-    for (const ParameterDescriptor& parameter : parameter_descriptors()) {
-      names.push_back(parameter.id);
-      if (parameter.id == name) found = &parameter;
-    }
-    if (found == nullptr) {
-      if (names.empty())
-        return usage_error("unknown parameter " + in_quotes(name) + "; the layers of this build have none");
-      return usage_error(unknown("parameter", name, names) + " (mesecina list parameters)");
-    }
-    const auto value = parse_number(text);
-    if (!value) return usage_error("--set " + printable(name) + ": " + describe(value.error(), text));
-    if (*value < found->low || *value > found->high) {
-      std::string range = "--set " + printable(name) + ": " + in_quotes(text) + " is not between ";
-      append_number(range, found->low);
-      range += " and ";
-      append_number(range, found->high);
-      return usage_error(std::move(range));
-    }
+/// NAME=VALUE.
+Expected<void> set_parameter(ComputationSettings& settings, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return usage_error("--set expects NAME=VALUE, not " + in_quotes(setting));
+  const std::string_view name = std::string_view(setting).substr(0, equals);
+  const std::string_view text = std::string_view(setting).substr(equals + 1);
+  std::vector<std::string_view> names;
+  for (const ParameterDescriptor& parameter : parameter_descriptors()) names.push_back(parameter.id);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return usage_error(unknown("parameter", name, names) + " (mesecina list parameters)");
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  const ParameterDescriptor& parameter = parameter_descriptors()[index];
+  const auto value = parse_number(text);
+  if (!value) return usage_error("--set " + printable(name) + ": " + describe(value.error(), text));
+  if (parameter.is_whole && *value != std::floor(*value))
+    return usage_error("--set " + printable(name) + ": " + in_quotes(text) + " is not a whole number");
+  if (*value < parameter.low || *value > parameter.high) {
+    std::string range = "--set " + printable(name) + ": " + in_quotes(text) + " is not between ";
+    append_number(range, parameter.low);
+    range += " and ";
+    append_number(range, parameter.high);
+    return usage_error(std::move(range));
   }
+  settings.values[index] = *value;
   return {};
+}
+
+}  // namespace
+
+Expected<ComputationSettings> settings_of(const Source& source) {
+  const auto precision = precision_of(source.precision);
+  if (!precision) return std::unexpected(precision.error());
+  ComputationSettings settings;
+  settings.precision = *precision;
+  for (const std::string& setting : source.settings)
+    if (auto good = set_parameter(settings, setting); !good) return std::unexpected(good.error());
+  return settings;
 }
 
 }  // namespace mes::cli

@@ -7,8 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/requests.h"
 #include "core/base/error.h"
 #include "core/base/slot.h"
+#include "core/document/computation_settings.h"
 
 namespace mes::cli {
 
@@ -27,17 +29,7 @@ std::string one_of(std::span<const std::string_view> names);
 Expected<std::vector<LayerIndex>> select_layers(const std::string& ids);
 Expected<LayerIndex> select_layer(const std::string& id);
 
-struct PrecisionDescriptor {
-  std::string_view id;
-  std::string_view explanation;
-  bool is_available = false;
-};
-std::span<const PrecisionDescriptor> precision_descriptors();
-
-/// Error: `usage`, for unknown names and for what this build cannot do.
-Expected<void> check_precision(const std::string& id);
-
-/// Settings NAME=VALUE against the parameter registry. Error: `usage`.
-Expected<void> check_settings(std::span<const std::string> settings);
+/// Number type and parameters as asked for. Error: `usage`, naming what there is.
+Expected<ComputationSettings> settings_of(const Source& source);
 
 }  // namespace mes::cli

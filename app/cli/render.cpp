@@ -137,6 +137,8 @@ Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& sce
 }  // namespace
 
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
+  const auto settings = settings_of(request.source);
+  if (!settings) return std::unexpected(settings.error());
   const auto picture = understand(request);
   if (!picture) return std::unexpected(picture.error());
   if (auto good = check_output(request.output); !good) return good;
@@ -148,11 +150,11 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   render::GlDevice device;
   render::Scene scene(device);
   LayerMirror mirror;
-  const auto result =
-      run_computation(input->data, {.layers = picture->layers, .on_patch = [&](const FramePatch& patch) {
-                                      scene.apply(patch);
-                                      mirror.apply(patch);
-                                    }});
+  const auto result = run_computation(
+      input->data, {.layers = picture->layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {
+                      scene.apply(patch);
+                      mirror.apply(patch);
+                    }});
   if (!result) return std::unexpected(result.error());
 
   const render::Camera camera = camera_for(*picture, result->document.bounding_box(), mirror);

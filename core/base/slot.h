@@ -20,6 +20,7 @@ struct Id {
 };
 
 using SampleId = Id<struct SampleTag>;
+using BallId = Id<struct BallTag>;
 
 /// Position of a layer in the registry (`layer_descriptors()`).
 using LayerIndex = std::uint32_t;

@@ -9,6 +9,7 @@ DocumentDelta DocumentDelta::inverted() const {
   DocumentDelta out = *this;
   std::swap(out.from_revision, out.to_revision);
   std::swap(out.before, out.after);
+  std::swap(out.balls_before, out.balls_after);
   std::swap(out.curve_before, out.curve_after);
   out.edits.assign(edits.rbegin(), edits.rend());
   for (SampleEdit& edit : out.edits) {
@@ -17,6 +18,15 @@ DocumentDelta DocumentDelta::inverted() const {
       edit.kind = SampleEdit::Kind::remove;
     } else if (edit.kind == SampleEdit::Kind::remove) {
       edit.kind = SampleEdit::Kind::insert;
+    }
+  }
+  out.ball_edits.assign(ball_edits.rbegin(), ball_edits.rend());
+  for (BallEdit& edit : out.ball_edits) {
+    std::swap(edit.from, edit.to);
+    if (edit.kind == BallEdit::Kind::insert) {
+      edit.kind = BallEdit::Kind::remove;
+    } else if (edit.kind == BallEdit::Kind::remove) {
+      edit.kind = BallEdit::Kind::insert;
     }
   }
   return out;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/disk.h"
 #include "core/base/slot.h"
 #include "core/base/vec2.h"
 
@@ -39,6 +40,23 @@ struct SampleSnapshot {
   std::vector<Slot> free_slots;
 };
 
+/// One change of a user's ball. Kinds as for samples; `change` sets centre and radius.
+struct BallEdit {
+  enum class Kind : std::uint8_t { insert, remove, change };
+  Kind kind = Kind::insert;
+  BallId id;
+  Slot slot = kNoSlot;  ///< row of the ball; rows of removed balls are used again
+  Disk from;            ///< before (remove, change)
+  Disk to;              ///< after (insert, change)
+};
+
+/// As `SampleSnapshot`, for balls.
+struct BallSnapshot {
+  std::vector<Disk> disk;  ///< by slot; dead rows hold a zero disk
+  std::vector<BallId> id;  ///< by slot; invalid in dead rows
+  std::vector<Slot> free_slots;
+};
+
 /// Applied in order. Either `edits`, or a replacement of everything when `after` is set.
 struct DocumentDelta {
   std::uint64_t from_revision = 0;
@@ -46,11 +64,17 @@ struct DocumentDelta {
   std::vector<SampleEdit> edits;
   std::shared_ptr<const SampleSnapshot> before;  ///< set together with `after`
   std::shared_ptr<const SampleSnapshot> after;
+  std::vector<BallEdit> ball_edits;
+  /// Set together; every replacement of the samples replaces the balls as well.
+  std::shared_ptr<const BallSnapshot> balls_before;
+  std::shared_ptr<const BallSnapshot> balls_after;
   std::shared_ptr<const CurveOrder> curve_before;  ///< equal to `curve_after` when the order does not change
   std::shared_ptr<const CurveOrder> curve_after;
 
   bool replaces_all() const { return after != nullptr; }
-  bool is_empty() const { return !replaces_all() && edits.empty() && curve_before == curve_after; }
+  bool is_empty() const {
+    return !replaces_all() && edits.empty() && ball_edits.empty() && curve_before == curve_after;
+  }
   /// The delta that undoes this one.
   DocumentDelta inverted() const;
 };

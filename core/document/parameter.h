@@ -2,10 +2,16 @@
 // Numbers that steer structures and layers, as everybody may know them: the command line, the window, the manual.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace mes {
+
+/// Position in `parameter_descriptors()`.
+enum class Parameter : std::uint8_t { union_shortcut, pole_labels, medial_sampling_angle };
+inline constexpr std::size_t kParameters = 3;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -14,11 +20,26 @@ struct ParameterDescriptor {
   double low = 0.0;
   double high = 1.0;
   double default_value = 0.0;
+  bool is_whole = false;  ///< whole numbers only
 };
 
-/// Every parameter. The one-step pipeline has none: the sample alone decides what it shows.
+inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{
+    {{"union-shortcut",
+      "1: unions of Voronoi balls follow from shared samples where that is certified; 0: the general pipeline always",
+      "", 0.0, 1.0, 1.0, true},
+     {"pole-labels", "How poles are told inside from outside; 0: by their triangle, 1: by propagation", "", 0.0, 1.0,
+      0.0, true},
+     {"medial-sampling-angle",
+      "Medial balls are sampled until neighbouring circles cross at no larger angle than this", "degrees", 90.0,
+      179.9, 175.0}}};
+
+/// Every parameter.
 constexpr std::span<const ParameterDescriptor> parameter_descriptors() {
-  return {};
+  return kParameterDescriptors;
+}
+
+constexpr const ParameterDescriptor& descriptor_of(Parameter parameter) {
+  return parameter_descriptors()[static_cast<std::size_t>(parameter)];
 }
 
 }  // namespace mes

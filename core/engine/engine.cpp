@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "core/graph/graph.h"
@@ -29,7 +30,7 @@ struct Engine::Impl {
   }
 
   bool has_work() const {
-    return !deltas.empty() || demand_changed || want_statistics != has_statistics || unfinished;
+    return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics || unfinished;
   }
 
   void work(const std::stop_token& stop) {
@@ -39,6 +40,8 @@ struct Engine::Impl {
       if (stop.stop_requested()) return;
       for (auto& delta : deltas) graph.post(std::move(delta));
       deltas.clear();
+      if (settings) graph.post_settings(*settings);
+      settings.reset();
       if (demand_changed) graph.set_demand(demand);
       demand_changed = false;
       graph.set_want_statistics(want_statistics);
@@ -92,6 +95,7 @@ struct Engine::Impl {
   std::condition_variable work_there;
   std::condition_variable idle;
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
+  std::optional<ComputationSettings> settings;
   std::vector<LayerIndex> demand;
   bool demand_changed = false;
   bool want_statistics = false;
@@ -125,6 +129,16 @@ void Engine::set_demand(std::vector<LayerIndex> layers) {
     const std::lock_guard lock(impl_->mutex);
     impl_->demand = std::move(layers);
     impl_->demand_changed = true;
+    impl_->status.cancelled = false;
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::set_settings(const ComputationSettings& settings) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->job_stop.request_stop();
+    impl_->settings = settings;
     impl_->status.cancelled = false;
   }
   impl_->work_there.notify_one();

@@ -26,6 +26,7 @@
 
 #include "core/document/delta.h"
 #include "core/graph/patch.h"
+#include "core/structures/settings_source.h"
 
 namespace mes {
 
@@ -51,6 +52,8 @@ class Engine {
   void post(std::shared_ptr<const DocumentDelta> delta);
   /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
   void set_demand(std::vector<LayerIndex> layers);
+  /// Number type and the like. What is being computed with the old ones is given up.
+  void set_settings(const ComputationSettings& settings);
   /// The next patches carry `NodeReport::stats`; O(n) for some structures, so only while they are looked at.
   void set_want_statistics(bool wanted);
   void cancel();

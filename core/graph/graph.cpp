@@ -19,6 +19,7 @@ Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Sample
   for (const auto& structure : structures_.all()) {
     StructureNode node;
     node.structure = structure.get();
+    node.source = dynamic_cast<SourceStructure*>(structure.get());
     for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
     nodes_.push_back(std::move(node));
   }
@@ -31,7 +32,13 @@ Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Sample
 }
 
 void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
-  samples_.post(std::move(delta));
+  for (const StructureNode& node : nodes_)
+    if (node.source != nullptr) node.source->post(delta);
+  dirty_ = true;
+}
+
+void Graph::post_settings(const ComputationSettings& settings) {
+  structures_.get<SettingsSource>().post(settings);
   dirty_ = true;
 }
 
@@ -74,8 +81,8 @@ double Graph::lap_ms() {
 }
 
 void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
-  bool inputs_changed = node.structure == &samples_ &&
-                        (samples_.has_pending() || (node.synced == 0 && node.state != NodeState::failed));
+  bool inputs_changed =
+      node.source != nullptr && (node.source->has_pending() || (node.synced == 0 && node.state != NodeState::failed));
   // What failed is tried again when its inputs have changed since, not before.
   const std::uint64_t seen = node.state == NodeState::failed ? node.tried : node.synced;
   bool may_update = node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
@@ -137,8 +144,16 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
 // The frame in which the pictures are drawn follows the samples only when they leave it by far, because a new one
 // means that every instance is sent again.
 void Graph::follow_extent(FramePatch& out) {
-  const Box2& box = samples_.extent();
-  const bool replaced = nodes_.front().rebuilt == run_;
+  Box2 box;
+  bool replaced = false;
+  for (const StructureNode& node : nodes_) {
+    if (node.source == nullptr) continue;
+    const Box2 extent = node.source->extent();
+    if (extent.is_empty()) continue;
+    box.add(extent.low);
+    box.add(extent.high);
+    replaced = replaced || node.rebuilt == run_;
+  }
   if (!box.is_empty()) {
     const auto outside = [this](Vec2 p) {
       const double reach = std::max(std::abs(p.x - frame_.origin.x), std::abs(p.y - frame_.origin.y)) * frame_.scale;
@@ -290,7 +305,7 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   lap_ms();
   try {
     for (StructureNode& node : nodes_) {
-      if (!node.needed) continue;
+      if (!node.needed && node.source == nullptr) continue;
       job.reset_progress();
       bring_up_to_date(node, job);
     }

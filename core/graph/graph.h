@@ -13,6 +13,7 @@
 #include "core/graph/layer.h"
 #include "core/graph/patch.h"
 #include "core/structures/samples.h"
+#include "core/structures/settings_source.h"
 
 namespace mes {
 
@@ -40,6 +41,7 @@ class Graph {
   Graph();
 
   void post(std::shared_ptr<const DocumentDelta> delta);
+  void post_settings(const ComputationSettings& settings);
   void set_demand(std::span<const LayerIndex> layers);
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
   /// Something was posted or demanded that `run` has not seen.
@@ -54,6 +56,7 @@ class Graph {
  private:
   struct StructureNode {
     Structure* structure = nullptr;
+    SourceStructure* source = nullptr;  ///< the structure, if it is one
     std::vector<std::size_t> inputs;
     bool needed = false;
     NodeState state = NodeState::inactive;

@@ -5,7 +5,7 @@
 
 namespace mes {
 
-Samples::Samples() : Structure("samples", {}), curve_(std::make_shared<const CurveOrder>()) {}
+Samples::Samples() : SourceStructure("samples"), curve_(std::make_shared<const CurveOrder>()) {}
 
 void Samples::apply(const DocumentDelta& delta) {
   // What changes nothing makes no revision, here as in the document.

@@ -8,17 +8,17 @@
 #include "core/base/box2.h"
 #include "core/base/change_set.h"
 #include "core/document/delta.h"
-#include "core/graph/structure.h"
+#include "core/graph/source_structure.h"
 
 namespace mes {
 
 /// The root of the graph. `post` queues deltas; the next run applies them all as one change.
-class Samples final : public Structure {
+class Samples final : public SourceStructure {
  public:
   Samples();
 
-  void post(std::shared_ptr<const DocumentDelta> delta) { pending_.push_back(std::move(delta)); }
-  bool has_pending() const { return !pending_.empty(); }
+  void post(std::shared_ptr<const DocumentDelta> delta) override { pending_.push_back(std::move(delta)); }
+  bool has_pending() const override { return !pending_.empty(); }
 
   /// Rows, by the document's slots.
   std::size_t row_count() const { return position_.size(); }
@@ -28,8 +28,7 @@ class Samples final : public Structure {
   std::size_t count() const { return count_; }
   const CurveOrder& curve_order() const { return *curve_; }
   std::uint64_t document_revision() const { return document_revision_; }
-  /// Covers all samples that lived since the last rebuild; never shrinks in between.
-  const Box2& extent() const { return extent_; }
+  Box2 extent() const override { return extent_; }
 
   const ChangeSet& changes() const { return changes_; }
 

@@ -35,7 +35,7 @@ TEST_CASE("an unknown layer names the nearest ones") {
 }
 
 TEST_CASE("what this build cannot do is said, not ignored") {
-  require_usage_error({"compute", kDude, "--precision", "exact"}, {"not available in this build"});
+  require_usage_error({"compute", kDude, "--set", "union-shortcut=0.5"}, {"whole number"});
   require_usage_error({"compute", kDude, "--precision", "exakt"}, {"unknown precision", "exact-roots"});
   require_usage_error({"export", kDude, "--layer", "points", "--format", "geojson"}, {"not available in this build"});
   require_usage_error({"export", kDude, "--layer", "points", "--format", "xls"}, {"csv or poff"});
