@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+#include "core/structures/axis_certificate.h"
+
+namespace mes {
+
+Layer make_theorem_check_layer(const StructureSet& set) {
+  const auto& delaunay = set.get<Delaunay>();
+  const auto& certificate = set.get<AxisCertificate>();
+  return make_layer(
+      {.id = "theorem-check",
+       .name = "Theorem check",
+       .tooltip =
+           "Curve edges beyond which another inner ball shows, and samples where balls touch from several sides",
+       .group = LayerGroup::diagnostics,
+       .style = {.color = palette::vermilion, .point_size_px = 9, .line_width_px = 5},
+       .kinds = {PrimitiveKind::segment, PrimitiveKind::point}},
+      {&delaunay, &certificate},
+      edges_part({PrimitiveKind::segment}, delaunay, certificate.edge_changes(),
+                 [&](Slot edge, Instance& out) {
+                   if (certificate.is_bad_edge(edge)) emit_edge(delaunay, edge, out);
+                 }),
+      sites_part({PrimitiveKind::point}, delaunay, certificate.site_changes(), [&](Slot site, Instance& out) {
+        if (certificate.is_bad_site(site)) out.point(delaunay.site_position(site));
+      }));
+}
+
+}  // namespace mes
