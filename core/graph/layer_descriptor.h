@@ -13,7 +13,16 @@
 
 namespace mes {
 
-enum class LayerGroup : std::uint8_t { samples, delaunay_voronoi, crust_axis, diagnostics };
+enum class LayerGroup : std::uint8_t {
+  samples,
+  delaunay_voronoi,
+  crust_axis,
+  poles,
+  union_a,
+  union_p,
+  union_b,
+  diagnostics
+};
 
 /// Heading of the group in the layer panel, e.g. "Delaunay & Voronoi".
 std::string_view title_of(LayerGroup group);
