@@ -2,11 +2,24 @@
 // The one header that names CGAL kernels.
 #pragma once
 
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Lazy_exact_nt.h>
+#include <CGAL/Simple_cartesian.h>
 
 namespace mes {
 
+/// Plain doubles, predicates too. Nothing it decides can be relied on, not even that CGAL's algorithms end.
+using NaiveKernel = CGAL::Simple_cartesian<double>;
+
 /// Exact predicates on the given doubles through filters: the default for everything combinatorial on samples.
 using FastKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Rational constructions, evaluated when an interval does not settle a question. Objects belong to one thread.
+using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+/// The same with square roots. The sign of a number that is zero costs a separation bound, milliseconds and more.
+using RootsKernel = CGAL::Simple_cartesian<CGAL::Lazy_exact_nt<CORE::Expr>>;
 
 }  // namespace mes

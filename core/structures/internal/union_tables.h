@@ -75,15 +75,15 @@ struct VEdge {
   VEdgeKind kind = VEdgeKind::plain;
 };
 
-/// A free arc of a circle on the boundary of the union, counter-clockwise from `from` to `to` (rows of `v_points`;
-/// kNoSlot = the whole circle).
+/// A free arc of a circle on the boundary of the union, counter-clockwise.
 struct BoundaryArc {
   Slot ball = kNoSlot;
-  Slot from = kNoSlot, to = kNoSlot;
+  Vec2 from{}, to{};
+  std::uint8_t is_whole = 0;  ///< the whole circle, but for at most one point
   bool is_alive() const { return ball != kNoSlot; }
 };
 
-enum class BallState : std::uint8_t { none, visible, hidden, duplicate };
+enum class BallState : std::uint8_t { none, visible, isolated, hidden, duplicate };
 
 /// Counters of one computation; -1 = not applicable.
 struct UnionCounts {
@@ -100,7 +100,6 @@ struct UnionCounts {
 
 struct UnionTables {
   std::vector<BallState> balls;
-  std::vector<Slot> isolated;  ///< balls without a dual edge
   std::vector<DualEdge> dual_edges;
   std::vector<DualFace> dual_faces;
   std::vector<VPoint> v_points;

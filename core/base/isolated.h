@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs work in a child process: whatever it does to itself, this process only sees bytes or an error.
+//
+// For arithmetic that may loop for ever or corrupt its own data (predicates in plain doubles), and for calls that
+// cannot be interrupted (a single sign of nested roots may take minutes). The child starts as a copy of this process,
+// so the work sees all data without passing it; it must not start threads or wait for others.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+
+namespace mes {
+
+struct IsolationLimits {
+  double seconds = 0.0;     ///< of wall clock; 0 = none
+  std::size_t bytes = 0;    ///< of memory above what this process has; 0 = none
+  const char* what = "it";  ///< subject of error messages, e.g. "naive arithmetic"
+};
+
+/// What `work` returns. Throws `Cancelled` within some 20 ms when the job is stopped, and `GeometryError` with a
+/// reason when the work throws, crashes, or exceeds a limit. Costs a few milliseconds.
+std::vector<std::byte> run_isolated(const std::function<std::vector<std::byte>()>& work,
+                                    const IsolationLimits& limits, JobControl& job);
+
+/// Bytes of plain tables, in order.
+class TableWriter {
+ public:
+  template <class T>
+  void operator()(const std::vector<T>& table) {
+    (*this)(table.size());
+    append(table.data(), table.size() * sizeof(T));
+  }
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(const T& value) { append(&value, sizeof value); }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    const auto* begin = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), begin, begin + size);
+  }
+  std::vector<std::byte> bytes_;
+};
+
+/// Reads what a `TableWriter` wrote. Throws `GeometryError` when there is not enough.
+class TableReader {
+ public:
+  explicit TableReader(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
+  template <class T>
+  void operator()(std::vector<T>& table) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::size_t count = 0;
+    (*this)(count);
+    if (count > (bytes_.size() - at_) / sizeof(T)) throw GeometryError("an isolated computation gave broken data");
+    table.resize(count);
+    take(table.data(), count * sizeof(T));
+  }
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { take(&value, sizeof value); }
+
+ private:
+  void take(void* to, std::size_t size) {
+    if (size > bytes_.size() - at_) throw GeometryError("an isolated computation gave broken data");
+    if (size != 0) std::memcpy(to, bytes_.data() + at_, size);
+    at_ += size;
+  }
+  const std::vector<std::byte>& bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace mes

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signs that decide which triangles and edges of a regular triangulation belong to the dual complex of a union of
+// balls. A ball is its centre and weight w = squared radius.
+//
+// With c_1 as origin, let A = |c_2|^2 - w_2 + w_1, B = |c_3|^2 - w_3 + w_1 and D = det(c_2, c_3). The point of equal
+// power is x = (A c_3y - B c_2y, B c_2x - A c_3x) / 2D, and the squared radius of the orthogonal circle |x|^2 - w_1.
+// On an edge the least common power is A^2 / 4|c_2|^2 - w_1, at the foot c_2 A / 2|c_2|^2.
+// Source: Edelsbrunner 1995; the polynomial form is ours.
+#pragma once
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/FPU.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+
+#include "core/kernel/kernels.h"
+
+namespace mes {
+
+template <class Number>
+struct BallOf {
+  Number x, y, w;
+};
+
+namespace ball_polynomials {
+
+template <class Number>
+Number orthogonal_radius(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const Number pb = bx * bx + by * by - b.w + a.w;
+  const Number pc = cx * cx + cy * cy - c.w + a.w;
+  const Number det = bx * cy - by * cx;
+  const Number nx = pb * cy - pc * by;
+  const Number ny = pc * bx - pb * cx;
+  return nx * nx + ny * ny - Number(4) * det * det * a.w;
+}
+
+template <class Number>
+Number edge_radius(const BallOf<Number>& a, const BallOf<Number>& b) {
+  const Number bx = b.x - a.x, by = b.y - a.y;
+  const Number dd = bx * bx + by * by;
+  const Number pb = dd - b.w + a.w;
+  return pb * pb - Number(4) * dd * a.w;
+}
+
+/// Power of c at the foot of ab, less the power of a and b there.
+template <class Number>
+Number excess_at_foot(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const Number dd = bx * bx + by * by;
+  const Number pb = dd - b.w + a.w;
+  const Number pc = cx * cx + cy * cy - c.w + a.w;
+  return dd * pc - pb * (bx * cx + by * cy);
+}
+
+/// Power of d at the point of equal power of a, b, c less their power there, times 2 det(b - a, c - a).
+template <class Number>
+Number excess_at_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
+                        const BallOf<Number>& d) {
+  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const Number dx = d.x - a.x, dy = d.y - a.y;
+  const Number pb = bx * bx + by * by - b.w + a.w;
+  const Number pc = cx * cx + cy * cy - c.w + a.w;
+  const Number pd = dx * dx + dy * dy - d.w + a.w;
+  const Number det = bx * cy - by * cx;
+  return det * pd - (pb * cy - pc * by) * dx - (pc * bx - pb * cx) * dy;
+}
+
+}  // namespace ball_polynomials
+
+/// Signs in the arithmetic of a kernel: of the polynomial as it comes out of the kernel's numbers.
+template <class Kernel>
+struct BallSigns {
+  using Number = typename Kernel::FT;
+  template <class Polynomial, class... Ball>
+  static int sign(Polynomial polynomial, const Ball&... balls) {
+    return static_cast<int>(CGAL::sign(polynomial(balls...)));
+  }
+};
+
+/// Exact for the given doubles: intervals first, then rationals.
+template <>
+struct BallSigns<FastKernel> {
+  using Number = double;
+  template <class Polynomial, class... Ball>
+  static int sign(Polynomial polynomial, const Ball&... balls) {
+    using Interval = CGAL::Interval_nt<false>;
+    using Rational = CGAL::Exact_rational;
+    {
+      CGAL::Protect_FPU_rounding<true> rounding;
+      const Interval value = polynomial(BallOf<Interval>{Interval(balls.x), Interval(balls.y), Interval(balls.w)}...);
+      if (value.inf() > 0.0) return 1;
+      if (value.sup() < 0.0) return -1;
+    }
+    return static_cast<int>(
+        CGAL::sign(polynomial(BallOf<Rational>{Rational(balls.x), Rational(balls.y), Rational(balls.w)}...)));
+  }
+};
+
+/// Of the squared radius of the circle orthogonal to the three.
+template <class Kernel, class Ball>
+int sign_of_orthogonal_radius(const Ball& a, const Ball& b, const Ball& c) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::orthogonal_radius(x...); }, a, b, c);
+}
+/// Of the least common power of the two: not positive exactly if the circles meet (or one ball holds the other).
+template <class Kernel, class Ball>
+int sign_of_edge_radius(const Ball& a, const Ball& b) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::edge_radius(x...); }, a, b);
+}
+/// Of the power of c in the middle between the crossings of a and b, less the power of a and b there. Negative: the
+/// edge ab is *attached* to the triangle abc.
+template <class Kernel, class Ball>
+int sign_of_excess_at_foot(const Ball& a, const Ball& b, const Ball& c) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_at_foot(x...); }, a, b, c);
+}
+/// The four have a point of equal power.
+template <class Kernel, class Ball>
+bool have_common_center(const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_at_center(x...); }, a, b, c,
+                                 d) == 0;
+}
+
+}  // namespace mes

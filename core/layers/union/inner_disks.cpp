@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/union/family.h"
+
+namespace mes {
+
+Layer make_union_inner_disks_layer(const UnionFamily& family) {
+  const BallUnion& balls = family.balls;
+  return union_layer(
+      family,
+      {.id = "inner-disks",
+       .name = "inner disks",
+       .tooltip = "Disks whose union is analysed",
+       .in_paper = true,
+       .scalar = "radius",
+       .style = {.color = palette::orange, .opacity = 0.2},
+       .kinds = {PrimitiveKind::disk}},
+      table_part(
+          {PrimitiveKind::disk}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
+          [&balls](Slot row, Instance& out) {
+            if (balls.tables().balls[row] == BallState::none) return;
+            const Disk disk = balls.family().disk(row);
+            out.disk(disk.center, disk.radius, disk.radius);
+          }));
+}
+
+}  // namespace mes

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/union/family.h"
+
+namespace mes {
+
+Layer make_union_v_origin_triangle_layer(const UnionFamily& family) {
+  const BallUnion& balls = family.balls;
+  return union_layer(family,
+                     {.id = "v-origin-triangle",
+                      .name = "V origin triangle",
+                      .tooltip = "Triangle of a v-point and the dual edge that made it",
+                      .in_paper = true,
+                      .style = {.color = palette::purple, .opacity = 0.15},
+                      .kinds = {PrimitiveKind::triangle}},
+                     union_part({PrimitiveKind::triangle}, balls, &UnionTables::v_origins, balls.changes().v_points,
+                                [&balls](const VOrigin& origin, Instance& out) {
+                                  if (!origin.is_alive()) return;
+                                  const DualEdge& edge = balls.tables().dual_edges[origin.edge];
+                                  out.triangle(balls.tables().v_points[origin.v].position,
+                                               balls.family().disk(edge.ball[0]).center,
+                                               balls.family().disk(edge.ball[1]).center);
+                                }));
+}
+
+}  // namespace mes

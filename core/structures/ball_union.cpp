@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/ball_union.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "core/base/isolated.h"
+#include "core/structures/internal/union_runs.h"
+
+namespace mes {
+namespace {
+
+template <class Tables, class Visit>
+void for_each_table(Tables& t, Visit&& visit) {
+  visit(t.balls);
+  visit(t.dual_edges);
+  visit(t.dual_faces);
+  visit(t.v_points);
+  visit(t.v_origins);
+  visit(t.axis);
+  visit(t.v_faces);
+  visit(t.v_edges);
+  visit(t.arcs);
+  visit(t.counts);
+}
+
+UnionTables isolated(UnionTables (*run)(const PipelineInput&, JobControl&), const PipelineInput& input,
+                     const IsolationLimits& limits, JobControl& job) {
+  const std::vector<std::byte> bytes = run_isolated(
+      [&] {
+        JobControl own;
+        const UnionTables tables = run(input, own);
+        TableWriter writer;
+        for_each_table(tables, writer);
+        return writer.take();
+      },
+      limits, job);
+  UnionTables tables;
+  TableReader reader(bytes);
+  for_each_table(tables, reader);
+  return tables;
+}
+
+/// Inner Voronoi balls. Rows: Delaunay faces.
+class InnerVoronoiBalls final : public BallFamily {
+ public:
+  InnerVoronoiBalls(const Delaunay& delaunay, const MedialAxis& axis, const InnerBalls& balls)
+      : delaunay_(delaunay), axis_(axis), balls_(balls) {}
+  std::size_t rows() const override { return delaunay_.face_rows(); }
+  bool is_ball(Slot row) const override { return delaunay_.face(row).is_alive() && axis_.is_node(row); }
+  Disk disk(Slot row) const override { return {delaunay_.circumcenter(row), delaunay_.circumradius(row)}; }
+  bool is_from_samples() const override { return true; }
+  std::array<Vec2, 3> corners(Slot row) const override {
+    const FaceRow& face = delaunay_.face(row);
+    return {delaunay_.site_position(face.v[0]), delaunay_.site_position(face.v[1]),
+            delaunay_.site_position(face.v[2])};
+  }
+  std::array<Slot, 3> sites(Slot row) const override {
+    const FaceRow& face = delaunay_.face(row);
+    return {face.v[0], face.v[1], face.v[2]};
+  }
+  const ChangeSet& changes() const override { return balls_.changes(); }
+
+ private:
+  const Delaunay& delaunay_;
+  const MedialAxis& axis_;
+  const InnerBalls& balls_;
+};
+
+double angle_of(Vec2 v) {
+  return std::atan2(v.y, v.x);
+}
+
+/// Area and perimeter of the union by Green's theorem over its boundary.
+struct Measures {
+  double area = 0.0;
+  double perimeter = 0.0;
+};
+Measures measures_of(const UnionTables& t, const BallFamily& family) {
+  Measures out;
+  for (const BoundaryArc& arc : t.arcs) {
+    if (!arc.is_alive()) continue;
+    const Disk disk = family.disk(arc.ball);
+    double from = 0.0;
+    double turn = 2.0 * std::numbers::pi;
+    if (arc.is_whole == 0) {
+      from = angle_of(arc.from - disk.center);
+      turn = angle_of(arc.to - disk.center) - from;
+      if (turn <= 0.0) turn += 2.0 * std::numbers::pi;
+    }
+    const double to = from + turn;
+    const double r = disk.radius;
+    out.perimeter += r * turn;
+    out.area += 0.5 * r *
+                (r * turn + disk.center.x * (std::sin(to) - std::sin(from)) -
+                 disk.center.y * (std::cos(to) - std::cos(from)));
+  }
+  return out;
+}
+
+struct AxisCounts {
+  std::int64_t nodes = 0, edges = 0, components = 0, leaves = 0, branch_points = 0;
+  double length = 0.0;
+};
+AxisCounts count_axis(const UnionTables& t) {
+  AxisCounts out;
+  std::vector<Slot> parent(t.balls.size() + t.v_faces.size());
+  std::iota(parent.begin(), parent.end(), Slot{0});
+  std::vector<std::uint32_t> degree(parent.size(), 0);
+  const auto root = [&parent](Slot node) {
+    while (parent[node] != node) node = parent[node] = parent[parent[node]];
+    return node;
+  };
+  // Ends of pieces without length are one node.
+  for (const AxisPiece& piece : t.axis)
+    if (piece.is_alive() && piece.is_zero != 0) parent[root(piece.node[0])] = root(piece.node[1]);
+  std::vector<Slot> merged(parent.size());
+  for (Slot node = 0; node < parent.size(); ++node) merged[node] = root(node);
+  std::vector<bool> is_node(parent.size(), false);
+  for (Slot ball = 0; ball < t.balls.size(); ++ball)
+    if (t.balls[ball] == BallState::isolated) is_node[ball] = true;
+  for (const AxisPiece& piece : t.axis) {
+    if (!piece.is_alive()) continue;
+    for (const Slot node : piece.node) is_node[merged[node]] = true;
+    if (piece.is_zero != 0) continue;
+    ++out.edges;
+    out.length += distance(piece.a, piece.b);
+    for (const Slot node : piece.node) ++degree[merged[node]];
+  }
+  std::iota(parent.begin(), parent.end(), Slot{0});
+  for (Slot node = 0; node < parent.size(); ++node) {
+    if (!is_node[node] || merged[node] != node) continue;
+    ++out.nodes;
+    out.leaves += degree[node] == 1 ? 1 : 0;
+    out.branch_points += degree[node] >= 3 ? 1 : 0;
+  }
+  out.components = out.nodes;
+  for (const AxisPiece& piece : t.axis) {
+    if (!piece.is_alive() || piece.is_zero != 0) continue;
+    const Slot a = root(merged[piece.node[0]]);
+    const Slot b = root(merged[piece.node[1]]);
+    if (a == b) continue;
+    parent[a] = b;
+    --out.components;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view name_of(UnionRung rung) {
+  switch (rung) {
+    case UnionRung::shortcut: return "shortcut";
+    case UnionRung::naive: return "naive";
+    case UnionRung::doubles: return "doubles";
+    case UnionRung::rational: return "rational";
+    case UnionRung::mixed: return "mixed";
+    case UnionRung::roots: return "roots";
+  }
+  return "";
+}
+
+BallUnion::BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                     std::unique_ptr<BallFamily> family, const AxisCertificate* certificate,
+                     std::unique_ptr<SampleUnion> shortcut)
+    : Structure(id, std::move(inputs)),
+      settings_(settings),
+      family_(std::move(family)),
+      certificate_(certificate),
+      shortcut_(std::move(shortcut)) {}
+
+BallUnion::Choice BallUnion::choice() const {
+  return {settings_.precision(), settings_.current().is_on(Parameter::union_shortcut)};
+}
+
+bool BallUnion::is_shortcut_valid() const {
+  const Choice now = choice();
+  const bool may = now.precision == Precision::fast || now.precision == Precision::exact;
+  return may && now.use_shortcut && shortcut_ && certificate_->is_certified();
+}
+
+void BallUnion::rebuild(JobControl& job) {
+  changes_.clear();
+  made_with_ = choice();
+  if (is_shortcut_valid()) {
+    rung_ = UnionRung::shortcut;
+    why_ = "certified";
+    shortcut_->rebuild(tables_, job);
+    return;
+  }
+  if (!shortcut_) {
+    why_ = "no samples to follow";
+  } else if (!made_with_.use_shortcut || made_with_.precision == Precision::naive ||
+             made_with_.precision == Precision::exact_roots) {
+    why_ = "as asked for";
+  } else {
+    why_ = "not certified: " + std::to_string(certificate_->bad_edge_count()) + " arcs met by other balls, " +
+           std::to_string(certificate_->bad_site_count()) + " samples not on one border";
+  }
+  run_pipeline(made_with_.precision, job);
+}
+
+void BallUnion::run_pipeline(Precision precision, JobControl& job) {
+  std::vector<PipelineBall> balls;
+  ignored_ = 0;
+  for (Slot row = 0; row < family_->rows(); ++row) {
+    if (!family_->is_ball(row)) continue;
+    PipelineBall ball;
+    ball.row = row;
+    ball.disk = family_->disk(row);
+    ball.is_from_samples = family_->is_from_samples();
+    if (ball.is_from_samples) {
+      const auto corners = family_->corners(row);
+      const auto sites = family_->sites(row);
+      std::ranges::copy(corners, ball.corner);
+      std::ranges::copy(sites, ball.site);
+    } else if (!(ball.disk.radius > 0.0)) {
+      ++ignored_;
+      continue;
+    }
+    const bool is_finite = std::isfinite(ball.disk.center.x) && std::isfinite(ball.disk.center.y) &&
+                           std::isfinite(ball.disk.radius * ball.disk.radius);
+    if (!is_finite) throw GeometryError("a ball is too large for doubles");
+    balls.push_back(ball);
+  }
+  const PipelineInput input{balls, family_->rows()};
+  constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
+  constexpr IsolationLimits kRoots{0.0, std::size_t{1} << 34U, "arithmetic with roots"};
+  switch (precision) {
+    case Precision::naive:
+      rung_ = UnionRung::naive;
+      tables_ = isolated(run_union_naive, input, kNaive, job);
+      return;
+    case Precision::fast:
+      rung_ = UnionRung::doubles;
+      tables_ = run_union_doubles(input, job);
+      return;
+    case Precision::exact:
+      if (family_->is_from_samples()) {
+        try {
+          rung_ = UnionRung::rational;
+          tables_ = run_union_rational(input, job);
+          return;
+        } catch (const NeedsRoots&) {
+          why_ += "; some circles cross where no sample is";
+        }
+      }
+      rung_ = UnionRung::mixed;
+      tables_ = isolated(run_union_mixed, input, kRoots, job);
+      return;
+    case Precision::exact_roots:
+      rung_ = UnionRung::roots;
+      tables_ = isolated(run_union_roots, input, kRoots, job);
+      return;
+  }
+}
+
+bool BallUnion::update(JobControl&) {
+  changes_.clear();
+  const bool same_balls = family_->changes().is_empty() && (!certificate_ || certificate_->touched() == 0);
+  if (made_with_ == choice() && same_balls && rung_ != UnionRung::shortcut) return true;
+  if (made_with_ != choice() || rung_ != UnionRung::shortcut || !is_shortcut_valid()) return false;
+  shortcut_->update(tables_, changes_);
+  return true;
+}
+
+StatList BallUnion::statistics() const {
+  const UnionTables& t = tables_;
+  std::vector<std::int64_t> edges(3, 0);
+  std::int64_t faces = 0;
+  std::int64_t zero_faces = 0;
+  std::int64_t visible = 0;
+  std::int64_t isolated_balls = 0;
+  std::int64_t hidden = 0;
+  std::int64_t duplicates = 0;
+  for (const BallState state : t.balls) {
+    visible += state == BallState::visible || state == BallState::isolated ? 1 : 0;
+    isolated_balls += state == BallState::isolated ? 1 : 0;
+    hidden += state == BallState::hidden ? 1 : 0;
+    duplicates += state == BallState::duplicate ? 1 : 0;
+  }
+  for (const DualEdge& edge : t.dual_edges)
+    if (edge.is_alive()) ++edges[static_cast<std::size_t>(edge.kind)];
+  for (const DualFace& face : t.dual_faces) {
+    faces += face.is_alive() ? 1 : 0;
+    zero_faces += face.is_alive() && face.is_exactly_zero != 0 ? 1 : 0;
+  }
+  std::int64_t v_points = 0;
+  std::int64_t foreign = 0;
+  for (const VPoint& v : t.v_points) {
+    v_points += v.is_alive() ? 1 : 0;
+    foreign += v.is_alive() && v.site == kNoSlot ? 1 : 0;
+  }
+  const AxisCounts axis = count_axis(t);
+  const Measures measures = measures_of(t, *family_);
+  StatList out{{"rung", std::string(name_of(rung_))},
+               {"why", why_},
+               {"balls", visible + hidden + duplicates},
+               {"visible", visible},
+               {"hidden", hidden},
+               {"duplicates", duplicates},
+               {"ignored", static_cast<std::int64_t>(ignored_)},
+               {"dual_edges", edges[0] + edges[1] + edges[2]},
+               {"dual_singular", edges[0]},
+               {"dual_regular", edges[1]},
+               {"dual_interior", edges[2]},
+               {"dual_faces", faces},
+               {"zero_faces", zero_faces},
+               {"chi_dual", visible - edges[0] - edges[1] - edges[2] + faces},
+               {"isolated", isolated_balls},
+               {"v_points", v_points},
+               {"nodes", axis.nodes},
+               {"edges", axis.edges},
+               {"components", axis.components},
+               {"cycles", axis.edges - axis.nodes + axis.components},
+               {"chi", axis.nodes - axis.edges},
+               {"leaves", axis.leaves},
+               {"branch_points", axis.branch_points},
+               {"length", axis.length},
+               {"area", measures.area},
+               {"perimeter", measures.perimeter}};
+  if (family_->is_from_samples()) out.push_back({"foreign_v_points", foreign});
+  if (rung_ == UnionRung::shortcut) return out;
+  const UnionCounts& c = t.counts;
+  out.insert(out.end(), {{"raw_v_points", c.raw_v_points},
+                         {"edges_without_sample", c.edges_without_sample},
+                         {"sign_flips", c.sign_flips},
+                         {"negative_faces", c.negative_faces},
+                         {"negative_radicands", c.negative_radicands},
+                         {"near_duplicates", c.near_duplicates},
+                         {"lost_crossings", c.lost_crossings},
+                         {"contradictions", c.contradictions}});
+  return out;
+}
+
+AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
+               MedialAxis& axis, AxisCertificate& certificate)
+    : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,
+                std::make_unique<InnerVoronoiBalls>(delaunay, axis, balls), &certificate,
+                std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
+
+}  // namespace mes

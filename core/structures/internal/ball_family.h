@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A set of balls whose union is to be analysed, seen alike whatever it comes from.
+#pragma once
+
+#include <array>
+
+#include "core/base/change_set.h"
+#include "core/base/disk.h"
+#include "core/base/vec2.h"
+
+namespace mes {
+
+class BallFamily {
+ public:
+  virtual ~BallFamily() = default;
+  virtual std::size_t rows() const = 0;
+  /// Each real ball has one row of which this holds, or several that are equal as doubles.
+  virtual bool is_ball(Slot row) const = 0;
+  /// Rounded to doubles.
+  virtual Disk disk(Slot row) const = 0;
+  /// The ball is the circumdisk of three samples; otherwise it is `disk` as it stands.
+  virtual bool is_from_samples() const = 0;
+  /// Their positions, counter-clockwise, and their Delaunay sites.
+  virtual std::array<Vec2, 3> corners(Slot row) const = 0;
+  virtual std::array<Slot, 3> sites(Slot row) const = 0;
+  virtual const ChangeSet& changes() const = 0;
+};
+
+}  // namespace mes

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/internal/union_pipeline.h"
+
+namespace mes {
+
+UnionTables run_union_rational(const PipelineInput& input, JobControl& job) {
+  return UnionPipeline<ExactKernel, ExactKernel>(input, true, job).run();
+}
+
+UnionTables run_union_mixed(const PipelineInput& input, JobControl& job) {
+  return UnionPipeline<ExactKernel, RootsKernel>(input, true, job).run();
+}
+
+UnionTables run_union_roots(const PipelineInput& input, JobControl& job) {
+  return UnionPipeline<RootsKernel, RootsKernel>(input, false, job).run();
+}
+
+}  // namespace mes

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/internal/union_pipeline.h"
+
+namespace mes {
+
+UnionTables run_union_naive(const PipelineInput& input, JobControl& job) {
+  return UnionPipeline<NaiveKernel, NaiveKernel>(input, false, job).run();
+}
+
+}  // namespace mes
