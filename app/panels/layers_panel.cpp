@@ -267,7 +267,8 @@ void LayersPanel::draw(const PanelContext& context, const PanelArea& area) {
     const bool flat_list = by_order_ || !search_.empty();
     std::size_t listed = 0;
     for (const LayerGroup group :
-         {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::diagnostics}) {
+         {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::poles,
+          LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
       const auto belongs = [&](LayerIndex layer) {
         return is_listed(context, layer) && (flat_list || context.layers.descriptor(layer).group == group);
       };

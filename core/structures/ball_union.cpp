@@ -44,6 +44,31 @@ UnionTables isolated(UnionTables (*run)(const PipelineInput&, JobControl&), cons
   return tables;
 }
 
+Vec2 scaled(Vec2 p, int exponent) {
+  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+}
+void scale(PipelineBall& ball, int exponent) {
+  ball.disk = {scaled(ball.disk.center, exponent), std::ldexp(ball.disk.radius, exponent)};
+  for (Vec2& corner : ball.corner) corner = scaled(corner, exponent);
+}
+void scale(UnionTables& t, int exponent) {
+  for (VPoint& v : t.v_points) v.position = scaled(v.position, exponent);
+  for (BoundaryArc& arc : t.arcs) {
+    arc.from = scaled(arc.from, exponent);
+    arc.to = scaled(arc.to, exponent);
+  }
+  for (VFace& face : t.v_faces) {
+    face.center = scaled(face.center, exponent);
+    face.radius = std::ldexp(face.radius, exponent);
+  }
+  for (AxisPiece& piece : t.axis) {
+    piece.a = scaled(piece.a, exponent);
+    piece.b = scaled(piece.b, exponent);
+    piece.radius_a = std::ldexp(piece.radius_a, exponent);
+    piece.radius_b = std::ldexp(piece.radius_b, exponent);
+  }
+}
+
 /// Inner Voronoi balls. Rows: Delaunay faces.
 class InnerVoronoiBalls final : public BallFamily {
  public:
@@ -206,6 +231,9 @@ void BallUnion::rebuild(JobControl& job) {
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
   std::vector<PipelineBall> balls;
   ignored_ = 0;
+  // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
+  double largest = 0.0;
+  const auto note_size = [&largest](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
   for (Slot row = 0; row < family_->rows(); ++row) {
     if (!family_->is_ball(row)) continue;
     PipelineBall ball;
@@ -221,41 +249,43 @@ void BallUnion::run_pipeline(Precision precision, JobControl& job) {
       ++ignored_;
       continue;
     }
-    const bool is_finite = std::isfinite(ball.disk.center.x) && std::isfinite(ball.disk.center.y) &&
-                           std::isfinite(ball.disk.radius * ball.disk.radius);
-    if (!is_finite) throw GeometryError("a ball is too large for doubles");
+    // What no double can hold cannot be drawn either.
+    if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + ball.disk.radius)) {
+      ++ignored_;
+      continue;
+    }
+    note_size(ball.disk.center);
+    for (const Vec2 corner : ball.corner) note_size(corner);
     balls.push_back(ball);
   }
+  const int exponent = largest > 1e60 || (largest < 1e-60 && largest > 0.0) ? std::ilogb(largest) : 0;
+  if (exponent != 0)
+    for (PipelineBall& ball : balls) scale(ball, -exponent);
   const PipelineInput input{balls, family_->rows()};
+  tables_ = run_pipeline(precision, input, job);
+  if (exponent != 0) scale(tables_, exponent);
+}
+
+UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {
   constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
   constexpr IsolationLimits kRoots{0.0, std::size_t{1} << 34U, "arithmetic with roots"};
   switch (precision) {
-    case Precision::naive:
-      rung_ = UnionRung::naive;
-      tables_ = isolated(run_union_naive, input, kNaive, job);
-      return;
-    case Precision::fast:
-      rung_ = UnionRung::doubles;
-      tables_ = run_union_doubles(input, job);
-      return;
+    case Precision::naive: rung_ = UnionRung::naive; return isolated(run_union_naive, input, kNaive, job);
+    case Precision::fast: rung_ = UnionRung::doubles; return run_union_doubles(input, job);
     case Precision::exact:
       if (family_->is_from_samples()) {
         try {
           rung_ = UnionRung::rational;
-          tables_ = run_union_rational(input, job);
-          return;
+          return run_union_rational(input, job);
         } catch (const NeedsRoots&) {
           why_ += "; some circles cross where no sample is";
         }
       }
       rung_ = UnionRung::mixed;
-      tables_ = isolated(run_union_mixed, input, kRoots, job);
-      return;
-    case Precision::exact_roots:
-      rung_ = UnionRung::roots;
-      tables_ = isolated(run_union_roots, input, kRoots, job);
-      return;
+      return isolated(run_union_mixed, input, kRoots, job);
+    case Precision::exact_roots: rung_ = UnionRung::roots; return isolated(run_union_roots, input, kRoots, job);
   }
+  return {};
 }
 
 bool BallUnion::update(JobControl&) {

@@ -9,6 +9,7 @@
 #include "core/graph/structure.h"
 #include "core/structures/internal/ball_family.h"
 #include "core/structures/internal/sample_union.h"
+#include "core/structures/internal/union_runs.h"
 #include "core/structures/internal/union_tables.h"
 #include "core/structures/settings_source.h"
 
@@ -67,6 +68,7 @@ class BallUnion : public Structure {
   Choice choice() const;
   bool is_shortcut_valid() const;
   void run_pipeline(Precision precision, JobControl& job);
+  UnionTables run_pipeline(Precision precision, const PipelineInput& input, JobControl& job);
 
   const SettingsSource& settings_;
   std::unique_ptr<BallFamily> family_;
@@ -75,7 +77,7 @@ class BallUnion : public Structure {
   Choice made_with_;
   UnionRung rung_ = UnionRung::doubles;
   std::string why_;
-  std::size_t ignored_ = 0;  ///< balls of radius zero
+  std::size_t ignored_ = 0;  ///< balls of radius zero, and those beyond doubles
   UnionTables tables_;
   UnionChanges changes_;
 };

@@ -16,9 +16,14 @@ Layer make_union_v_origin_triangle_layer(const UnionFamily& family) {
                                 [&balls](const VOrigin& origin, Instance& out) {
                                   if (!origin.is_alive()) return;
                                   const DualEdge& edge = balls.tables().dual_edges[origin.edge];
-                                  out.triangle(balls.tables().v_points[origin.v].position,
-                                               balls.family().disk(edge.ball[0]).center,
-                                               balls.family().disk(edge.ball[1]).center);
+                                  const Vec2 v = balls.tables().v_points[origin.v].position;
+                                  const Vec2 a = balls.family().disk(edge.ball[0]).center;
+                                  const Vec2 b = balls.family().disk(edge.ball[1]).center;
+                                  if (cross(a - v, b - v) < 0.0) {
+                                    out.triangle(v, b, a);
+                                  } else {
+                                    out.triangle(v, a, b);
+                                  }
                                 }));
 }
 

@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/circumcircle.h"
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
 #include "core/kernel/ball_signs.h"
@@ -45,7 +46,8 @@ BallOf<Number> ball_in(const PipelineBall& ball) {
   if constexpr (std::is_same_v<Number, double>) {
     const Vec2 c = ball.disk.center;
     if (!ball.is_from_samples) return {c.x, c.y, ball.disk.radius * ball.disk.radius};
-    const Vec2 d = ball.corner[0] - c;
+    // The same corner however the triangle came about.
+    const Vec2 d = *std::ranges::min_element(ball.corner, lexicographically_less) - c;
     return {c.x, c.y, dot(d, d)};
   } else {
     if (!ball.is_from_samples) {
@@ -61,6 +63,16 @@ BallOf<Number> ball_in(const PipelineBall& ball) {
     const Number dx = (vy * uu - uy * vv) / twice;
     const Number dy = (ux * vv - vx * uu) / twice;
     return {ax + dx, ay + dy, dx * dx + dy * dy};
+  }
+}
+
+template <class Number>
+double rounded(const Number& x) {
+  // Of a lazy number the value counts, not how it came about.
+  if constexpr (std::is_same_v<Number, typename ExactKernel::FT>) {
+    return CGAL::to_double(CGAL::exact(x));
+  } else {
+    return CGAL::to_double(x);
   }
 }
 
@@ -140,10 +152,14 @@ class UnionPipeline {
   void walk_around(Slot ball);
   void gather_events();
   void add_event(Slot ball, Slot from, Slot to, Arc arc);
+  bool comes_before(Slot a, Slot b) const {
+    return lexicographically_less(input_[a].disk.center, input_[b].disk.center);
+  }
   void mark_polygon(Slot ball, const std::vector<Slot>& points);
   bool is_center_here(Slot edge, Slot inner_face) const;
   void cut_edges();
   Slot node_of(Slot face) const;
+  static Circle circle_of(typename Dt::Face_handle face);
 
   std::span<const PipelineBall> input_;
   bool use_samples_;
@@ -340,8 +356,13 @@ auto UnionPipeline<Balls, Points>::crossing_of(Slot a, Slot b, bool left) -> std
 template <class Balls, class Points>
 Slot UnionPipeline<Balls, Points>::add_v_point(Slot dual_edge, bool left) {
   const Slot e = dual_edge;
-  const Slot a = rt_.edges[e].v[0];
-  const Slot b = rt_.edges[e].v[1];
+  // Where rounding matters it must not depend on the order in which the balls came.
+  Slot a = rt_.edges[e].v[0];
+  Slot b = rt_.edges[e].v[1];
+  if (comes_before(b, a)) {
+    std::swap(a, b);
+    left = !left;
+  }
   const auto crossing = crossing_of(a, b, left);
   if (!crossing) return kNoSlot;
   ++t_.counts.raw_v_points;
@@ -349,8 +370,7 @@ Slot UnionPipeline<Balls, Points>::add_v_point(Slot dual_edge, bool left) {
   hint_ = vertex->face();
   if (vertex->info().slot == kNoSlot) {
     vertex->info().slot = static_cast<Slot>(t_.v_points.size());
-    t_.v_points.push_back(
-        {{CGAL::to_double(crossing->point.x()), CGAL::to_double(crossing->point.y())}, crossing->site, 0});
+    t_.v_points.push_back({{rounded(crossing->point.x()), rounded(crossing->point.y())}, crossing->site, 0});
     v_vertex_.push_back(vertex);
   }
   const Slot v = vertex->info().slot;
@@ -530,8 +550,11 @@ void UnionPipeline<Balls, Points>::mark_polygon(Slot ball, const std::vector<Slo
   };
   std::vector<typename Dt::Face_handle> stack;
   const auto visit = [&](typename Dt::Face_handle f) {
-    if (!is_on_circle(f) || t_.v_faces[f->info().slot].ball != kNoSlot) return;
-    t_.v_faces[f->info().slot].ball = ball;
+    if (!is_on_circle(f)) return;
+    // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
+    Slot& owner = t_.v_faces[f->info().slot].ball;
+    if (owner == ball || (owner != kNoSlot && comes_before(owner, ball))) return;
+    owner = ball;
     stack.push_back(f);
   };
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -589,10 +612,27 @@ Slot UnionPipeline<Balls, Points>::node_of(Slot face) const {
   return ball != kNoSlot ? input_[ball].row : static_cast<Slot>(t_.balls.size()) + face;
 }
 
+template <class Balls, class Points>
+Circle UnionPipeline<Balls, Points>::circle_of(typename Dt::Face_handle face) {
+  if constexpr (std::is_same_v<PointNumber, double>) {
+    Vec2 corner[3];
+    for (int i = 0; i < 3; ++i) corner[i] = {face->vertex(i)->point().x(), face->vertex(i)->point().y()};
+    std::ranges::rotate(corner, std::ranges::min_element(corner, lexicographically_less));
+    return circumcircle(corner[0], corner[1], corner[2]);
+  } else {
+    const auto center =
+        CGAL::circumcenter(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
+    const Vec2 at{rounded(center.x()), rounded(center.y())};
+    const Vec2 corner{rounded(face->vertex(0)->point().x()), rounded(face->vertex(0)->point().y())};
+    return {at, distance(at, corner)};
+  }
+}
+
 // Cuts the Voronoi edges of the v-points at the centres on them and keeps what lies in |R|.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::cut_edges() {
-  enum class Label : std::uint8_t { unknown, in, out, singular };
+  // With doubles the two ends of a piece may contradict each other; then the greater counts.
+  enum class Label : std::uint8_t { unknown, out, singular, in };
   struct Cut {
     Slot edge;
     Slot end[2];  // balls (positions in the input), or kNoSlot: the end of the Voronoi edge
@@ -614,16 +654,18 @@ void UnionPipeline<Balls, Points>::cut_edges() {
       const auto& p = v_vertex_[t_.v_edges[e].v[0]]->point();
       const auto& q = v_vertex_[t_.v_edges[e].v[1]]->point();
       std::ranges::sort(on_edge, [&](Slot a, Slot b) {
-        return typename Points::Compare_signed_distance_to_line_2()(p, q, point_of(a), point_of(b)) == CGAL::LARGER;
+        const auto order = typename Points::Compare_signed_distance_to_line_2()(p, q, point_of(a), point_of(b));
+        return order == CGAL::LARGER || (order == CGAL::EQUAL && comes_before(a, b));
       });
     }
     const auto label_towards = [&](Slot ball, std::uint8_t side) {
+      Label label = Label::unknown;
       for (std::size_t k = begin; k < end; ++k) {
         if (events_[k].ball != ball || events_[k].side != side) continue;
-        if (events_[k].arc == Arc::covered) return Label::in;
-        return events_[k].arc == Arc::free ? Label::out : Label::singular;
+        const Arc arc = events_[k].arc;
+        label = std::max(label, arc == Arc::covered ? Label::in : (arc == Arc::free ? Label::out : Label::singular));
       }
-      return Label::unknown;
+      return label;
     };
     for (std::size_t k = 0; k <= on_edge.size(); ++k) {
       const Slot a = k == 0 ? kNoSlot : on_edge[k - 1];
@@ -631,7 +673,7 @@ void UnionPipeline<Balls, Points>::cut_edges() {
       const Label from_a = a == kNoSlot ? Label::unknown : label_towards(a, 1);
       const Label from_b = b == kNoSlot ? Label::unknown : label_towards(b, 0);
       if (from_a != Label::unknown && from_b != Label::unknown && from_a != from_b) ++t_.counts.contradictions;
-      cuts.push_back({static_cast<Slot>(e), {a, b}, from_a != Label::unknown ? from_a : from_b});
+      cuts.push_back({static_cast<Slot>(e), {a, b}, std::max(from_a, from_b)});
     }
     begin = end;
   }
@@ -678,9 +720,9 @@ void UnionPipeline<Balls, Points>::cut_edges() {
       face.center = input_[face.ball].disk.center;
       face.radius = input_[face.ball].disk.radius;
     } else {
-      const auto center = dt_.circumcenter(f);
-      face.center = {CGAL::to_double(center.x()), CGAL::to_double(center.y())};
-      face.radius = distance(face.center, t_.v_points[face.v[0]].position);
+      const Circle circle = circle_of(f);
+      face.center = circle.center;
+      face.radius = circle.radius;
     }
   }
   struct End {
