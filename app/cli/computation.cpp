@@ -101,6 +101,7 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
   engine.set_settings(request.settings);
   engine.post(delta);
   engine.set_want_statistics(request.want_statistics);
+  engine.set_want_findings(request.want_findings);
   engine.set_demand(request.layers);
 
   bool is_complete = false;

@@ -18,6 +18,7 @@ struct ComputationRequest {
   std::vector<LayerIndex> layers;
   ComputationSettings settings;
   bool want_statistics = false;
+  bool want_findings = false;
   /// Gets every patch in order; the last one's reports are final.
   std::function<void(const FramePatch&)> on_patch;
 };

@@ -12,6 +12,7 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "core/graph/layer_descriptor.h"
+#include "core/graph/theorem_light.h"
 
 namespace mes::cli {
 namespace {
@@ -27,6 +28,7 @@ Json json_of(const NodeReport& node, bool with_timing) {
   Json out = Json::object();
   // Nanoseconds are all a clock has.
   if (with_timing) out["ms"] = std::round(node.update_ms * 1e6) / 1e6;
+  if (!node.kernel.empty()) out["kernel"] = node.kernel;
   for (const Stat& stat : node.stats) std::visit([&](const auto& value) { out[stat.key] = value; }, stat.value);
   return out;
 }
@@ -47,6 +49,27 @@ Json json_of(const LayerSummary& summary, const LayerDescriptor& layer) {
   return out;
 }
 
+/// The theorem light and its reasons.
+Json diagnostics_of(std::span<const NodeReport> nodes) {
+  Json reasons = Json::array();
+  for (const NodeReport& node : nodes) {
+    for (const Finding& finding : node.findings) {
+      Json places = Json::array();
+      for (const Vec2 place : finding.places) places.push_back({place.x, place.y});
+      reasons.push_back({{"structure", node.structure},
+                         {"level", finding.level == FindingLevel::wrong ? "red" : "yellow"},
+                         {"count", finding.count},
+                         {"text", finding.text},
+                         {"places", places}});
+    }
+  }
+  const TheoremLight light = light_of(nodes);
+  Json out;
+  out["theorem"] = light == TheoremLight::none ? Json(nullptr) : Json(name_of(light));
+  out["reasons"] = reasons;
+  return out;
+}
+
 }  // namespace
 
 Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption) {
@@ -59,11 +82,12 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   if (!input) return std::unexpected(input.error());
 
   LayerMirror mirror;
-  const auto result = run_computation(
-      input->data,
-      {.layers = *layers, .settings = *settings, .want_statistics = true, .on_patch = [&](const FramePatch& patch) {
-         mirror.apply(patch);
-       }});
+  const auto result =
+      run_computation(input->data, {.layers = *layers,
+                                    .settings = *settings,
+                                    .want_statistics = true,
+                                    .want_findings = true,
+                                    .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
   if (!result) return std::unexpected(result.error());
 
   Json out;
@@ -83,7 +107,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     out["layers"][std::string(descriptor.id)] = json_of(summarise(mirror, layer), descriptor);
   }
-  out["diagnostics"] = {{"theorem", nullptr}, {"reasons", Json::array()}};
+  out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be UTF-8, but JSON must.
   const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   return write_output(request.output, text, interruption);

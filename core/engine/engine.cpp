@@ -30,7 +30,8 @@ struct Engine::Impl {
   }
 
   bool has_work() const {
-    return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics || unfinished;
+    return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics ||
+           want_findings != has_findings || unfinished;
   }
 
   void work(const std::stop_token& stop) {
@@ -46,6 +47,8 @@ struct Engine::Impl {
       demand_changed = false;
       graph.set_want_statistics(want_statistics);
       has_statistics = want_statistics;
+      graph.set_want_findings(want_findings);
+      has_findings = want_findings;
       unfinished = false;
       job_stop = std::stop_source();
       if (stopping) job_stop.request_stop();
@@ -100,6 +103,8 @@ struct Engine::Impl {
   bool demand_changed = false;
   bool want_statistics = false;
   bool has_statistics = false;
+  bool want_findings = false;
+  bool has_findings = false;
   bool unfinished = false;
   bool stopping = false;
   std::stop_source job_stop;
@@ -148,6 +153,14 @@ void Engine::set_want_statistics(bool wanted) {
   {
     const std::lock_guard lock(impl_->mutex);
     impl_->want_statistics = wanted;
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::set_want_findings(bool wanted) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->want_findings = wanted;
   }
   impl_->work_there.notify_one();
 }

@@ -56,6 +56,8 @@ class Engine {
   void set_settings(const ComputationSettings& settings);
   /// The next patches carry `NodeReport::stats`; O(n) for some structures, so only while they are looked at.
   void set_want_statistics(bool wanted);
+  /// The next patches carry `NodeReport::findings`, of the theorem's judges too.
+  void set_want_findings(bool wanted);
   void cancel();
   void resume();
 

@@ -57,6 +57,13 @@ void Graph::set_demand(std::span<const LayerIndex> layers) {
   dirty_ = true;
 }
 
+void Graph::set_want_findings(bool wanted) {
+  if (wanted == want_findings_) return;
+  want_findings_ = wanted;
+  demand_changed_ = true;
+  dirty_ = true;
+}
+
 void Graph::mark_needed() {
   for (StructureNode& node : nodes_) node.needed = false;
   nodes_.front().needed = true;
@@ -64,6 +71,8 @@ void Graph::mark_needed() {
     if (!layer.demanded) continue;
     for (const std::size_t structure : layer.structures) nodes_[structure].needed = true;
   }
+  for (StructureNode& node : nodes_)
+    if (want_findings_ && node.structure->is_judge()) node.needed = true;
   // Inputs stand before their consumers.
   for (std::size_t i = nodes_.size(); i-- > 0;)
     if (nodes_[i].needed)
@@ -278,6 +287,17 @@ void Graph::report(FramePatch& out) {
     report.touched = node.changed == run_ ? node.touched : 0;
     report.rebuilt = node.last_was_rebuild;
     report.stats.clear();
+    report.findings.clear();
+    report.is_judging = want_findings_ && node.structure->has_verdict() && node.state == NodeState::up_to_date;
+    report.kernel = node.structure->kernel();
+    if (want_findings_ && node.needed && node.state == NodeState::up_to_date) {
+      if (node.findings_run < node.changed || node.findings_run == 0) {
+        node.findings.clear();
+        node.structure->find(node.findings);
+        node.findings_run = run_;
+      }
+      report.findings = node.findings;
+    }
     if (!want_statistics_ || !node.needed || node.state != NodeState::up_to_date) continue;
     if (node.stats_run < node.changed || node.stats.empty()) {
       node.stats = node.structure->statistics();

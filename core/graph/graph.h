@@ -44,6 +44,8 @@ class Graph {
   void post_settings(const ComputationSettings& settings);
   void set_demand(std::span<const LayerIndex> layers);
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
+  /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
+  void set_want_findings(bool wanted);
   /// Something was posted or demanded that `run` has not seen.
   bool is_dirty() const { return dirty_; }
   /// Brings all demanded layers up to date and writes what changed. False when cancelled; the next run goes on.
@@ -71,6 +73,8 @@ class Graph {
     std::vector<SampleId> witnesses;
     StatList stats;
     std::uint64_t stats_run = 0;
+    std::vector<Finding> findings;
+    std::uint64_t findings_run = 0;
   };
   struct LayerNode {
     std::vector<std::size_t> structures;
@@ -106,6 +110,7 @@ class Graph {
   bool dirty_ = false;
   bool demand_changed_ = true;
   bool want_statistics_ = false;
+  bool want_findings_ = false;
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
   std::vector<std::size_t> resets_;  // work space: patches to fill from all rows

@@ -8,9 +8,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/base/finding.h"
 #include "core/base/primitives.h"
 #include "core/base/slot.h"
 #include "core/base/stat.h"
@@ -72,6 +74,9 @@ struct NodeReport {
   std::uint64_t touched = 0;        ///< rows touched by the last update
   bool rebuilt = false;             ///< the last one was a rebuild
   StatList stats;                   ///< filled when statistics were asked for
+  std::string_view kernel;          ///< number type at work; empty where none decides
+  bool is_judging = false;          ///< its silence is a proof that the one-step axis is right
+  std::vector<Finding> findings;    ///< filled when findings were asked for
 };
 
 /// State of a layer as the panel shows it; follows from the structures it reads.

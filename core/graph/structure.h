@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/base/stat.h"
 
@@ -43,6 +44,15 @@ class Structure {
   virtual std::size_t touched() const = 0;
   /// Counters under their public names (snake case); may cost O(n).
   virtual StatList statistics() const = 0;
+  /// Number type that decides in this structure, as its documentation calls it; empty where no number decides.
+  virtual std::string_view kernel() const { return {}; }
+  /// Adds what speaks against the results. Asked while somebody looks at the theorem light; costs little when there
+  /// is nothing to say.
+  virtual void find(std::vector<Finding>& /*out*/) const {}
+  /// The theorem light cannot do without this structure.
+  virtual bool is_judge() const { return false; }
+  /// A judge without findings has proved the theorem for this input.
+  virtual bool has_verdict() const { return is_judge(); }
 
  private:
   std::string_view id_;

@@ -179,4 +179,24 @@ StatList AxisCertificate::statistics() const {
           {"samples_not_on_one_border", static_cast<std::int64_t>(bad_sites_)}};
 }
 
+void AxisCertificate::find(std::vector<Finding>& out) const {
+  if (bad_edges_ != 0) {
+    Finding& finding = out.emplace_back();
+    finding.text = "curve edges beyond which another inner ball shows: the sample is not dense enough there";
+    finding.count = static_cast<std::int64_t>(bad_edges_);
+    for (Slot edge = 0; edge < edge_.size() && finding.places.size() < kMostPlaces; ++edge) {
+      if (!is_bad_edge(edge)) continue;
+      const EdgeRow& row = delaunay_.edge(edge);
+      finding.places.push_back(0.5 * (delaunay_.site_position(row.v[0]) + delaunay_.site_position(row.v[1])));
+    }
+  }
+  if (bad_sites_ != 0) {
+    Finding& finding = out.emplace_back();
+    finding.text = "samples inside the shape or where its border meets itself";
+    finding.count = static_cast<std::int64_t>(bad_sites_);
+    for (Slot site = 0; site < bad_site_.size() && finding.places.size() < kMostPlaces; ++site)
+      if (is_bad_site(site)) finding.places.push_back(delaunay_.site_position(site));
+  }
+}
+
 }  // namespace mes

@@ -57,6 +57,11 @@ class AxisCertificate final : public Structure {
   }
   std::size_t touched() const override { return edge_changes_.size() + site_changes_.size(); }
   StatList statistics() const override;
+  std::string_view kernel() const override { return "intervals, then rationals"; }
+  void find(std::vector<Finding>& out) const override;
+  bool is_judge() const override { return true; }
+  /// Without inner balls there is nothing to prove.
+  bool has_verdict() const override { return border_edges_ != 0; }
 
  private:
   static constexpr std::uint8_t kBorder = 1;

@@ -366,6 +366,60 @@ StatList BallUnion::statistics() const {
   return out;
 }
 
+std::string_view BallUnion::kernel() const {
+  switch (rung_) {
+    case UnionRung::shortcut: return "none needed: certified";
+    case UnionRung::naive: return "double";
+    case UnionRung::doubles: return "EPICK on rounded points";
+    case UnionRung::rational: return "EPECK";
+    case UnionRung::mixed: return "EPECK, then CORE::Expr";
+    case UnionRung::roots: return "CORE::Expr";
+  }
+  return {};
+}
+
+void BallUnion::find(std::vector<Finding>& out) const {
+  if (rung_ == UnionRung::shortcut) return;
+  const UnionTables& t = tables_;
+  const auto say = [&](FindingLevel level, std::int64_t count, const char* text) -> std::vector<Vec2>& {
+    return out.emplace_back(Finding{level, std::string(id()) + ": " + text, count, {}}).places;
+  };
+  const bool rounded = !is_exact();
+  if (t.counts.sign_flips != 0) {
+    auto& places =
+        say(FindingLevel::wrong, t.counts.sign_flips,
+            "triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise");
+    // The misjudged ones that are left out cannot be shown; those beside them have lost their neighbours.
+    for (const DualEdge& edge : t.dual_edges) {
+      if (places.size() >= kMostPlaces) break;
+      if (edge.is_alive() && edge.kind == DualClass::singular)
+        places.push_back(0.5 * (family_->disk(edge.ball[0]).center + family_->disk(edge.ball[1]).center));
+    }
+  }
+  std::int64_t foreign = 0;
+  std::vector<Vec2> foreign_places;
+  for (const VPoint& v : t.v_points) {
+    if (!v.is_alive() || v.site != kNoSlot) continue;
+    ++foreign;
+    if (foreign_places.size() < kMostPlaces) foreign_places.push_back(v.position);
+  }
+  if (family_->is_from_samples() && foreign != 0)
+    say(rounded ? FindingLevel::wrong : FindingLevel::doubt, foreign,
+        rounded ? "v-points that are no samples, by rounding or in truth" : "v-points that are no samples") =
+        std::move(foreign_places);
+  if (t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands != 0)
+    say(FindingLevel::wrong, t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands,
+        "contradictions between dual complex and Voronoi diagram of the v-points");
+  const StatList stats = statistics();
+  const auto value = [&stats](std::string_view key) {
+    for (const Stat& stat : stats)
+      if (stat.key == key) return std::get<std::int64_t>(stat.value);
+    return std::int64_t{0};
+  };
+  if (value("chi_dual") != value("chi"))
+    say(FindingLevel::wrong, 1, "the axis and the dual complex differ in Euler characteristic");
+}
+
 AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
                MedialAxis& axis, AxisCertificate& certificate)
     : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,

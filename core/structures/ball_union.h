@@ -52,6 +52,8 @@ class BallUnion : public Structure {
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
+  std::string_view kernel() const override;
+  void find(std::vector<Finding>& out) const override;
 
  protected:
   /// `certificate` and `shortcut` only for the inner Voronoi balls.

@@ -122,6 +122,7 @@ class Delaunay final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
+  std::string_view kernel() const override { return "EPICK"; }
 
  private:
   template <class Kernel>

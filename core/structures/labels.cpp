@@ -144,4 +144,16 @@ StatList Labels::statistics() const {
           {"largest_cluster", static_cast<std::int64_t>(join_.largest_cluster())}};
 }
 
+void Labels::find(std::vector<Finding>& out) const {
+  if (conflict_count() == 0) return;
+  Finding& finding = out.emplace_back();
+  finding.text = "edges labelled against their crust test";
+  finding.count = static_cast<std::int64_t>(conflict_count());
+  for (Slot edge = 0; edge < delaunay_.edge_rows() && finding.places.size() < kMostPlaces; ++edge) {
+    const EdgeRow& row = delaunay_.edge(edge);
+    if (row.is_alive() && is_conflict(edge))
+      finding.places.push_back(0.5 * (delaunay_.site_position(row.v[0]) + delaunay_.site_position(row.v[1])));
+  }
+}
+
 }  // namespace mes

@@ -43,6 +43,7 @@ class Labels final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
+  void find(std::vector<Finding>& out) const override;
 
  private:
   /// The label must change across the face's edge i.

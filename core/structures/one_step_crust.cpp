@@ -162,4 +162,13 @@ StatList OneStepCrust::statistics() const {
           {"decided_exactly", static_cast<std::int64_t>(counts_.exact)}};
 }
 
+void OneStepCrust::find(std::vector<Finding>& out) const {
+  if (odd_count_ == 0) return;
+  Finding& finding = out.emplace_back();
+  finding.text = "samples with an odd number of curve edges: corners, noise, ends of strokes";
+  finding.count = static_cast<std::int64_t>(odd_count_);
+  for (Slot site = 0; site < delaunay_.site_rows() && finding.places.size() < kMostPlaces; ++site)
+    if (delaunay_.is_site(site) && is_odd(site)) finding.places.push_back(delaunay_.site_position(site));
+}
+
 }  // namespace mes

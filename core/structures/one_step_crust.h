@@ -54,6 +54,8 @@ class OneStepCrust final : public Structure {
   }
   std::size_t touched() const override { return delaunay_.edge_changes().size(); }
   StatList statistics() const override;
+  std::string_view kernel() const override { return "doubles with a proved bound, intervals, rationals"; }
+  void find(std::vector<Finding>& out) const override;
 
  private:
   static constexpr std::uint8_t kCrust = 1;
