@@ -47,6 +47,10 @@ enum class ActionId : std::uint8_t {
   toggle_statistics,
   cancel_computation,
   resume_computation,
+  precision_naive,  // the four in the order of `Precision`
+  precision_fast,
+  precision_exact,
+  precision_exact_roots,
   help,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;

@@ -104,6 +104,12 @@ float draw_menu_bar(const PanelContext& context) {
     for (const ActionId id : {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray})
       action_item(context, id);
     ImGui::Separator();
+    if (ImGui::BeginMenu("Number type")) {
+      for (const ActionId id : {ActionId::precision_naive, ActionId::precision_fast, ActionId::precision_exact,
+                                ActionId::precision_exact_roots})
+        action_item(context, id);
+      ImGui::EndMenu();
+    }
     for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(context, id);
     ImGui::EndMenu();
   }

@@ -16,6 +16,7 @@
 #include "app/window/file_desk.h"
 #include "app/window/gui.h"
 #include "app/window/picture.h"
+#include "core/document/computation_settings.h"
 #include "core/engine/engine.h"
 
 namespace mes {
@@ -30,6 +31,7 @@ struct PanelContext {
   Picture& picture;
   FileDesk& files;
   Settings& settings;
+  const ComputationSettings& computation;
   Messages& messages;
   std::span<const SampleShape> shapes;
   std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost

@@ -73,6 +73,13 @@ void draw_node(const PanelContext& context, const NodeReport& node) {
     ImGui::TextWrapped("%s", node.reason.c_str());
     ImGui::PopStyleColor();
   }
+  if (!node.kernel.empty()) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+    ImGui::PushFont(context.gui.small());
+    ImGui::TextDisabled("%s", std::string(node.kernel).c_str());
+    ImGui::PopFont();
+    tooltip(context.gui, "Number type that decides here");
+  }
   if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
     for (const Stat& stat : node.stats) {
       ImGui::TableNextRow();

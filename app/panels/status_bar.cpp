@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/panels/icons.h"
+#include "app/panels/verdict.h"
 #include "app/window/theme.h"
 
 namespace mes {
@@ -116,7 +117,8 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     const float right_width = 190 * unit;
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;
-    const float counts_at = end - right_width - count_width;
+    const float verdict_at = end - verdict_width(context);
+    const float counts_at = verdict_at - 14 * unit - right_width - count_width;
     const ImVec2 clip_from = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(clip_from, {clip_from.x + counts_at - 16 * unit, area.at.y + area.size.y}, true);
     if (!draw_work(context)) {
@@ -141,8 +143,10 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     ImGui::PopClipRect();
     ImGui::SameLine(counts_at);
     ImGui::TextUnformatted(count_text.c_str());
-    ImGui::SameLine(end - ImGui::CalcTextSize(right_text.c_str()).x);
+    ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
     ImGui::TextDisabled("%s", right_text.c_str());
+    ImGui::SameLine(verdict_at);
+    draw_verdict(context);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

@@ -76,6 +76,7 @@ PanelContext App::panel_context() {
           picture_,
           files_,
           settings_,
+          computation_,
           messages_,
           shapes_,
           [this](const std::string& file) { open_file(file); },
@@ -104,6 +105,7 @@ void App::frame() {
   canvas_.view().set_viewport(size.width, size.height);
   draw_panels();
   follow_demand();
+  engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.show_statistics && show_panels_);
   fit_if_wanted();
   canvas_.advance(seconds);

@@ -64,6 +64,7 @@ class App final : private WindowListener {
   void bind_file_actions();
   void bind_edit_actions();
   void bind_view_actions();
+  void choose_precision(Precision precision);
   void nudge(double x_px, double y_px);
   void report(const Error& error);
   Box2 fit_box() const;
@@ -92,6 +93,7 @@ class App final : private WindowListener {
   PanelContext panel_context();
 
   Settings settings_;
+  ComputationSettings computation_;
   std::filesystem::path settings_path_;
   Messages messages_;
   std::unique_ptr<GlfwWindow> window_;

@@ -108,6 +108,19 @@ void App::bind_view_actions() {
                 {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
   actions_.bind(ActionId::resume_computation,
                 {[this] { engine_.resume(); }, [this] { return engine_.status().cancelled; }});
+  for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors) {
+    const Precision precision = descriptor.precision;
+    const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::precision_naive) +
+                                          static_cast<std::size_t>(precision));
+    actions_.bind(id, {[this, precision] { choose_precision(precision); },
+                       {},
+                       [this, precision] { return computation_.precision == precision; }});
+  }
+}
+
+void App::choose_precision(Precision precision) {
+  computation_.precision = precision;
+  engine_.set_settings(computation_);
 }
 
 void App::nudge(double x_px, double y_px) {
