@@ -5,12 +5,17 @@
 #include <string>
 #include <unordered_set>
 
+#include "core/base/assert.h"
+
 namespace mes {
 namespace {
 
 // -0.0 + 0.0 is +0.0: equal points then have equal bits.
 Vec2 without_negative_zero(Vec2 p) {
   return {p.x + 0.0, p.y + 0.0};
+}
+Disk without_negative_zero(const Disk& disk) {
+  return {without_negative_zero(disk.center), disk.radius + 0.0};
 }
 
 std::unexpected<Error> refuse(std::string text) {
@@ -25,11 +30,46 @@ DocumentDelta delta_from(const Document& document) {
   return delta;
 }
 
-Expected<Slot> live_slot(const Document& document, SampleId id, std::unordered_set<SampleId>& seen) {
-  const Slot slot = document.slot_of(id);
-  if (slot == kNoSlot) return refuse("sample " + std::to_string(id.value) + " does not exist");
-  if (!seen.insert(id).second) return refuse("sample " + std::to_string(id.value) + " is named twice");
+// What all samples and all balls must satisfy; empty when they do.
+std::string fault_of(Vec2 p) {
+  return is_finite(p) ? std::string() : "a coordinate is not a finite number";
+}
+std::string fault_of(const Disk& disk) {
+  if (!is_finite(disk)) return "a coordinate or a radius is not a finite number";
+  return disk.radius < 0.0 ? "a radius is negative" : std::string();
+}
+
+bool has_room(std::uint32_t next_id, std::size_t wanted) {
+  return wanted < std::numeric_limits<std::uint32_t>::max() - next_id;
+}
+
+template <class SomeId>
+Expected<Slot> live_slot(Slot slot, SomeId id, std::string_view kind, std::unordered_set<SomeId>& seen) {
+  const auto named = [&] { return std::string(kind) + ' ' + std::to_string(id.value); };
+  if (slot == kNoSlot) return refuse(named() + " does not exist");
+  if (!seen.insert(id).second) return refuse(named() + " is named twice");
   return slot;
+}
+Expected<Slot> live_slot(const Document& document, SampleId id, std::unordered_set<SampleId>& seen) {
+  return live_slot(document.slot_of(id), id, "sample", seen);
+}
+Expected<Slot> live_slot(const Document& document, BallId id, std::unordered_set<BallId>& seen) {
+  return live_slot(document.ball_slot_of(id), id, "ball", seen);
+}
+
+/// Fills in `values` and fresh ids.
+template <class Value, class SomeId>
+Expected<void> number(std::span<const Value> wanted, SomeId first, std::string_view kind, std::vector<Value>& values,
+                      std::vector<SomeId>& ids) {
+  if (!has_room(first.value, wanted.size())) return refuse("too many " + std::string(kind) + " in one session");
+  values.reserve(wanted.size());
+  ids.reserve(wanted.size());
+  for (const Value& value : wanted) {
+    if (auto fault = fault_of(value); !fault.empty()) return refuse(std::move(fault));
+    ids.push_back(SomeId{first.value + static_cast<std::uint32_t>(ids.size())});
+    values.push_back(without_negative_zero(value));
+  }
+  return {};
 }
 
 }  // namespace
@@ -37,16 +77,12 @@ Expected<Slot> live_slot(const Document& document, SampleId id, std::unordered_s
 Expected<DocumentDelta> insert_samples(const Document& document, std::span<const Vec2> positions) {
   DocumentDelta delta = delta_from(document);
   delta.edits.reserve(positions.size());
-  const auto free = document.free_slots();
-  if (positions.size() >= std::numeric_limits<std::uint32_t>::max() - document.next_id().value)
-    return refuse("too many samples in one session");
+  const std::uint32_t first = document.next_id().value;
+  if (!has_room(first, positions.size())) return refuse("too many samples in one session");
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (!is_finite(positions[i])) return refuse("a coordinate is not a finite number");
-    const Slot slot =
-        i < free.size() ? free[free.size() - 1 - i] : static_cast<Slot>(document.slot_count() + i - free.size());
-    delta.edits.push_back({SampleEdit::Kind::insert,
-                           SampleId{document.next_id().value + static_cast<std::uint32_t>(i)}, slot, Vec2{},
-                           without_negative_zero(positions[i])});
+    if (auto fault = fault_of(positions[i]); !fault.empty()) return refuse(std::move(fault));
+    delta.edits.push_back({SampleEdit::Kind::insert, SampleId{first + static_cast<std::uint32_t>(i)},
+                           document.slot_for_new_sample(i), Vec2{}, without_negative_zero(positions[i])});
   }
   return delta;
 }
@@ -70,7 +106,7 @@ Expected<DocumentDelta> move_samples(const Document& document, std::span<const s
   for (const auto& [id, to] : targets) {
     const auto slot = live_slot(document, id, seen);
     if (!slot) return std::unexpected(slot.error());
-    if (!is_finite(to)) return refuse("a coordinate is not a finite number");
+    if (auto fault = fault_of(to); !fault.empty()) return refuse(std::move(fault));
     const Vec2 target = without_negative_zero(to);
     if (target == document.position(*slot)) continue;
     delta.edits.push_back({SampleEdit::Kind::move, id, *slot, document.position(*slot), target});
@@ -78,19 +114,65 @@ Expected<DocumentDelta> move_samples(const Document& document, std::span<const s
   return delta;
 }
 
+Expected<DocumentDelta> insert_balls(const Document& document, std::span<const Disk> disks) {
+  DocumentDelta delta = delta_from(document);
+  delta.ball_edits.reserve(disks.size());
+  const std::uint32_t first = document.next_ball_id().value;
+  if (!has_room(first, disks.size())) return refuse("too many balls in one session");
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    if (auto fault = fault_of(disks[i]); !fault.empty()) return refuse(std::move(fault));
+    delta.ball_edits.push_back({BallEdit::Kind::insert, BallId{first + static_cast<std::uint32_t>(i)},
+                                document.slot_for_new_ball(i), Disk{}, without_negative_zero(disks[i])});
+  }
+  return delta;
+}
+
+Expected<DocumentDelta> remove_balls(const Document& document, std::span<const BallId> ids) {
+  DocumentDelta delta = delta_from(document);
+  delta.ball_edits.reserve(ids.size());
+  std::unordered_set<BallId> seen;
+  for (const BallId id : ids) {
+    const auto slot = live_slot(document, id, seen);
+    if (!slot) return std::unexpected(slot.error());
+    delta.ball_edits.push_back({BallEdit::Kind::remove, id, *slot, document.disk(*slot), Disk{}});
+  }
+  return delta;
+}
+
+Expected<DocumentDelta> change_balls(const Document& document, std::span<const std::pair<BallId, Disk>> targets) {
+  DocumentDelta delta = delta_from(document);
+  delta.ball_edits.reserve(targets.size());
+  std::unordered_set<BallId> seen;
+  for (const auto& [id, to] : targets) {
+    const auto slot = live_slot(document, id, seen);
+    if (!slot) return std::unexpected(slot.error());
+    if (auto fault = fault_of(to); !fault.empty()) return refuse(std::move(fault));
+    const Disk target = without_negative_zero(to);
+    if (target == document.disk(*slot)) continue;
+    delta.ball_edits.push_back({BallEdit::Kind::change, id, *slot, document.disk(*slot), target});
+  }
+  return delta;
+}
+
+Expected<DocumentDelta> together(Expected<DocumentDelta> samples, const Expected<DocumentDelta>& balls) {
+  if (!samples) return samples;
+  if (!balls) return balls;
+  MES_ASSERT(samples->from_revision == balls->from_revision && samples->ball_edits.empty() && balls->edits.empty());
+  MES_ASSERT(!samples->replaces_all() && !balls->replaces_all());
+  samples->ball_edits = balls->ball_edits;
+  return samples;
+}
+
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data) {
   DocumentDelta delta = delta_from(document);
   auto after = std::make_shared<SampleSnapshot>();
   const std::uint32_t first = document.next_id().value;
-  if (data.positions.size() >= std::numeric_limits<std::uint32_t>::max() - first)
-    return refuse("too many samples in one session");
-  after->position.reserve(data.positions.size());
-  after->id.reserve(data.positions.size());
-  for (const Vec2 p : data.positions) {
-    if (!is_finite(p)) return refuse("a coordinate is not a finite number");
-    after->id.push_back(SampleId{first + static_cast<std::uint32_t>(after->id.size())});
-    after->position.push_back(without_negative_zero(p));
-  }
+  if (auto done = number(std::span(data.positions), document.next_id(), "samples", after->position, after->id); !done)
+    return std::unexpected(done.error());
+  auto balls_after = std::make_shared<BallSnapshot>();
+  if (auto done = number(std::span(data.balls), document.next_ball_id(), "balls", balls_after->disk, balls_after->id);
+      !done)
+    return std::unexpected(done.error());
   auto curve = std::make_shared<CurveOrder>();
   for (const auto& contour : data.contours) {
     CurveOrder::Contour out{contour.closed, {}};
@@ -103,6 +185,8 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
   }
   delta.before = document.snapshot();
   delta.after = std::move(after);
+  delta.balls_before = document.ball_snapshot();
+  delta.balls_after = std::move(balls_after);
   delta.curve_after = std::move(curve);
   return delta;
 }

@@ -22,17 +22,33 @@ Expected<DocumentDelta> remove_samples(const Document& document, std::span<const
 /// finite.
 Expected<DocumentDelta> move_samples(const Document& document, std::span<const std::pair<SampleId, Vec2>> targets);
 
+/// Adds balls, in that order. Error: a number that is not finite, a negative radius.
+Expected<DocumentDelta> insert_balls(const Document& document, std::span<const Disk> disks);
+
+/// Removes live balls. Error: an id that is not alive, or one named twice.
+Expected<DocumentDelta> remove_balls(const Document& document, std::span<const BallId> ids);
+
+/// Gives live balls new centres and radii. Error: an id that is not alive or named twice, a number that is not
+/// finite, a negative radius.
+Expected<DocumentDelta> change_balls(const Document& document, std::span<const std::pair<BallId, Disk>> targets);
+
+/// A delta of samples and one of balls, both of the same document state, as one: a gesture that takes both along then
+/// stays one delta, however long it lasts.
+Expected<DocumentDelta> together(Expected<DocumentDelta> samples, const Expected<DocumentDelta>& balls);
+
 /// Data to replace a document with, e.g. the contents of a file.
 struct SampleData {
   struct Contour {
     bool closed = true;
     std::vector<std::uint32_t> points;  ///< indices into `positions`
   };
-  std::vector<Vec2> positions;
-  std::vector<Contour> contours;
+  std::vector<Vec2> positions{};
+  std::vector<Contour> contours{};
+  std::vector<Disk> balls{};
 };
 
-/// Replaces all samples and the curve order. New ids. Error: a coordinate that is not finite, an index out of range.
+/// Replaces all samples, the curve order and all balls. New ids. Error: as when samples and balls are inserted, an
+/// index out of range.
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data);
 
 }  // namespace mes

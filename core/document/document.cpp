@@ -17,67 +17,51 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
+std::uint64_t bits_of(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
 }  // namespace
 
 Document::Document() : curve_(std::make_shared<const CurveOrder>()) {}
 
-Slot Document::slot_of(SampleId id) const {
-  const auto found = slot_of_.find(id);
-  return found == slot_of_.end() ? kNoSlot : found->second;
-}
-
-std::vector<Slot> Document::slots_in_input_order() const {
-  std::vector<Slot> slots;
-  slots.reserve(alive_);
-  for (Slot slot = 0; slot < id_.size(); ++slot)
-    if (id_[slot].is_valid()) slots.push_back(slot);
-  std::ranges::sort(slots, {}, [this](Slot slot) { return id_[slot]; });
-  return slots;
-}
-
 Box2 Document::bounding_box() const {
   Box2 box;
-  for (Slot slot = 0; slot < id_.size(); ++slot)
-    if (id_[slot].is_valid()) box.add(position_[slot]);
+  for (Slot slot = 0; slot < slot_count(); ++slot)
+    if (is_alive(slot)) box.add(position(slot));
+  for (Slot slot = 0; slot < ball_slot_count(); ++slot)
+    if (is_ball_alive(slot)) box.add(bounding_box_of(disk(slot)));
   return box;
 }
 
-std::uint64_t Document::digest() const {
-  std::uint64_t sum = mix(alive_);
-  for (Slot slot = 0; slot < id_.size(); ++slot) {
-    if (!id_[slot].is_valid()) continue;
-    const std::uint64_t x = mix(std::bit_cast<std::uint64_t>(position_[slot].x) + id_[slot].value);
-    sum += mix(x ^ std::bit_cast<std::uint64_t>(position_[slot].y));
+std::uint64_t Document::sample_digest() const {
+  std::uint64_t sum = mix(sample_count());
+  for (Slot slot = 0; slot < slot_count(); ++slot) {
+    if (!is_alive(slot)) continue;
+    const std::uint64_t x = mix(bits_of(position(slot).x) + id(slot).value);
+    sum += mix(x ^ bits_of(position(slot).y));
+  }
+  return sum;
+}
+
+std::uint64_t Document::ball_digest() const {
+  constexpr std::uint64_t kOtherThanSamples = 0x9e3779b97f4a7c15ULL;
+  std::uint64_t sum = 0;
+  for (Slot slot = 0; slot < ball_slot_count(); ++slot) {
+    if (!is_ball_alive(slot)) continue;
+    const std::uint64_t x = mix(bits_of(disk(slot).center.x) + kOtherThanSamples + ball_id(slot).value);
+    sum += mix(mix(x ^ bits_of(disk(slot).center.y)) ^ bits_of(disk(slot).radius));
   }
   return sum;
 }
 
 std::shared_ptr<const SampleSnapshot> Document::snapshot() const {
-  return std::make_shared<const SampleSnapshot>(SampleSnapshot{position_, id_, free_});
+  return std::make_shared<const SampleSnapshot>(
+      SampleSnapshot{samples_.values(), samples_.ids(), samples_.free_slots()});
 }
 
-void Document::insert(const SampleEdit& edit) {
-  if (!free_.empty() && free_.back() == edit.slot) {
-    free_.pop_back();
-  } else {
-    MES_ASSERT(edit.slot == position_.size());
-    position_.emplace_back();
-    id_.emplace_back();
-  }
-  position_[edit.slot] = edit.to;
-  id_[edit.slot] = edit.id;
-  slot_of_.emplace(edit.id, edit.slot);
-  next_id_ = std::max(next_id_, edit.id.value + 1);
-  ++alive_;
-}
-
-void Document::remove(const SampleEdit& edit) {
-  MES_ASSERT(is_alive(edit.slot) && id_[edit.slot] == edit.id);
-  slot_of_.erase(edit.id);
-  id_[edit.slot] = SampleId{};
-  position_[edit.slot] = Vec2{};
-  free_.push_back(edit.slot);
-  --alive_;
+std::shared_ptr<const BallSnapshot> Document::ball_snapshot() const {
+  return std::make_shared<const BallSnapshot>(BallSnapshot{balls_.values(), balls_.ids(), balls_.free_slots()});
 }
 
 void Document::apply(const DocumentDelta& delta) {
@@ -85,27 +69,22 @@ void Document::apply(const DocumentDelta& delta) {
   // History does not record what changes nothing, so it must not make a revision either.
   if (delta.is_empty()) return;
   if (delta.replaces_all()) {
-    position_ = delta.after->position;
-    id_ = delta.after->id;
-    free_ = delta.after->free_slots;
-    alive_ = 0;
-    slot_of_.clear();
-    slot_of_.reserve(id_.size());
-    for (Slot slot = 0; slot < id_.size(); ++slot) {
-      if (!id_[slot].is_valid()) continue;
-      slot_of_.emplace(id_[slot], slot);
-      next_id_ = std::max(next_id_, id_[slot].value + 1);
-      ++alive_;
-    }
+    MES_ASSERT(delta.balls_after != nullptr);
+    samples_.replace(delta.after->position, delta.after->id, delta.after->free_slots);
+    balls_.replace(delta.balls_after->disk, delta.balls_after->id, delta.balls_after->free_slots);
   }
   for (const SampleEdit& edit : delta.edits) {
     switch (edit.kind) {
-      case SampleEdit::Kind::insert: insert(edit); break;
-      case SampleEdit::Kind::remove: remove(edit); break;
-      case SampleEdit::Kind::move:
-        MES_ASSERT(is_alive(edit.slot) && id_[edit.slot] == edit.id);
-        position_[edit.slot] = edit.to;
-        break;
+      case SampleEdit::Kind::insert: samples_.insert(edit.slot, edit.id, edit.to); break;
+      case SampleEdit::Kind::remove: samples_.remove(edit.slot, edit.id); break;
+      case SampleEdit::Kind::move: samples_.set(edit.slot, edit.id, edit.to); break;
+    }
+  }
+  for (const BallEdit& edit : delta.ball_edits) {
+    switch (edit.kind) {
+      case BallEdit::Kind::insert: balls_.insert(edit.slot, edit.id, edit.to); break;
+      case BallEdit::Kind::remove: balls_.remove(edit.slot, edit.id); break;
+      case BallEdit::Kind::change: balls_.set(edit.slot, edit.id, edit.to); break;
     }
   }
   if (delta.curve_after) curve_ = delta.curve_after;

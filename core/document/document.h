@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The persistent state of the program: samples with stable ids, and the known order of their curve.
+// The persistent state of the program: samples and balls with stable ids, and the known order of the samples' curve.
 //
 // What it guarantees:
-//  1. An id names the same sample for the whole session, through undo and redo, and is never given twice.
-//  2. A slot is stable while its sample lives. Several samples may share one position; each keeps its own record.
-//  3. Positions are finite, and never -0.0.
+//  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never given twice.
+//  2. A slot is stable while its sample (ball) lives. Several samples may share one position, several balls one disk;
+//     each keeps its own record.
+//  3. Numbers are finite, and never -0.0; radii are not negative. A ball may have radius zero.
 //  4. Commands (commands.h) compute a delta and change nothing; only `apply` changes the document. A delta that
 //     does not fit the present revision is refused by an assertion, never half applied.
 //  5. Undo restores everything, free rows included, so that redo meets the state it was recorded in.
@@ -18,13 +19,12 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/box2.h"
 #include "core/document/delta.h"
+#include "core/document/rows.h"
 
 namespace mes {
 
@@ -33,44 +33,54 @@ class Document {
   Document();
 
   std::uint64_t revision() const { return revision_; }
-  std::size_t sample_count() const { return alive_; }
+  std::size_t sample_count() const { return samples_.count(); }
   /// Rows in use or free; `is_alive` tells which.
-  std::size_t slot_count() const { return position_.size(); }
-  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
-  Vec2 position(Slot slot) const { return position_[slot]; }
-  SampleId id(Slot slot) const { return id_[slot]; }
-  std::span<const Vec2> positions() const { return position_; }
-  std::span<const SampleId> ids() const { return id_; }
+  std::size_t slot_count() const { return samples_.row_count(); }
+  bool is_alive(Slot slot) const { return samples_.is_alive(slot); }
+  Vec2 position(Slot slot) const { return samples_.value(slot); }
+  SampleId id(Slot slot) const { return samples_.id(slot); }
+  std::span<const Vec2> positions() const { return samples_.values(); }
+  std::span<const SampleId> ids() const { return samples_.ids(); }
   /// Row of a live sample, or kNoSlot.
-  Slot slot_of(SampleId id) const;
+  Slot slot_of(SampleId id) const { return samples_.slot_of(id); }
   /// Live slots by increasing id, which is input order. O(n log n).
-  std::vector<Slot> slots_in_input_order() const;
+  std::vector<Slot> slots_in_input_order() const { return samples_.by_age(); }
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
-  /// Bounding box of the samples, O(n).
+
+  /// The same of balls, which have rows of their own.
+  std::size_t ball_count() const { return balls_.count(); }
+  std::size_t ball_slot_count() const { return balls_.row_count(); }
+  bool is_ball_alive(Slot slot) const { return balls_.is_alive(slot); }
+  const Disk& disk(Slot slot) const { return balls_.value(slot); }
+  BallId ball_id(Slot slot) const { return balls_.id(slot); }
+  Slot ball_slot_of(BallId id) const { return balls_.slot_of(id); }
+  std::vector<Slot> ball_slots_in_input_order() const { return balls_.by_age(); }
+
+  bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
+  /// Bounding box of samples and balls, O(n).
   Box2 bounding_box() const;
-  /// Order-independent digest of ids and positions; equal documents have equal digests.
-  std::uint64_t digest() const;
+  /// Order-independent digest of ids, positions and disks; equal documents have equal digests.
+  std::uint64_t digest() const { return sample_digest() + ball_digest(); }
+  std::uint64_t sample_digest() const;
+  /// Zero when there are no balls.
+  std::uint64_t ball_digest() const;
 
   /// Changes the document. `delta.from_revision` must be the present revision.
   void apply(const DocumentDelta& delta);
 
   // For commands.
-  SampleId next_id() const { return SampleId{next_id_}; }
-  std::span<const Slot> free_slots() const { return free_; }
+  SampleId next_id() const { return SampleId{samples_.next_id()}; }
+  BallId next_ball_id() const { return BallId{balls_.next_id()}; }
+  Slot slot_for_new_sample(std::size_t i) const { return samples_.slot_for_new(i); }
+  Slot slot_for_new_ball(std::size_t i) const { return balls_.slot_for_new(i); }
   std::uint64_t next_revision() const { return highest_revision_ + 1; }
   std::shared_ptr<const SampleSnapshot> snapshot() const;
+  std::shared_ptr<const BallSnapshot> ball_snapshot() const;
 
  private:
-  void insert(const SampleEdit& edit);
-  void remove(const SampleEdit& edit);
-
-  std::vector<Vec2> position_;
-  std::vector<SampleId> id_;
-  std::vector<Slot> free_;  // a stack: undo gives rows back in the reverse order of taking them
-  std::unordered_map<SampleId, Slot> slot_of_;
+  Rows<Vec2, SampleTag> samples_;
+  Rows<Disk, BallTag> balls_;
   std::shared_ptr<const CurveOrder> curve_;
-  std::size_t alive_ = 0;
-  std::uint32_t next_id_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;
 };

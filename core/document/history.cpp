@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/history.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/assert.h"
 
 namespace mes {
 
-// Two deltas that move the same samples in the same order are one delta.
+namespace {
+
+// Both lists give the same things, in the same order, new places.
+template <class Edit>
+bool can_merge(const std::vector<Edit>& earlier, const std::vector<Edit>& later, typename Edit::Kind kind) {
+  return std::ranges::equal(earlier, later, [kind](const Edit& a, const Edit& b) {
+    return a.kind == kind && b.kind == kind && a.id == b.id;
+  });
+}
+
+template <class Edit>
+void merge(std::vector<Edit>& earlier, const std::vector<Edit>& later) {
+  for (std::size_t i = 0; i < earlier.size(); ++i) earlier[i].to = later[i].to;
+}
+
+}  // namespace
+
+// Two deltas that move the same samples and change the same balls, in the same order, are one delta.
 bool History::merge_moves(DocumentDelta& earlier, const DocumentDelta& later) {
   if (earlier.replaces_all() || later.replaces_all()) return false;
   if (earlier.curve_after != later.curve_after || earlier.curve_before != later.curve_before) return false;
-  if (earlier.edits.size() != later.edits.size() || earlier.edits.empty()) return false;
-  for (std::size_t i = 0; i < earlier.edits.size(); ++i) {
-    const SampleEdit& a = earlier.edits[i];
-    const SampleEdit& b = later.edits[i];
-    if (a.kind != SampleEdit::Kind::move || b.kind != SampleEdit::Kind::move || a.id != b.id) return false;
-  }
-  for (std::size_t i = 0; i < earlier.edits.size(); ++i) earlier.edits[i].to = later.edits[i].to;
+  if (earlier.is_empty() || !can_merge(earlier.edits, later.edits, SampleEdit::Kind::move) ||
+      !can_merge(earlier.ball_edits, later.ball_edits, BallEdit::Kind::change))
+    return false;
+  merge(earlier.edits, later.edits);
+  merge(earlier.ball_edits, later.ball_edits);
   earlier.to_revision = later.to_revision;
   return true;
 }

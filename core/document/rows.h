@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Things with stable ids in rows that are used again: what samples and balls of a document have in common.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/slot.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. An id names the same thing for the whole session and is never given twice, although rows are used again.
+///  2. Free rows form a stack: taking a change back gives rows back in the reverse order of taking them, so that what
+///     is done once more meets the rows it was recorded with. A change that does not fit is refused by an assertion.
+///
+/// Cost: O(1) a change. Threads: none.
+template <class Value, class Tag>
+class Rows {
+ public:
+  using ThingId = Id<Tag>;
+
+  std::size_t count() const { return alive_; }
+  /// Rows in use or free.
+  std::size_t row_count() const { return id_.size(); }
+  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
+  const Value& value(Slot slot) const { return value_[slot]; }
+  ThingId id(Slot slot) const { return id_[slot]; }
+  /// Dead rows hold a default value and an invalid id.
+  const std::vector<Value>& values() const { return value_; }
+  const std::vector<ThingId>& ids() const { return id_; }
+  const std::vector<Slot>& free_slots() const { return free_; }
+  std::uint32_t next_id() const { return next_id_; }
+  /// The row that the i-th of several insertions takes.
+  Slot slot_for_new(std::size_t i) const {
+    return i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<Slot>(id_.size() + i - free_.size());
+  }
+  Slot slot_of(ThingId id) const {
+    const auto found = slot_of_.find(id);
+    return found == slot_of_.end() ? kNoSlot : found->second;
+  }
+  /// Live rows by increasing id. O(n log n).
+  std::vector<Slot> by_age() const {
+    std::vector<Slot> slots;
+    slots.reserve(alive_);
+    for (Slot slot = 0; slot < id_.size(); ++slot)
+      if (id_[slot].is_valid()) slots.push_back(slot);
+    std::ranges::sort(slots, {}, [this](Slot slot) { return id_[slot]; });
+    return slots;
+  }
+
+  void insert(Slot slot, ThingId id, const Value& value) {
+    if (!free_.empty() && free_.back() == slot) {
+      free_.pop_back();
+    } else {
+      MES_ASSERT(slot == id_.size());
+      value_.emplace_back();
+      id_.emplace_back();
+    }
+    value_[slot] = value;
+    id_[slot] = id;
+    slot_of_.emplace(id, slot);
+    next_id_ = std::max(next_id_, id.value + 1);
+    ++alive_;
+  }
+  void remove(Slot slot, ThingId id) {
+    MES_ASSERT(is_alive(slot) && id_[slot] == id);
+    slot_of_.erase(id);
+    id_[slot] = ThingId{};
+    value_[slot] = Value{};
+    free_.push_back(slot);
+    --alive_;
+  }
+  void set(Slot slot, ThingId id, const Value& value) {
+    MES_ASSERT(is_alive(slot) && id_[slot] == id);
+    value_[slot] = value;
+  }
+  void replace(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots) {
+    MES_ASSERT(values.size() == ids.size());
+    value_ = std::move(values);
+    id_ = std::move(ids);
+    free_ = std::move(free_slots);
+    alive_ = 0;
+    slot_of_.clear();
+    slot_of_.reserve(id_.size());
+    for (Slot slot = 0; slot < id_.size(); ++slot) {
+      if (!id_[slot].is_valid()) continue;
+      slot_of_.emplace(id_[slot], slot);
+      next_id_ = std::max(next_id_, id_[slot].value + 1);
+      ++alive_;
+    }
+  }
+
+ private:
+  std::vector<Value> value_;
+  std::vector<ThingId> id_;
+  std::vector<Slot> free_;
+  std::unordered_map<ThingId, Slot> slot_of_;
+  std::size_t alive_ = 0;
+  std::uint32_t next_id_ = 0;
+};
+
+}  // namespace mes
