@@ -27,6 +27,9 @@ void for_each_table(Tables& t, Visit&& visit) {
   visit(t.counts);
 }
 
+constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
+constexpr IsolationLimits kRoots{0.0, std::size_t{1} << 34U, "arithmetic with roots"};
+
 UnionTables isolated(UnionTables (*run)(const PipelineInput&, JobControl&), const PipelineInput& input,
                      const IsolationLimits& limits, JobControl& job) {
   const std::vector<std::byte> bytes = run_isolated(
@@ -228,47 +231,46 @@ void BallUnion::rebuild(JobControl& job) {
   run_pipeline(made_with_.precision, job);
 }
 
-void BallUnion::run_pipeline(Precision precision, JobControl& job) {
-  std::vector<PipelineBall> balls;
-  ignored_ = 0;
+ScaledBalls scaled_balls(const BallFamily& family) {
+  ScaledBalls out;
   // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
   double largest = 0.0;
   const auto note_size = [&largest](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
-  for (Slot row = 0; row < family_->rows(); ++row) {
-    if (!family_->is_ball(row)) continue;
+  for (Slot row = 0; row < family.rows(); ++row) {
+    if (!family.is_ball(row)) continue;
     PipelineBall ball;
     ball.row = row;
-    ball.disk = family_->disk(row);
-    ball.is_from_samples = family_->is_from_samples();
+    ball.disk = family.disk(row);
+    ball.is_from_samples = family.is_from_samples();
     if (ball.is_from_samples) {
-      const auto corners = family_->corners(row);
-      const auto sites = family_->sites(row);
-      std::ranges::copy(corners, ball.corner);
-      std::ranges::copy(sites, ball.site);
-    } else if (!(ball.disk.radius > 0.0)) {
-      ++ignored_;
-      continue;
+      std::ranges::copy(family.corners(row), ball.corner);
+      std::ranges::copy(family.sites(row), ball.site);
     }
-    // What no double can hold cannot be drawn either.
-    if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + ball.disk.radius)) {
-      ++ignored_;
+    // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
+    if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + ball.disk.radius) || !(ball.disk.radius > 0.0)) {
+      ++out.ignored;
       continue;
     }
     note_size(ball.disk.center);
+    note_size({ball.disk.radius, 0.0});
     for (const Vec2 corner : ball.corner) note_size(corner);
-    balls.push_back(ball);
+    out.balls.push_back(ball);
   }
-  const int exponent = largest > 1e60 || (largest < 1e-60 && largest > 0.0) ? std::ilogb(largest) : 0;
-  if (exponent != 0)
-    for (PipelineBall& ball : balls) scale(ball, -exponent);
-  const PipelineInput input{balls, family_->rows()};
-  tables_ = run_pipeline(precision, input, job);
-  if (exponent != 0) scale(tables_, exponent);
+  out.rows = family.rows();
+  out.exponent = largest > 1e60 || (largest < 1e-60 && largest > 0.0) ? std::ilogb(largest) : 0;
+  if (out.exponent != 0)
+    for (PipelineBall& ball : out.balls) scale(ball, -out.exponent);
+  return out;
+}
+
+void BallUnion::run_pipeline(Precision precision, JobControl& job) {
+  const ScaledBalls balls = scaled_balls(*family_);
+  ignored_ = balls.ignored;
+  tables_ = run_pipeline(precision, {balls.balls, balls.rows}, job);
+  if (balls.exponent != 0) scale(tables_, balls.exponent);
 }
 
 UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {
-  constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
-  constexpr IsolationLimits kRoots{0.0, std::size_t{1} << 34U, "arithmetic with roots"};
   switch (precision) {
     case Precision::naive: rung_ = UnionRung::naive; return isolated(run_union_naive, input, kNaive, job);
     case Precision::fast: rung_ = UnionRung::doubles; return run_union_doubles(input, job);
@@ -420,10 +422,15 @@ void BallUnion::find(std::vector<Finding>& out) const {
     say(FindingLevel::wrong, 1, "the axis and the dual complex differ in Euler characteristic");
 }
 
+std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const MedialAxis& axis,
+                                                const InnerBalls& balls) {
+  return std::make_unique<InnerVoronoiBalls>(delaunay, axis, balls);
+}
+
 AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
                MedialAxis& axis, AxisCertificate& certificate)
     : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,
-                std::make_unique<InnerVoronoiBalls>(delaunay, axis, balls), &certificate,
+                inner_voronoi_balls(delaunay, axis, balls), &certificate,
                 std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
 
 }  // namespace mes

@@ -26,6 +26,15 @@ enum class UnionRung : std::uint8_t {
 };
 std::string_view name_of(UnionRung rung);
 
+/// The balls of a family as the pipelines take them, scaled by 2^-exponent into the range where doubles multiply.
+struct ScaledBalls {
+  std::vector<PipelineBall> balls;
+  std::size_t rows = 0;
+  std::size_t ignored = 0;  ///< of radius zero, or beyond doubles
+  int exponent = 0;
+};
+ScaledBalls scaled_balls(const BallFamily& family);
+
 /// What it guarantees:
 ///  1. With `exact` and `exact_roots` the tables are those of the balls as real disks: for Voronoi balls the
 ///     circumdisks of the samples, not their rounded images. Positions are rounded at the very end.
@@ -83,6 +92,10 @@ class BallUnion : public Structure {
   UnionTables tables_;
   UnionChanges changes_;
 };
+
+/// The inner Voronoi balls as a family. Rows: Delaunay faces.
+std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const MedialAxis& axis,
+                                                const InnerBalls& balls);
 
 /// Rows of balls: Delaunay faces. The inner Voronoi balls.
 class AUnion final : public BallUnion {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/layers/helpers.h"
+#include "core/structures/ball_diagrams.h"
 #include "core/structures/ball_union.h"
 
 namespace mes {
@@ -15,6 +16,8 @@ namespace mes {
 struct UnionFamily {
   char letter;  ///< 'A'
   const BallUnion& balls;
+  const PowerDiagram& power_diagram;
+  const VDiagram& v_diagram;
   LayerGroup group;
   bool in_paper;  ///< the paper has this family
 };
@@ -24,13 +27,20 @@ std::string_view keep_text(std::string text);
 
 /// A layer of the family. `id` and `name` without the letter: "v-points" becomes "a-v-points".
 template <class... Parts>
-Layer union_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts... parts) {
+Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDescriptor descriptor, Parts... parts) {
   const char small = static_cast<char>(family.letter - 'A' + 'a');
   descriptor.id = keep_text(std::string(1, small) + '-' + std::string(descriptor.id));
   descriptor.name = keep_text(std::string(1, family.letter) + ' ' + std::string(descriptor.name));
   descriptor.group = family.group;
   descriptor.in_paper = descriptor.in_paper && family.in_paper;
-  return make_layer(std::move(descriptor), {&family.balls}, std::move(parts)...);
+  return make_layer(std::move(descriptor), {&family.balls, &read}, std::move(parts)...);
+}
+template <class... Parts>
+Layer union_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts... parts) {
+  Layer layer = union_layer_of(family, family.balls, std::move(descriptor), std::move(parts)...);
+  layer.structures.pop_back();
+  layer.descriptor.structures.pop_back();
+  return layer;
 }
 
 /// Part over a table of the union: `emit(row of the table, instance)`.
@@ -40,6 +50,38 @@ auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, Table 
   return table_part(
       std::move(kinds), [&balls, table] { return (balls.tables().*table).size(); }, changes,
       [&balls, table, emit](Slot row, Instance& out) { emit((balls.tables().*table)[row], out); });
+}
+
+template <class Emit>
+auto power_part(std::vector<PrimitiveKind> kinds, const PowerDiagram& diagram, Emit emit) {
+  return table_part(
+      std::move(kinds), [&diagram] { return diagram.edges().size(); }, diagram.changes(),
+      [&diagram, emit](Slot row, Instance& out) { emit(diagram.edges()[row], out); });
+}
+
+template <class Table, class Emit>
+auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, Table UnionTables::*table, Emit emit) {
+  return table_part(
+      std::move(kinds), [&diagram, table] { return (diagram.tables().*table).size(); }, diagram.changes(),
+      [&diagram, table, emit](Slot row, Instance& out) { emit((diagram.tables().*table)[row], out); });
+}
+
+/// Voronoi edge of two v-points.
+inline void emit_v_dual(const UnionTables& t, const VEdge& edge, Instance& out) {
+  const Vec2 a = t.v_points[edge.v[0]].position;
+  const Vec2 b = t.v_points[edge.v[1]].position;
+  if (edge.f[0] != kNoSlot && edge.f[1] != kNoSlot) {
+    const VFace& left = t.v_faces[edge.f[0]];
+    const VFace& right = t.v_faces[edge.f[1]];
+    const bool same_circle = left.ball != kNoSlot && left.ball == right.ball;
+    out.segment(left.center, same_circle ? left.center : right.center);
+  } else if (edge.f[0] != kNoSlot) {
+    out.ray(t.v_faces[edge.f[0]].center, -perpendicular(b - a));
+  } else if (edge.f[1] != kNoSlot) {
+    out.ray(t.v_faces[edge.f[1]].center, perpendicular(b - a));
+  } else {
+    out.line({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y}, perpendicular(b - a));
+  }
 }
 
 }  // namespace mes

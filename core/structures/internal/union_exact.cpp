@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/internal/power_diagram.h"
 #include "core/structures/internal/union_pipeline.h"
 
 namespace mes {
@@ -13,6 +14,10 @@ UnionTables run_union_mixed(const PipelineInput& input, JobControl& job) {
 
 UnionTables run_union_roots(const PipelineInput& input, JobControl& job) {
   return UnionPipeline<RootsKernel, RootsKernel>(input, false, job).run();
+}
+
+std::vector<PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job) {
+  return power_diagram<ExactKernel>(input, job);
 }
 
 }  // namespace mes

@@ -99,8 +99,8 @@ class UnionPipeline {
     cut_edges();
     return std::move(t_);
   }
-  /// The regular triangulation, by positions in the input.
-  const RegularTables& triangulation() const { return rt_; }
+  /// Only the Voronoi diagram of v-points that are known.
+  UnionTables run_v_diagram(const KnownVPoints& known);
 
  private:
   using BallNumber = typename Balls::FT;
@@ -116,12 +116,8 @@ class UnionPipeline {
   using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Points>;
   using Dt = CGAL::Delaunay_triangulation_2<Points, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
-  /// A place on the circle of a ball, in counter-clockwise order, and what the arc from the place before is.
-  enum class Arc : std::uint8_t { covered, singular, free };
-  struct Place {
-    Slot v = kNoSlot;
-    Arc before = Arc::free;
-  };
+  using Arc = CircleArc;
+  using Place = CirclePlace;
   /// A ball's centre lies on the Voronoi edge; the arc lies to the left (towards face 0) or right of it.
   struct Event {
     Slot edge = kNoSlot;
@@ -151,6 +147,7 @@ class UnionPipeline {
   void triangulate_v_points();
   void walk_around(Slot ball);
   void gather_events();
+  void take_places(Slot ball);
   void add_event(Slot ball, Slot from, Slot to, Arc arc);
   bool comes_before(Slot a, Slot b) const {
     return lexicographically_less(input_[a].disk.center, input_[b].disk.center);
@@ -580,30 +577,59 @@ void UnionPipeline<Balls, Points>::gather_events() {
   std::vector<bool> has_edge(input_.size(), false);
   for (Slot e = 0; e < rt_.edges.size(); ++e)
     if (dual_of_edge_[e] != kNoSlot) has_edge[rt_.edges[e].v[0]] = has_edge[rt_.edges[e].v[1]] = true;
-  std::vector<Slot> points;
   for (Slot ball = 0; ball < input_.size(); ++ball) {
     if ((ball & 0x3fU) == 0) job_.checkpoint(2 * input_.size() + ball, 4 * input_.size());
-    BallState& state = t_.balls[input_[ball].row];
     if (rt_.state[ball] != BallState::visible) continue;
     const Slot row = input_[ball].row;
     if (!has_edge[ball]) {
-      state = BallState::isolated;
+      t_.balls[row] = BallState::isolated;
       t_.arcs.push_back({row, {}, {}, 1});
       continue;
     }
     walk_around(ball);
-    points.clear();
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Place& to = places_[k];
       const Place& from = places_[(k + places_.size() - 1) % places_.size()];
-      points.push_back(to.v);
       if (to.before == Arc::free)
         t_.arcs.push_back({row, t_.v_points[from.v].position, t_.v_points[to.v].position,
                            static_cast<std::uint8_t>(places_.size() == 1 ? 1 : 0)});
-      if (places_.size() > 1) add_event(ball, from.v, to.v, to.before);
     }
-    if (dt_.dimension() == 2 && points.size() >= 3) mark_polygon(ball, points);
+    take_places(ball);
   }
+}
+
+// What the v-points on the circle of a ball say of the Voronoi edges through its centre.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::take_places(Slot ball) {
+  if (places_.size() < 2) return;
+  std::vector<Slot> points;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    points.push_back(places_[k].v);
+    add_event(ball, places_[(k + places_.size() - 1) % places_.size()].v, places_[k].v, places_[k].before);
+  }
+  if (dt_.dimension() == 2 && points.size() >= 3) mark_polygon(ball, points);
+}
+
+template <class Balls, class Points>
+UnionTables UnionPipeline<Balls, Points>::run_v_diagram(const KnownVPoints& known) {
+  for (const PipelineBall& ball : input_) ball_in_points_.push_back(ball_in<PointNumber>(ball));
+  for (std::size_t i = 0; i < known.points.size(); ++i) {
+    const Vec2 p = known.points[i];
+    const auto vertex = dt_.insert(typename Points::Point_2(PointNumber(p.x), PointNumber(p.y)), hint_);
+    hint_ = vertex->face();
+    MES_ASSERT(vertex->info().slot == kNoSlot);
+    vertex->info().slot = static_cast<Slot>(i);
+    v_vertex_.push_back(vertex);
+    t_.v_points.push_back({p, known.sites[i], 1});
+  }
+  triangulate_v_points();
+  for (Slot ball = 0; ball < input_.size(); ++ball) {
+    places_ = known.places[ball];
+    take_places(ball);
+  }
+  cut_edges();
+  t_.axis.clear();
+  return std::move(t_);
 }
 
 template <class Balls, class Points>

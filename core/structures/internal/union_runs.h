@@ -28,6 +28,39 @@ struct PipelineInput {
 /// A crossing is not rational.
 struct NeedsRoots {};
 
+/// What the arc of a circle before a v-point is, counter-clockwise.
+enum class CircleArc : std::uint8_t {
+  covered,   ///< by dual triangles at the ball
+  singular,  ///< by the ball of a singular dual edge
+  free,      ///< on the boundary of the union
+};
+struct CirclePlace {
+  Slot v = kNoSlot;
+  CircleArc before = CircleArc::free;
+};
+
+/// Which samples are v-points, and how they lie on the circles, when that is known beforehand.
+struct KnownVPoints {
+  std::vector<Vec2> points;
+  std::vector<Slot> sites;
+  std::vector<std::vector<CirclePlace>> places;  ///< by ball of the input
+};
+
+/// Only `v_points`, `v_faces` and `v_edges` are filled in.
+UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known, JobControl& job);
+
+/// Edge of the regular triangulation and its dual, an edge of the power diagram.
+struct PowerEdge {
+  enum class Kind : std::uint8_t { segment, ray, line };
+  Slot ball[2] = {kNoSlot, kNoSlot};
+  Kind kind = Kind::segment;
+  Vec2 from{};  ///< a power centre, or any point of the line
+  Vec2 to{};    ///< the other power centre; for rays and lines the direction
+};
+std::vector<PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job);
+std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job);
+std::vector<PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job);
+
 UnionTables run_union_naive(const PipelineInput& input, JobControl& job);
 UnionTables run_union_doubles(const PipelineInput& input, JobControl& job);
 /// Throws `NeedsRoots`.

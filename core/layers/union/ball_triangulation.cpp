@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/union/family.h"
+
+namespace mes {
+
+Layer make_union_ball_triangulation_layer(const UnionFamily& family) {
+  const PowerDiagram& diagram = family.power_diagram;
+  return union_layer_of(
+      family, diagram,
+      {.id = "ball-triangulation",
+       .name = "ball triangulation",
+       .tooltip = "Regular triangulation of the balls",
+       .in_paper = true,
+       .style = {.color = palette::grey, .opacity = 0.6},
+       .kinds = {PrimitiveKind::segment}},
+      power_part({PrimitiveKind::segment}, diagram, [&diagram](const PowerEdge& edge, Instance& out) {
+        out.segment(diagram.family().disk(edge.ball[0]).center, diagram.family().disk(edge.ball[1]).center);
+      }));
+}
+
+}  // namespace mes

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/ball_diagrams.h"
+
+#include <cmath>
+
+#include "core/base/isolated.h"
+
+namespace mes {
+
+PowerDiagram::PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                           const BallFamily& family)
+    : Structure(id, std::move(inputs)), settings_(settings), family_(family) {}
+
+void PowerDiagram::rebuild(JobControl& job) {
+  made_with_ = settings_.precision();
+  const ScaledBalls balls = scaled_balls(family_);
+  const PipelineInput input{balls.balls, balls.rows};
+  switch (made_with_) {
+    case Precision::naive: {
+      constexpr IsolationLimits kLimits{10.0, std::size_t{1} << 32U, "naive arithmetic"};
+      const auto bytes = run_isolated(
+          [&] {
+            JobControl own;
+            TableWriter writer;
+            writer(run_power_diagram_naive(input, own));
+            return writer.take();
+          },
+          kLimits, job);
+      TableReader reader(bytes);
+      reader(edges_);
+      break;
+    }
+    case Precision::fast: edges_ = run_power_diagram_doubles(input, job); break;
+    case Precision::exact:
+    case Precision::exact_roots: edges_ = run_power_diagram_exact(input, job); break;
+  }
+  if (balls.exponent == 0) return;
+  for (PowerEdge& edge : edges_) {
+    edge.from = {std::ldexp(edge.from.x, balls.exponent), std::ldexp(edge.from.y, balls.exponent)};
+    if (edge.kind == PowerEdge::Kind::segment)
+      edge.to = {std::ldexp(edge.to.x, balls.exponent), std::ldexp(edge.to.y, balls.exponent)};
+  }
+}
+
+bool PowerDiagram::update(JobControl&) {
+  return made_with_ == settings_.precision() && family_.changes().is_empty();
+}
+
+StatList PowerDiagram::statistics() const {
+  std::int64_t rays = 0;
+  for (const PowerEdge& edge : edges_) rays += edge.kind == PowerEdge::Kind::segment ? 0 : 1;
+  return {{"edges", static_cast<std::int64_t>(edges_.size())}, {"unbounded", rays}};
+}
+
+std::string_view PowerDiagram::kernel() const {
+  switch (made_with_) {
+    case Precision::naive: return "double";
+    case Precision::fast: return "EPICK on rounded points";
+    case Precision::exact:
+    case Precision::exact_roots: return "EPECK";
+  }
+  return {};
+}
+
+VDiagram::VDiagram(std::string_view id, std::vector<Structure*> inputs, const BallUnion& balls)
+    : Structure(id, std::move(inputs)), union_(balls) {}
+
+KnownVPoints VDiagram::known_v_points(const std::vector<PipelineBall>&) const {
+  return {};
+}
+
+void VDiagram::rebuild(JobControl& job) {
+  own_ = UnionTables{};
+  if (union_.rung() != UnionRung::shortcut) return;
+  const ScaledBalls balls = scaled_balls(union_.family());
+  KnownVPoints known = known_v_points(balls.balls);
+  for (Vec2& p : known.points) p = {std::ldexp(p.x, -balls.exponent), std::ldexp(p.y, -balls.exponent)};
+  own_ = run_v_diagram({balls.balls, balls.rows}, known, job);
+  if (balls.exponent == 0) return;
+  for (VFace& face : own_.v_faces) {
+    face.center = {std::ldexp(face.center.x, balls.exponent), std::ldexp(face.center.y, balls.exponent)};
+    face.radius = std::ldexp(face.radius, balls.exponent);
+  }
+  for (VPoint& v : own_.v_points)
+    v.position = {std::ldexp(v.position.x, balls.exponent), std::ldexp(v.position.y, balls.exponent)};
+}
+
+bool VDiagram::update(JobControl&) {
+  return union_.changes().size() == 0;
+}
+
+StatList VDiagram::statistics() const {
+  std::vector<std::int64_t> kinds(3, 0);
+  for (const VEdge& edge : tables().v_edges) ++kinds[static_cast<std::size_t>(edge.kind)];
+  std::int64_t inside = 0;
+  for (const VFace& face : tables().v_faces) inside += face.is_inside;
+  return {{"v_edges", kinds[0] + kinds[1] + kinds[2]},
+          {"crossing_edges", kinds[1]},
+          {"alpha_edges", kinds[2]},
+          {"v_faces", static_cast<std::int64_t>(tables().v_faces.size())},
+          {"inside", inside}};
+}
+
+APowerDiagram::APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls,
+                             MedialAxis& axis)
+    : APowerDiagram(settings, inner_voronoi_balls(delaunay, axis, balls),
+                    {&settings, &delaunay, &labels, &balls, &axis}) {}
+
+APowerDiagram::APowerDiagram(SettingsSource& settings, std::unique_ptr<BallFamily> family,
+                             std::vector<Structure*> inputs)
+    : PowerDiagram("a-power-diagram", std::move(inputs), settings, *family), own_family_(std::move(family)) {}
+
+AVDiagram::AVDiagram(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls, AUnion& a_union)
+    : VDiagram("a-v-diagram", {&delaunay, &crust, &labels, &balls, &a_union}, a_union),
+      delaunay_(delaunay),
+      crust_(crust),
+      labels_(labels),
+      balls_(balls),
+      union_(a_union) {}
+
+// The samples on the circle of a ball are the corners of its faces. Going around the outer edges of these faces, the
+// arc beyond a border edge is free and that beyond any other is covered; a sample that only this ball touches is no
+// v-point, and then lies between two border edges.
+KnownVPoints AVDiagram::known_v_points(const std::vector<PipelineBall>& balls) const {
+  KnownVPoints out;
+  const UnionTables& t = union_.tables();
+  std::vector<Slot> v_of_site(delaunay_.site_rows(), kNoSlot);
+  for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
+    if (!t.v_points[site].is_alive()) continue;
+    v_of_site[site] = static_cast<Slot>(out.points.size());
+    out.points.push_back(delaunay_.site_position(site));
+    out.sites.push_back(site);
+  }
+  const auto arc_beyond = [&](Slot edge) {
+    const EdgeRow& row = delaunay_.edge(edge);
+    if (labels_.is_inside(row.f[0]) != labels_.is_inside(row.f[1])) return CircleArc::free;
+    const bool is_singular = t.v_points[row.v[0]].multiplicity == 2 && t.v_points[row.v[1]].multiplicity == 2;
+    return is_singular ? CircleArc::singular : CircleArc::covered;
+  };
+  out.places.resize(balls.size());
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    // Walk from corner to corner; across a diagonal of cocircular samples the walk goes on in the next face.
+    Slot face = balls[k].row;
+    int i = 0;
+    while (is_diagonal(face, i)) {
+      const Slot next = delaunay_.face(face).n[i];
+      i = next3(delaunay_.face(next).index_of_neighbour(face));
+      face = next;
+    }
+    const Slot first_face = face;
+    const int first_i = i;
+    std::vector<CirclePlace>& places = out.places[k];
+    do {
+      const FaceRow& row = delaunay_.face(face);
+      // Edge i runs from corner next3(i) to corner prev3(i).
+      const Slot v = v_of_site[row.v[prev3(i)]];
+      const CircleArc arc = arc_beyond(row.e[i]);
+      if (v != kNoSlot) places.push_back({v, arc});
+      int j = next3(i);
+      while (is_diagonal(face, j)) {
+        const Slot next = delaunay_.face(face).n[j];
+        j = next3(delaunay_.face(next).index_of_neighbour(face));
+        face = next;
+      }
+      i = j;
+    } while (face != first_face || i != first_i);
+  }
+  return out;
+}
+
+bool AVDiagram::is_diagonal(Slot face, int i) const {
+  const Slot edge = delaunay_.face(face).e[i];
+  return edge != kNoSlot && crust_.is_cocircular(edge);
+}
+
+}  // namespace mes

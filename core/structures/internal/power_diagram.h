@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regular triangulation and power diagram of a set of balls, in any number type.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/structures/internal/regular_triangulation.h"
+#include "core/structures/internal/union_pipeline.h"
+#include "core/structures/internal/union_runs.h"
+
+namespace mes {
+
+/// The sample that three balls touch, if there is one: then it is their point of equal power, exactly.
+inline std::optional<Vec2> common_sample(const PipelineBall& a, const PipelineBall& b, const PipelineBall& c) {
+  const auto has = [](const PipelineBall& ball, Slot site) {
+    return std::ranges::find(ball.site, site) != std::end(ball.site);
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a.site[i] != kNoSlot && has(b, a.site[i]) && has(c, a.site[i])) return a.corner[i];
+  return std::nullopt;
+}
+
+/// Point of equal power.
+template <class Number>
+Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const Number pb = bx * bx + by * by - b.w + a.w;
+  const Number pc = cx * cx + cy * cy - c.w + a.w;
+  const Number twice = Number(2) * (bx * cy - by * cx);
+  return {rounded(Number(a.x + (pb * cy - pc * by) / twice)), rounded(Number(a.y + (pc * bx - pb * cx) / twice))};
+}
+
+template <class Kernel>
+std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job) {
+  std::vector<BallOf<typename Kernel::FT>> balls;
+  balls.reserve(input.balls.size());
+  for (const PipelineBall& ball : input.balls) balls.push_back(ball_in<typename Kernel::FT>(ball));
+  const RegularTables rt = regular_triangulation<Kernel>(balls, job);
+  std::vector<Vec2> center(rt.faces.size());
+  std::vector<bool> is_finite(rt.faces.size(), false);
+  for (Slot f = 0; f < rt.faces.size(); ++f) {
+    const auto& v = rt.faces[f].v;
+    is_finite[f] = v[0] != kInfiniteBall && v[1] != kInfiniteBall && v[2] != kInfiniteBall;
+    if (!is_finite[f]) continue;
+    const auto sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
+    center[f] = sample ? *sample : power_center(balls[v[0]], balls[v[1]], balls[v[2]]);
+  }
+  std::vector<PowerEdge> out;
+  out.reserve(rt.edges.size());
+  for (const RegularTables::Edge& edge : rt.edges) {
+    const PipelineBall& a = input.balls[edge.v[0]];
+    const PipelineBall& b = input.balls[edge.v[1]];
+    const Vec2 along = b.disk.center - a.disk.center;
+    PowerEdge row{{a.row, b.row}};
+    const bool left = edge.f[0] != kNoSlot && is_finite[edge.f[0]];
+    const bool right = edge.f[1] != kNoSlot && is_finite[edge.f[1]];
+    if (left && right) {
+      row.from = center[edge.f[0]];
+      row.to = center[edge.f[1]];
+    } else if (left || right) {
+      row.kind = PowerEdge::Kind::ray;
+      row.from = center[edge.f[left ? 0 : 1]];
+      row.to = left ? -perpendicular(along) : perpendicular(along);
+    } else {
+      const double dd = dot(along, along);
+      const double t = 0.5 * (1.0 + (a.disk.radius * a.disk.radius - b.disk.radius * b.disk.radius) / dd);
+      row.kind = PowerEdge::Kind::line;
+      row.from = a.disk.center + t * along;
+      row.to = perpendicular(along);
+    }
+    out.push_back(row);
+  }
+  return out;
+}
+
+}  // namespace mes
