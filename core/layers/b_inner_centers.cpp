@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+#include "core/structures/user_balls.h"
+
+namespace mes {
+
+Layer make_b_inner_centers_layer(const StructureSet& set) {
+  const auto& balls = set.get<UserBalls>();
+  return make_layer(
+      {.id = "b-inner-centers",
+       .name = "B inner centers",
+       .tooltip = "Centres of your own balls; drag one to move its ball, turn the wheel on it to change the radius",
+       .group = LayerGroup::union_b,
+       .visible_at_start = true,
+       .scalar = "radius",
+       .style = {.color = palette::orange, .point_size_px = 4},
+       .kinds = {PrimitiveKind::point}},
+      {&balls},
+      table_part(
+          {PrimitiveKind::point}, [&balls] { return balls.row_count(); }, balls.changes(),
+          [&balls](Slot row, Instance& out) {
+            if (!balls.is_alive(row)) return;
+            const Disk& disk = balls.disk(row);
+            out.point(disk.center, disk.radius);
+          }));
+}
+
+}  // namespace mes

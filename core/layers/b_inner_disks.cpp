@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+#include "core/structures/user_balls.h"
+
+namespace mes {
+
+Layer make_b_inner_disks_layer(const StructureSet& set) {
+  const auto& balls = set.get<UserBalls>();
+  return make_layer({.id = "b-inner-disks",
+                     .name = "B inner disks",
+                     .tooltip = "Disks of your own balls",
+                     .group = LayerGroup::union_b,
+                     .visible_at_start = true,
+                     .scalar = "radius",
+                     .style = {.color = palette::orange, .opacity = 0.2},
+                     .kinds = {PrimitiveKind::disk}},
+                    {&balls},
+                    table_part(
+                        {PrimitiveKind::disk}, [&balls] { return balls.row_count(); }, balls.changes(),
+                        [&balls](Slot row, Instance& out) {
+                          if (!balls.is_alive(row)) return;
+                          const Disk& disk = balls.disk(row);
+                          if (disk.radius > 0.0) out.disk(disk.center, disk.radius, disk.radius);
+                        }));
+}
+
+}  // namespace mes

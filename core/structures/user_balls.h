@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine's own copy of the document's balls, row for row.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/base/disk.h"
+#include "core/graph/source_structure.h"
+
+namespace mes {
+
+/// A source beside `Samples`: `post` queues deltas; the next run applies them all as one change. A ball of radius
+/// zero has a row like any other; what it counts for is for the consumers to say.
+class UserBalls final : public SourceStructure {
+ public:
+  UserBalls() : SourceStructure("balls") {}
+
+  /// Deltas that do not touch balls are left out: an edit of a sample costs nothing here.
+  void post(std::shared_ptr<const DocumentDelta> delta) override;
+  bool has_pending() const override { return !pending_.empty(); }
+
+  /// Rows, by the document's slots.
+  std::size_t row_count() const { return disk_.size(); }
+  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
+  const Disk& disk(Slot slot) const { return disk_[slot]; }
+  BallId id(Slot slot) const { return id_[slot]; }
+  std::size_t count() const { return count_; }
+  Box2 extent() const override { return extent_; }
+
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  void apply(const DocumentDelta& delta);
+
+  std::vector<std::shared_ptr<const DocumentDelta>> pending_;
+  std::vector<Disk> disk_;
+  std::vector<BallId> id_;
+  std::size_t count_ = 0;
+  Box2 extent_;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes
