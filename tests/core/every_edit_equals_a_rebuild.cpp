@@ -58,9 +58,16 @@ struct Bench {
     auto slots = document.slots_in_input_order();
     std::ranges::reverse(slots);
     for (const Slot slot : slots) data.positions.push_back(document.position(slot));
+    auto ball_slots = document.ball_slots_in_input_order();
+    std::ranges::reverse(ball_slots);
+    for (const Slot slot : ball_slots) data.balls.push_back(document.disk(slot));
     fresh.apply(replace_all(fresh.document, data));
     fresh.run();
     REQUIRE(difference(state_of(graph), state_of(fresh.graph)) == "");
+    for (const std::string_view layer : {"b-inner-disks", "b-inner-circles", "b-inner-centers"}) {
+      INFO(layer);
+      REQUIRE(contents.sorted(find_layer(layer)) == fresh.contents.sorted(find_layer(layer)));
+    }
     if (!compare_instances) return;
     const LayerIndex last_change = find_layer("last-change");
     for (LayerIndex i = 0; i < layer_descriptors().size(); ++i) {
@@ -73,8 +80,21 @@ struct Bench {
 
 using Source = std::function<Vec2(Rng&)>;
 
+// Something happens to balls.
+void edit_balls(Bench& bench, const Source& source, Rng& rng) {
+  const auto slots = bench.document.ball_slots_in_input_order();
+  const auto some_disk = [&] { return Disk{source(rng), rng.below(5) == 0 ? 0.0 : rng.uniform()}; };
+  const auto pick = [&] { return bench.document.ball_id(slots[rng.below(slots.size())]); };
+  switch (slots.size() < 2 ? 0 : rng.below(4)) {
+    case 0:
+    case 1: bench.apply(insert_balls(bench.document, std::vector<Disk>(1 + rng.below(3), some_disk()))); break;
+    case 2: bench.apply(change_balls(bench.document, std::vector{std::pair{pick(), some_disk()}})); break;
+    default: bench.apply(remove_balls(bench.document, std::vector{pick()})); break;
+  }
+}
+
 void play_script(const Source& source, std::size_t start, std::size_t steps, std::uint64_t seed,
-                 bool compare_instances, double nudge) {
+                 bool compare_instances, double nudge, bool with_balls = false) {
   Rng rng(seed);
   Bench bench;
   SampleData data;
@@ -111,6 +131,10 @@ void play_script(const Source& source, std::size_t start, std::size_t steps, std
         bench.document.apply(delta);
         bench.graph.post(std::make_shared<const DocumentDelta>(delta));
       }
+    }
+    if (with_balls && rng.below(2) == 0) {
+      if (rng.below(2) == 0) bench.run();
+      edit_balls(bench, source, rng);
     }
     INFO("seed " << seed << " step " << step);
     bench.run();
@@ -162,4 +186,10 @@ TEST_CASE("duplicates of a few positions") {
     return Vec2{std::cos(t), std::sin(t)};
   };
   for (std::uint64_t seed = 51; seed <= 54; ++seed) play_script(source, 60, 300, seed, false, 0.0);
+}
+
+TEST_CASE("balls among samples, in steps of their own and in common ones") {
+  const Source source = [](Rng& rng) { return Vec2{rng.uniform(), rng.uniform()}; };
+  for (std::uint64_t seed = 61; seed <= 64; ++seed) play_script(source, 60, 400, seed, true, 0.1, true);
+  for (std::uint64_t seed = 65; seed <= 67; ++seed) play_script(source, 0, 150, seed, true, 0.1, true);
 }

@@ -8,6 +8,7 @@
 
 #include "core/structures/curve.h"
 #include "core/structures/medial_axis.h"
+#include "core/structures/user_balls.h"
 
 namespace mes::test {
 namespace {
@@ -83,6 +84,11 @@ GeometryState state_of(const Graph& graph) {
   const auto& curve = graph.structures().get<Curve>();
   GeometryState state;
   state.dimension = delaunay.dimension();
+  const auto& own = graph.structures().get<UserBalls>();
+  for (Slot row = 0; row < own.row_count(); ++row)
+    if (own.is_alive(row))
+      state.balls.push_back({own.disk(row).center.x, own.disk(row).center.y, own.disk(row).radius});
+  std::ranges::sort(state.balls);
   state.odd = crust.odd_count();
   state.conflicts = labels.conflict_count();
   for (Slot site = 0; site < delaunay.site_rows(); ++site) {
@@ -142,7 +148,7 @@ std::string difference(const GeometryState& a, const GeometryState& b) {
     return out;
   }
   if (differ("nodes", a.nodes, b.nodes, out) || differ("chains", a.chains, b.chains, out) ||
-      differ("normals", a.normals, b.normals, out))
+      differ("normals", a.normals, b.normals, out) || differ("balls", a.balls, b.balls, out))
     return out;
   if (a.odd != b.odd) return "odd samples " + std::to_string(a.odd) + " " + std::to_string(b.odd);
   if (a.conflicts != b.conflicts)

@@ -25,7 +25,23 @@ Workbench::Workbench(const std::vector<Vec2>& positions) : Workbench() {
 void Workbench::replace(const std::vector<Vec2>& positions) {
   SampleData data;
   data.positions = positions;
+  load(data);
+}
+
+void Workbench::load(const SampleData& data) {
   apply(replace_all(document_, data));
+}
+
+void Workbench::insert_balls(const std::vector<Disk>& disks) {
+  apply(mes::insert_balls(document_, disks));
+}
+
+void Workbench::remove_balls(const std::vector<BallId>& ids) {
+  apply(mes::remove_balls(document_, ids));
+}
+
+void Workbench::change_ball(BallId id, const Disk& to) {
+  apply(change_balls(document_, std::vector{std::pair{id, to}}));
 }
 
 void Workbench::insert(const std::vector<Vec2>& positions) {
@@ -93,6 +109,18 @@ std::vector<Vec2> Workbench::positions() const {
   return out;
 }
 
+std::vector<BallId> Workbench::ball_ids() const {
+  std::vector<BallId> out;
+  for (const Slot slot : document_.ball_slots_in_input_order()) out.push_back(document_.ball_id(slot));
+  return out;
+}
+
+std::vector<Disk> Workbench::balls() const {
+  std::vector<Disk> out;
+  for (const Slot slot : document_.ball_slots_in_input_order()) out.push_back(document_.disk(slot));
+  return out;
+}
+
 const StatValue& Workbench::stat(std::string_view structure, std::string_view key) const {
   for (const NodeReport& node : patch_.nodes) {
     if (node.structure != structure) continue;
@@ -118,9 +146,11 @@ std::span<const double> Workbench::instances(std::string_view layer, PrimitiveKi
 std::string Workbench::trouble() const {
   const std::string broken = broken_row(graph_);
   if (!broken.empty()) return broken;
-  std::vector<Vec2> reversed = positions();
-  std::ranges::reverse(reversed);
-  const Workbench fresh(reversed);
+  SampleData reversed{.positions = positions(), .balls = balls()};
+  std::ranges::reverse(reversed.positions);
+  std::ranges::reverse(reversed.balls);
+  Workbench fresh;
+  fresh.load(reversed);
   return difference(state(), fresh.state());
 }
 

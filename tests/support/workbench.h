@@ -39,6 +39,11 @@ class Workbench {
   void insert(const std::vector<Vec2>& positions);
   void remove(const std::vector<SampleId>& ids);
   void move(SampleId id, Vec2 to);
+  /// Another document: these samples and balls, all new.
+  void load(const SampleData& data);
+  void insert_balls(const std::vector<Disk>& disks);
+  void remove_balls(const std::vector<BallId>& ids);
+  void change_ball(BallId id, const Disk& to);
   void undo();
   void redo();
   std::size_t steps_done() const { return history_.position(); }
@@ -57,6 +62,8 @@ class Workbench {
   /// Live ids by increasing age.
   std::vector<SampleId> ids() const;
   std::vector<Vec2> positions() const;
+  std::vector<BallId> ball_ids() const;
+  std::vector<Disk> balls() const;
 
   /// A counter, or a measure, from the statistics.
   std::int64_t count(std::string_view structure, std::string_view key) const;
@@ -64,8 +71,8 @@ class Workbench {
   /// Instances of a layer, `stride_of(kind)` doubles each.
   std::span<const double> instances(std::string_view layer, PrimitiveKind kind) const;
 
-  /// Empty when the rows are sound and everything equals a fresh graph of the same samples, given in reverse order;
-  /// otherwise what does not.
+  /// Empty when the rows are sound and everything equals a fresh graph of the same samples and balls, given in
+  /// reverse order; otherwise what does not.
   std::string trouble() const;
 
  private:
