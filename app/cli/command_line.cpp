@@ -90,7 +90,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   exported
       ->add_option("--format", to.exported.format,
                    "csv: one primitive a line, segments without length left out;\n"
-                   "poff: points, or the ends of segments with the chains they form")
+                   "poff: points, or the ends of segments with the chains they form;\n"
+                   "wpoff: disks, or circles")
       ->required();
   exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
 

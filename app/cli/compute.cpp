@@ -98,7 +98,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
                   {"samples", input->data.positions.size()},
                   {"distinct", count_distinct(input->data.positions)},
                   {"contours", input->data.contours.size()},
-                  {"balls", 0}};
+                  {"balls", input->data.balls.size()}};
   out["precision"] = request.source.precision;
   out["structures"] = Json::object();
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);

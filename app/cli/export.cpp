@@ -15,9 +15,13 @@
 namespace mes::cli {
 namespace {
 
+// Samples and balls themselves are exported through the layers that show each of them.
+constexpr std::string_view kSamples = "points";
+constexpr std::string_view kBallCenters = "b-inner-centers";
+
 Expected<void> check_export_format(const std::string& format) {
-  constexpr std::array<std::string_view, 2> kNow{"csv", "poff"};
-  constexpr std::array<std::string_view, 3> kLater{"wpoff", "npoff", "geojson"};
+  constexpr std::array<std::string_view, 3> kNow{"csv", "poff", "wpoff"};
+  constexpr std::array<std::string_view, 2> kLater{"npoff", "geojson"};
   if (std::ranges::find(kNow, format) != kNow.end()) return {};
   if (std::ranges::find(kLater, format) != kLater.end())
     return usage_error("export format \"" + format + "\" is not available in this build; it is one of " +
@@ -25,12 +29,27 @@ Expected<void> check_export_format(const std::string& format) {
   return usage_error("unknown export format " + in_quotes(format) + "; it is one of " + one_of(kNow));
 }
 
+/// Formats that hold points or disks only cannot take every layer.
+Expected<void> check_layer(const std::string& format, LayerIndex layer) {
+  const LayerDescriptor& descriptor = layer_descriptors()[layer];
+  if (format == "wpoff" && descriptor.id == kBallCenters) return {};
+  const auto possible = format == "poff"    ? poff_of({}, layer, descriptor)
+                        : format == "wpoff" ? wpoff_of({}, layer, descriptor)
+                                            : Expected<std::string>();
+  if (!possible) return std::unexpected(possible.error());
+  return {};
+}
+
 Expected<std::string> text_of(const LayerMirror& mirror, LayerIndex layer, const std::string& format,
                               const Document& document) {
   const LayerDescriptor& descriptor = layer_descriptors()[layer];
   if (format == "csv") return csv_of(mirror, layer, descriptor);
-  // The samples themselves: in input order and with the curve order that came with them.
-  if (descriptor.id == "points") return write_poff(document);
+  if (format == "wpoff") {
+    if (descriptor.id == kBallCenters) return write_wpoff(document);
+    return wpoff_of(mirror, layer, descriptor);
+  }
+  // In input order and with the curve order that came with them.
+  if (descriptor.id == kSamples) return write_poff(document);
   return poff_of(mirror, layer, descriptor);
 }
 
@@ -42,9 +61,7 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
   if (auto good = check_export_format(request.format); !good) return good;
   const auto layer = select_layer(request.layer);
   if (!layer) return std::unexpected(layer.error());
-  if (request.format == "poff")
-    if (const auto possible = poff_of({}, *layer, layer_descriptors()[*layer]); !possible)
-      return std::unexpected(possible.error());
+  if (auto good = check_layer(request.format, *layer); !good) return good;
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_input(request.source.file, request.source.from);
   if (!input) return std::unexpected(input.error());

@@ -12,6 +12,7 @@
 #include "app/cli/layer_summary.h"
 #include "app/cli/messages.h"
 #include "core/base/vec2.h"
+#include "core/io/format.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -156,6 +157,18 @@ std::string csv_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescr
     }
   }
   return out;
+}
+
+Expected<std::string> wpoff_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescriptor& descriptor) {
+  for (const PrimitiveKind kind : {PrimitiveKind::disk, PrimitiveKind::circle}) {
+    if (std::ranges::find(descriptor.kinds, kind) == descriptor.kinds.end()) continue;
+    std::vector<Disk> balls;
+    const std::span<const double> instances = mirror.instances(layer, kind);
+    for (std::size_t at = 0; at < instances.size(); at += stride_of(kind))
+      balls.push_back({{instances[at], instances[at + 1]}, instances[at + 2]});
+    return write_wpoff(balls);
+  }
+  return usage_error("layer " + std::string(descriptor.id) + " has no disks to write as WPOFF; csv can hold it");
 }
 
 Expected<std::string> poff_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescriptor& descriptor) {

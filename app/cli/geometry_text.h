@@ -18,4 +18,7 @@ std::string csv_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescr
 /// that the segments form as `# loop` lines. Error: `usage` for layers that have neither.
 Expected<std::string> poff_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescriptor& descriptor);
 
+/// The disks of a layer, or its circles, as WPOFF. Error: `usage` for layers that have neither.
+Expected<std::string> wpoff_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescriptor& descriptor);
+
 }  // namespace mes::cli

@@ -79,7 +79,7 @@ std::vector<Entry> structures() {
 }
 
 std::vector<Entry> formats() {
-  constexpr std::array<std::string_view, 2> kExported{"csv", "poff"};
+  constexpr std::array<std::string_view, 3> kExported{"csv", "poff", "wpoff"};
   std::vector<Entry> out;
   for (const FormatDescriptor& format : format_descriptors()) {
     const bool is_exported = std::ranges::find(kExported, format.id) != kExported.end();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading and writing of sample files, whatever their format.
+// Reading and writing of files of samples or balls, whatever their format.
 #pragma once
 
 #include <filesystem>
@@ -44,5 +44,10 @@ Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name,
 
 /// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
 std::string write_poff(const Document& document);
+
+/// WPOFF text of balls; every double reads back bit for bit.
+std::string write_wpoff(std::span<const Disk> balls);
+/// The live balls of the document in input order.
+std::string write_wpoff(const Document& document);
 
 }  // namespace mes

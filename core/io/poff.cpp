@@ -5,18 +5,19 @@
 // readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,
 // in file order. The lines in the file win.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <system_error>
 
 #include "core/io/format_registry.h"
+#include "core/io/off_header.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
 namespace {
 
-// Ids and rows are 32 bits wide.
-constexpr std::uint64_t kMostSamples = 0xfffffffe;
+constexpr OffKind kPoints{.magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2};
 
 /// Notes the comments that speak of loops; they cannot be judged before the points are known.
 class PoffScanner final : public Scanner {
@@ -38,10 +39,6 @@ class PoffScanner final : public Scanner {
   }
   std::vector<Note> notes_;
 };
-
-std::string warning(const std::string& name, std::uint64_t line, std::uint64_t column, std::string text) {
-  return Error{ErrorCode::bad_input, std::move(text), name, line, column}.message();
-}
 
 /// Takes words off the front of a text.
 std::string_view take_word(std::string_view& text) {
@@ -76,57 +73,23 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
 }
 
 Match match_poff(std::string_view bytes) {
-  Scanner scanner(bytes.substr(0, 4096));
-  return scanner.next() && scanner.token() == "POFF" ? Match::surely : Match::no;
+  return has_off_magic(bytes, kPoints) ? Match::surely : Match::no;
 }
 
 Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name) {
   PoffScanner scanner(bytes);
-  const auto fail = [&](std::string text) {
-    return bad_input(std::move(text), name, scanner.line(), scanner.column());
-  };
-  if (!scanner.next()) return fail("expected \"POFF\", found the end of the file");
-  if (scanner.token() != "POFF") return fail("expected \"POFF\", found " + in_quotes(scanner.token()));
-
-  if (!scanner.next()) return fail("expected the number of points, found the end of the file");
-  const auto count = parse_count(scanner.token());
-  if (!count || *count > kMostSamples) {
-    if (!count && count.error() == NumberFault::not_a_number)
-      return fail("expected the number of points, found " + in_quotes(scanner.token()));
-    return fail("more than " + std::to_string(kMostSamples) + " points are announced: " + in_quotes(scanner.token()));
-  }
-  for (int i = 0; i < 2; ++i) {
-    if (!scanner.next()) return fail("the header must end with two integers, \"0 0\"; found the end of the file");
-    std::string_view digits = scanner.token();
-    if (digits.starts_with('-')) digits.remove_prefix(1);
-    if (!parse_count(digits))
-      return fail("the header must end with two integers, \"0 0\"; found " + in_quotes(scanner.token()));
-  }
+  OffReader reader(kPoints, scanner, bytes, name);
+  const auto count = reader.read_header();
+  if (!count) return std::unexpected(count.error());
 
   LoadedFile file;
-  // Three bytes at least for a number and its white space: more than that many points cannot follow, whatever the
-  // header says.
-  file.data.positions.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, bytes.size() / 4 + 1)));
+  file.data.positions.reserve(reader.likely_count());
   for (std::uint64_t i = 0; i < *count; ++i) {
-    double pair[2];
-    for (double& coordinate : pair) {
-      if (!scanner.next())
-        return fail("the file ends after " + std::to_string(2 * i + (&coordinate == pair ? 0 : 1)) + " of " +
-                    std::to_string(2 * *count) + " coordinates");
-      const auto value = parse_number(scanner.token());
-      if (!value) return fail(describe(value.error(), scanner.token()));
-      coordinate = *value;
-    }
-    file.data.positions.push_back({pair[0], pair[1]});
+    std::array<double, 2> point{};
+    if (auto read = reader.read_next(point); !read) return std::unexpected(read.error());
+    file.data.positions.push_back({point[0], point[1]});
   }
-
-  if (scanner.next()) {
-    file.warnings.push_back(
-        warning(name, scanner.line(), scanner.column(),
-                "everything after the " + std::to_string(*count) + " announced points is ignored"));
-    while (scanner.next()) {
-    }
-  }
+  file.warnings = reader.finish();
   for (const PoffScanner::Note& note : scanner.notes()) {
     auto loop = read_loop(note, file.data.positions.size(), name);
     if (!loop) {

@@ -85,3 +85,22 @@ TEST_CASE("exported points are read as a table again") {
   REQUIRE(result.exit_code == 0);
   CHECK(Json::parse(result.out)["input"]["samples"] == 104);
 }
+
+TEST_CASE("balls are exported as they were read, those of radius zero included") {
+  const std::string text = "WPOFF 3 0 0\n0.1 0.2 0.30000000000000004\n-1e-300 5 1e+300\n1 1 5e-324\n";
+  CHECK(exported("-", "b-inner-disks", "wpoff", text) == text);
+  CHECK(exported("-", "b-inner-circles", "wpoff", text) == text);
+  CHECK(exported("-", "b-inner-centers", "wpoff", text) == text);
+  const RunResult with_zero =
+      run({"export", "-", "--layer", "b-inner-centers", "--format", "wpoff"}, {.input = "WPOFF 1 0 0 1 2 0"});
+  CHECK(with_zero.out == "WPOFF 1 0 0\n1 2 0\n");
+}
+
+TEST_CASE("the disks of any layer are exported as balls that can be read again") {
+  const std::string text = exported(kDude, "interior-voronoi-disks", "wpoff");
+  const Json read = Json::parse(run({"compute", "-", "--layers", "b-inner-disks"}, {.input = text}).out);
+  const Json made = Json::parse(run({"compute", kDude, "--layers", "interior-voronoi-disks"}).out);
+  CHECK(read["input"]["balls"] == made["layers"]["interior-voronoi-disks"]["disks"]);
+  CHECK(read["layers"]["b-inner-disks"]["radius_sum"].get<double>() ==
+        Approx(made["layers"]["interior-voronoi-disks"]["radius_sum"].get<double>()));
+}

@@ -34,6 +34,11 @@ TEST_CASE("what is wrong with a file is said with its place, by every command") 
   CHECK(folder.file_count() == 1);
 }
 
+TEST_CASE("a negative radius is refused with its place") {
+  require_one_line(run({"compute", "-"}, {.input = "WPOFF 2 0 0\n0 0 1\n1 1 -2\n"}), 3,
+                   "mesecina: -:3:5: the radius is negative: \"-2\"");
+}
+
 TEST_CASE("files that are missing, folders and pictures are refused") {
   const TemporaryFolder folder;
   require_one_line(run({"compute", "no/such/file.poff"}), 3,

@@ -26,7 +26,7 @@ void require_usage_error(const std::vector<std::string>& arguments, const std::v
 
 TEST_CASE("an unknown layer names the nearest ones") {
   require_usage_error({"compute", kDude, "--layers", "medial-axs"}, {"\"medial-axs\"", "did you mean medial-axis"});
-  require_usage_error({"compute", kDude, "--layers", "points,interior-disks"}, {"interior-voronoi-disks"});
+  require_usage_error({"compute", kDude, "--layers", "points,interior-voronoi-disk"}, {"interior-voronoi-disks"});
   require_usage_error({"compute", kDude, "--layers", "axis"}, {"medial-axis"});
   require_usage_error({"compute", kDude, "--layers", "points,,curve"}, {"unknown layer \"\""});
   require_usage_error({"export", kDude, "--layer", "Points", "--format", "csv"}, {"points"});
@@ -38,8 +38,9 @@ TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"compute", kDude, "--set", "union-shortcut=0.5"}, {"whole number"});
   require_usage_error({"compute", kDude, "--precision", "exakt"}, {"unknown precision", "exact-roots"});
   require_usage_error({"export", kDude, "--layer", "points", "--format", "geojson"}, {"not available in this build"});
-  require_usage_error({"export", kDude, "--layer", "points", "--format", "xls"}, {"csv or poff"});
+  require_usage_error({"export", kDude, "--layer", "points", "--format", "xls"}, {"csv, poff or wpoff"});
   require_usage_error({"export", kDude, "--layer", "voronoi-disks", "--format", "poff"}, {"no points"});
+  require_usage_error({"export", kDude, "--layer", "medial-axis", "--format", "wpoff"}, {"no disks"});
   require_usage_error({"render", kDude, "-o", "a.svg"}, {"not available in this build"});
   require_usage_error({"render", kDude, "-o", "a.jpeg"}, {".png"});
   for (const char* command : {"evolve", "play", "demo"}) {

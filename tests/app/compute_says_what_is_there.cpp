@@ -70,6 +70,37 @@ TEST_CASE("compute answers with the promised keys") {
   CHECK(disks["radius_sum"].get<double>() > 0.0);
 }
 
+TEST_CASE("balls of a WPOFF file are counted, and one of radius zero has a centre only") {
+  const RunResult result = run({"compute", "tests/data/balls.wpoff"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK_THAT(result.err, Catch::StartsWith("mesecina: tests/data/balls.wpoff:8:7: a ball has radius zero"));
+  CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  const Json out = Json::parse(result.out);
+  CHECK(out["input"] == Json{{"file", "tests/data/balls.wpoff"},
+                             {"format", "wpoff"},
+                             {"samples", 0},
+                             {"distinct", 0},
+                             {"contours", 0},
+                             {"balls", 6}});
+  const Json& balls = out["structures"]["balls"];
+  CHECK(balls["balls"] == 6);
+  CHECK(balls["zero_radius"] == 1);
+  CHECK(balls["radius_min"] == 0.0);
+  CHECK(balls["radius_max"] == 2.0);
+  CHECK(out["layers"]["b-inner-disks"]["disks"] == 5);
+  CHECK(out["layers"]["b-inner-disks"]["radius_sum"].get<double>() == Approx(6.2));
+  CHECK(out["layers"]["b-inner-circles"]["circles"] == 5);
+  CHECK(out["layers"]["b-inner-centers"]["points"] == 6);
+}
+
+TEST_CASE("without balls there are no radii to tell") {
+  const Json out = json_of(run({"compute", kDude, "--layers", "b-inner-disks"}));
+  CHECK(out["structures"]["balls"]["balls"] == 0);
+  CHECK(out["structures"]["balls"]["radius_min"].is_null());
+  CHECK(out["layers"]["b-inner-disks"]["disks"] == 0);
+}
+
 TEST_CASE("without times the same command gives the same bytes") {
   const std::vector<std::string> command{"compute", kDude, "--layers", "all", "--no-timing"};
   const RunResult first = run(command);

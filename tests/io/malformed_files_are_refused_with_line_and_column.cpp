@@ -85,6 +85,34 @@ TEST_CASE("POFF files that are wrong are refused where they are wrong") {
   for (const Case& test : cases) require_refusal(test);
 }
 
+TEST_CASE("WPOFF files that are wrong are refused where they are wrong") {
+  const std::string long_word(1'000'000, 'x');
+  const std::vector<Case> cases{
+      {"a.wpoff", "", 1, 1, "empty"},
+      {"a.wpoff", "# only this\n", 2, 1, "expected \"WPOFF\", found the end"},
+      {"a.wpoff", "wpoff 1 0 0\n1 2 3\n", 1, 1, "found \"wpoff\""},
+      {"a.wpoff", "WPOFF", 1, 6, "number of balls, found the end"},
+      {"a.wpoff", "WPOFF many 0 0\n", 1, 7, "found \"many\""},
+      {"a.wpoff", "WPOFF -1 0 0\n", 1, 7, "found \"-1\""},
+      {"a.wpoff", "WPOFF 4294967295 0 0\n", 1, 7, "balls are announced"},
+      {"a.wpoff", "WPOFF 4000000000 0 0\n1 2 3\n", 3, 1, "after 3 of 12000000000 numbers"},
+      {"a.wpoff", "WPOFF 1 0\n", 2, 1, "two integers"},
+      {"a.wpoff", "WPOFF 1 0.5 0\n1 2 3\n", 1, 9, "found \"0.5\""},
+      {"a.wpoff", "WPOFF 2 0 0\n1 2 3\n4 5", 3, 4, "after 5 of 6 numbers"},
+      // Radii forgotten: a file of points under the wrong name.
+      {"a.wpoff", "WPOFF 2 0 0\n1 2\n4 5\n", 4, 1, "after 4 of 6 numbers"},
+      {"a.wpoff", "WPOFF 1 0 0\n1 2 nan\n", 2, 5, "\"nan\" is not a finite number"},
+      {"a.wpoff", "WPOFF 1 0 0\n1 inf 3\n", 2, 3, "\"inf\" is not a finite number"},
+      {"a.wpoff", "WPOFF 1 0 0\n1 2 1e309\n", 2, 5, "too large"},
+      {"a.wpoff", "WPOFF 2 0 0\n1 2 3\n4 5 -6\n", 3, 5, "radius is negative: \"-6\""},
+      {"a.wpoff", "WPOFF 1 0 0\n1 2 -5e-324\n", 2, 5, "radius is negative"},
+      {"a.wpoff", "WPOFF 1 0 0\n1 2 3,5\n", 2, 5, "found \"3,5\""},
+      {"a.wpoff", "WPOFF 1 0 0\n1 2 " + long_word, 2, 5, "(1000000 characters)"},
+      {"a.wpoff", with_nul("WPOFF 1 0 0\n1 2 ", " 3\n"), 1, 1, "binary data"},
+  };
+  for (const Case& test : cases) require_refusal(test);
+}
+
 TEST_CASE("tables that are wrong are refused where they are wrong") {
   const std::string long_word(1'000'000, 'x');
   const std::vector<Case> cases{
@@ -112,7 +140,6 @@ TEST_CASE("tables that are wrong are refused where they are wrong") {
       {"a.txt", "5\n6\n7\n", 1, 2, "number for y, found the end of the line"},
       {"a.txt", "1 2\n3 4,5\n", 2, 3, "found \"4,5\""},
       {"notes", "Dear all,\nplease find enclosed\n", 1, 1, "none of the formats"},
-      {"a.wpoff", "WPOFF 1 0 0\n0 0 1\n", 1, 1, "none of the formats"},
       {"a.geojson", "{\"type\": \"Point\"}", 1, 1, "none of the formats"},
       {"a.svg", "<svg/>", 1, 1, "XML"},
   };
@@ -146,8 +173,9 @@ TEST_CASE("a format that does not exist is the fault of the request") {
 
 TEST_CASE("every prefix and every changed byte of a good file gives a result or a refusal") {
   const std::string poff = "POFF 3 0 0\n0 0\n1.5e3 -2 # a comment\n7 8\n# loop closed 0 1 2\n";
+  const std::string wpoff = "WPOFF 3 0 0\n0 0 1\n1.5e3 -2 0 # a comment\n7 8 2e1\n";
   const std::string csv = "ring;x;y\na;1,5;2\n\"b\";3;4\na;5;6e1\n";
-  for (const std::string& good : {poff, csv}) {
+  for (const std::string& good : {poff, wpoff, csv}) {
     std::vector<std::string> variants;
     for (std::size_t i = 0; i < good.size(); ++i) {
       variants.push_back(good.substr(0, i));
@@ -157,10 +185,11 @@ TEST_CASE("every prefix and every changed byte of a good file gives a result or 
       }
     }
     for (const std::string& bytes : variants) {
-      for (const char* name : {"a.poff", "a.csv", "a"}) {
+      for (const char* name : {"a.poff", "a.wpoff", "a.csv", "a"}) {
         const auto read = read_sample_bytes(bytes, name);
         if (read) {
           for (const Vec2 p : read->data.positions) CHECK(is_finite(p));
+          for (const Disk& ball : read->data.balls) CHECK((is_finite(ball) && ball.radius >= 0.0));
           for (const auto& contour : read->data.contours)
             for (const std::uint32_t point : contour.points) CHECK(point < read->data.positions.size());
         } else {

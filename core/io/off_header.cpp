@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/off_header.h"
+
+#include <algorithm>
+
+namespace mes {
+namespace {
+
+// Ids and rows are 32 bits wide.
+constexpr std::uint64_t kMostThings = 0xfffffffe;
+
+}  // namespace
+
+bool has_off_magic(std::string_view bytes, const OffKind& kind) {
+  Scanner scanner(bytes.substr(0, 4096));
+  return scanner.next() && scanner.token() == kind.magic;
+}
+
+std::unexpected<Error> OffReader::fail(std::string text) const {
+  return bad_input(std::move(text), name_, scanner_.line(), scanner_.column());
+}
+
+std::string OffReader::warning(std::string text) const {
+  return Error{ErrorCode::bad_input, std::move(text), name_, scanner_.line(), scanner_.column()}.message();
+}
+
+Expected<std::uint64_t> OffReader::read_header() {
+  const std::string magic = in_quotes(kind_.magic);
+  const std::string things(kind_.things);
+  if (!scanner_.next()) return fail("expected " + magic + ", found the end of the file");
+  if (scanner_.token() != kind_.magic) return fail("expected " + magic + ", found " + in_quotes(scanner_.token()));
+
+  if (!scanner_.next()) return fail("expected the number of " + things + ", found the end of the file");
+  const auto count = parse_count(scanner_.token());
+  if (!count || *count > kMostThings) {
+    if (!count && count.error() == NumberFault::not_a_number)
+      return fail("expected the number of " + things + ", found " + in_quotes(scanner_.token()));
+    return fail("more than " + std::to_string(kMostThings) + ' ' + things +
+                " are announced: " + in_quotes(scanner_.token()));
+  }
+  for (int i = 0; i < 2; ++i) {
+    if (!scanner_.next()) return fail("the header must end with two integers, \"0 0\"; found the end of the file");
+    std::string_view digits = scanner_.token();
+    if (digits.starts_with('-')) digits.remove_prefix(1);
+    if (!parse_count(digits))
+      return fail("the header must end with two integers, \"0 0\"; found " + in_quotes(scanner_.token()));
+  }
+  count_ = *count;
+  return count_;
+}
+
+std::size_t OffReader::likely_count() const {
+  // A digit and its white space at least for each number: more than that many things cannot follow.
+  return static_cast<std::size_t>(std::min<std::uint64_t>(count_, bytes_.size() / (2 * kind_.numbers_each) + 1));
+}
+
+Expected<void> OffReader::read_next(std::span<double> numbers) {
+  for (double& number : numbers) {
+    if (!scanner_.next())
+      return fail("the file ends after " + std::to_string(numbers_read_) + " of " +
+                  std::to_string(kind_.numbers_each * count_) + ' ' + std::string(kind_.numbers));
+    const auto value = parse_number(scanner_.token());
+    if (!value) return fail(describe(value.error(), scanner_.token()));
+    number = *value;
+    ++numbers_read_;
+  }
+  return {};
+}
+
+std::vector<std::string> OffReader::finish() {
+  std::vector<std::string> warnings;
+  if (!scanner_.next()) return warnings;
+  warnings.push_back(warning("everything after the " + std::to_string(count_) + " announced " +
+                             std::string(kind_.things) + " is ignored"));
+  while (scanner_.next()) {
+  }
+  return warnings;
+}
+
+}  // namespace mes

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/io/format.h"
+#include "temporary_folder.h"
+
+using namespace mes;
+
+namespace {
+
+Document document_of(const SampleData& data) {
+  Document document;
+  document.apply(replace_all(document, data).value());
+  return document;
+}
+
+void require_round_trip(const std::vector<Disk>& balls) {
+  const auto read = read_sample_bytes(write_wpoff(document_of({.balls = balls})), "test.wpoff");
+  REQUIRE(read.has_value());
+  CHECK(read->format == "wpoff");
+  CHECK(read->warnings.empty());
+  CHECK(read->data.positions.empty());
+  REQUIRE(read->data.balls.size() == balls.size());
+  std::size_t different = 0;
+  const auto compare = [&different](double a, double b) {
+    if (std::bit_cast<std::uint64_t>(a) != std::bit_cast<std::uint64_t>(b)) ++different;
+  };
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    compare(read->data.balls[i].center.x, balls[i].center.x);
+    compare(read->data.balls[i].center.y, balls[i].center.y);
+    compare(read->data.balls[i].radius, balls[i].radius);
+  }
+  CHECK(different == 0);
+}
+
+}  // namespace
+
+TEST_CASE("the extremes of doubles survive as centre and as radius") {
+  using Limits = std::numeric_limits<double>;
+  std::vector<Disk> balls;
+  for (const double value : {Limits::denorm_min(), Limits::min(), 1e-300, 1e300, Limits::max(), 0.1, 1.0 / 3.0,
+                             9007199254740993.0, 1.0 + Limits::epsilon(), 1e22, 1e23})
+    balls.push_back({{value, -value}, value});
+  require_round_trip(balls);
+}
+
+TEST_CASE("balls of random bit patterns survive writing and reading bit for bit") {
+  std::mt19937_64 random(20260102);
+  std::vector<Disk> balls;
+  while (balls.size() < 30000) {
+    const Disk ball{{std::bit_cast<double>(random()), std::bit_cast<double>(random())},
+                    std::abs(std::bit_cast<double>(random()))};
+    if (is_finite(ball) && ball.center.x != 0.0 && ball.center.y != 0.0 && ball.radius != 0.0) balls.push_back(ball);
+  }
+  require_round_trip(balls);
+}
+
+TEST_CASE("the third number is the radius as it stands, and white space is free") {
+  const auto read = read_sample_bytes("# two\r\n\tWPOFF\n2 0\r\n0 1 2\n+3e0 4 5 6 # end\n", "a");
+  REQUIRE(read.has_value());
+  CHECK(read->warnings.empty());
+  CHECK(read->data.balls == std::vector<Disk>{{{1, 2}, 3}, {{4, 5}, 6}});
+  CHECK(write_wpoff(read->data.balls) == "WPOFF 2 0 0\n1 2 3\n4 5 6\n");
+}
+
+TEST_CASE("balls of radius zero are kept, and said once") {
+  const auto one = read_sample_bytes("WPOFF 2 0 0\n1 2 3\n4 5 -0\n", "a.wpoff");
+  REQUIRE(one.has_value());
+  CHECK(one->data.balls.size() == 2);
+  REQUIRE(one->warnings.size() == 1);
+  CHECK_THAT(one->warnings[0], Catch::StartsWith("a.wpoff:3:5: a ball has radius zero"));
+  const auto many = read_sample_bytes("WPOFF 3 0 0\n1 2 0\n4 5 0.0\n4 5 0e7\n", "a.wpoff");
+  REQUIRE(many.has_value());
+  CHECK(many->data.balls.size() == 3);
+  REQUIRE(many->warnings.size() == 1);
+  CHECK_THAT(many->warnings[0], Catch::StartsWith("a.wpoff:2:5: 3 balls have radius zero"));
+}
+
+TEST_CASE("what follows the announced balls is ignored with a remark") {
+  const auto read = read_sample_bytes("WPOFF 1 0 0\n1 2 3\n4 5 6\n", "a.wpoff");
+  REQUIRE(read.has_value());
+  CHECK(read->data.balls.size() == 1);
+  REQUIRE(read->warnings.size() == 1);
+  CHECK_THAT(read->warnings[0], Catch::StartsWith("a.wpoff:3:1: everything after the 1 announced balls"));
+}
+
+TEST_CASE("balls are known by their content, whatever the name, and written in input order") {
+  const auto read = read_sample_bytes("WPOFF 0 0 0", "a.poff");
+  REQUIRE(read.has_value());
+  CHECK(read->format == "wpoff");
+  CHECK(read->data.balls.empty());
+  CHECK(write_wpoff(Document()) == "WPOFF 0 0 0\n");
+
+  Document document = document_of({.balls = {{{1, 1}, 1}, {{2, 2}, 2}}});
+  document.apply(remove_balls(document, std::vector{document.ball_id(0)}).value());
+  document.apply(insert_balls(document, std::vector{Disk{{3, 3}, 3}}).value());
+  CHECK(write_wpoff(document) == "WPOFF 2 0 0\n2 2 2\n3 3 3\n");
+}
+
+TEST_CASE("a file of contours beside a file of balls is none of its business") {
+  const test::TemporaryFolder folder;
+  folder.write("a.contours", "7\n");
+  const auto read = read_sample_file(folder.write("a.wpoff", "WPOFF 1 0 0 1 2 3"));
+  REQUIRE(read.has_value());
+  CHECK(read->warnings.empty());
+}
