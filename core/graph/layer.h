@@ -33,11 +33,12 @@ class Instance {
   void disk(Vec2 c, double r, double scalar = 0.0) { set(PrimitiveKind::disk, {c.x, c.y, r, scalar}); }
   void circle(Vec2 c, double r, double scalar = 0.0) { set(PrimitiveKind::circle, {c.x, c.y, r, scalar}); }
   void segment(Vec2 a, Vec2 b, double scalar = 0.0) { set(PrimitiveKind::segment, {a.x, a.y, b.x, b.y, scalar}); }
+  /// A direction of length zero, as rounding may leave it, makes nothing.
   void ray(Vec2 from, Vec2 towards, double scalar = 0.0) {
-    set(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y, scalar});
+    if (towards != Vec2{}) set(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y, scalar});
   }
   void line(Vec2 through, Vec2 direction, double scalar = 0.0) {
-    set(PrimitiveKind::line, {through.x, through.y, direction.x, direction.y, scalar});
+    if (direction != Vec2{}) set(PrimitiveKind::line, {through.x, through.y, direction.x, direction.y, scalar});
   }
   void triangle(Vec2 a, Vec2 b, Vec2 c, double scalar = 0.0) {
     set(PrimitiveKind::triangle, {a.x, a.y, b.x, b.y, c.x, c.y, scalar});

@@ -43,6 +43,20 @@ Number edge_radius(const BallOf<Number>& a, const BallOf<Number>& b) {
   return pb * pb - Number(4) * dd * a.w;
 }
 
+/// Squared distance of the centres less both weights: negative exactly if the circles meet under an obtuse angle.
+template <class Number>
+Number gap(const BallOf<Number>& a, const BallOf<Number>& b) {
+  const Number bx = b.x - a.x, by = b.y - a.y;
+  return bx * bx + by * by - a.w - b.w;
+}
+
+/// Power of b at the centre of a, less that of a.
+template <class Number>
+Number excess_of_neighbour(const BallOf<Number>& a, const BallOf<Number>& b) {
+  const Number bx = b.x - a.x, by = b.y - a.y;
+  return bx * bx + by * by - b.w + a.w;
+}
+
 /// Power of c at the foot of ab, less the power of a and b there.
 template <class Number>
 Number excess_at_foot(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
@@ -106,6 +120,17 @@ int sign_of_orthogonal_radius(const Ball& a, const Ball& b, const Ball& c) {
 template <class Kernel, class Ball>
 int sign_of_edge_radius(const Ball& a, const Ball& b) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::edge_radius(x...); }, a, b);
+}
+/// One ball lies in the other, given that their circles meet in one point.
+template <class Kernel, class Ball>
+bool touch_from_inside(const Ball& a, const Ball& b) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::gap(x...); }, a, b) < 0;
+}
+/// The centre of a lies outside its own power cell, on the side of b.
+template <class Kernel, class Ball>
+bool loses_center_to(const Ball& a, const Ball& b) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_of_neighbour(x...); }, a, b) <
+         0;
 }
 /// Of the power of c in the middle between the crossings of a and b, less the power of a and b there. Negative: the
 /// edge ab is *attached* to the triangle abc.

@@ -8,12 +8,12 @@
 namespace mes {
 
 PowerDiagram::PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-                           const BallFamily& family)
-    : Structure(id, std::move(inputs)), settings_(settings), family_(family) {}
+                           std::unique_ptr<BallFamily> family)
+    : Structure(id, std::move(inputs)), settings_(settings), family_(std::move(family)) {}
 
 void PowerDiagram::rebuild(JobControl& job) {
   made_with_ = settings_.precision();
-  const ScaledBalls balls = scaled_balls(family_);
+  const ScaledBalls balls = scaled_balls(*family_);
   const PipelineInput input{balls.balls, balls.rows};
   switch (made_with_) {
     case Precision::naive: {
@@ -43,7 +43,7 @@ void PowerDiagram::rebuild(JobControl& job) {
 }
 
 bool PowerDiagram::update(JobControl&) {
-  return made_with_ == settings_.precision() && family_.changes().is_empty();
+  return made_with_ == settings_.precision() && family_->changes().is_empty();
 }
 
 StatList PowerDiagram::statistics() const {
@@ -103,12 +103,13 @@ StatList VDiagram::statistics() const {
 
 APowerDiagram::APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls,
                              MedialAxis& axis)
-    : APowerDiagram(settings, inner_voronoi_balls(delaunay, axis, balls),
-                    {&settings, &delaunay, &labels, &balls, &axis}) {}
+    : PowerDiagram("a-power-diagram", {&settings, &delaunay, &labels, &balls, &axis}, settings,
+                   inner_voronoi_balls(delaunay, axis, balls)) {}
 
-APowerDiagram::APowerDiagram(SettingsSource& settings, std::unique_ptr<BallFamily> family,
-                             std::vector<Structure*> inputs)
-    : PowerDiagram("a-power-diagram", std::move(inputs), settings, *family), own_family_(std::move(family)) {}
+BPowerDiagram::BPowerDiagram(SettingsSource& settings, UserBalls& balls)
+    : PowerDiagram("b-power-diagram", {&settings, &balls}, settings, user_ball_family(balls)) {}
+
+BVDiagram::BVDiagram(BUnion& b_union) : VDiagram("b-v-diagram", {&b_union}, b_union) {}
 
 AVDiagram::AVDiagram(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls, AUnion& a_union)
     : VDiagram("a-v-diagram", {&delaunay, &crust, &labels, &balls, &a_union}, a_union),

@@ -14,7 +14,7 @@ namespace mes {
 class PowerDiagram : public Structure {
  public:
   const std::vector<PowerEdge>& edges() const { return edges_; }
-  const BallFamily& family() const { return family_; }
+  const BallFamily& family() const { return *family_; }
   /// Always empty: every row is new after a rebuild.
   const ChangeSet& changes() const { return changes_; }
 
@@ -27,11 +27,11 @@ class PowerDiagram : public Structure {
 
  protected:
   PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-               const BallFamily& family);
+               std::unique_ptr<BallFamily> family);
 
  private:
   const SettingsSource& settings_;
-  const BallFamily& family_;
+  std::unique_ptr<BallFamily> family_;
   Precision made_with_ = Precision::fast;
   std::vector<PowerEdge> edges_;
   ChangeSet changes_;
@@ -65,10 +65,16 @@ class VDiagram : public Structure {
 class APowerDiagram final : public PowerDiagram {
  public:
   APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls, MedialAxis& axis);
+};
 
- private:
-  APowerDiagram(SettingsSource& settings, std::unique_ptr<BallFamily> family, std::vector<Structure*> inputs);
-  std::unique_ptr<BallFamily> own_family_;
+class BPowerDiagram final : public PowerDiagram {
+ public:
+  BPowerDiagram(SettingsSource& settings, UserBalls& balls);
+};
+
+class BVDiagram final : public VDiagram {
+ public:
+  explicit BVDiagram(BUnion& b_union);
 };
 
 class AVDiagram final : public VDiagram {

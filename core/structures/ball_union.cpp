@@ -98,6 +98,22 @@ class InnerVoronoiBalls final : public BallFamily {
   const InnerBalls& balls_;
 };
 
+/// The balls of the document.
+class OwnBalls final : public BallFamily {
+ public:
+  explicit OwnBalls(const UserBalls& balls) : balls_(balls) {}
+  std::size_t rows() const override { return balls_.row_count(); }
+  bool is_ball(Slot row) const override { return balls_.is_alive(row); }
+  Disk disk(Slot row) const override { return balls_.disk(row); }
+  bool is_from_samples() const override { return false; }
+  std::array<Vec2, 3> corners(Slot) const override { return {}; }
+  std::array<Slot, 3> sites(Slot) const override { return {kNoSlot, kNoSlot, kNoSlot}; }
+  const ChangeSet& changes() const override { return balls_.changes(); }
+
+ private:
+  const UserBalls& balls_;
+};
+
 double angle_of(Vec2 v) {
   return std::atan2(v.y, v.x);
 }
@@ -432,5 +448,12 @@ AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust
     : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,
                 inner_voronoi_balls(delaunay, axis, balls), &certificate,
                 std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
+
+std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls) {
+  return std::make_unique<OwnBalls>(balls);
+}
+
+BUnion::BUnion(SettingsSource& settings, UserBalls& balls)
+    : BallUnion("b-union", {&settings, &balls}, settings, user_ball_family(balls)) {}
 
 }  // namespace mes

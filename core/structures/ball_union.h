@@ -12,6 +12,7 @@
 #include "core/structures/internal/union_runs.h"
 #include "core/structures/internal/union_tables.h"
 #include "core/structures/settings_source.h"
+#include "core/structures/user_balls.h"
 
 namespace mes {
 
@@ -103,5 +104,12 @@ class AUnion final : public BallUnion {
   AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
          MedialAxis& axis, AxisCertificate& certificate);
 };
+
+/// The user's balls. Rows: the document's ball slots.
+class BUnion final : public BallUnion {
+ public:
+  BUnion(SettingsSource& settings, UserBalls& balls);
+};
+std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls);
 
 }  // namespace mes

@@ -12,7 +12,7 @@ Layer make_union_inner_disks_layer(const UnionFamily& family) {
        .tooltip = "Disks whose union is analysed",
        .in_paper = true,
        .scalar = "radius",
-       .style = {.color = palette::orange, .opacity = 0.2},
+       .style = {.color = palette::orange, .opacity = 0.2, .flat = true},
        .kinds = {PrimitiveKind::disk}},
       table_part(
           {PrimitiveKind::disk}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,

@@ -39,12 +39,18 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
   const RegularTables rt = regular_triangulation<Kernel>(balls, job);
   std::vector<Vec2> center(rt.faces.size());
   std::vector<bool> is_finite(rt.faces.size(), false);
+  const auto comes_before = [&input](Slot a, Slot b) {
+    return lexicographically_less(input.balls[a].disk.center, input.balls[b].disk.center);
+  };
   for (Slot f = 0; f < rt.faces.size(); ++f) {
     const auto& v = rt.faces[f].v;
     is_finite[f] = v[0] != kInfiniteBall && v[1] != kInfiniteBall && v[2] != kInfiniteBall;
     if (!is_finite[f]) continue;
     const auto sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
-    center[f] = sample ? *sample : power_center(balls[v[0]], balls[v[1]], balls[v[2]]);
+    // Rounding must not depend on the order in which the balls came.
+    std::array<Slot, 3> order{v[0], v[1], v[2]};
+    std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
+    center[f] = sample ? *sample : power_center(balls[order[0]], balls[order[1]], balls[order[2]]);
   }
   std::vector<PowerEdge> out;
   out.reserve(rt.edges.size());
@@ -63,11 +69,14 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
       row.from = center[edge.f[left ? 0 : 1]];
       row.to = left ? -perpendicular(along) : perpendicular(along);
     } else {
-      const double dd = dot(along, along);
-      const double t = 0.5 * (1.0 + (a.disk.radius * a.disk.radius - b.disk.radius * b.disk.radius) / dd);
+      const bool in_order = comes_before(edge.v[0], edge.v[1]);
+      const Disk& from = in_order ? a.disk : b.disk;
+      const Disk& to = in_order ? b.disk : a.disk;
+      const Vec2 way = to.center - from.center;
+      const double t = 0.5 * (1.0 + (from.radius * from.radius - to.radius * to.radius) / dot(way, way));
       row.kind = PowerEdge::Kind::line;
-      row.from = a.disk.center + t * along;
-      row.to = perpendicular(along);
+      row.from = from.center + t * way;
+      row.to = perpendicular(way);
     }
     out.push_back(row);
   }

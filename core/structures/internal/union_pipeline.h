@@ -252,7 +252,9 @@ void UnionPipeline<Balls, Points>::classify() {
           if (c != edge.v[0] && c != edge.v[1])
             attached = attached || sign_of_excess_at_foot<Balls>(a, b, ball_[c]) < 0;
       }
-      if (attached || sign_of_edge_radius<Balls>(a, b) > 0) continue;
+      if (attached) continue;
+      const int sign = sign_of_edge_radius<Balls>(a, b);
+      if (sign > 0 || (sign == 0 && touch_from_inside<Balls>(a, b))) continue;
     }
     dual_of_edge_[e] = static_cast<Slot>(t_.dual_edges.size());
     t_.dual_edges.push_back({{input_[edge.v[0]].row, input_[edge.v[1]].row}, static_cast<DualClass>(triangles), 0});
@@ -575,14 +577,22 @@ void UnionPipeline<Balls, Points>::gather_events() {
     for (Slot e = 0; e < rt_.edges.size(); ++e)
       for (const Slot ball : rt_.edges[e].v) line_edges_[ball].push_back(e);
   std::vector<bool> has_edge(input_.size(), false);
-  for (Slot e = 0; e < rt_.edges.size(); ++e)
-    if (dual_of_edge_[e] != kNoSlot) has_edge[rt_.edges[e].v[0]] = has_edge[rt_.edges[e].v[1]] = true;
+  for (const auto& edge : rt_.edges)
+    if (dual_of_edge_[static_cast<std::size_t>(&edge - rt_.edges.data())] != kNoSlot)
+      has_edge[edge.v[0]] = has_edge[edge.v[1]] = true;
+  std::vector<bool> is_covered(input_.size(), false);
+  for (const auto& edge : rt_.edges)
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!has_edge[edge.v[i]] && loses_center_to<Balls>(ball_[edge.v[i]], ball_[edge.v[1 - i]]))
+        is_covered[edge.v[i]] = true;
   for (Slot ball = 0; ball < input_.size(); ++ball) {
     if ((ball & 0x3fU) == 0) job_.checkpoint(2 * input_.size() + ball, 4 * input_.size());
     if (rt_.state[ball] != BallState::visible) continue;
     const Slot row = input_[ball].row;
     if (!has_edge[ball]) {
-      t_.balls[row] = BallState::isolated;
+      // Its cell may lie outside of the ball, which is then part of another one.
+      t_.balls[row] = is_covered[ball] ? BallState::hidden : BallState::isolated;
+      if (is_covered[ball]) continue;
       t_.arcs.push_back({row, {}, {}, 1});
       continue;
     }
