@@ -42,9 +42,10 @@ struct RegularTables {
 };
 
 /// O(n log n) typical. Decisions are those of the kernel: exact for `FastKernel` (on the doubles it is given) and for
-/// the exact kernels.
+/// the exact kernels. Balls that are left out count as hidden.
 template <class Kernel>
-RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT>>& balls, JobControl& job) {
+RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT>>& balls, JobControl& job,
+                                    const std::vector<bool>& left_out = {}) {
   struct Info {
     Slot slot = kNoSlot;
   };
@@ -76,6 +77,11 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
   std::size_t done = 0;
   for (const KeyedSlot& item : order) {
     if ((++done & 0x3fU) == 0) job.checkpoint(done, 4 * balls.size());
+    if (!left_out.empty() && left_out[item.slot]) {
+      out.state[item.slot] = BallState::hidden;
+      out.same_as[item.slot] = item.slot;
+      continue;
+    }
     const BallOf<typename Kernel::FT>& ball = balls[item.slot];
     const auto vertex =
         rt.insert(typename Kernel::Weighted_point_2(typename Kernel::Point_2(ball.x, ball.y), ball.w), hint);

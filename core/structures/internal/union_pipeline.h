@@ -133,6 +133,7 @@ class UnionPipeline {
   }
 
   void triangulate();
+  void leave_out_covered();
   void classify();
   void group_zero_faces();
   void make_v_points();
@@ -191,6 +192,7 @@ void UnionPipeline<Balls, Points>::triangulate() {
     ball_in_points_.push_back(ball_in<PointNumber>(ball));
   }
   rt_ = regular_triangulation<Balls>(ball_, job_);
+  leave_out_covered();
   for (Slot i = 0; i < input_.size(); ++i) t_.balls[input_[i].row] = rt_.state[i];
   t_.counts.triangulation_edges = static_cast<std::int64_t>(rt_.edges.size());
   t_.counts.triangulation_faces = 0;
@@ -207,6 +209,27 @@ void UnionPipeline<Balls, Points>::triangulate() {
       for (std::size_t i = 0; i < 3; ++i)
         if (rt_.faces[f].v[i] != rt_.edges[e].v[0] && rt_.faces[f].v[i] != rt_.edges[e].v[1]) face_edge_[f][i] = e;
     }
+  }
+}
+
+// A ball in another one that it touches from inside has a power cell and a dual edge, but no part in the union:
+// without it the tables are those of a set in which no such thing happens. Circumdisks of Delaunay triangles never
+// hold each other.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::leave_out_covered() {
+  std::vector<bool> left_out;
+  for (bool found = true; found;) {
+    found = false;
+    for (const auto& edge : rt_.edges) {
+      const Slot a = edge.v[0];
+      const Slot b = edge.v[1];
+      if (input_[a].is_from_samples || sign_of_edge_radius<Balls>(ball_[a], ball_[b]) != 0) continue;
+      if (!touch_from_inside<Balls>(ball_[a], ball_[b])) continue;
+      left_out.resize(input_.size(), false);
+      left_out[ball_[a].w < ball_[b].w ? a : b] = true;
+      found = true;
+    }
+    if (found) rt_ = regular_triangulation<Balls>(ball_, job_, left_out);
   }
 }
 
@@ -252,9 +275,7 @@ void UnionPipeline<Balls, Points>::classify() {
           if (c != edge.v[0] && c != edge.v[1])
             attached = attached || sign_of_excess_at_foot<Balls>(a, b, ball_[c]) < 0;
       }
-      if (attached) continue;
-      const int sign = sign_of_edge_radius<Balls>(a, b);
-      if (sign > 0 || (sign == 0 && touch_from_inside<Balls>(a, b))) continue;
+      if (attached || sign_of_edge_radius<Balls>(a, b) > 0) continue;
     }
     dual_of_edge_[e] = static_cast<Slot>(t_.dual_edges.size());
     t_.dual_edges.push_back({{input_[edge.v[0]].row, input_[edge.v[1]].row}, static_cast<DualClass>(triangles), 0});
