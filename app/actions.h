@@ -37,6 +37,7 @@ enum class ActionId : std::uint8_t {
   tool_select,
   tool_insert,
   tool_spray,
+  tool_ball,
   zoom_in,
   zoom_out,
   fit,

@@ -33,35 +33,63 @@ Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, cons
   return slots;
 }
 
-Expected<void> Editor::move(std::span<const std::pair<SampleId, Vec2>> targets, const std::string& name) {
-  auto delta = move_samples(document_, targets);
+Expected<std::vector<Slot>> Editor::insert_balls(std::span<const Disk> disks, const std::string& name) {
+  auto delta = mes::insert_balls(document_, disks);
+  if (!delta) return std::unexpected(delta.error());
+  std::vector<Slot> slots;
+  slots.reserve(delta->ball_edits.size());
+  for (const BallEdit& edit : delta->ball_edits) slots.push_back(edit.slot);
+  if (!delta->is_empty()) apply(*delta);
+  history_.record(*delta, name);
+  return slots;
+}
+
+Expected<void> Editor::perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues) {
   if (!delta) return std::unexpected(delta.error());
   if (delta->is_empty()) return {};
   apply(*delta);
-  history_.record(*delta, name);
+  if (!continues || !history_.extend(*delta, name)) history_.record(*delta, name);
   return {};
 }
 
-Expected<void> Editor::remove(std::span<const SampleId> ids, const std::string& name) {
-  auto delta = remove_samples(document_, ids);
-  if (!delta) return std::unexpected(delta.error());
-  if (delta->is_empty()) return {};
-  apply(*delta);
-  history_.record(*delta, name);
-  return {};
+Expected<void> Editor::move(std::span<const std::pair<SampleId, Vec2>> samples,
+                            std::span<const std::pair<BallId, Disk>> balls, const std::string& name) {
+  return perform(together(move_samples(document_, samples), change_balls(document_, balls)), name);
+}
+
+Expected<void> Editor::remove(std::span<const SampleId> samples, std::span<const BallId> balls,
+                              const std::string& name) {
+  return perform(together(remove_samples(document_, samples), remove_balls(document_, balls)), name);
 }
 
 Expected<void> Editor::remove_selection() {
-  std::vector<SampleId> ids;
-  for (const Slot slot : selection_.slots()) ids.push_back(document_.id(slot));
-  return remove(ids, ids.size() == 1 ? "Delete sample" : "Delete samples");
+  std::vector<SampleId> samples;
+  for (const Slot slot : selection_.slots()) samples.push_back(document_.id(slot));
+  std::vector<BallId> balls;
+  for (const Slot slot : selection_.ball_slots()) balls.push_back(document_.ball_id(slot));
+  return remove(samples, balls, "Delete " + noun_of(selection_));
 }
 
 Expected<void> Editor::nudge_selection(Vec2 offset) {
-  std::vector<std::pair<SampleId, Vec2>> targets;
+  std::vector<std::pair<SampleId, Vec2>> samples;
   for (const Slot slot : selection_.slots())
-    targets.emplace_back(document_.id(slot), document_.position(slot) + offset);
-  return move(targets, "Nudge");
+    samples.emplace_back(document_.id(slot), document_.position(slot) + offset);
+  std::vector<std::pair<BallId, Disk>> balls;
+  for (const Slot slot : selection_.ball_slots()) {
+    const Disk& disk = document_.disk(slot);
+    balls.emplace_back(document_.ball_id(slot), Disk{disk.center + offset, disk.radius});
+  }
+  return move(samples, balls, "Nudge");
+}
+
+Expected<void> Editor::scale_selected_balls(double factor, double least, bool continues) {
+  std::vector<std::pair<BallId, Disk>> balls;
+  for (const Slot slot : selection_.ball_slots()) {
+    const Disk& disk = document_.disk(slot);
+    const double radius = disk.radius == 0.0 && factor > 1.0 ? least : disk.radius;
+    balls.emplace_back(document_.ball_id(slot), Disk{disk.center, radius * factor});
+  }
+  return perform(change_balls(document_, balls), balls.size() == 1 ? "Change radius" : "Change radii", continues);
 }
 
 void Editor::cancel_gesture() {

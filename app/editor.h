@@ -45,11 +45,21 @@ class Editor {
   Expected<void> load(const SampleData& data);
   /// Rows of the new samples.
   Expected<std::vector<Slot>> insert(std::span<const Vec2> positions, const std::string& name);
-  Expected<void> move(std::span<const std::pair<SampleId, Vec2>> targets, const std::string& name);
-  Expected<void> remove(std::span<const SampleId> ids, const std::string& name);
+  Expected<std::vector<Slot>> insert_balls(std::span<const Disk> disks, const std::string& name);
+  /// Samples and balls that go together are one change.
+  Expected<void> move(std::span<const std::pair<SampleId, Vec2>> targets, const std::string& name) {
+    return move(targets, {}, name);
+  }
+  Expected<void> move(std::span<const std::pair<SampleId, Vec2>> samples,
+                      std::span<const std::pair<BallId, Disk>> balls, const std::string& name);
+  Expected<void> remove(std::span<const SampleId> ids, const std::string& name) { return remove(ids, {}, name); }
+  Expected<void> remove(std::span<const SampleId> samples, std::span<const BallId> balls, const std::string& name);
   Expected<void> remove_selection();
-  /// Shifts the selected samples. Repeated nudges within a gesture are one step.
+  /// Shifts what is selected. Repeated nudges within a gesture are one step.
   Expected<void> nudge_selection(Vec2 offset);
+  /// Multiplies the radii of the selected balls; those of zero grow from `least`. With `continues`, it is the same
+  /// step as the call before if nothing else happened since.
+  Expected<void> scale_selected_balls(double factor, double least, bool continues);
 
   void begin_gesture(std::string name) { history_.begin_gesture(std::move(name)); }
   void end_gesture() { history_.end_gesture(); }
@@ -69,6 +79,7 @@ class Editor {
 
  private:
   void apply(const DocumentDelta& delta);
+  Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
 
   Document document_;
   History history_;

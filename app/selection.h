@@ -1,40 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which samples are selected.
+// Which samples and which balls are selected.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/document/document.h"
 
 namespace mes {
 
-/// What it guarantees: only live samples are selected; a removed sample leaves the selection, and comes back
+/// What it guarantees: only live samples and balls are selected; what is removed leaves the selection, and comes back
 /// unselected when the removal is undone. Cost: O(1) a change, O(rows) for the whole-set operations.
 /// Threads: none; it follows the document of the window's thread.
 class Selection {
  public:
-  bool contains(Slot slot) const { return slot < mask_.size() && mask_[slot] != 0; }
-  std::size_t size() const { return count_; }
-  bool is_empty() const { return count_ == 0; }
+  /// Samples and balls together.
+  std::size_t size() const { return samples_.count + balls_.count; }
+  bool is_empty() const { return size() == 0; }
   /// Grows with every change; equal numbers mean an equal selection.
   std::uint64_t revision() const { return revision_; }
 
-  void add(Slot slot);
-  void remove(Slot slot);
+  /// Samples, by row.
+  bool contains(Slot slot) const { return samples_.contains(slot); }
+  void add(Slot slot) { note(samples_.add(slot)); }
+  void remove(Slot slot) { note(samples_.remove(slot)); }
+  std::size_t sample_count() const { return samples_.count; }
+  /// Increasing. O(rows).
+  std::vector<Slot> slots() const { return samples_.slots(); }
+
+  /// Balls, by row.
+  bool contains_ball(Slot slot) const { return balls_.contains(slot); }
+  void add_ball(Slot slot) { note(balls_.add(slot)); }
+  void remove_ball(Slot slot) { note(balls_.remove(slot)); }
+  std::size_t ball_count() const { return balls_.count; }
+  std::vector<Slot> ball_slots() const { return balls_.slots(); }
+
   void clear();
   void select_all(const Document& document);
   void invert(const Document& document);
-  /// Selected rows, increasing. O(rows).
-  std::vector<Slot> slots() const;
 
   /// To be called after `document.apply(delta)`.
   void follow(const DocumentDelta& delta);
 
  private:
-  std::vector<std::uint8_t> mask_;
-  std::size_t count_ = 0;
+  struct Mask {
+    std::vector<std::uint8_t> bits;
+    std::size_t count = 0;
+
+    bool contains(Slot slot) const { return slot < bits.size() && bits[slot] != 0; }
+    bool add(Slot slot);
+    bool remove(Slot slot);
+    void clear();
+    std::vector<Slot> slots() const;
+  };
+  void note(bool changed) { revision_ += changed ? 1U : 0U; }
+
+  Mask samples_;
+  Mask balls_;
   std::uint64_t revision_ = 0;
 };
+
+/// "1 sample", "3 balls", "12 samples and 1 ball"; "nothing" when both are zero.
+std::string counted(std::size_t samples, std::size_t balls);
+
+/// What is selected, for the name of a step: "sample", "samples", "ball", "samples and balls", ...
+std::string noun_of(const Selection& selection);
 
 }  // namespace mes

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/tools/ball_tool.h"
 #include "app/tools/insert_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/spray_tool.h"
@@ -16,7 +17,7 @@ constexpr double kZoomPerStep = 1.2;
 
 Canvas::Canvas(ToolContext& context)
     : tools_{std::make_unique<SelectTool>(context), std::make_unique<InsertTool>(context),
-             std::make_unique<SprayTool>(context)} {}
+             std::make_unique<SprayTool>(context), std::make_unique<BallTool>(context)} {}
 
 Pointer Canvas::pointer(Vec2 px, Modifiers modifiers) const {
   return {(1.0 / content_scale_) * px, view_.camera().to_world(px), content_scale_ * view_.camera().units_per_pixel(),
@@ -59,6 +60,7 @@ void Canvas::release(PointerButton button, Vec2 px, Modifiers modifiers) {
 }
 
 void Canvas::wheel(Vec2 px, double steps) {
+  if (!panning_ && tool().wheel(pointer(px, modifiers_), steps)) return;
   view_.zoom_at(px, std::pow(kZoomPerStep, steps));
 }
 

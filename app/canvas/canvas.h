@@ -11,8 +11,8 @@
 namespace mes {
 
 enum class PointerButton : std::uint8_t { left, middle, right };
-enum class ToolId : std::uint8_t { select, insert, spray };
-inline constexpr std::size_t kToolCount = 3;
+enum class ToolId : std::uint8_t { select, insert, spray, ball };
+inline constexpr std::size_t kToolCount = 4;
 
 /// What it guarantees: from press to release one gesture has the pointer, whatever else is pressed meanwhile; the
 /// view may move under a tool's gesture, which then follows the pointer. Positions are framebuffer pixels. It knows
@@ -30,7 +30,7 @@ class Canvas {
   void press(PointerButton button, Vec2 px, Modifiers modifiers);
   void move(Vec2 px, Modifiers modifiers);
   void release(PointerButton button, Vec2 px, Modifiers modifiers);
-  /// `steps` of the wheel, positive away from the user.
+  /// `steps` of the wheel, positive away from the user. Zooms, unless the tool takes it.
   void wheel(Vec2 px, double steps);
   void leave();
   void set_space_held(bool held);

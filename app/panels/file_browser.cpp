@@ -66,6 +66,7 @@ void FileBrowser::ask_open(const fs::path& folder) {
 void FileBrowser::ask_save(const fs::path& folder, const std::string& name) {
   is_saving_ = true;
   name_ = name;
+  extension_ = fs::path(name).extension().string();
   ask(folder);
 }
 
@@ -110,7 +111,7 @@ std::optional<fs::path> FileBrowser::accept() {
     trouble_ = "There is no file " + chosen.string();
     return std::nullopt;
   }
-  if (chosen.extension().empty()) chosen += ".poff";
+  if (chosen.extension().empty()) chosen += extension_;
   if (!fs::is_directory(chosen.parent_path(), error)) {
     trouble_ = "There is no folder " + chosen.parent_path().string();
     return std::nullopt;

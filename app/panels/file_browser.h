@@ -12,7 +12,7 @@
 namespace mes {
 
 /// What it guarantees: it reads a folder once, when it is entered; a folder that cannot be read is told, not left
-/// silently empty; saving over a file asks first, and a name without extension gets `.poff`.
+/// silently empty; saving over a file asks first, and a name without extension gets that of the name proposed.
 ///
 /// Smallest use:
 ///     browser.ask_open(folder);
@@ -49,6 +49,7 @@ class FileBrowser {
   bool accepted_ = false;
   std::filesystem::path folder_;
   std::string name_;
+  std::string extension_;  // of the name proposed
   std::string trouble_;
   std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for a yes

@@ -70,6 +70,11 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.dot(16.6F, 10.6F, 1.9F);
       pen.dot(19.6F, 6.6F, 1.9F);
       break;
+    case Icon::ball:
+      pen.ring(12, 12, 8.5F);
+      pen.dot(12, 12, 1.9F);
+      pen.line(12, 12, 18, 6);
+      break;
     case Icon::fit:
       for (const float sx : {0.0F, 1.0F}) {
         for (const float sy : {0.0F, 1.0F}) {

@@ -12,6 +12,7 @@ enum class Icon : std::uint8_t {
   select,
   insert,
   spray,
+  ball,
   fit,
   undo,
   redo,

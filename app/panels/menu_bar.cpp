@@ -101,7 +101,8 @@ float draw_menu_bar(const PanelContext& context) {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Tools")) {
-    for (const ActionId id : {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray})
+    for (const ActionId id :
+         {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray, ActionId::tool_ball})
       action_item(context, id);
     ImGui::Separator();
     if (ImGui::BeginMenu("Number type")) {

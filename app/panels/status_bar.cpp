@@ -38,10 +38,20 @@ std::string grouped(std::size_t number) {
   return out;
 }
 
-std::string counts(const Editor& editor) {
-  const std::size_t n = editor.document().sample_count();
-  std::string out = grouped(n) + (n == 1 ? " sample" : " samples");
-  if (!editor.selection().is_empty()) out += ", " + grouped(editor.selection().size()) + " selected";
+std::string counts(const Editor& editor, double units_per_px) {
+  const Document& document = editor.document();
+  const auto some = [](std::size_t n, const char* noun) { return grouped(n) + ' ' + noun + (n == 1 ? "" : "s"); };
+  std::string out = some(document.sample_count(), "sample");
+  if (document.ball_count() != 0) {
+    const std::string balls = some(document.ball_count(), "ball");
+    out = document.sample_count() == 0 ? balls : out + ", " + balls;
+  }
+  const Selection& selection = editor.selection();
+  if (!selection.is_empty()) out += ", " + grouped(selection.size()) + " selected";
+  // Of one ball its radius is what one wants to know while it is being changed.
+  Slot ball = kNoSlot;
+  if (selection.size() == 1 && selection.ball_count() == 1) ball = selection.ball_slots().front();
+  if (ball != kNoSlot) out += ", radius " + coordinate(document.disk(ball).radius, units_per_px);
   return out;
 }
 
@@ -113,7 +123,7 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   if (begin_panel("##status", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     const std::string right_text = coordinates(context.canvas);
-    const std::string count_text = counts(context.editor);
+    const std::string count_text = counts(context.editor, context.canvas.view().camera().units_per_pixel());
     const float right_width = 190 * unit;
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;

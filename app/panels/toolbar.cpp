@@ -29,6 +29,7 @@ float draw_toolbar(const PanelContext& context, ImVec2 at) {
   action_button(context, ActionId::tool_select, Icon::select, size);
   action_button(context, ActionId::tool_insert, Icon::insert, size);
   action_button(context, ActionId::tool_spray, Icon::spray, size);
+  action_button(context, ActionId::tool_ball, Icon::ball, size);
   const auto gap = [&] {
     ImGui::Dummy({0, 2 * unit});
     ImGui::Separator();

@@ -30,6 +30,8 @@ struct ToolContext {
 /// What the canvas shows of a tool besides the drawing.
 struct ToolFeedback {
   Slot hovered = kNoSlot;         ///< the sample a press would take
+  Slot hovered_ball = kNoSlot;    ///< the ball it would take; never both
+  std::optional<Disk> ball;       ///< a ball being drawn
   std::optional<Box2> box_px;     ///< the selection box being drawn
   std::optional<Vec2> marker_px;  ///< where a press would put a sample
   double ring_px = 0.0;           ///< radius of a circle around the marker; 0 = none
@@ -53,6 +55,8 @@ class Tool {
   virtual void cancel() = 0;
   virtual bool is_active() const = 0;
 
+  /// The wheel was turned, positive away from the user; false when the tool has no use for it and the view zooms.
+  virtual bool wheel(const Pointer& /*pointer*/, double /*steps*/) { return false; }
   /// The pointer moved with no button down.
   virtual void hover(const Pointer& pointer) = 0;
   /// The pointer left the canvas.

@@ -2,6 +2,7 @@
 #include "app/window/app.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/panels/help.h"
 #include "app/panels/menu_bar.h"
@@ -15,7 +16,8 @@ namespace {
 
 constexpr int kSettlingFrames = 2;
 constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
-constexpr double kLongestStep = 0.05;       // seconds; after a sleep a motion goes on from where it was
+constexpr double kLargestCirclePx = 10'000.0;
+constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
 
 }  // namespace
 
@@ -90,6 +92,18 @@ void App::follow_demand() {
   picture_.forget_hidden(layers_);
 }
 
+// Whoever makes a first ball wants to see it, even after hiding the layers of a document that had none.
+void App::show_first_ball() {
+  const bool has_balls = editor_.document().ball_count() != 0;
+  if (has_balls == std::exchange(had_balls_, has_balls) || !has_balls) return;
+  std::vector<LayerIndex> layers;
+  for (const std::string_view id : {"b-inner-disks", "b-inner-circles", "b-inner-centers"})
+    layers.push_back(find_layer(id));
+  if (layers_.soloed() != kNoSlot) return;
+  if (std::ranges::any_of(layers, [this](LayerIndex layer) { return layers_.is_visible(layer); })) return;
+  for (const LayerIndex layer : layers) layers_.set_visible(layer, true);
+}
+
 void App::update_title() {
   window_->set_title((editor_.is_modified() ? "* " : "") + files_.title() + " - Mesecina");
 }
@@ -104,6 +118,7 @@ void App::frame() {
   canvas_.set_content_scale(static_cast<double>(gui_.unit()) * window_->pixel_ratio());
   canvas_.view().set_viewport(size.width, size.height);
   draw_panels();
+  show_first_ball();
   follow_demand();
   engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.show_statistics && show_panels_);
@@ -172,6 +187,26 @@ void App::draw_pointer_marks() {
     const Vec2 px =
         (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(editor_.document().position(hovered));
     list.AddCircle(at(px), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+  }
+  const auto to_px = [this](Vec2 world) {
+    return (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(world);
+  };
+  const auto circle = [&](const Disk& disk, ImU32 color, float width) {
+    const double radius = disk.radius / (canvas_.content_scale() * canvas_.view().camera().units_per_pixel());
+    // ImGui draws circles as polygons of corners all around; a far too large one is left to its layer.
+    if (radius < kLargestCirclePx)
+      list.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit, color, 0, width);
+  };
+  if (editor_.document().is_ball_alive(feedback.hovered_ball)) {
+    const Disk& disk = editor_.document().disk(feedback.hovered_ball);
+    circle(disk, theme::kAccent, 2.0F * unit);
+    list.AddCircle(at(to_px(disk.center)), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+  }
+  if (feedback.ball) {
+    circle(*feedback.ball, theme::kAccent, 1.5F * unit);
+    list.AddCircleFilled(at(to_px(feedback.ball->center)), 3.0F * unit, theme::kAccent);
+    if (feedback.marker_px)
+      list.AddLine(at(to_px(feedback.ball->center)), at(*feedback.marker_px), theme::kAccent, unit);
   }
   if (feedback.box_px) {
     list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccentSoft);

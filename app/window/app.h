@@ -77,7 +77,8 @@ class App final : private WindowListener {
   void open_shape(const SampleShape& shape);
   void save();
   void ask_save_as();
-  bool save_as(const std::filesystem::path& file);
+  void save_as(const std::filesystem::path& file);
+  void say_saved(const std::filesystem::path& file);
   void take_read_file();
   void draw_dialogs();
   void remember_settings();
@@ -88,6 +89,7 @@ class App final : private WindowListener {
   void draw_panels();
   void draw_pointer_marks();
   void follow_demand();
+  void show_first_ball();
   void update_title();
   double next_wait() const;
   PanelContext panel_context();
@@ -121,6 +123,7 @@ class App final : private WindowListener {
   int frames_wanted_ = 3;  // the panels need a few frames to settle after an event
   double last_frame_ = 0.0;
   std::uint64_t demand_seen_ = 0;
+  bool had_balls_ = false;
   struct Event {
     bool is_move = false;
     std::function<void()> run;

@@ -31,7 +31,7 @@ void App::bind_file_actions() {
 }
 
 void App::bind_edit_actions() {
-  const auto has_samples = [this] { return editor_.document().sample_count() > 0; };
+  const auto has_something = [this] { return !editor_.document().is_empty(); };
   const auto has_selection = [this] { return !editor_.selection().is_empty(); };
   const auto by_hand = [this](auto change) {
     return [this, change] {
@@ -50,21 +50,21 @@ void App::bind_edit_actions() {
                                  }),
                                  [this] { return editor_.can_redo(); }});
   actions_.bind(ActionId::select_all,
-                {by_hand([this] { editor_.selection().select_all(editor_.document()); }), has_samples});
+                {by_hand([this] { editor_.selection().select_all(editor_.document()); }), has_something});
   actions_.bind(ActionId::invert_selection,
-                {by_hand([this] { editor_.selection().invert(editor_.document()); }), has_samples});
+                {by_hand([this] { editor_.selection().invert(editor_.document()); }), has_something});
   actions_.bind(ActionId::deselect, {by_hand([this] {
                   if (!canvas_.cancel_gesture()) editor_.selection().clear();
                 })});
-  actions_.bind(ActionId::delete_selection,
-                {by_hand([this] {
-                   const std::size_t count = editor_.selection().size();
-                   if (auto done = editor_.remove_selection(); !done)
-                     report(done.error());
-                   else
-                     messages_.remark("Deleted " + std::to_string(count) + (count == 1 ? " sample" : " samples"));
-                 }),
-                 has_selection});
+  actions_.bind(ActionId::delete_selection, {by_hand([this] {
+                                               const std::string what = counted(editor_.selection().sample_count(),
+                                                                                editor_.selection().ball_count());
+                                               if (auto done = editor_.remove_selection(); !done)
+                                                 report(done.error());
+                                               else
+                                                 messages_.remark("Deleted " + what);
+                                             }),
+                                             has_selection});
   const auto bind_nudge = [&](ActionId id, double x, double y) {
     actions_.bind(id, {[this, x, y] { nudge(x, y); }, has_selection});
   };
@@ -83,6 +83,7 @@ void App::bind_edit_actions() {
   bind_tool(ActionId::tool_select, ToolId::select);
   bind_tool(ActionId::tool_insert, ToolId::insert);
   bind_tool(ActionId::tool_spray, ToolId::spray);
+  bind_tool(ActionId::tool_ball, ToolId::ball);
 }
 
 void App::bind_view_actions() {
@@ -93,6 +94,8 @@ void App::bind_view_actions() {
                                             Box2 box;
                                             for (const Slot slot : editor_.selection().slots())
                                               box.add(editor_.document().position(slot));
+                                            for (const Slot slot : editor_.selection().ball_slots())
+                                              box.add(bounding_box_of(editor_.document().disk(slot)));
                                             canvas_.view().fit(box, kFitMargin * canvas_.content_scale());
                                           },
                                           [this] { return !editor_.selection().is_empty(); }});

@@ -2,6 +2,7 @@
 // Opening and saving, and the questions that go with it.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/window/app.h"
 
@@ -60,29 +61,58 @@ void App::take_read_file() {
   }
 }
 
+// Whatever waits for the save goes on once everything is in a file; what has none is asked a name for then.
 void App::save() {
-  if (files_.file().empty())
+  if (files_.file().empty()) {
     ask_save_as();
-  else
-    save_as(files_.file());
+    return;
+  }
+  if (const auto saved = files_.save(); !saved) {
+    report(saved.error());
+    after_save_ = {};
+    return;
+  }
+  say_saved(files_.file());
+}
+
+void App::save_as(const fs::path& file) {
+  if (const auto saved = files_.save_as(file); !saved) {
+    report(saved.error());
+    after_save_ = {};
+    return;
+  }
+  remember_file(settings_, file);
+  say_saved(file);
+}
+
+void App::say_saved(const fs::path& file) {
+  messages_.clear_problem();
+  messages_.remark("Saved " + file.string());
+  const FileDesk::Unsaved rest = files_.unsaved();
+  if (!rest.samples && !rest.balls) {
+    if (const auto then = std::exchange(after_save_, {})) then();
+    return;
+  }
+  const Document& document = editor_.document();
+  const std::string what =
+      counted(rest.samples ? document.sample_count() : 0, rest.balls ? document.ball_count() : 0);
+  if (after_save_) {
+    ask_save_as();
+    return;
+  }
+  const bool is_one = (rest.balls ? document.ball_count() : document.sample_count()) == 1;
+  messages_.problem("Saved " + file.filename().string() + " without the " + what +
+                    (is_one ? ", which goes" : ", which go") + " to a file of " + (is_one ? "its" : "their") +
+                    " own: \"Save as...\" with a name that ends in " + (rest.balls ? ".wpoff" : ".poff"));
 }
 
 void App::ask_save_as() {
   std::string name = fs::path(files_.title()).stem().string();
   std::ranges::replace(name, '/', '-');
-  browser_.ask_save(browse_folder(), name + ".poff");
-}
-
-bool App::save_as(const fs::path& file) {
-  const auto saved = files_.save_as(file);
-  if (!saved) {
-    report(saved.error());
-    return false;
-  }
-  remember_file(settings_, file);
-  messages_.clear_problem();
-  messages_.remark("Saved " + file.string());
-  return true;
+  const FileDesk::Unsaved rest = files_.unsaved();
+  const bool balls_only = editor_.document().sample_count() == 0 && editor_.document().ball_count() != 0;
+  const bool wants_balls = rest.balls && !rest.samples;
+  browser_.ask_save(browse_folder(), name + (wants_balls || balls_only ? ".wpoff" : ".poff"));
 }
 
 fs::path App::browse_folder() const {
@@ -101,11 +131,7 @@ void App::draw_dialogs() {
       break;
     case AskUnsaved::Answer::save:
       after_save_ = ask_unsaved_.take_then();
-      if (files_.file().empty()) {
-        ask_save_as();
-      } else if (const auto then = std::move(after_save_); save_as(files_.file()) && then) {
-        then();
-      }
+      save();
       break;
   }
   const bool was_saving = browser_.is_saving();
@@ -113,8 +139,8 @@ void App::draw_dialogs() {
     settings_.last_folder = chosen->parent_path().string();
     if (!was_saving) {
       files_.open(*chosen);
-    } else if (const auto then = std::move(after_save_); save_as(*chosen) && then) {
-      then();
+    } else {
+      save_as(*chosen);
     }
   }
   if (!browser_.is_open()) after_save_ = {};

@@ -19,7 +19,9 @@ namespace mes {
 /// What it guarantees:
 ///  1. Reading happens on a thread of its own; until it ends well the document stays as it is, and a file that cannot
 ///     be read leaves it so for good.
-///  2. Saving is atomic, and writes POFF whatever was read.
+///  2. Saving is atomic, and writes POFF or WPOFF whatever was read. A POFF file holds samples and a WPOFF file
+///  balls, so
+///     a document of both has two files; until each holds what the document holds, it counts as modified.
 ///
 /// Smallest use:
 ///     desk.open("a.poff");
@@ -44,6 +46,7 @@ class FileDesk {
     bool is_shape = false;
     std::string format;
     std::size_t samples = 0;
+    std::size_t balls = 0;
     std::vector<std::string> warnings;
     std::optional<Error> error;
   };
@@ -51,10 +54,21 @@ class FileDesk {
   std::optional<Outcome> poll();
 
   void start_empty();
+  /// Writes samples and balls to the files they have. Error: one cannot be written.
+  Expected<void> save();
+  /// Writes one of them: the balls when the name ends in .wpoff, else the samples. That is their file from now on.
   Expected<void> save_as(const std::filesystem::path& file);
+  /// What of the document no file holds as it is now.
+  struct Unsaved {
+    bool samples = false;
+    bool balls = false;
+  };
+  Unsaved unsaved() const;
 
-  /// The file that Save writes; empty when it must be asked for.
+  /// The file opened or saved last, if Save can write it; empty when a name must be asked for.
   const std::filesystem::path& file() const { return file_; }
+  const std::filesystem::path& sample_file() const { return sample_file_; }
+  const std::filesystem::path& ball_file() const { return ball_file_; }
   /// Of the window: "a.poff", "Elephant", "Untitled".
   const std::string& title() const { return title_; }
 
@@ -67,10 +81,17 @@ class FileDesk {
     std::jthread thread;  // last: it ends before what it writes to
   };
   void begin(const std::filesystem::path& file, const std::string& shape_title);
+  void note_all_as_saved();
+  Expected<void> write_samples();
+  Expected<void> write_balls();
 
   Editor& editor_;
   std::function<void()> wake_;
   std::filesystem::path file_;
+  std::filesystem::path sample_file_;  // empty: none yet
+  std::filesystem::path ball_file_;
+  std::uint64_t saved_samples_ = 0;  // digests of what files hold
+  std::uint64_t saved_balls_ = 0;
   std::string title_ = "Untitled";
   std::unique_ptr<Reading> reading_;
   std::vector<std::unique_ptr<Reading>> given_up_;  // a reader cannot be stopped, only not waited for

@@ -7,7 +7,8 @@
 namespace mes {
 namespace {
 
-constexpr std::uint32_t kSelectionMark = 0;
+constexpr std::uint32_t kSelectionMark = 1;
+constexpr std::uint32_t kSelectedCircleMark = 0;  // below the points
 constexpr double kFailedOpacity = 0.35;
 
 // The last good picture of a failed layer stays, drained of its colour.
@@ -55,21 +56,35 @@ NodeState Picture::state(LayerIndex layer) const {
 void Picture::mark_selection(const Editor& editor) {
   const MarkedState now{editor.document().revision(), editor.selection().revision(), scene_.frame()};
   if (now == marked_) return;
-  const bool was_empty = mark_data_.empty();
   marked_ = now;
-  mark_data_.clear();
-  for (const Slot slot : editor.selection().slots()) {
-    const Vec2 p = editor.document().position(slot);
-    mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
-  }
-  if (mark_data_.empty()) {
-    if (!was_empty) scene_.clear_overlay(kSelectionMark);
-    return;
-  }
   LayerStyle style;
   style.color = palette::blue;
   style.point_size_px = 9.0;
-  scene_.set_overlay(kSelectionMark, {PrimitiveKind::point, mark_data_, style, false});
+  style.line_width_px = 2.5;
+  const Document& document = editor.document();
+  mark_data_.clear();
+  for (const Slot slot : editor.selection().slots()) {
+    const Vec2 p = document.position(slot);
+    mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
+  }
+  for (const Slot slot : editor.selection().ball_slots()) {
+    const Vec2 p = document.disk(slot).center;
+    mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
+  }
+  set_mark(kSelectionMark, PrimitiveKind::point, style);
+  mark_data_.clear();
+  for (const Slot slot : editor.selection().ball_slots()) {
+    const Disk& disk = document.disk(slot);
+    if (disk.radius > 0.0) mark_data_.insert(mark_data_.end(), {disk.center.x, disk.center.y, disk.radius, 0.0});
+  }
+  set_mark(kSelectedCircleMark, PrimitiveKind::circle, style);
+}
+
+void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style) {
+  if (mark_data_.empty())
+    scene_.clear_overlay(slot);
+  else
+    scene_.set_overlay(slot, {kind, mark_data_, style, false});
 }
 
 // The picture without panels, for frames in which it stays the same.

@@ -63,6 +63,7 @@ class Picture {
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void mark_selection(const Editor& editor);
+  void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_disk_layer(const LayerStack& layers) const;
   void keep(int width, int height);
   void show_kept(int width, int height) const;

@@ -55,6 +55,13 @@ void History::record(const DocumentDelta& delta, const std::string& name) {
   if (gesture_.deltas.empty() || !merge_moves(gesture_.deltas.back(), delta)) gesture_.deltas.push_back(delta);
 }
 
+bool History::extend(const DocumentDelta& delta, const std::string& name) {
+  if (gesture_open_ || position_ == 0 || position_ != steps_.size()) return false;
+  Step& last = steps_.back();
+  if (last.name != name || last.deltas.back().to_revision != delta.from_revision) return false;
+  return merge_moves(last.deltas.back(), delta);
+}
+
 void History::end_gesture() {
   MES_ASSERT(gesture_open_);
   gesture_open_ = false;

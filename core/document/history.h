@@ -27,6 +27,10 @@ class History {
   /// Notes an applied delta; outside a gesture it is a step of its own. Forgets what could be redone.
   void record(const DocumentDelta& delta, const std::string& name = {});
 
+  /// Makes the delta part of the newest step if that has this name, nothing came between, and the delta only gives
+  /// the same things other places; whether it did. If not, it is not recorded.
+  bool extend(const DocumentDelta& delta, const std::string& name);
+
   bool can_undo() const { return position_ > 0 && !gesture_open_; }
   bool can_redo() const { return position_ < steps_.size() && !gesture_open_; }
   /// Name of the step that undo (redo) would take; empty when there is none.

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "app/window/file_desk.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes;
+using mes::test::contents_of;
+
+namespace {
+
+struct Bench {
+  test::TemporaryFolder folder;
+  Editor editor{{}};
+  FileDesk desk{editor, {}};
+
+  FileDesk::Outcome open(const std::filesystem::path& file) {
+    desk.open(file);
+    for (;;) {
+      if (auto outcome = desk.poll()) return *outcome;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void add_sample() { REQUIRE(editor.insert(std::vector{Vec2{7, 8}}, "sample")); }
+  void add_ball() { REQUIRE(editor.insert_balls(std::vector{Disk{{1, 2}, 3}}, "ball")); }
+  bool is_complete() const { return !desk.unsaved().samples && !desk.unsaved().balls; }
+};
+
+}  // namespace
+
+TEST_CASE("a file of balls is opened, changed and saved to itself") {
+  Bench bench;
+  const auto file = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0.1 0 2\n");
+  const auto outcome = bench.open(file);
+  REQUIRE_FALSE(outcome.error);
+  CHECK(outcome.format == "wpoff");
+  CHECK(outcome.balls == 1);
+  CHECK(outcome.samples == 0);
+  CHECK(bench.desk.file() == file);
+  CHECK(bench.desk.title() == "a.wpoff");
+  CHECK_FALSE(bench.editor.is_modified());
+  bench.add_ball();
+  CHECK(bench.editor.is_modified());
+  REQUIRE(bench.desk.save());
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(contents_of(file) == "WPOFF 2 0 0\n0.1 0 2\n1 2 3\n");
+  CHECK(bench.folder.file_count() == 1);
+}
+
+TEST_CASE("a document of samples and balls counts as modified until both have a file") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(samples).error);
+  bench.add_ball();
+  REQUIRE(bench.desk.save());
+  CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
+  CHECK(bench.editor.is_modified());
+  CHECK_FALSE(bench.desk.unsaved().samples);
+  CHECK(bench.desk.unsaved().balls);
+
+  const auto balls = bench.folder / "b.WPOFF";
+  REQUIRE(bench.desk.save_as(balls));
+  CHECK(contents_of(balls) == "WPOFF 1 0 0\n1 2 3\n");
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.is_complete());
+
+  // From now on one save writes both.
+  bench.add_sample();
+  bench.add_ball();
+  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.desk.unsaved().balls);
+  REQUIRE(bench.desk.save());
+  CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
+  CHECK_FALSE(bench.editor.is_modified());
+
+  // A copy of the samples leaves the file of the balls alone.
+  bench.add_ball();
+  REQUIRE(bench.desk.save_as(bench.folder / "copy.poff"));
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.sample_file() == bench.folder / "copy.poff");
+  bench.editor.undo();
+  CHECK(bench.is_complete());
+}
+
+TEST_CASE("samples added to a file of balls are not lost in it") {
+  Bench bench;
+  const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open(balls).error);
+  bench.add_sample();
+  REQUIRE(bench.desk.save());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.folder.file_count() == 1);
+  REQUIRE(bench.desk.save_as(bench.folder / "a.poff"));
+  CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("a file that cannot be written leaves the files as they were chosen before") {
+  Bench bench;
+  const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open(balls).error);
+  bench.add_ball();
+  const auto saved = bench.desk.save_as(bench.folder / "no such folder" / "b.wpoff");
+  REQUIRE_FALSE(saved);
+  CHECK(saved.error().code == ErrorCode::cannot_write);
+  CHECK(bench.desk.ball_file() == balls);
+  CHECK(bench.desk.file() == balls);
+  CHECK(bench.editor.is_modified());
+}
+
+TEST_CASE("opening and starting anew forget both files") {
+  Bench bench;
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n")).error);
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.csv", "x,y\n1,2\n")).error);
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.desk.ball_file().empty());
+  CHECK(bench.editor.document().ball_count() == 0);
+  CHECK(bench.is_complete());
+  REQUIRE_FALSE(bench.open(bench.folder / "a.wpoff").error);
+  bench.desk.start_empty();
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.desk.ball_file().empty());
+  CHECK(bench.editor.document().is_empty());
+  CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("a bad file of balls leaves the document as it is") {
+  Bench bench;
+  const auto good = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open(good).error);
+  const auto outcome = bench.open(bench.folder.write("b.wpoff", "WPOFF 1 0 0\n0 0 -2\n"));
+  REQUIRE(outcome.error);
+  CHECK(outcome.error->line == 2);
+  CHECK(bench.editor.document().ball_count() == 1);
+  CHECK(bench.desk.file() == good);
+}
