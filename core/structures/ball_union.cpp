@@ -86,9 +86,18 @@ class InnerVoronoiBalls final : public BallFamily {
     return {delaunay_.site_position(face.v[0]), delaunay_.site_position(face.v[1]),
             delaunay_.site_position(face.v[2])};
   }
-  std::array<Slot, 3> sites(Slot row) const override {
-    const FaceRow& face = delaunay_.face(row);
-    return {face.v[0], face.v[1], face.v[2]};
+  void touched_samples(Slot row, std::vector<TouchedSample>& out) const override {
+    const std::size_t first = out.size();
+    const auto add_face = [&](Slot face) {
+      for (const Slot site : delaunay_.face(face).v) {
+        const auto is_site = [site](const TouchedSample& sample) { return sample.site == site; };
+        if (std::none_of(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), is_site))
+          out.push_back({site, delaunay_.site_position(site)});
+      }
+    };
+    add_face(row);
+    if (const std::vector<Slot>* group = balls_.group(row))
+      for (const Slot face : *group) add_face(face);
   }
   const ChangeSet& changes() const override { return balls_.changes(); }
 
@@ -107,7 +116,7 @@ class OwnBalls final : public BallFamily {
   Disk disk(Slot row) const override { return balls_.disk(row); }
   bool is_from_samples() const override { return false; }
   std::array<Vec2, 3> corners(Slot) const override { return {}; }
-  std::array<Slot, 3> sites(Slot) const override { return {kNoSlot, kNoSlot, kNoSlot}; }
+  void touched_samples(Slot, std::vector<TouchedSample>&) const override {}
   const ChangeSet& changes() const override { return balls_.changes(); }
 
  private:
@@ -251,6 +260,7 @@ ScaledBalls scaled_balls(const BallFamily& family) {
   ScaledBalls out;
   // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
   double largest = 0.0;
+  std::vector<std::size_t> first_sample;
   const auto note_size = [&largest](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
   for (Slot row = 0; row < family.rows(); ++row) {
     if (!family.is_ball(row)) continue;
@@ -260,7 +270,6 @@ ScaledBalls scaled_balls(const BallFamily& family) {
     ball.is_from_samples = family.is_from_samples();
     if (ball.is_from_samples) {
       std::ranges::copy(family.corners(row), ball.corner);
-      std::ranges::copy(family.sites(row), ball.site);
     }
     // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
     if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + ball.disk.radius) || !(ball.disk.radius > 0.0)) {
@@ -270,12 +279,19 @@ ScaledBalls scaled_balls(const BallFamily& family) {
     note_size(ball.disk.center);
     note_size({ball.disk.radius, 0.0});
     for (const Vec2 corner : ball.corner) note_size(corner);
+    first_sample.push_back(out.samples.size());
+    family.touched_samples(row, out.samples);
     out.balls.push_back(ball);
   }
+  first_sample.push_back(out.samples.size());
   out.rows = family.rows();
   out.exponent = largest > 1e60 || (largest < 1e-60 && largest > 0.0) ? std::ilogb(largest) : 0;
-  if (out.exponent != 0)
+  if (out.exponent != 0) {
     for (PipelineBall& ball : out.balls) scale(ball, -out.exponent);
+    for (TouchedSample& sample : out.samples) sample.position = scaled(sample.position, -out.exponent);
+  }
+  for (std::size_t i = 0; i < out.balls.size(); ++i)
+    out.balls[i].samples = std::span(out.samples).subspan(first_sample[i], first_sample[i + 1] - first_sample[i]);
   return out;
 }
 

@@ -30,6 +30,7 @@ std::string_view name_of(UnionRung rung);
 /// The balls of a family as the pipelines take them, scaled by 2^-exponent into the range where doubles multiply.
 struct ScaledBalls {
   std::vector<PipelineBall> balls;
+  std::vector<TouchedSample> samples;  ///< what `PipelineBall::samples` points to
   std::size_t rows = 0;
   std::size_t ignored = 0;  ///< of radius zero, or beyond doubles
   int exponent = 0;

@@ -3,12 +3,19 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/base/change_set.h"
 #include "core/base/disk.h"
 #include "core/base/vec2.h"
 
 namespace mes {
+
+/// A Delaunay site on the circle of a ball.
+struct TouchedSample {
+  Slot site = kNoSlot;
+  Vec2 position{};
+};
 
 class BallFamily {
  public:
@@ -20,9 +27,10 @@ class BallFamily {
   virtual Disk disk(Slot row) const = 0;
   /// The ball is the circumdisk of three samples; otherwise it is `disk` as it stands.
   virtual bool is_from_samples() const = 0;
-  /// Their positions, counter-clockwise, and their Delaunay sites.
+  /// Their positions, counter-clockwise.
   virtual std::array<Vec2, 3> corners(Slot row) const = 0;
-  virtual std::array<Slot, 3> sites(Slot row) const = 0;
+  /// Appends every sample on the circle: more than three when samples are cocircular.
+  virtual void touched_samples(Slot row, std::vector<TouchedSample>& out) const = 0;
   virtual const ChangeSet& changes() const = 0;
 };
 

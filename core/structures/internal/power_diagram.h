@@ -11,16 +11,6 @@
 
 namespace mes {
 
-/// The sample that three balls touch, if there is one: then it is their point of equal power, exactly.
-inline std::optional<Vec2> common_sample(const PipelineBall& a, const PipelineBall& b, const PipelineBall& c) {
-  const auto has = [](const PipelineBall& ball, Slot site) {
-    return std::ranges::find(ball.site, site) != std::end(ball.site);
-  };
-  for (std::size_t i = 0; i < 3; ++i)
-    if (a.site[i] != kNoSlot && has(b, a.site[i]) && has(c, a.site[i])) return a.corner[i];
-  return std::nullopt;
-}
-
 /// Point of equal power.
 template <class Number>
 Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
@@ -46,11 +36,13 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
     const auto& v = rt.faces[f].v;
     is_finite[f] = v[0] != kInfiniteBall && v[1] != kInfiniteBall && v[2] != kInfiniteBall;
     if (!is_finite[f]) continue;
-    const auto sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
+    // The sample that three balls touch is their point of equal power, exactly.
+    const TouchedSample* sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
     // Rounding must not depend on the order in which the balls came.
     std::array<Slot, 3> order{v[0], v[1], v[2]};
     std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
-    center[f] = sample ? *sample : power_center(balls[order[0]], balls[order[1]], balls[order[2]]);
+    center[f] =
+        sample != nullptr ? sample->position : power_center(balls[order[0]], balls[order[1]], balls[order[2]]);
   }
   std::vector<PowerEdge> out;
   out.reserve(rt.edges.size());

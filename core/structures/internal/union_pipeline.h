@@ -243,14 +243,7 @@ void UnionPipeline<Balls, Points>::classify() {
     const auto& v = rt_.faces[f].v;
     const int sign = sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]);
     face_sign_[f] = static_cast<std::int8_t>(sign);
-    bool touches_sample = false;
-    for (const Slot site : input_[v[0]].site) {
-      const auto has = [&](Slot ball) {
-        return std::find(std::begin(input_[ball].site), std::end(input_[ball].site), site) !=
-               std::end(input_[ball].site);
-      };
-      touches_sample = touches_sample || (site != kNoSlot && has(v[1]) && has(v[2]));
-    }
+    const bool touches_sample = common_sample(input_[v[0]], input_[v[1]], input_[v[2]]) != nullptr;
     if (touches_sample && sign != 0) ++t_.counts.sign_flips;
     if (sign < 0 && !touches_sample) ++t_.counts.negative_faces;
     if (sign > 0) continue;
@@ -318,13 +311,12 @@ auto UnionPipeline<Balls, Points>::crossing_by_sample(Slot a, Slot b, bool left)
   const BallOf<PointNumber>& q = ball_in_points_[b];
   const PointNumber dx = q.x - p.x, dy = q.y - p.y;
   std::optional<Crossing> mirrored;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Slot site = input_[a].site[i];
-    if (site == kNoSlot || std::ranges::find(input_[b].site, site) == std::end(input_[b].site)) continue;
-    const PointNumber x(input_[a].corner[i].x), y(input_[a].corner[i].y);
+  for (const TouchedSample& sample : input_[a].samples) {
+    if (input_[b].find(sample.site) == nullptr) continue;
+    const PointNumber x(sample.position.x), y(sample.position.y);
     const PointNumber side = dx * (y - p.y) - dy * (x - p.x);
     const int sign = static_cast<int>(CGAL::sign(side));
-    if (sign == 0 || (sign > 0) == left) return Crossing{typename Points::Point_2(x, y), site};
+    if (sign == 0 || (sign > 0) == left) return Crossing{typename Points::Point_2(x, y), sample.site};
     const PointNumber twice = PointNumber(2) * side / (dx * dx + dy * dy);
     mirrored = Crossing{typename Points::Point_2(x + twice * dy, y - twice * dx), kNoSlot};
   }
@@ -343,11 +335,10 @@ auto UnionPipeline<Balls, Points>::crossing_by_root(Slot a, Slot b, bool left, c
     const PointNumber root = left ? PointNumber(CGAL::sqrt(radicand)) : PointNumber(-CGAL::sqrt(radicand));
     const PointNumber twice = PointNumber(2) * dd;
     Crossing out{typename Points::Point_2(p.x + (s * dx - root * dy) / twice, p.y + (s * dy + root * dx) / twice)};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Slot site = input_[a].site[i];
-      if (site == kNoSlot || std::ranges::find(input_[b].site, site) == std::end(input_[b].site)) continue;
-      const Vec2 sample = input_[a].corner[i];
-      if (out.point == typename Points::Point_2(PointNumber(sample.x), PointNumber(sample.y))) out.site = site;
+    for (const TouchedSample& sample : input_[a].samples) {
+      if (input_[b].find(sample.site) == nullptr) continue;
+      const Vec2 p_of = sample.position;
+      if (out.point == typename Points::Point_2(PointNumber(p_of.x), PointNumber(p_of.y))) out.site = sample.site;
     }
     return out;
   } else {
@@ -415,18 +406,13 @@ bool UnionPipeline<Balls, Points>::is_center_here(Slot edge, Slot inner_face) co
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::make_v_points() {
   crossing_.assign(t_.dual_edges.size(), {kNoSlot, kNoSlot});
-  const auto shares_sample = [&](Slot a, Slot b) {
-    for (const Slot site : input_[a].site)
-      if (site != kNoSlot && std::ranges::find(input_[b].site, site) != std::end(input_[b].site)) return true;
-    return false;
-  };
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
     if ((e & 0x3fU) == 0) job_.checkpoint(rt_.edges.size() + e, 4 * rt_.edges.size());
     const Slot row = dual_of_edge_[e];
     if (row == kNoSlot) continue;
     const auto& edge = rt_.edges[e];
     DualEdge& dual = t_.dual_edges[row];
-    dual.shares_sample = shares_sample(edge.v[0], edge.v[1]) ? 1 : 0;
+    dual.shares_sample = common_sample(input_[edge.v[0]], input_[edge.v[1]]) != nullptr ? 1 : 0;
     t_.counts.edges_without_sample += dual.shares_sample != 0 ? 0 : 1;
     for (std::size_t side = 0; side < 2; ++side) {
       const bool is_filled = edge.f[side] != kNoSlot && face_sign_[edge.f[side]] <= 0;

@@ -6,6 +6,7 @@
 
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
+#include "core/structures/internal/ball_family.h"
 #include "core/structures/internal/union_tables.h"
 
 namespace mes {
@@ -16,8 +17,26 @@ struct PipelineBall {
   Disk disk{};         ///< rounded, if it is from samples
   bool is_from_samples = false;
   Vec2 corner[3] = {};
-  Slot site[3] = {kNoSlot, kNoSlot, kNoSlot};
+  std::span<const TouchedSample> samples{};  ///< all on the circle
+
+  const TouchedSample* find(Slot site) const {
+    for (const TouchedSample& sample : samples)
+      if (sample.site == site) return &sample;
+    return nullptr;
+  }
 };
+
+/// A sample that both balls touch, if there is one.
+inline const TouchedSample* common_sample(const PipelineBall& a, const PipelineBall& b) {
+  for (const TouchedSample& sample : a.samples)
+    if (b.find(sample.site) != nullptr) return &sample;
+  return nullptr;
+}
+inline const TouchedSample* common_sample(const PipelineBall& a, const PipelineBall& b, const PipelineBall& c) {
+  for (const TouchedSample& sample : a.samples)
+    if (b.find(sample.site) != nullptr && c.find(sample.site) != nullptr) return &sample;
+  return nullptr;
+}
 
 /// What the pipeline starts from. Radii are positive.
 struct PipelineInput {
