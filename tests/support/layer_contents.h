@@ -22,7 +22,7 @@ class LayerContents {
     }
   }
 
-  /// Instances without regard to their order; segments without regard to their direction.
+  /// Instances without regard to their order; segments and lines without regard to their direction.
   std::vector<std::vector<double>> sorted(LayerIndex layer) const {
     std::vector<std::vector<double>> out;
     const auto found = layers_.find(layer);
@@ -38,6 +38,10 @@ class LayerContents {
             std::pair(instance[3], instance[4]) < std::pair(instance[1], instance[2])) {
           std::swap(instance[1], instance[3]);
           std::swap(instance[2], instance[4]);
+        }
+        if (kind == PrimitiveKind::line && std::pair(instance[3], instance[4]) < std::pair(0.0, 0.0)) {
+          instance[3] = -instance[3];
+          instance[4] = -instance[4];
         }
         if (kind == PrimitiveKind::triangle) {
           // Begin at the smallest corner.
