@@ -140,6 +140,7 @@ StatList Labels::statistics() const {
   return {{"inside", inside},
           {"outside", outside},
           {"conflicts", static_cast<std::int64_t>(conflict_count())},
+          {"open_strokes", static_cast<std::int64_t>(join_.stroke_count())},
           {"conflict_clusters", static_cast<std::int64_t>(join_.cluster_count())},
           {"largest_cluster", static_cast<std::int64_t>(join_.largest_cluster())}};
 }

@@ -4,8 +4,9 @@
 // tree of the whole triangulation by exact comparisons.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <map>
-#include <numeric>
+#include <optional>
 
 #include "core/base/rng.h"
 #include "core/structures/labels.h"
@@ -33,6 +34,54 @@ std::vector<Vec2> grid_draws(std::size_t n, std::uint64_t size, std::uint64_t se
   return out;
 }
 
+// Samples some 8 apart along a curve, up to `jitter` off it either way.
+template <class Curve>
+std::vector<Vec2> stroke(Curve at, double end, double jitter, std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<Vec2> out;
+  for (double t = 0.0; t <= end;) {
+    const Vec2 p = at(t);
+    out.push_back(p + Vec2{rng.uniform(-jitter, jitter), rng.uniform(-jitter, jitter)});
+    t += rng.uniform(6.4, 9.6) * 1e-4 / distance(p, at(t + 1e-4));
+  }
+  return out;
+}
+
+Vec2 wave(double t) {
+  return {100.0 * t, 100.0 * std::sin(t)};
+}
+
+Vec2 flat_wave(double t) {
+  return {100.0 * t, 25.0 * std::sin(t)};
+}
+
+Vec2 spiral(double t) {
+  return {(40.0 + 25.0 * t) * std::cos(t), (40.0 + 25.0 * t) * std::sin(t)};
+}
+
+Vec2 circle(double t) {
+  return {200.0 * std::cos(t), 200.0 * std::sin(t)};
+}
+
+std::vector<Vec2> both(std::vector<Vec2> a, const std::vector<Vec2>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// What a hand sprays: no stroke of it closes anything.
+std::vector<Input> open_strokes() {
+  return {
+      {"wave", stroke(wave, 19.0, 0.0, 1)},
+      {"flat wave", stroke(flat_wave, 19.0, 0.5, 1)},
+      {"few samples", stroke(wave, 1.0, 2.0, 1)},
+      {"one arch and a bit", stroke(wave, 5.5, 0.5, 2)},
+      {"spiral", stroke(spiral, 12.6, 0.5, 3)},
+      {"longer spiral", stroke(spiral, 18.8, 0.0, 4)},
+      {"jittery wave", stroke(wave, 15.7, 2.4, 5)},
+      {"jittery spiral", stroke(spiral, 15.7, 2.4, 6)},
+      {"dashed wave", both(stroke(wave, 6.0, 0.5, 7), stroke([](double t) { return wave(t + 6.5); }, 6.0, 0.5, 8))}};
+}
+
 std::vector<Input> inputs() {
   std::vector<Input> out;
   for (const TestShape& shape : oracle_shapes(0.45, {0.3, 0.2, 7})) out.push_back({shape.name, shape.data.positions});
@@ -45,6 +94,14 @@ std::vector<Input> inputs() {
     out.push_back({"square", uniform_square(100, seed)});
     out.push_back({"duplicates", duplicate_heavy(200, seed)});
     out.push_back({"large grid", grid_draws(80, 1U << 20U, 20 + seed)});
+  }
+  for (Input& input : open_strokes()) out.push_back(std::move(input));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    out.push_back({"rough wave", stroke(wave, 15.7, 4.0, seed)});
+    out.push_back({"rough spiral", stroke(spiral, 15.7, 4.0, seed)});
+    out.push_back(
+        {"circle with a gap and dirt in it", both(stroke(circle, 5.8, 0.5, seed), {{185, -40}, {170, -70}})});
+    out.push_back({"stroke in a circle", both(stroke(circle, 6.26, 0.0, seed), stroke(flat_wave, 1.2, 0.5, seed))});
   }
   for (std::uint64_t seed = 1; seed <= 200; ++seed)
     out.push_back({"few of a small grid", grid_draws(5 + seed % 20, 6, 100 + seed)});
@@ -100,8 +157,55 @@ struct RankedEdge {
   Vec2 low, high;
 };
 
-// Conflicts by the rule: Kruskal over all edges in its total order, then the tree edges that separate an odd number
-// of odd sites from the rest.
+struct OddPair {
+  Slot a, b;
+  std::size_t component;
+};
+
+// By depth first search.
+std::vector<Slot> way_in_tree(const std::vector<std::vector<std::pair<Slot, Slot>>>& tree, Slot a, Slot b) {
+  std::vector<Slot> way;
+  const std::function<bool(Slot, Slot)> reaches = [&](Slot site, Slot from) {
+    if (site == b) return true;
+    for (const auto& [other, edge] : tree[site]) {
+      if (other == from) continue;
+      way.push_back(edge);
+      if (reaches(other, site)) return true;
+      way.pop_back();
+    }
+    return false;
+  };
+  reaches(a, kNoSlot);
+  return way;
+}
+
+// The edges of the connected part of the curve that holds both sites, if it is a path from one to the other: a
+// connected graph with two sites of degree one and all others of degree two.
+std::vector<Slot> open_stroke(const Delaunay& delaunay, const std::set<Slot>& curve, Slot a, Slot b) {
+  std::map<Slot, std::vector<std::pair<Slot, Slot>>> at;
+  for (const Slot edge : curve) {
+    const Slot* v = delaunay.edge(edge).v;
+    at[v[0]].push_back({v[1], edge});
+    at[v[1]].push_back({v[0], edge});
+  }
+  std::set<Slot> part{a};
+  std::set<Slot> edges;
+  std::vector<Slot> todo{a};
+  while (!todo.empty()) {
+    const Slot site = todo.back();
+    todo.pop_back();
+    if (at[site].size() != (site == a || site == b ? 1U : 2U)) return {};
+    for (const auto& [other, edge] : at[site]) {
+      edges.insert(edge);
+      if (part.insert(other).second) todo.push_back(other);
+    }
+  }
+  if (!part.contains(b)) return {};
+  return {edges.begin(), edges.end()};
+}
+
+// Conflicts by the rule: Kruskal over all edges in its total order pairs the odd sites, and every pair contradicts
+// its way in the tree, or the open stroke whose ends it is.
 std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& crust = bench.get<OneStepCrust>();
@@ -136,38 +240,57 @@ std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
     return lexicographically_less(a.high, b.high);
   });
 
-  std::vector<Slot> parent(delaunay.site_rows());
-  std::iota(parent.begin(), parent.end(), Slot{0});
-  const auto root = [&parent](Slot site) {
-    while (parent[site] != site) site = parent[site];
-    return site;
-  };
+  // Components as plain sets; in each the odd site that is left over.
+  std::vector<std::vector<Slot>> members(delaunay.site_rows());
+  std::vector<Slot> component(delaunay.site_rows());
+  std::vector<std::optional<Slot>> left_over(delaunay.site_rows());
+  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+    members[site] = {site};
+    component[site] = site;
+    if (is_odd(site)) left_over[site] = site;
+  }
   std::vector<std::vector<std::pair<Slot, Slot>>> tree(delaunay.site_rows());
+  std::vector<OddPair> pairs;
   for (const RankedEdge& ranked : edges) {
     const Slot a = delaunay.edge(ranked.edge).v[0];
     const Slot b = delaunay.edge(ranked.edge).v[1];
-    if (root(a) == root(b)) continue;
-    parent[root(a)] = root(b);
+    const Slot kept = component[a];
+    const Slot gone = component[b];
+    if (kept == gone) continue;
     tree[a].push_back({b, ranked.edge});
     tree[b].push_back({a, ranked.edge});
+    for (const Slot site : members[gone]) component[site] = kept;
+    members[kept].insert(members[kept].end(), members[gone].begin(), members[gone].end());
+    if (left_over[kept] && left_over[gone]) {
+      pairs.push_back({*left_over[kept], *left_over[gone], members[kept].size()});
+      left_over[kept].reset();
+    } else if (left_over[gone]) {
+      left_over[kept] = left_over[gone];
+    }
+  }
+
+  std::set<Slot> curve;
+  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge)
+    if (delaunay.edge(edge).is_alive() && crust.is_crust(edge)) curve.insert(edge);
+  const std::set<Slot> all_crust = curve;
+  const auto toggle = [](std::set<Slot>& set, Slot edge) {
+    if (set.erase(edge) == 0) set.insert(edge);
+  };
+  for (const bool near : {true, false}) {
+    const std::set<Slot> before = curve;
+    for (const OddPair& pair : pairs) {
+      if ((pair.component <= 16) != near) continue;
+      const std::vector<Slot> way = way_in_tree(tree, pair.a, pair.b);
+      const std::vector<Slot> stroke = open_stroke(delaunay, before, pair.a, pair.b);
+      const bool is_stroke = way.size() > 2 && !stroke.empty() && stroke.size() + 1 < 16 * pair.component;
+      for (const Slot edge : is_stroke ? stroke : way) toggle(curve, edge);
+    }
   }
   std::set<PlaceEdge> conflicts;
-  // Odd sites below each tree edge, from any site on; the whole has an even number.
-  std::vector<std::array<Slot, 3>> visits;  // site, site it was reached from, edge
-  for (Slot site = 0; site < delaunay.site_rows() && visits.empty(); ++site)
-    if (delaunay.is_site(site)) visits.push_back({site, kNoSlot, kNoSlot});
-  for (std::size_t next = 0; next < visits.size(); ++next)
-    for (const auto& [other, edge] : tree[visits[next][0]])
-      if (other != visits[next][1]) visits.push_back({other, visits[next][0], edge});
-  std::vector<int> below(delaunay.site_rows(), 0);
-  for (std::size_t i = visits.size(); i-- > 1;) {
-    const auto [site, from, edge] = visits[i];
-    below[site] += is_odd(site) ? 1 : 0;
-    below[from] += below[site];
-    if (below[site] % 2 == 1)
+  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge)
+    if (curve.contains(edge) != all_crust.contains(edge))
       conflicts.insert(place_edge(delaunay.site_position(delaunay.edge(edge).v[0]),
                                   delaunay.site_position(delaunay.edge(edge).v[1])));
-  }
   return conflicts;
 }
 
@@ -233,10 +356,53 @@ TEST_CASE("with odd samples the conflicts are those of the canonical rule") {
   CHECK(with_conflicts > 100);
 }
 
+TEST_CASE("an open stroke has no inside") {
+  for (const Input& input : open_strokes()) {
+    INFO(input.name);
+    const Workbench bench(input.positions);
+    const auto& delaunay = bench.get<Delaunay>();
+    CHECK(bench.get<OneStepCrust>().odd_count() >= 2);
+    int inside = 0;
+    for (Slot face = 0; face < delaunay.face_rows(); ++face)
+      if (delaunay.is_finite_face(face) && bench.get<Labels>().is_inside(face)) ++inside;
+    CHECK(inside == 0);
+  }
+}
+
+TEST_CASE("beside an open stroke a closed curve keeps its inside, and a gap is closed") {
+  const auto inside = [](const std::vector<Vec2>& positions) {
+    const Workbench bench(positions);
+    const auto& delaunay = bench.get<Delaunay>();
+    std::set<Vec2, bool (*)(Vec2, Vec2)> out(lexicographically_less);
+    for (Slot face = 0; face < delaunay.face_rows(); ++face)
+      if (delaunay.is_finite_face(face) && bench.get<Labels>().is_inside(face))
+        out.insert(delaunay.circumcenter(face));
+    return out;
+  };
+  const auto is_in_circle = [](Vec2 p) { return length(p) < 200.0; };
+  const auto beside = inside(both(stroke(circle, 6.26, 0.0, 1), stroke(
+                                                                    [](double t) {
+                                                                      return wave(t) + Vec2{350, 0};
+                                                                    },
+                                                                    12.0, 0.5, 1)));
+  CHECK(beside.size() > 100);
+  CHECK(std::ranges::all_of(beside, is_in_circle));
+  const auto with_gap = inside(both(stroke(circle, 5.8, 0.5, 1), {{185, -40}, {170, -70}}));
+  CHECK(with_gap.size() > 100);
+}
+
 TEST_CASE("the rule also holds after edits, one after the other") {
   Rng rng(3);
-  for (const bool lattice : {false, true}) {
-    Workbench bench(lattice ? grid_draws(40, 7, 1) : noisy_curve(90));
+  const std::vector<Input> starts = {
+      {"noise", noisy_curve(90)},
+      {"lattice", grid_draws(40, 7, 1)},
+      {"wave", stroke(wave, 9.0, 1.0, 1)},
+      {"jittery wave", stroke(wave, 9.0, 2.8, 2)},
+      {"spiral", stroke(spiral, 9.0, 1.5, 3)},
+      {"stroke in a circle", both(stroke(circle, 6.26, 0.0, 1), stroke(flat_wave, 1.2, 0.5, 1))}};
+  for (const Input& start : starts) {
+    const bool lattice = start.name == "lattice";
+    Workbench bench(start.positions);
     for (int step = 0; step < 120; ++step) {
       const std::vector<SampleId> ids = bench.ids();
       const SampleId id = ids[rng.below(ids.size())];
@@ -251,7 +417,7 @@ TEST_CASE("the rule also holds after edits, one after the other") {
       } else {
         bench.move(id, near);
       }
-      INFO("step " << step);
+      INFO(start.name << ", step " << step);
       REQUIRE(conflicts_of(bench) == conflicts_by_rule(bench));
     }
   }

@@ -2,6 +2,7 @@
 #include "core/structures/internal/conflict_join.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mes {
 
@@ -81,29 +82,44 @@ void ConflictJoin::grow(Slot seed, JobControl& job) {
   MES_ASSERT((odd & 1U) == 0);
   grown_sites_ += tree_.size();
 
-  // In a tree the set of edges with an odd number of odd sites behind them is found from the leaves.
-  Cluster cluster;
-  cluster.sites.reserve(tree_.size());
-  parity_.assign(tree_.size(), 0);
-  for (std::size_t i = tree_.size(); i-- > 1;) {
-    const bool is_odd = (parity_[i] != 0) != crust_.is_odd(tree_[i].site);
-    if (!is_odd) continue;
-    parity_[tree_[i].from] ^= 1U;
-    cluster.conflicts.push_back(tree_[i].edge);
-  }
+  // Pairs come of the order of the edges, not of the order of growing.
+  order_.resize(tree_.size() - 1);
+  std::iota(order_.begin(), order_.end(), Slot{1});
+  std::ranges::sort(order_, [this](Slot a, Slot b) { return is_surer(tree_[b], tree_[a]); });
+  edges_.clear();
+  for (const Slot i : order_) edges_.push_back({tree_[i].edge, i, tree_[i].from});
+  std::vector<Slot> sites;
+  sites.reserve(tree_.size());
+  for (const Candidate& step : tree_) sites.push_back(step.site);
+  add_cluster(std::move(sites));
+}
+
+void ConflictJoin::add_cluster(std::vector<Slot> sites) {
   const Slot id = next_cluster_++;
-  for (const Candidate& step : tree_) {
-    const Slot inner = cluster_of_[step.site];
-    if (inner != kNoSlot) dissolve(inner);
-    cluster.sites.push_back(step.site);
+  odd_.clear();
+  for (const Slot site : sites) {
+    if (cluster_of_[site] != kNoSlot) dissolve(cluster_of_[site]);
+    odd_.push_back(crust_.is_odd(site) ? 1 : 0);
   }
-  for (const Slot site : cluster.sites) cluster_of_[site] = id;
-  for (const Slot edge : cluster.conflicts) {
-    conflict_[edge] = 1;
-    changed_.push_back(edge);
+  for (const Slot site : sites) cluster_of_[site] = id;
+  Cluster& cluster = clusters_[id];
+  for (const TreePair& way : tree_pairs_.find(edges_, odd_)) {
+    Slot number = static_cast<Slot>(pairs_.size());
+    if (free_pairs_.empty()) {
+      pairs_.emplace_back();
+    } else {
+      number = free_pairs_.back();
+      free_pairs_.pop_back();
+      pairs_[number] = Pair{};
+    }
+    Pair& pair = pairs_[number];
+    pair.way = way;
+    pair.way.a = sites[way.a];
+    pair.way.b = sites[way.b];
+    cluster.pairs.push_back(number);
+    unsettled_.push_back(number);
   }
-  conflict_count_ += cluster.conflicts.size();
-  clusters_.emplace(id, std::move(cluster));
+  cluster.sites = std::move(sites);
 }
 
 void ConflictJoin::dissolve(Slot id) {
@@ -111,29 +127,149 @@ void ConflictJoin::dissolve(Slot id) {
   if (found == clusters_.end()) return;
   for (const Slot site : found->second.sites)
     if (cluster_of_[site] == id) cluster_of_[site] = kNoSlot;
-  for (const Slot edge : found->second.conflicts) {
-    conflict_[edge] = 0;
-    changed_.push_back(edge);
+  for (const Slot number : found->second.pairs) {
+    unsettle(number);
+    pairs_[number].is_alive = false;
+    free_pairs_.push_back(number);
   }
-  conflict_count_ -= found->second.conflicts.size();
   clusters_.erase(found);
 }
 
-void ConflictJoin::rebuild(JobControl& job) {
+void ConflictJoin::contradict(Slot edge, bool is_near) {
+  if (noted_marks_.insert(edge)) noted_.push_back({edge, state_[edge]});
+  state_[edge] ^= is_near ? kConflict | kContradictedByNear : kConflict;
+  if ((state_[edge] & kConflict) != 0) {
+    ++conflict_count_;
+  } else {
+    --conflict_count_;
+  }
+}
+
+void ConflictJoin::contradict_all(const Pair& pair) {
+  for (const Slot edge : pair.contradicted()) contradict(edge, pair.is_near());
+}
+
+void ConflictJoin::walk_from(Pair& pair, Slot number) {
+  const bool near = pair.is_near();
+  Slot site = pair.way.a;
+  Slot last = kNoSlot;
+  for (;;) {
+    int edges_here = 0;
+    Slot next_edge = kNoSlot;
+    Slot next_site = kNoSlot;
+    delaunay_.for_each_edge_at(site, [&](Slot edge, Slot other, Slot) {
+      if (crust_.is_crust(edge) == (!near && (state_[edge] & kContradictedByNear) != 0)) return;
+      ++edges_here;
+      if (edge == last) return;
+      next_edge = edge;
+      next_site = other;
+    });
+    const bool is_first = last == kNoSlot;
+    if (!is_first && edges_here != 2) {
+      pair.stop = site;
+      walks_of(pair).stopped.emplace(site, number);
+      if (site == pair.way.b && edges_here == 1) return;
+      break;
+    }
+    pair.walk.push_back(site);
+    auto& both = walks_of(pair).through[site];
+    Slot& free = both[both[0] == kNoSlot ? 0 : 1];
+    MES_ASSERT(free == kNoSlot);
+    free = number;
+    if (is_first && edges_here != 1) break;
+    if (pair.walk.size() + 1 >= kStrokeSites * pair.way.component) break;
+    pair.stroke.push_back(next_edge);
+    site = next_site;
+    last = next_edge;
+  }
+  pair.stroke.clear();
+}
+
+void ConflictJoin::settle(Slot number) {
+  Pair& pair = pairs_[number];
+  if (pair.way.path.size() > 2) walk_from(pair, number);
+  contradict_all(pair);
+  pair.is_settled = true;
+}
+
+void ConflictJoin::unsettle(Slot number) {
+  Pair& pair = pairs_[number];
+  if (!pair.is_settled) return;
+  contradict_all(pair);
+  for (const Slot site : pair.walk) {
+    auto& both = walks_of(pair).through[site];
+    both[both[0] == number ? 0 : 1] = kNoSlot;
+  }
+  if (pair.stop != kNoSlot) {
+    auto& stopped = walks_of(pair).stopped;
+    const auto [begin, end] = stopped.equal_range(pair.stop);
+    stopped.erase(std::find_if(begin, end, [number](const auto& entry) { return entry.second == number; }));
+  }
+  pair.stop = kNoSlot;
+  pair.walk.clear();
+  pair.stroke.clear();
+  pair.is_settled = false;
+  unsettled_.push_back(number);
+}
+
+void ConflictJoin::unsettle_walks(Walks& walks, Slot site) {
+  for (const Slot number : walks.through[site])
+    if (number != kNoSlot) unsettle(number);
+  for (auto stop = walks.stopped.find(site); stop != walks.stopped.end(); stop = walks.stopped.find(site))
+    unsettle(stop->second);
+}
+
+void ConflictJoin::settle_all(JobControl& job) {
+  const auto settle_those = [&](bool near) {
+    for (std::size_t i = 0; i < unsettled_.size(); ++i) {
+      if ((i & 1023U) == 0) job.checkpoint();
+      const Pair& pair = pairs_[unsettled_[i]];
+      if (pair.is_alive && !pair.is_settled && pair.is_near() == near) settle(unsettled_[i]);
+    }
+  };
+  settle_those(true);
+  // Far walks go along the curve as near pairs have repaired it. Where edges came or went they are unsettled already.
+  for (std::size_t i = 0; i < noted_.size(); ++i) {
+    const EdgeRow& row = delaunay_.edge(noted_[i].edge);
+    if (row.is_alive() && ((state_[noted_[i].edge] ^ noted_[i].before) & kContradictedByNear) != 0)
+      for (const Slot end : row.v) unsettle_walks(far_walks_, end);
+  }
+  settle_those(false);
+  unsettled_.clear();
+}
+
+void ConflictJoin::clear() {
   clusters_.clear();
+  pairs_.clear();
+  free_pairs_.clear();
+  unsettled_.clear();
   conflict_count_ = 0;
-  changed_.clear();
-  conflict_.clear();
+  state_.clear();
   cluster_of_.clear();
-  grown_sites_ = 0;
+  near_walks_ = far_walks_ = Walks{};
+}
+
+void ConflictJoin::rebuild(JobControl& job) {
+  clear();
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
-  conflict_.assign(delaunay_.edge_rows(), 0);
-  cluster_of_.assign(delaunay_.site_rows(), kNoSlot);
+  make_room();
   for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
     if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;
     grow(site, job);
-    if (is_too_much()) return join_all(job);
+    if (!is_too_much()) continue;
+    join_all(job);
+    break;
   }
+  settle_all(job);
+}
+
+void ConflictJoin::make_room() {
+  state_.resize(delaunay_.edge_rows(), 0);
+  cluster_of_.resize(delaunay_.site_rows(), kNoSlot);
+  for (Walks* walks : {&near_walks_, &far_walks_}) walks->through.resize(delaunay_.site_rows(), {kNoSlot, kNoSlot});
+  grown_sites_ = 0;
+  noted_.clear();
+  noted_marks_.begin(delaunay_.edge_rows());
 }
 
 void ConflictJoin::join_all(JobControl& job) {
@@ -168,76 +304,50 @@ void ConflictJoin::join_all(JobControl& job) {
   std::vector<Slot> tree;  // edge of each merge
   merges.reserve(sites);
   tree.reserve(sites);
-  std::vector<Slot> degree(sites + std::size_t{1}, 0);
   for (const Candidate& edge : edges) {
     Slot a = root(edge.site);
     Slot b = root(edge.from);
     if (a == b) continue;
     merges.push_back({node[a], node[b], odd[a] != 0 && odd[b] != 0});
     tree.push_back(edge.edge);
-    ++degree[edge.site];
-    ++degree[edge.from];
     parent[b] = a;
     odd[a] ^= odd[b];
     node[a] = sites + static_cast<Slot>(merges.size() - 1);
   }
   job.checkpoint();
 
-  // The conflicts: edges of the tree with an odd number of odd sites behind them, found by plucking leaves.
-  std::vector<std::uint8_t> is_conflict(delaunay_.edge_rows(), 0);
-  std::vector<Slot> xor_of_edges(sites, 0);
-  for (Slot i = 0; i < tree.size(); ++i)
-    for (const Slot end : delaunay_.edge(tree[i]).v) xor_of_edges[end] ^= i;
-  for (Slot site = 0; site < sites; ++site) {
-    odd[site] = delaunay_.is_site(site) && crust_.is_odd(site) ? 1 : 0;
-  }
-  conflict_count_ = 0;
-  for (Slot start = 0; start < sites; ++start) {
-    Slot leaf = start;
-    while (degree[leaf] == 1) {
-      const Slot i = xor_of_edges[leaf];
-      const EdgeRow& row = delaunay_.edge(tree[i]);
-      const Slot next = row.v[0] == leaf ? row.v[1] : row.v[0];
-      if (odd[leaf] != 0) {
-        is_conflict[tree[i]] = 1;
-        ++conflict_count_;
-        odd[next] ^= 1U;
-      }
-      degree[leaf] = 0;
-      --degree[next];
-      xor_of_edges[next] ^= i;
-      leaf = next;
-    }
-  }
-  for (Slot edge = 0; edge < is_conflict.size(); ++edge)
-    if (is_conflict[edge] != conflict_[edge]) changed_.push_back(edge);
-  conflict_.swap(is_conflict);
-
   // The clusters: the outermost merges that close.
-  clusters_.clear();
-  cluster_of_.assign(sites, kNoSlot);
+  while (!clusters_.empty()) dissolve(clusters_.begin()->first);
   std::vector<std::uint8_t> covered(merges.size(), 0);
+  std::vector<Slot> position(sites, kNoSlot);
   std::vector<Slot> stack;
   for (std::size_t m = merges.size(); m-- > 0;) {
     const auto pass_on = [&](Slot child) {
       if (child >= sites) covered[child - sites] = 1;
     };
     if (covered[m] == 0 && merges[m].closes) {
-      const Slot id = next_cluster_++;
-      Cluster& cluster = clusters_[id];
+      std::vector<Slot> members;
+      order_.clear();
       stack.assign(1, sites + static_cast<Slot>(m));
       while (!stack.empty()) {
         const Slot at = stack.back();
         stack.pop_back();
         if (at < sites) {
-          cluster.sites.push_back(at);
-          cluster_of_[at] = id;
+          position[at] = static_cast<Slot>(members.size());
+          members.push_back(at);
           continue;
         }
-        if (conflict_[tree[at - sites]] != 0) cluster.conflicts.push_back(tree[at - sites]);
+        order_.push_back(at - sites);
         stack.push_back(merges[at - sites].left);
         stack.push_back(merges[at - sites].right);
       }
+      std::ranges::sort(order_);
+      edges_.clear();
+      for (const Slot i : order_) {
+        const EdgeRow& row = delaunay_.edge(tree[i]);
+        edges_.push_back({tree[i], position[row.v[0]], position[row.v[1]]});
+      }
+      add_cluster(std::move(members));
       covered[m] = 1;
     }
     if (covered[m] == 0) continue;
@@ -249,12 +359,11 @@ void ConflictJoin::join_all(JobControl& job) {
 void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
   changed_edges.clear();
   if (crust_.odd_count() == 0 && clusters_.empty()) return;
-  conflict_.resize(delaunay_.edge_rows(), 0);
-  cluster_of_.resize(delaunay_.site_rows(), kNoSlot);
-  changed_.clear();
+  make_room();
   seeds_.clear();
-  grown_sites_ = 0;
   const auto touch = [this](Slot site) {
+    unsettle_walks(near_walks_, site);
+    unsettle_walks(far_walks_, site);
     const Slot id = cluster_of_[site];
     if (id == kNoSlot) return;
     const Cluster& cluster = clusters_.at(id);
@@ -278,8 +387,15 @@ void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
     join_all(job);
     break;
   }
-  for (const Slot edge : changed_)
-    if (delaunay_.edge(edge).is_alive()) changed_edges.push_back(edge);
+  settle_all(job);
+  for (const Noted& note : noted_)
+    if (((state_[note.edge] ^ note.before) & kConflict) != 0 && delaunay_.edge(note.edge).is_alive())
+      changed_edges.push_back(note.edge);
+}
+
+std::size_t ConflictJoin::stroke_count() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(pairs_, [](const Pair& pair) { return pair.is_settled && !pair.stroke.empty(); }));
 }
 
 std::size_t ConflictJoin::largest_cluster() const {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which odd sites of a spanning tree belong together, and the way between them.
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "core/base/slot.h"
+
+namespace mes {
+
+/// Two odd sites that are joined with each other. Sites are numbers from 0.
+struct TreePair {
+  Slot a = kNoSlot;
+  Slot b = kNoSlot;
+  std::size_t component = 0;  ///< sites of the component in which they found each other
+  std::vector<Slot> path;     ///< the edges of the tree between them, in no order
+};
+
+/// Adds the edges of a tree one by one, in the order given, and pairs the odd sites: whenever an edge connects two
+/// components with one site left over each, these two are a pair. The paths of all pairs, an edge that lies on two of
+/// them not counted, are the edges of the tree with an odd number of odd sites on either side; unlike that set the
+/// pairs depend on the order as well.
+///
+/// Cost: O(sites, times nearly nothing, and the lengths of all paths).
+class TreePairs {
+ public:
+  struct Edge {
+    Slot edge;  ///< as it is called in the paths
+    Slot a, b;
+  };
+  /// `odd[site]` is 1 for odd sites, of which there is an even number, and 0 for others.
+  const std::vector<TreePair>& find(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd);
+
+ private:
+  void find_pairs(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd);
+  void hang_up(const std::vector<Edge>& edges, std::size_t sites);
+
+  std::vector<TreePair> pairs_;
+  std::vector<Slot> parent_;
+  std::vector<Slot> left_over_;
+  std::vector<Slot> size_;
+  std::vector<Slot> first_;     // of each site in `incident_`
+  std::vector<Slot> incident_;  // numbers of edges
+  std::vector<Slot> up_;        // site above in the tree, hung up at site 0
+  std::vector<Slot> up_edge_;   // number of the edge to it
+  std::vector<Slot> depth_;
+  std::vector<Slot> queue_;
+};
+
+inline void TreePairs::find_pairs(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd) {
+  parent_.resize(odd.size());
+  std::iota(parent_.begin(), parent_.end(), Slot{0});
+  size_.assign(odd.size(), 1);
+  left_over_.resize(odd.size());
+  for (Slot site = 0; site < odd.size(); ++site) left_over_[site] = odd[site] != 0 ? site : kNoSlot;
+  const auto root = [this](Slot site) {
+    while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
+    return site;
+  };
+  for (const Edge& edge : edges) {
+    const Slot a = root(edge.a);
+    const Slot b = root(edge.b);
+    parent_[b] = a;
+    size_[a] += size_[b];
+    if (left_over_[b] == kNoSlot) continue;
+    if (left_over_[a] == kNoSlot) {
+      left_over_[a] = left_over_[b];
+    } else {
+      pairs_.push_back({left_over_[a], left_over_[b], size_[a], {}});
+      left_over_[a] = kNoSlot;
+    }
+  }
+}
+
+inline void TreePairs::hang_up(const std::vector<Edge>& edges, std::size_t sites) {
+  first_.assign(sites + 1, 0);
+  for (const Edge& edge : edges) {
+    ++first_[edge.a + std::size_t{1}];
+    ++first_[edge.b + std::size_t{1}];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  incident_.resize(2 * edges.size());
+  queue_.assign(first_.begin(), first_.end() - 1);
+  for (Slot i = 0; i < edges.size(); ++i) {
+    incident_[queue_[edges[i].a]++] = i;
+    incident_[queue_[edges[i].b]++] = i;
+  }
+  up_.assign(sites, kNoSlot);
+  up_edge_.assign(sites, kNoSlot);
+  depth_.assign(sites, 0);
+  queue_.assign(1, 0);
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    const Slot site = queue_[next];
+    for (Slot k = first_[site]; k < first_[site + std::size_t{1}]; ++k) {
+      const Slot i = incident_[k];
+      if (i == up_edge_[site]) continue;
+      const Slot below = edges[i].a == site ? edges[i].b : edges[i].a;
+      up_[below] = site;
+      up_edge_[below] = i;
+      depth_[below] = depth_[site] + 1;
+      queue_.push_back(below);
+    }
+  }
+}
+
+inline const std::vector<TreePair>& TreePairs::find(const std::vector<Edge>& edges,
+                                                    const std::vector<std::uint8_t>& odd) {
+  pairs_.clear();
+  if (edges.size() == 1) {  // by far the most frequent: two odd sites side by side
+    pairs_.push_back({0, 1, 2, {edges[0].edge}});
+    return pairs_;
+  }
+  find_pairs(edges, odd);
+  hang_up(edges, odd.size());
+  for (TreePair& pair : pairs_) {
+    for (Slot a = pair.a, b = pair.b; a != b;) {
+      Slot& lower = depth_[a] > depth_[b] ? a : b;
+      pair.path.push_back(edges[up_edge_[lower]].edge);
+      lower = up_[lower];
+    }
+  }
+  return pairs_;
+}
+
+}  // namespace mes
