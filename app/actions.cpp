@@ -316,7 +316,7 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Drag with the spray tool", "draw a stroke"},
       {"Drag with the ball tool", "draw a ball from its centre"},
       {"Wheel on a selected ball", "change its radius; take it at its centre or its circle"},
-      {"Drop files on the window", "open them"},
+      {"Drop files on the window", "open them; samples and balls together"},
   }};
   return table;
 }

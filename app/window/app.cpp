@@ -81,7 +81,7 @@ PanelContext App::panel_context() {
           computation_,
           messages_,
           shapes_,
-          [this](const std::string& file) { open_file(file); },
+          [this](const std::string& file) { open_files({file}); },
           [this](const SampleShape& shape) { open_shape(shape); }};
 }
 

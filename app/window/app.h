@@ -73,7 +73,7 @@ class App final : private WindowListener {
   // app_files.cpp
   void open_first(const WindowOptions& options);
   void with_saved_work(std::function<void()> then);
-  void open_file(const std::string& file);
+  void open_files(const std::vector<std::string>& files);
   void open_shape(const SampleShape& shape);
   void save();
   void ask_save_as();

@@ -118,8 +118,7 @@ void App::on_space(bool held) {
 
 void App::on_files_dropped(std::vector<std::string> files) {
   if (files.empty()) return;
-  open_file(files.front());
-  if (files.size() > 1) messages_.remark("Opened the first of " + std::to_string(files.size()) + " files");
+  open_files(files);
 }
 
 void App::on_close_wanted() {

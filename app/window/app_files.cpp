@@ -12,9 +12,7 @@ namespace fs = std::filesystem;
 
 void App::open_first(const WindowOptions& options) {
   if (!options.files.empty()) {
-    files_.open(options.files.front());
-    if (options.files.size() > 1)
-      messages_.remark("Opened the first of " + std::to_string(options.files.size()) + " files");
+    files_.open(std::vector<fs::path>(options.files.begin(), options.files.end()));
   } else if (!shapes_.empty()) {
     files_.open_shape(shapes_.front().file, shapes_.front().name);
   } else {
@@ -31,8 +29,8 @@ void App::with_saved_work(std::function<void()> then) {
   ask_unsaved_.ask(files_.title(), std::move(then));
 }
 
-void App::open_file(const std::string& file) {
-  with_saved_work([this, file] { files_.open(file); });
+void App::open_files(const std::vector<std::string>& files) {
+  with_saved_work([this, paths = std::vector<fs::path>(files.begin(), files.end())] { files_.open(paths); });
 }
 
 void App::open_shape(const SampleShape& shape) {
@@ -52,7 +50,13 @@ void App::take_read_file() {
   fit_wanted_ = had_first_file_ ? Fit::glide : Fit::at_once;
   had_first_file_ = true;
   messages_.clear_problem();
-  if (!outcome->is_shape) remember_file(settings_, outcome->file);
+  if (!outcome->is_shape)
+    for (const fs::path& file : outcome->files) remember_file(settings_, file);
+  if (outcome->left_out != 0) {
+    const std::size_t opened = outcome->files.size();
+    messages_.remark("Opened " + (opened == 1 ? "the first" : std::to_string(opened)) + " of " +
+                     std::to_string(opened + outcome->left_out) + " files");
+  }
   if (!outcome->warnings.empty()) {
     std::string text = outcome->warnings.front();
     if (outcome->warnings.size() > 1)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "core/io/atomic_file.h"
@@ -28,32 +29,39 @@ FileDesk::FileDesk(Editor& editor, std::function<void()> wake) : editor_(editor)
 }
 FileDesk::~FileDesk() = default;
 
-void FileDesk::begin(const fs::path& file, const std::string& shape_title) {
+void FileDesk::read(Reading& reading) {
+  for (const fs::path& file : reading.files) {
+    try {
+      reading.results.push_back(read_sample_file(file));
+    } catch (const std::bad_alloc&) {
+      reading.results.push_back(
+          std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()}));
+    } catch (const std::exception& error) {
+      reading.results.push_back(std::unexpected(Error{ErrorCode::bad_input, error.what(), file.string()}));
+    }
+    if (!reading.results.back()) return;
+  }
+}
+
+void FileDesk::begin(const std::vector<fs::path>& files, const std::string& shape_title) {
   cancel_reading();
   std::erase_if(given_up_, [](const auto& reading) { return reading->is_done.load(); });
   reading_ = std::make_unique<Reading>();
-  reading_->file = file;
+  reading_->files = files;
   reading_->title = shape_title;
   reading_->thread = std::jthread([reading = reading_.get(), wake = wake_] {
-    try {
-      reading->result = read_sample_file(reading->file);
-    } catch (const std::bad_alloc&) {
-      reading->result = std::unexpected(
-          Error{ErrorCode::out_of_memory, "there is not enough memory for it", reading->file.string()});
-    } catch (const std::exception& error) {
-      reading->result = std::unexpected(Error{ErrorCode::bad_input, error.what(), reading->file.string()});
-    }
+    read(*reading);
     reading->is_done = true;
     if (wake) wake();
   });
 }
 
-void FileDesk::open(const fs::path& file) {
-  begin(file, {});
+void FileDesk::open(const std::vector<fs::path>& files) {
+  if (!files.empty()) begin(files, {});
 }
 
 void FileDesk::open_shape(const fs::path& file, const std::string& title) {
-  begin(file, title);
+  begin({file}, title);
 }
 
 void FileDesk::cancel_reading() {
@@ -62,7 +70,7 @@ void FileDesk::cancel_reading() {
 
 std::string FileDesk::reading_name() const {
   if (!reading_) return {};
-  return reading_->title.empty() ? reading_->file.filename().string() : reading_->title;
+  return reading_->title.empty() ? reading_->files.front().filename().string() : reading_->title;
 }
 
 std::optional<FileDesk::Outcome> FileDesk::poll() {
@@ -70,28 +78,49 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   const std::unique_ptr<Reading> reading = std::move(reading_);
   reading->thread.join();
   Outcome out;
-  out.file = reading->file;
   out.is_shape = !reading->title.empty();
-  if (!reading->result) {
-    out.error = reading->result.error();
+  out.file = reading->files[reading->results.size() - 1];
+  if (!reading->results.back()) {
+    out.error = reading->results.back().error();
     return out;
   }
-  const LoadedFile& loaded = *reading->result;
-  if (auto done = editor_.load(loaded.data); !done) {
+
+  SampleData data;
+  fs::path sample_file;
+  fs::path ball_file;
+  for (std::size_t i = 0; i < reading->results.size(); ++i) {
+    LoadedFile& loaded = *reading->results[i];
+    const bool brings_known = (!loaded.data.positions.empty() && !data.positions.empty()) ||
+                              (!loaded.data.balls.empty() && !data.balls.empty());
+    if (i != 0 && (brings_known || (loaded.data.positions.empty() && loaded.data.balls.empty()))) {
+      ++out.left_out;
+      continue;
+    }
+    out.files.push_back(reading->files[i]);
+    if (!loaded.data.positions.empty()) {
+      data.positions = std::move(loaded.data.positions);
+      data.contours = std::move(loaded.data.contours);
+    }
+    if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
+    std::ranges::move(loaded.warnings, std::back_inserter(out.warnings));
+    // Other formats are read only: saving them means choosing a POFF file beside them.
+    if (loaded.format == "poff") sample_file = reading->files[i];
+    if (loaded.format == "wpoff") ball_file = reading->files[i];
+  }
+  out.file = out.files.front();
+  if (auto done = editor_.load(data); !done) {
     out.error = done.error();
-    out.error->file = reading->file.string();
+    out.error->file = out.file.string();
     return out;
   }
-  out.format = loaded.format;
-  out.samples = loaded.data.positions.size();
-  out.balls = loaded.data.balls.size();
-  out.warnings = loaded.warnings;
-  // Other formats are read only: saving them means choosing a POFF file beside them.
-  sample_file_ = !out.is_shape && loaded.format == "poff" ? reading->file : fs::path();
-  ball_file_ = !out.is_shape && loaded.format == "wpoff" ? reading->file : fs::path();
+  out.format = reading->results.front()->format;
+  out.samples = data.positions.size();
+  out.balls = data.balls.size();
+  sample_file_ = out.is_shape ? fs::path() : sample_file;
+  ball_file_ = out.is_shape ? fs::path() : ball_file;
   file_ = sample_file_.empty() ? ball_file_ : sample_file_;
   note_all_as_saved();
-  title_ = out.is_shape ? reading->title : reading->file.filename().string();
+  title_ = out.is_shape ? reading->title : out.file.filename().string();
   return out;
 }
 

@@ -33,8 +33,10 @@ class FileDesk {
   FileDesk(Editor& editor, std::function<void()> wake);
   ~FileDesk();
 
-  /// Begins to read; a reading under way is given up.
-  void open(const std::filesystem::path& file);
+  /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something
+  /// else each: a file of samples and a file of balls are one document again.
+  void open(const std::vector<std::filesystem::path>& files);
+  void open(const std::filesystem::path& file) { open(std::vector{file}); }
   /// The same for a built-in shape: it has a title, but saving asks for a file.
   void open_shape(const std::filesystem::path& file, const std::string& title);
   void cancel_reading();
@@ -42,7 +44,9 @@ class FileDesk {
   std::string reading_name() const;
 
   struct Outcome {
-    std::filesystem::path file;
+    std::filesystem::path file;                ///< the first one, or the one to blame
+    std::vector<std::filesystem::path> files;  ///< that were opened
+    std::size_t left_out = 0;                  ///< files that would have replaced what the first brought
     bool is_shape = false;
     std::string format;
     std::size_t samples = 0;
@@ -74,13 +78,14 @@ class FileDesk {
 
  private:
   struct Reading {
-    std::filesystem::path file;
+    std::vector<std::filesystem::path> files;
     std::string title;  // of a shape
     std::atomic<bool> is_done = false;
-    Expected<LoadedFile> result{};
-    std::jthread thread;  // last: it ends before what it writes to
+    std::vector<Expected<LoadedFile>> results;  // up to the first that failed
+    std::jthread thread;                        // last: it ends before what it writes to
   };
-  void begin(const std::filesystem::path& file, const std::string& shape_title);
+  void begin(const std::vector<std::filesystem::path>& files, const std::string& shape_title);
+  static void read(Reading& reading);
   void note_all_as_saved();
   Expected<void> write_samples();
   Expected<void> write_balls();

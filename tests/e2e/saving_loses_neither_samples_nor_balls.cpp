@@ -15,8 +15,9 @@ struct Bench {
   Editor editor{{}};
   FileDesk desk{editor, {}};
 
-  FileDesk::Outcome open(const std::filesystem::path& file) {
-    desk.open(file);
+  FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
+  FileDesk::Outcome open(const std::vector<std::filesystem::path>& files) {
+    desk.open(files);
     for (;;) {
       if (auto outcome = desk.poll()) return *outcome;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -125,6 +126,43 @@ TEST_CASE("opening and starting anew forget both files") {
   CHECK(bench.desk.ball_file().empty());
   CHECK(bench.editor.document().is_empty());
   CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("a file of samples and one of balls are one document again") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  const auto balls = bench.folder.write("b.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  const auto others = bench.folder.write("c.poff", "POFF 1 0 0\n7 8\n");
+  for (const auto& files : {std::vector{samples, balls}, std::vector{balls, samples}}) {
+    const auto outcome = bench.open(files);
+    REQUIRE_FALSE(outcome.error);
+    CHECK(outcome.files == files);
+    CHECK(outcome.left_out == 0);
+    CHECK(bench.editor.document().sample_count() == 1);
+    CHECK(bench.editor.document().ball_count() == 1);
+    CHECK(bench.desk.sample_file() == samples);
+    CHECK(bench.desk.ball_file() == balls);
+    CHECK_FALSE(bench.editor.is_modified());
+  }
+  // What the first brought is not replaced by the next.
+  const auto outcome = bench.open({samples, others, balls});
+  CHECK(outcome.files == std::vector{samples, balls});
+  CHECK(outcome.left_out == 1);
+  CHECK(bench.editor.document().position(0) == Vec2{5, 6});
+  bench.add_sample();
+  bench.add_ball();
+  REQUIRE(bench.desk.save());
+  CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n0 0 2\n1 2 3\n");
+  CHECK(contents_of(others) == "POFF 1 0 0\n7 8\n");
+
+  // One of them cannot be read: nothing is opened.
+  const auto digest = bench.editor.document().digest();
+  const auto missing = bench.open({others, bench.folder / "missing.wpoff"});
+  REQUIRE(missing.error);
+  CHECK(missing.error->file == (bench.folder / "missing.wpoff").string());
+  CHECK(bench.editor.document().digest() == digest);
+  CHECK(bench.desk.sample_file() == samples);
 }
 
 TEST_CASE("a bad file of balls leaves the document as it is") {

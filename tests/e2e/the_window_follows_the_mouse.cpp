@@ -206,6 +206,55 @@ TEST_CASE("unsaved work is asked for, and the window sleeps when nothing happens
   }));
 }
 
+TEST_CASE("a ball is drawn, resized with the wheel, and saved to a file of its own") {
+  Session session;
+  const VirtualScreen& screen = session.screen;
+  session.show_only_the_drawing();
+  // In the corner, where no ball of the circle is.
+  const auto is_ball = [](Color c) { return c.r > 240 && c.g > 220 && c.b > 170 && c.b < 235; };
+  REQUIRE_FALSE(is_ball(screen.shoot().at(110, 120)));
+  session.press("b");
+  screen.drag({100, 120}, {160, 120}, 6);
+  INFO("the ball is not on screen while it is drawn");
+  REQUIRE(eventually([&] { return is_ball(screen.shoot().at(110, 150)); }));
+  screen.xdotool("mouseup 1");
+  REQUIRE(eventually([&] { return session.title().starts_with("* circle.poff"); }));
+
+  // Three turns of the wheel on its centre are one step.
+  session.press("v");
+  screen.xdotool("mousemove 100 120 click 1");
+  screen.xdotool("click 4 click 4 click 4");
+  REQUIRE(eventually([&] { return is_ball(screen.shoot().at(170, 120)); }));
+  session.press("ctrl+z");
+  REQUIRE(eventually([&] { return !is_ball(screen.shoot().at(170, 120)); }));
+  CHECK(is_ball(screen.shoot().at(110, 150)));
+  session.press("ctrl+shift+z");
+  REQUIRE(eventually([&] { return is_ball(screen.shoot().at(170, 120)); }));
+
+  // The samples have a file, the ball has none: saving says so, and the work counts as unsaved.
+  session.save();
+  CHECK(saved_samples(session.file).size() == kSamples);
+  const auto is_banner = [](Color c) {
+    return std::abs(c.r - 0xFD) < 4 && std::abs(c.g - 0xF1) < 4 && std::abs(c.b - 0xE7) < 4;
+  };
+  CHECK(eventually([&] { return screen.shoot().count(is_banner) > 3000; }));
+  CHECK(session.title().starts_with("* circle.poff"));
+
+  session.press("ctrl+shift+s");
+  REQUIRE(eventually([&] { return !screen.shoot().is_white(3, 300); }));
+  session.press("Return");
+  const fs::path balls = session.folder.path / "circle.wpoff";
+  REQUIRE(eventually([&] { return fs::exists(balls); }));
+  CHECK(eventually([&] { return session.title().starts_with("circle.wpoff"); }));
+  const auto loaded = read_sample_file(balls);
+  REQUIRE(loaded);
+  REQUIRE(loaded->data.balls.size() == 1);
+  const Disk& ball = loaded->data.balls.front();
+  CHECK(ball.center.x == Approx((100 - 640) / kPxPerUnit).margin(1e-6));
+  CHECK(ball.center.y == Approx((400 - 120) / kPxPerUnit).margin(1e-6));
+  CHECK(ball.radius == Approx(60 / kPxPerUnit * 1.1 * 1.1 * 1.1).margin(1e-6));
+}
+
 TEST_CASE("a file that cannot be read is a message, and the document stays") {
   Session session;
   session.show_only_the_drawing();
