@@ -46,5 +46,6 @@ inline double median(std::vector<double> values) {
 void register_scratch(RatioTable& table);
 void register_edits(RatioTable& table);
 void register_drawing(RatioTable& table);
+void register_unions(RatioTable& table);
 
 }  // namespace mes::bench

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The union of the inner Voronoi balls: general pipeline, certified shortcut, and the one-step axis.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <string>
+
+#include "core/base/rng.h"
+#include "core/structures/ball_union.h"
+#include "tests/bench/ratios.h"
+#include "tests/bench/raw_delaunay.h"
+#include "tests/bench/raw_regular.h"
+#include "tests/bench/setup.h"
+#include "tests/support/shapes.h"
+#include "tests/support/shapes_benchmark.h"
+
+namespace mes::bench {
+namespace {
+
+/// A graph that shows the axis of the union.
+struct Bed {
+  Document document;
+  Graph graph;
+  FramePatch patch;
+  JobControl job;
+
+  explicit Bed(const SampleData& data) {
+    graph.set_demand(layers_named({"medial-axis", "a-ball-medial-axis"}));
+    const auto delta = std::make_shared<const DocumentDelta>(*replace_all(document, data));
+    document.apply(*delta);
+    graph.post(delta);
+    graph.run(patch, job);
+  }
+  void choose(Precision precision, bool use_shortcut) {
+    ComputationSettings settings;
+    settings.precision = precision;
+    settings[Parameter::union_shortcut] = use_shortcut ? 1.0 : 0.0;
+    graph.post_settings(settings);
+    graph.run(patch, job);
+  }
+  double ms(std::string_view structure) const {
+    for (const NodeReport& node : patch.nodes)
+      if (node.structure == structure) return node.update_ms;
+    return 0.0;
+  }
+  std::int64_t count(std::string_view key) const {
+    for (const Stat& stat : graph.structures().get<AUnion>().statistics())
+      if (stat.key == key) return std::get<std::int64_t>(stat.value);
+    return 0;
+  }
+};
+
+SampleData data_of(std::vector<Vec2> points) {
+  SampleData data;
+  data.positions = std::move(points);
+  return data;
+}
+
+void pipeline(benchmark::State& state, RatioTable& table, std::size_t n) {
+  Bed bed(data_of(test::benchmark_curve(n)));
+  const AUnion& balls = bed.graph.structures().get<AUnion>();
+  const double one_step_ms =
+      bed.ms("one-step-crust") + bed.ms("labels") + bed.ms("inner-balls") + bed.ms("medial-axis");
+  std::vector<Disk> disks;
+  for (const PipelineBall& ball : scaled_balls(balls.family()).balls) disks.push_back(ball.disk);
+  std::vector<double> raw, general, certified;
+  for (auto _ : state) {
+    const double start = now_us();
+    benchmark::DoNotOptimize(raw_regular_insert_range(disks));
+    raw.push_back(now_us() - start);
+    bed.choose(Precision::fast, false);
+    general.push_back(1e3 * bed.ms("a-union"));
+    bed.choose(Precision::exact, true);
+    // The certificate was made once for the samples; its cost belongs to each exact result.
+    certified.push_back(1e3 * (bed.ms("a-union") + bed.ms("axis-certificate")));
+    state.SetIterationTime(1e-6 * general.back());
+  }
+  const std::string against = "regular triangulation insert(range)";
+  table.add({"general pipeline, fast", n, median(general), median(raw), 2.5, against});
+  table.add({"exact with certificate", n, median(certified), median(general), 3.0, "general pipeline, fast"});
+  table.add({"one-step axis", n, 1e3 * one_step_ms, median(general), 0.0, "general pipeline, fast"});
+  state.counters["ratio"] = median(general) / median(raw);
+  if (n > 10000) return;
+  bed.choose(Precision::exact, false);
+  table.add({"one-step axis", n, 1e3 * one_step_ms, 1e3 * bed.ms("a-union"), 0.0, "general pipeline, exact"});
+}
+
+void drag(benchmark::State& state, RatioTable& table, std::size_t n) {
+  std::vector<Vec2> points = test::benchmark_curve(n);
+  Bed bed(data_of(points));
+  RawDelaunay raw;
+  raw.insert_range_and_index(points);
+  std::vector<SampleId> ids;
+  for (Slot slot = 0; slot < points.size(); ++slot) ids.push_back(bed.document.id(slot));
+  Rng rng(42);
+  std::vector<double> ours, theirs;
+  for (auto _ : state) {
+    const std::size_t i = 1 + rng.below(points.size() - 1);
+    const Vec2 to = points[i] + (0.25 * (rng.uniform() - 0.5)) * (points[i - 1] - points[i]);
+    const auto delta = move_samples(bed.document, std::vector{std::pair{ids[i], to}});
+    bed.document.apply(*delta);
+    auto shared = std::make_shared<const DocumentDelta>(*delta);
+    double start = now_us();
+    bed.graph.post(std::move(shared));
+    bed.graph.run(bed.patch, bed.job);
+    ours.push_back(now_us() - start);
+    state.SetIterationTime(1e-6 * ours.back());
+    start = now_us();
+    raw.move(i, to);
+    theirs.push_back(now_us() - start);
+    points[i] = to;
+  }
+  table.add({"drag with the axis of the union", n, median(ours), median(theirs), 60.0, "move_if_no_collision"});
+}
+
+// The paper's "numerically more stable" as figures.
+void stability(benchmark::State& state, RatioTable& table) {
+  for (auto _ : state) {
+    for (const Precision precision : {Precision::naive, Precision::fast}) {
+      std::int64_t runs = 0, failed = 0, faces = 0, wrong_faces = 0, v_points = 0, foreign = 0, chi = 0;
+      for (std::uint64_t seed = 1; runs < 1000; ++seed) {
+        for (const test::TestShape& shape :
+             {test::ellipse(2, 1, 120, {.offset = 0.3, .jitter = 0.25, .seed = seed}),
+              test::ellipse(5, 1, 200, {.offset = 0.3, .jitter = 0.25, .seed = seed}),
+              test::annulus(1, 2, 0.2, {.offset = 0.3, .jitter = 0.25, .seed = seed}),
+              test::eccentric_hole(1, 3, 1, 0.2, {.offset = 0.3, .jitter = 0.25, .seed = seed}),
+              test::two_ellipses(2, 1, 1, 100, {.offset = 0.3, .jitter = 0.25, .seed = seed}),
+              test::disk_with_holes(2, 3, 0.5, 1.5, 0.2, {.offset = 0.3, .jitter = 0.25, .seed = seed})}) {
+          if (++runs > 1000) break;
+          Bed bed(shape.data);
+          bed.choose(precision, false);
+          if (bed.graph.structures().get<AUnion>().tables().v_points.empty()) {
+            ++failed;
+            continue;
+          }
+          faces += bed.count("dual_faces");
+          wrong_faces += bed.count("sign_flips");
+          v_points += bed.count("v_points");
+          foreign += bed.count("foreign_v_points");
+          chi += bed.count("chi") != bed.count("chi_dual") ? 1 : 0;
+        }
+      }
+      char text[400];
+      std::snprintf(text, sizeof text,
+                    "1000 random samplings of 6 shapes, general pipeline in %s: %lld failed, %lld dual triangles "
+                    "misjudged (%lld found), %lld of %lld v-points are no samples, chi wrong in %lld; one-step: none",
+                    std::string(id_of(precision)).c_str(), static_cast<long long>(failed),
+                    static_cast<long long>(wrong_faces), static_cast<long long>(faces),
+                    static_cast<long long>(foreign), static_cast<long long>(v_points), static_cast<long long>(chi));
+      table.add_note(text);
+    }
+  }
+}
+
+}  // namespace
+
+void register_unions(RatioTable& table) {
+  for (const std::size_t n : {std::size_t{1000}, std::size_t{10000}, std::size_t{100000}}) {
+    benchmark::RegisterBenchmark(("union/pipeline/" + std::to_string(n)).c_str(),
+                                 [&table, n](benchmark::State& state) { pipeline(state, table, n); })
+        ->UseManualTime()
+        ->Iterations(n >= 100000 ? 5 : 15)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("union/drag/" + std::to_string(n)).c_str(),
+                                 [&table, n](benchmark::State& state) { drag(state, table, n); })
+        ->UseManualTime()
+        ->Iterations(2000)
+        ->Unit(benchmark::kMicrosecond);
+  }
+  benchmark::RegisterBenchmark("union/stability", [&table](benchmark::State& state) { stability(state, table); })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace mes::bench
