@@ -9,10 +9,13 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "core/base/box2.h"
 #include "core/base/job_control.h"
+#include "core/base/rng.h"
 #include "core/kernel/ball_signs.h"
 #include "core/structures/internal/hilbert.h"
 #include "core/structures/internal/union_tables.h"
@@ -57,7 +60,9 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
 
   std::vector<KeyedSlot> order(balls.size());
   {
-    // Neighbours in the plane one after the other, so that each is found from the one before.
+    // In rounds, each of about twice as many balls as all before, chosen at random: else the triangulation on the way
+    // has vertices of huge degree. In a round neighbours in the plane come one after the other, so that each is found
+    // from the one before. Source: Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003.
     std::vector<Vec2> centers(balls.size());
     Box2 box;
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -65,9 +70,15 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
       box.add(centers[i]);
     }
     const HilbertGrid grid(box);
-    for (std::size_t i = 0; i < balls.size(); ++i) order[i] = {grid.key(centers[i]), static_cast<Slot>(i)};
+    constexpr unsigned kRounds = 31;
+    Rng coins(1);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      const auto heads = static_cast<unsigned>(std::countl_zero(coins.next() | 1U));
+      const std::uint64_t round = kRounds - std::min(heads, kRounds);
+      order[i] = {(round << 32U) | grid.key(centers[i]), static_cast<Slot>(i)};
+    }
     std::vector<KeyedSlot> scratch;
-    radix_sort(order, scratch, 32);
+    radix_sort(order, scratch, 37);
   }
   RegularTables out;
   out.state.assign(balls.size(), BallState::visible);
