@@ -103,7 +103,7 @@ void ConflictJoin::add_cluster(std::vector<Slot> sites) {
   }
   for (const Slot site : sites) cluster_of_[site] = id;
   Cluster& cluster = clusters_[id];
-  for (const TreePair& way : tree_pairs_.find(edges_, odd_)) {
+  for (TreePair& way : tree_pairs_.find(edges_, odd_)) {
     Slot number = static_cast<Slot>(pairs_.size());
     if (free_pairs_.empty()) {
       pairs_.emplace_back();
@@ -113,9 +113,9 @@ void ConflictJoin::add_cluster(std::vector<Slot> sites) {
       pairs_[number] = Pair{};
     }
     Pair& pair = pairs_[number];
-    pair.way = way;
-    pair.way.a = sites[way.a];
-    pair.way.b = sites[way.b];
+    pair.way = std::move(way);
+    pair.way.a = sites[pair.way.a];
+    pair.way.b = sites[pair.way.b];
     cluster.pairs.push_back(number);
     unsettled_.push_back(number);
   }
@@ -252,7 +252,7 @@ void ConflictJoin::clear() {
 void ConflictJoin::rebuild(JobControl& job) {
   clear();
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
-  make_room();
+  begin();
   for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
     if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;
     grow(site, job);
@@ -267,6 +267,10 @@ void ConflictJoin::make_room() {
   state_.resize(delaunay_.edge_rows(), 0);
   cluster_of_.resize(delaunay_.site_rows(), kNoSlot);
   for (Walks* walks : {&near_walks_, &far_walks_}) walks->through.resize(delaunay_.site_rows(), {kNoSlot, kNoSlot});
+}
+
+void ConflictJoin::begin() {
+  make_room();
   grown_sites_ = 0;
   noted_.clear();
   noted_marks_.begin(delaunay_.edge_rows());
@@ -317,7 +321,11 @@ void ConflictJoin::join_all(JobControl& job) {
   job.checkpoint();
 
   // The clusters: the outermost merges that close.
-  while (!clusters_.empty()) dissolve(clusters_.begin()->first);
+  for (Slot edge = 0; edge < state_.size(); ++edge) {
+    if (state_[edge] != 0 && noted_marks_.insert(edge)) noted_.push_back({edge, state_[edge]});
+  }
+  clear();
+  make_room();
   std::vector<std::uint8_t> covered(merges.size(), 0);
   std::vector<Slot> position(sites, kNoSlot);
   std::vector<Slot> stack;
@@ -359,7 +367,7 @@ void ConflictJoin::join_all(JobControl& job) {
 void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
   changed_edges.clear();
   if (crust_.odd_count() == 0 && clusters_.empty()) return;
-  make_room();
+  begin();
   seeds_.clear();
   const auto touch = [this](Slot site) {
     unsettle_walks(near_walks_, site);

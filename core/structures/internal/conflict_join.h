@@ -131,6 +131,7 @@ class ConflictJoin {
   void settle_all(JobControl& job);
   void clear();
   void make_room();
+  void begin();
 
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;

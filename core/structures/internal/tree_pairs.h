@@ -30,8 +30,9 @@ class TreePairs {
     Slot edge;  ///< as it is called in the paths
     Slot a, b;
   };
-  /// `odd[site]` is 1 for odd sites, of which there is an even number, and 0 for others.
-  const std::vector<TreePair>& find(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd);
+  /// What is returned may be taken apart by moving. `odd[site]` is 1 for odd sites, of which there is an even number,
+  /// and 0 for others.
+  std::vector<TreePair>& find(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd);
 
  private:
   void find_pairs(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd);
@@ -105,8 +106,7 @@ inline void TreePairs::hang_up(const std::vector<Edge>& edges, std::size_t sites
   }
 }
 
-inline const std::vector<TreePair>& TreePairs::find(const std::vector<Edge>& edges,
-                                                    const std::vector<std::uint8_t>& odd) {
+inline std::vector<TreePair>& TreePairs::find(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd) {
   pairs_.clear();
   if (edges.size() == 1) {  // by far the most frequent: two odd sites side by side
     pairs_.push_back({0, 1, 2, {edges[0].edge}});
