@@ -78,7 +78,7 @@ class App final : private WindowListener {
   void save();
   void ask_save_as();
   void save_as(const std::filesystem::path& file);
-  void say_saved(const std::filesystem::path& file);
+  void say_saved(const std::string& files);
   void take_read_file();
   void draw_dialogs();
   void remember_settings();

@@ -76,7 +76,9 @@ void App::save() {
     after_save_ = {};
     return;
   }
-  say_saved(files_.file());
+  const fs::path& samples = files_.sample_file();
+  const fs::path& balls = files_.ball_file();
+  say_saved(samples.empty() || balls.empty() ? files_.file().string() : samples.string() + " and " + balls.string());
 }
 
 void App::save_as(const fs::path& file) {
@@ -86,28 +88,27 @@ void App::save_as(const fs::path& file) {
     return;
   }
   remember_file(settings_, file);
-  say_saved(file);
+  say_saved(file.string());
 }
 
-void App::say_saved(const fs::path& file) {
+void App::say_saved(const std::string& files) {
   messages_.clear_problem();
-  messages_.remark("Saved " + file.string());
+  messages_.remark("Saved " + files);
   const FileDesk::Unsaved rest = files_.unsaved();
   if (!rest.samples && !rest.balls) {
     if (const auto then = std::exchange(after_save_, {})) then();
     return;
   }
-  const Document& document = editor_.document();
-  const std::string what =
-      counted(rest.samples ? document.sample_count() : 0, rest.balls ? document.ball_count() : 0);
   if (after_save_) {
     ask_save_as();
     return;
   }
-  const bool is_one = (rest.balls ? document.ball_count() : document.sample_count()) == 1;
-  messages_.problem("Saved " + file.filename().string() + " without the " + what +
-                    (is_one ? ", which goes" : ", which go") + " to a file of " + (is_one ? "its" : "their") +
-                    " own: \"Save as...\" with a name that ends in " + (rest.balls ? ".wpoff" : ".poff"));
+  const std::string what = rest.samples ? rest.balls ? "the samples and the balls" : "the samples" : "the balls";
+  const bool has_file = !(rest.balls ? files_.ball_file() : files_.sample_file()).empty();
+  messages_.problem(
+      "Saved " + files_.title() + "; still unsaved: " + what +
+      (has_file ? " (\"Save\" writes both files)"
+                : std::string(" (\"Save as...\" with a name that ends in ") + (rest.balls ? ".wpoff)" : ".poff)")));
 }
 
 void App::ask_save_as() {
