@@ -197,7 +197,8 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   std::optional<fs::path> out;
   if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
-  ImGui::TextUnformatted(is_saving_ ? "Save samples as" : "Open samples");
+  const char* const saving = extension_ == ".wpoff" ? "Save balls as" : "Save samples as";
+  ImGui::TextUnformatted(is_saving_ ? saving : "Open samples or balls");
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
