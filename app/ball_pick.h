@@ -16,7 +16,7 @@ struct BallPick {
 };
 
 /// The ball whose centre or circle is nearest to `p`, at most `radius` away; ties go to the higher row, which is
-/// drawn above. Cost: O(balls), some 3 ns each: there are far fewer of them than samples.
+/// drawn above. Cost: O(balls), some 15 ns each: under 2 ms at 10^5 balls.
 BallPick nearest_ball(const Document& document, Vec2 p, double radius);
 
 /// Rows of the balls with their centre in the closed box, increasing. O(balls).
