@@ -10,8 +10,8 @@
 namespace mes {
 
 /// Position in `parameter_descriptors()`.
-enum class Parameter : std::uint8_t { union_shortcut, pole_labels, medial_sampling_angle };
-inline constexpr std::size_t kParameters = 3;
+enum class Parameter : std::uint8_t { union_shortcut };
+inline constexpr std::size_t kParameters = 1;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -26,12 +26,7 @@ struct ParameterDescriptor {
 inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{
     {{"union-shortcut",
       "1: unions of Voronoi balls follow from shared samples where that is certified; 0: the general pipeline always",
-      "", 0.0, 1.0, 1.0, true},
-     {"pole-labels", "How poles are told inside from outside; 0: by their triangle, 1: by propagation", "", 0.0, 1.0,
-      0.0, true},
-     {"medial-sampling-angle",
-      "Medial balls are sampled until neighbouring circles cross at no larger angle than this", "degrees", 90.0,
-      179.9, 175.0}}};
+      "", 0.0, 1.0, 1.0, true}}};
 
 /// Every parameter.
 constexpr std::span<const ParameterDescriptor> parameter_descriptors() {

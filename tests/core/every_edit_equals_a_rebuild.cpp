@@ -181,7 +181,7 @@ TEST_CASE("a small integer lattice, where everything is cocircular and positions
   const Source source = [](Rng& rng) {
     return Vec2{static_cast<double>(rng.below(7)), static_cast<double>(rng.below(7))};
   };
-  for (std::uint64_t seed = 31; seed <= 34; ++seed) play_script(source, 25, 500, seed, false, 0.0);
+  for (const std::uint64_t seed : {31U, 32U, 33U, 34U, 60U}) play_script(source, 25, 500, seed, false, 0.0);
 }
 
 TEST_CASE("from nothing, through one point and collinear points, and back") {

@@ -223,7 +223,8 @@ std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
     RankedEdge ranked{edge, false, {}, exact_edge(crust.corners(edge)).certainty(), {}, {}};
     const int a = degree[row.v[0]];
     const int b = degree[row.v[1]];
-    if (is_odd(row.v[0]) && is_odd(row.v[1]))
+    // A diagonal of cocircular sites mends nothing: another triangulation has another one.
+    if (is_odd(row.v[0]) && is_odd(row.v[1]) && !exact_edge(crust.corners(edge)).is_cocircular())
       ranked.mends = crust.is_crust(edge) ? a >= 3 && b >= 3 : a == 1 && b == 1;
     const ExactPoint along = exact[row.v[1]] - exact[row.v[0]];
     ranked.squared_length = dot(along, along);
