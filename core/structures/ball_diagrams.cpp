@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/isolated.h"
+#include "core/structures/internal/voronoi_balls.h"
 
 namespace mes {
 
@@ -101,10 +102,13 @@ StatList VDiagram::statistics() const {
           {"inside", inside}};
 }
 
-APowerDiagram::APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls,
-                             MedialAxis& axis)
-    : PowerDiagram("a-power-diagram", {&settings, &delaunay, &labels, &balls, &axis}, settings,
-                   inner_voronoi_balls(delaunay, axis, balls)) {}
+APowerDiagram::APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls)
+    : PowerDiagram("a-power-diagram", {&settings, &delaunay, &labels, &balls}, settings,
+                   inner_voronoi_balls(delaunay, balls)) {}
+
+VoronoiBallDiagram::VoronoiBallDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices)
+    : PowerDiagram("voronoi-ball-diagram", {&settings, &delaunay, &vertices}, settings,
+                   std::make_unique<VoronoiBalls>(delaunay, vertices)) {}
 
 BPowerDiagram::BPowerDiagram(SettingsSource& settings, UserBalls& balls)
     : PowerDiagram("b-power-diagram", {&settings, &balls}, settings, user_ball_family(balls)) {}

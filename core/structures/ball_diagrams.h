@@ -28,6 +28,7 @@ class PowerDiagram : public Structure {
  protected:
   PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                std::unique_ptr<BallFamily> family);
+  BallFamily& own_family() { return *family_; }
 
  private:
   const SettingsSource& settings_;
@@ -64,7 +65,13 @@ class VDiagram : public Structure {
 
 class APowerDiagram final : public PowerDiagram {
  public:
-  APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls, MedialAxis& axis);
+  APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls);
+};
+
+/// Of all finite Voronoi balls, inside and outside.
+class VoronoiBallDiagram final : public PowerDiagram {
+ public:
+  VoronoiBallDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices);
 };
 
 class BPowerDiagram final : public PowerDiagram {

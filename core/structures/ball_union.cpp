@@ -9,6 +9,7 @@
 
 #include "core/base/isolated.h"
 #include "core/structures/internal/union_runs.h"
+#include "core/structures/internal/voronoi_balls.h"
 
 namespace mes {
 namespace {
@@ -72,38 +73,14 @@ void scale(UnionTables& t, int exponent) {
   }
 }
 
-/// Inner Voronoi balls. Rows: Delaunay faces.
-class InnerVoronoiBalls final : public BallFamily {
+class InnerVoronoiBalls final : public VoronoiBalls {
  public:
-  InnerVoronoiBalls(const Delaunay& delaunay, const MedialAxis& axis, const InnerBalls& balls)
-      : delaunay_(delaunay), axis_(axis), balls_(balls) {}
-  std::size_t rows() const override { return delaunay_.face_rows(); }
-  bool is_ball(Slot row) const override { return delaunay_.face(row).is_alive() && axis_.is_node(row); }
-  Disk disk(Slot row) const override { return {delaunay_.circumcenter(row), delaunay_.circumradius(row)}; }
-  bool is_from_samples() const override { return true; }
-  std::array<Vec2, 3> corners(Slot row) const override {
-    const FaceRow& face = delaunay_.face(row);
-    return {delaunay_.site_position(face.v[0]), delaunay_.site_position(face.v[1]),
-            delaunay_.site_position(face.v[2])};
-  }
-  void touched_samples(Slot row, std::vector<TouchedSample>& out) const override {
-    const std::size_t first = out.size();
-    const auto add_face = [&](Slot face) {
-      for (const Slot site : delaunay_.face(face).v) {
-        const auto is_site = [site](const TouchedSample& sample) { return sample.site == site; };
-        if (std::none_of(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), is_site))
-          out.push_back({site, delaunay_.site_position(site)});
-      }
-    };
-    add_face(row);
-    if (const std::vector<Slot>* group = balls_.group(row))
-      for (const Slot face : *group) add_face(face);
-  }
+  InnerVoronoiBalls(const Delaunay& delaunay, const InnerBalls& balls)
+      : VoronoiBalls(delaunay, balls.vertices()), balls_(balls) {}
+  bool is_ball(Slot row) const override { return balls_.is_ball(row) && VoronoiBalls::is_ball(row); }
   const ChangeSet& changes() const override { return balls_.changes(); }
 
  private:
-  const Delaunay& delaunay_;
-  const MedialAxis& axis_;
   const InnerBalls& balls_;
 };
 
@@ -267,10 +244,8 @@ ScaledBalls scaled_balls(const BallFamily& family) {
     PipelineBall ball;
     ball.row = row;
     ball.disk = family.disk(row);
-    ball.is_from_samples = family.is_from_samples();
-    if (ball.is_from_samples) {
-      std::ranges::copy(family.corners(row), ball.corner);
-    }
+    ball.origin = family.origin(row);
+    if (ball.origin == BallOrigin::circumdisk) std::ranges::copy(family.corners(row), ball.corner);
     // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
     if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + ball.disk.radius) || !(ball.disk.radius > 0.0)) {
       ++out.ignored;
@@ -281,6 +256,7 @@ ScaledBalls scaled_balls(const BallFamily& family) {
     for (const Vec2 corner : ball.corner) note_size(corner);
     first_sample.push_back(out.samples.size());
     family.touched_samples(row, out.samples);
+    if (ball.origin == BallOrigin::through_sample) ball.corner[0] = out.samples.back().position;
     out.balls.push_back(ball);
   }
   first_sample.push_back(out.samples.size());
@@ -454,15 +430,14 @@ void BallUnion::find(std::vector<Finding>& out) const {
     say(FindingLevel::wrong, 1, "the axis and the dual complex differ in Euler characteristic");
 }
 
-std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const MedialAxis& axis,
-                                                const InnerBalls& balls) {
-  return std::make_unique<InnerVoronoiBalls>(delaunay, axis, balls);
+std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const InnerBalls& balls) {
+  return std::make_unique<InnerVoronoiBalls>(delaunay, balls);
 }
 
 AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
                MedialAxis& axis, AxisCertificate& certificate)
     : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,
-                inner_voronoi_balls(delaunay, axis, balls), &certificate,
+                inner_voronoi_balls(delaunay, balls), &certificate,
                 std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
 
 std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls) {

@@ -96,8 +96,7 @@ class BallUnion : public Structure {
 };
 
 /// The inner Voronoi balls as a family. Rows: Delaunay faces.
-std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const MedialAxis& axis,
-                                                const InnerBalls& balls);
+std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const InnerBalls& balls);
 
 /// Rows of balls: Delaunay faces. The inner Voronoi balls.
 class AUnion final : public BallUnion {

@@ -13,9 +13,8 @@ Layer make_union_ball_triangulation_layer(const UnionFamily& family) {
        .in_paper = true,
        .style = {.color = palette::grey, .opacity = 0.6},
        .kinds = {PrimitiveKind::segment}},
-      power_part({PrimitiveKind::segment}, diagram, [&diagram](const PowerEdge& edge, Instance& out) {
-        out.segment(diagram.family().disk(edge.ball[0]).center, diagram.family().disk(edge.ball[1]).center);
-      }));
+      power_part({PrimitiveKind::segment}, diagram,
+                 [&diagram](const PowerEdge& edge, Instance& out) { emit_centers(diagram, edge, out); }));
 }
 
 }  // namespace mes

@@ -59,6 +59,19 @@ auto power_part(std::vector<PrimitiveKind> kinds, const PowerDiagram& diagram, E
       [&diagram, emit](Slot row, Instance& out) { emit(diagram.edges()[row], out); });
 }
 
+/// Edge of the power diagram.
+inline void emit_power_edge(const PowerEdge& edge, Instance& out) {
+  switch (edge.kind) {
+    case PowerEdge::Kind::segment: out.segment(edge.from, edge.to); break;
+    case PowerEdge::Kind::ray: out.ray(edge.from, edge.to); break;
+    case PowerEdge::Kind::line: out.line(edge.from, edge.to); break;
+  }
+}
+/// Its dual, edge of the regular triangulation.
+inline void emit_centers(const PowerDiagram& diagram, const PowerEdge& edge, Instance& out) {
+  out.segment(diagram.family().disk(edge.ball[0]).center, diagram.family().disk(edge.ball[1]).center);
+}
+
 template <class Table, class Emit>
 auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, Table UnionTables::*table, Emit emit) {
   return table_part(

@@ -10,7 +10,7 @@ Layer make_union_inner_centers_layer(const UnionFamily& family) {
       {.id = "inner-centers",
        .name = "inner centers",
        .tooltip = "Centres of the analysed disks",
-       .in_paper = true,
+
        .scalar = "radius",
        .style = {.color = palette::orange, .point_size_px = 4},
        .kinds = {PrimitiveKind::point}},

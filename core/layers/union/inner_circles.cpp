@@ -10,7 +10,7 @@ Layer make_union_inner_circles_layer(const UnionFamily& family) {
       {.id = "inner-circles",
        .name = "inner circles",
        .tooltip = "Circles of the analysed disks",
-       .in_paper = true,
+
        .scalar = "radius",
        .style = {.color = palette::orange, .opacity = 0.6},
        .kinds = {PrimitiveKind::circle}},

@@ -10,7 +10,7 @@ Layer make_union_inner_disks_layer(const UnionFamily& family) {
       {.id = "inner-disks",
        .name = "inner disks",
        .tooltip = "Disks whose union is analysed",
-       .in_paper = true,
+
        .scalar = "radius",
        .style = {.color = palette::orange, .opacity = 0.2, .flat = true},
        .kinds = {PrimitiveKind::disk}},

@@ -6,20 +6,14 @@ namespace mes {
 Layer make_union_power_diagram_layer(const UnionFamily& family) {
   const PowerDiagram& diagram = family.power_diagram;
   return union_layer_of(family, diagram,
-                        {.id = "power-diagram",
-                         .name = "power diagram",
+                        {.id = "ball-power-diagram",
+                         .name = "ball power diagram",
                          .tooltip = "Power diagram of the balls",
                          .in_fit_box = false,
                          .style = {.color = palette::sky, .opacity = 0.6},
                          .kinds = {PrimitiveKind::line, PrimitiveKind::ray, PrimitiveKind::segment}},
                         power_part({PrimitiveKind::line, PrimitiveKind::ray, PrimitiveKind::segment}, diagram,
-                                   [](const PowerEdge& edge, Instance& out) {
-                                     switch (edge.kind) {
-                                       case PowerEdge::Kind::segment: out.segment(edge.from, edge.to); break;
-                                       case PowerEdge::Kind::ray: out.ray(edge.from, edge.to); break;
-                                       case PowerEdge::Kind::line: out.line(edge.from, edge.to); break;
-                                     }
-                                   }));
+                                   [](const PowerEdge& edge, Instance& out) { emit_power_edge(edge, out); }));
 }
 
 }  // namespace mes

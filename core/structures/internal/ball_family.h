@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/change_set.h"
@@ -17,6 +18,13 @@ struct TouchedSample {
   Vec2 position{};
 };
 
+/// What exactly a ball is; `BallFamily::disk` may be rounded.
+enum class BallOrigin : std::uint8_t {
+  disk,            ///< the disk as it stands
+  circumdisk,      ///< of three samples
+  through_sample,  ///< with the centre as it stands, and the one sample it touches on its circle
+};
+
 class BallFamily {
  public:
   virtual ~BallFamily() = default;
@@ -25,9 +33,10 @@ class BallFamily {
   virtual bool is_ball(Slot row) const = 0;
   /// Rounded to doubles.
   virtual Disk disk(Slot row) const = 0;
-  /// The ball is the circumdisk of three samples; otherwise it is `disk` as it stands.
+  /// Every ball touches samples: its circle and its crossings with others are to be had from them.
   virtual bool is_from_samples() const = 0;
-  /// Their positions, counter-clockwise.
+  virtual BallOrigin origin(Slot) const { return is_from_samples() ? BallOrigin::circumdisk : BallOrigin::disk; }
+  /// The samples of a circumdisk, counter-clockwise.
   virtual std::array<Vec2, 3> corners(Slot row) const = 0;
   /// Appends every sample on the circle: more than three when samples are cocircular.
   virtual void touched_samples(Slot row, std::vector<TouchedSample>& out) const = 0;

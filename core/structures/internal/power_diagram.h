@@ -53,6 +53,8 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
     PowerEdge row{{a.row, b.row}};
     const bool left = edge.f[0] != kNoSlot && is_finite[edge.f[0]];
     const bool right = edge.f[1] != kNoSlot && is_finite[edge.f[1]];
+    for (const std::size_t side : {0U, 1U})
+      if (side == 0 ? left : right) row.face[side] = edge.f[side];
     if (left && right) {
       row.from = center[edge.f[0]];
       row.to = center[edge.f[1]];

@@ -45,14 +45,21 @@ template <class Number>
 BallOf<Number> ball_in(const PipelineBall& ball) {
   if constexpr (std::is_same_v<Number, double>) {
     const Vec2 c = ball.disk.center;
-    if (!ball.is_from_samples) return {c.x, c.y, ball.disk.radius * ball.disk.radius};
+    if (ball.origin == BallOrigin::disk) return {c.x, c.y, ball.disk.radius * ball.disk.radius};
     // The same corner however the triangle came about.
-    const Vec2 d = *std::ranges::min_element(ball.corner, lexicographically_less) - c;
+    const bool is_circumdisk = ball.origin == BallOrigin::circumdisk;
+    const Vec2 d =
+        (is_circumdisk ? *std::ranges::min_element(ball.corner, lexicographically_less) : ball.corner[0]) - c;
     return {c.x, c.y, dot(d, d)};
   } else {
-    if (!ball.is_from_samples) {
-      const Number r(ball.disk.radius);
-      return {Number(ball.disk.center.x), Number(ball.disk.center.y), r * r};
+    if (ball.origin != BallOrigin::circumdisk) {
+      const Number x(ball.disk.center.x), y(ball.disk.center.y);
+      if (ball.origin == BallOrigin::disk) {
+        const Number r(ball.disk.radius);
+        return {x, y, r * r};
+      }
+      const Number dx = Number(ball.corner[0].x) - x, dy = Number(ball.corner[0].y) - y;
+      return {x, y, dx * dx + dy * dy};
     }
     const Number ax(ball.corner[0].x), ay(ball.corner[0].y);
     const Number ux = Number(ball.corner[1].x) - ax, uy = Number(ball.corner[1].y) - ay;
@@ -223,7 +230,7 @@ void UnionPipeline<Balls, Points>::leave_out_covered() {
     for (const auto& edge : rt_.edges) {
       const Slot a = edge.v[0];
       const Slot b = edge.v[1];
-      if (input_[a].is_from_samples || sign_of_edge_radius<Balls>(ball_[a], ball_[b]) != 0) continue;
+      if (input_[a].origin != BallOrigin::disk || sign_of_edge_radius<Balls>(ball_[a], ball_[b]) != 0) continue;
       if (!touch_from_inside<Balls>(ball_[a], ball_[b])) continue;
       left_out.resize(input_.size(), false);
       left_out[ball_[a].w < ball_[b].w ? a : b] = true;

@@ -11,12 +11,12 @@
 
 namespace mes {
 
-/// A ball as the pipeline takes it: the circumdisk of three samples, counter-clockwise, or a disk as it stands.
+/// A ball as the pipeline takes it.
 struct PipelineBall {
   Slot row = kNoSlot;  ///< of its family
-  Disk disk{};         ///< rounded, if it is from samples
-  bool is_from_samples = false;
-  Vec2 corner[3] = {};
+  Disk disk{};         ///< may be rounded
+  BallOrigin origin = BallOrigin::disk;
+  Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
   std::span<const TouchedSample> samples{};  ///< all on the circle
 
   const TouchedSample* find(Slot site) const {
@@ -73,8 +73,9 @@ struct PowerEdge {
   enum class Kind : std::uint8_t { segment, ray, line };
   Slot ball[2] = {kNoSlot, kNoSlot};
   Kind kind = Kind::segment;
-  Vec2 from{};  ///< a power centre, or any point of the line
-  Vec2 to{};    ///< the other power centre; for rays and lines the direction
+  Vec2 from{};                        ///< a power centre, or any point of the line
+  Vec2 to{};                          ///< the other power centre; for rays and lines the direction
+  Slot face[2] = {kNoSlot, kNoSlot};  ///< the triangles whose power centres the ends are; kNoSlot = no end
 };
 std::vector<PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job);
 std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job);

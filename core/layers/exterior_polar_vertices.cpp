@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+#include "core/structures/pole_labels.h"
+
+namespace mes {
+
+Layer make_exterior_polar_vertices_layer(const StructureSet& set) {
+  const auto& delaunay = set.get<Delaunay>();
+  const auto& poles = set.get<Poles>();
+  const auto& labels = set.get<PoleLabels>();
+  return make_layer({.id = "exterior-polar-vertices",
+                     .name = "Exterior polar vertices",
+                     .tooltip = "Poles not labelled inside",
+                     .group = LayerGroup::poles,
+                     .in_fit_box = false,
+                     .scalar = "radius",
+                     .style = {.color = palette::sky, .point_size_px = 4},
+                     .kinds = {PrimitiveKind::point}},
+                    {&delaunay, &poles, &labels},
+                    faces_part({PrimitiveKind::point}, delaunay, labels.changes(), [&](Slot face, Instance& out) {
+                      if (poles.is_pole(face) && !labels.is_inside(face))
+                        out.point(delaunay.circumcenter(face), delaunay.circumradius(face));
+                    }));
+}
+
+}  // namespace mes
