@@ -48,7 +48,7 @@ std::vector<Entry> layers() {
                     {"name", layer.name},
                     {"tooltip", layer.tooltip},
                     {"group", title_of(layer.group)},
-                    {"in_paper", layer.in_paper},
+                    {"paper", layer.in_paper},
                     {"visible_at_start", layer.visible_at_start},
                     {"in_fit_box", layer.in_fit_box},
                     {"kinds", kinds},

@@ -222,7 +222,7 @@ void BallUnion::rebuild(JobControl& job) {
     return;
   }
   if (!shortcut_) {
-    why_ = "no samples to follow";
+    why_ = family_->is_from_samples() ? "no certificate for these balls" : "no samples to follow";
   } else if (!made_with_.use_shortcut || made_with_.precision == Precision::naive ||
              made_with_.precision == Precision::exact_roots) {
     why_ = "as asked for";

@@ -95,11 +95,24 @@ void PoleLabels::spread(JobControl& job) {
   std::vector<Slot> ball_of_row(scaled.rows, kNoSlot);
   for (Slot i = 0; i < scaled.balls.size(); ++i) ball_of_row[scaled.balls[i].row] = i;
   PoleGraph graph(scaled.balls);
+  const auto link_if_deep = [&](Slot a, Slot b) {
+    if (overlap_deeply(scaled.balls[a], scaled.balls[b]))
+      graph.link(a, b, false, cosine_at_crossing(scaled.balls[a].disk, scaled.balls[b].disk));
+  };
+  std::vector<bool> is_visible(scaled.balls.size(), false);
   for (const PowerEdge& edge : edges) {
     const Slot a = ball_of_row[edge.ball[0]];
     const Slot b = ball_of_row[edge.ball[1]];
-    if (overlap_deeply(scaled.balls[a], scaled.balls[b]))
-      graph.link(a, b, false, cosine_at_crossing(scaled.balls[a].disk, scaled.balls[b].disk));
+    is_visible[a] = is_visible[b] = true;
+    link_if_deep(a, b);
+  }
+  // A hidden ball has no neighbours there, but on the Voronoi diagram.
+  for (const EdgeRow& edge : delaunay_.edges()) {
+    if (!edge.is_alive() || delaunay_.face(edge.f[0]).is_infinite() || delaunay_.face(edge.f[1]).is_infinite())
+      continue;
+    const Slot a = ball_of_row[vertices_.vertex(edge.f[0])];
+    const Slot b = ball_of_row[vertices_.vertex(edge.f[1])];
+    if (a != kNoSlot && b != kNoSlot && a != b && !(is_visible[a] && is_visible[b])) link_if_deep(a, b);
   }
   for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
     if (!delaunay_.is_site(site) || poles_.minus(site) == kNoSlot) continue;

@@ -8,6 +8,7 @@
 
 #include "core/structures/curve.h"
 #include "core/structures/medial_axis.h"
+#include "core/structures/poles.h"
 #include "core/structures/user_balls.h"
 
 namespace mes::test {
@@ -50,6 +51,32 @@ std::vector<NodeStateOf> nodes_of(const Delaunay& delaunay, const OneStepCrust& 
   std::ranges::sort(nodes,
                     [](const NodeStateOf& a, const NodeStateOf& b) { return less_list(a.corners, b.corners); });
   return nodes;
+}
+
+// Each site with the samples on its two polar circles; a pole at infinity counts as the site itself, none as nothing.
+std::vector<std::vector<Vec2>> poles_of(const Delaunay& delaunay, const VoronoiVertices& vertices,
+                                        const Poles& poles) {
+  std::vector<std::vector<Vec2>> out;
+  std::vector<Slot> sites;
+  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+    if (!delaunay.is_site(site)) continue;
+    const Vec2 p = delaunay.site_position(site);
+    out.push_back({p});
+    for (const Slot pole : {poles.plus(site), poles.minus(site)}) {
+      out.back().push_back(p);
+      if (pole == kNoSlot || pole == kInfinitePole) continue;
+      // What counts as a pole says so, and names the circle as the others do.
+      if (!poles.is_pole(pole) || vertices.vertex(pole) != pole) out.back().push_back({1e99, 1e99});
+      sites.clear();
+      vertices.append_sites(pole, sites);
+      std::vector<Vec2> circle;
+      for (const Slot other : sites) circle.push_back(delaunay.site_position(other));
+      std::ranges::sort(circle, less);
+      out.back().insert(out.back().end(), circle.begin(), circle.end());
+    }
+  }
+  std::ranges::sort(out, less_list);
+  return out;
 }
 
 std::string text(Vec2 p) {
@@ -119,6 +146,8 @@ GeometryState state_of(const Graph& graph) {
     state.edges.push_back(edge);
   }
   std::sort(state.edges.begin(), state.edges.end());
+  if (state.dimension == 2)
+    state.poles = poles_of(delaunay, graph.structures().get<VoronoiVertices>(), graph.structures().get<Poles>());
   if (state.dimension == 2) state.nodes = nodes_of(delaunay, crust, labels, balls, axis);
   for (const Curve::Chain& chain : curve.chains()) {
     if (chain.sites.empty()) continue;
@@ -148,7 +177,8 @@ std::string difference(const GeometryState& a, const GeometryState& b) {
     return out;
   }
   if (differ("nodes", a.nodes, b.nodes, out) || differ("chains", a.chains, b.chains, out) ||
-      differ("normals", a.normals, b.normals, out) || differ("balls", a.balls, b.balls, out))
+      differ("normals", a.normals, b.normals, out) || differ("balls", a.balls, b.balls, out) ||
+      differ("poles", a.poles, b.poles, out))
     return out;
   if (a.odd != b.odd) return "odd samples " + std::to_string(a.odd) + " " + std::to_string(b.odd);
   if (a.conflicts != b.conflicts)

@@ -37,6 +37,7 @@ struct GeometryState {
   std::vector<std::vector<Vec2>> chains;  ///< in their own order; closed ones repeat the first site
   std::vector<std::array<double, 4>> normals;
   std::vector<std::array<double, 3>> balls;  ///< the document's own: centre and radius
+  std::vector<std::vector<Vec2>> poles;      ///< a sample, then all samples on its polar circles
   std::size_t odd = 0;
   std::size_t conflicts = 0;
 };

@@ -22,6 +22,17 @@ Workbench::Workbench(const std::vector<Vec2>& positions) : Workbench() {
   replace(positions);
 }
 
+void Workbench::show(std::initializer_list<std::string_view> layers) {
+  std::vector<LayerIndex> shown;
+  for (const std::string_view layer : layers) shown.push_back(find_layer(layer));
+  graph_.set_demand(shown);
+}
+
+void Workbench::choose(const ComputationSettings& settings) {
+  graph_.post_settings(settings);
+  run();
+}
+
 void Workbench::replace(const std::vector<Vec2>& positions) {
   SampleData data;
   data.positions = positions;
@@ -90,7 +101,7 @@ void Workbench::run() {
   }
   for (const LayerReport& layer : patch_.reports) {
     INFO(layer_descriptors()[layer.layer].id << ": " << layer.reason);
-    REQUIRE(layer.state == NodeState::up_to_date);
+    REQUIRE((layer.state == NodeState::up_to_date || layer.state == NodeState::inactive));
   }
   contents_.apply(patch_);
   mirror_.apply(patch_);

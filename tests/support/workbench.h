@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <set>
 #include <span>
@@ -35,6 +36,9 @@ class Workbench {
   Workbench();
   explicit Workbench(const std::vector<Vec2>& positions);
 
+  /// From now on only these layers.
+  void show(std::initializer_list<std::string_view> layers);
+  void choose(const ComputationSettings& settings);
   void replace(const std::vector<Vec2>& positions);
   void insert(const std::vector<Vec2>& positions);
   void remove(const std::vector<SampleId>& ids);

@@ -2,7 +2,11 @@
 // Regular triangulation and power diagram of a set of balls, in any number type.
 #pragma once
 
+#include <CGAL/Exact_rational.h>
+
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "core/structures/internal/regular_triangulation.h"
@@ -11,13 +15,22 @@
 
 namespace mes {
 
-/// Point of equal power.
+/// Point of equal power; a's centre where there is none.
 template <class Number>
 Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
   const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const Number pb = bx * bx + by * by - b.w + a.w;
   const Number pc = cx * cx + cy * cy - c.w + a.w;
   const Number twice = Number(2) * (bx * cy - by * cx);
+  if constexpr (std::is_same_v<Number, double>) {
+    // With centres nearly in line, as of half planes along a straight side, rounding would carry the point anywhere.
+    if (!(std::abs(twice) > 1e-6 * (std::abs(bx * cy) + std::abs(by * cx)))) {
+      using Exact = CGAL::Exact_rational;
+      const auto exact = [](const BallOf<double>& ball) { return BallOf<Exact>{ball.x, ball.y, ball.w}; };
+      return power_center(exact(a), exact(b), exact(c));
+    }
+  }
+  if (twice == Number(0)) return {rounded(a.x), rounded(a.y)};  // naive triangulations have flat triangles
   return {rounded(Number(a.x + (pb * cy - pc * by) / twice)), rounded(Number(a.y + (pc * bx - pb * cx) / twice))};
 }
 
