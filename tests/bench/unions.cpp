@@ -7,6 +7,7 @@
 
 #include "core/base/rng.h"
 #include "core/structures/ball_union.h"
+#include "core/structures/polar_diagram.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
 #include "tests/bench/raw_regular.h"
@@ -19,13 +20,19 @@ namespace {
 
 /// A graph that shows the axis of the union.
 struct Bed {
+  SampleData data;
   Document document;
   Graph graph;
   FramePatch patch;
   JobControl job;
 
-  explicit Bed(const SampleData& data) {
-    graph.set_demand(layers_named({"medial-axis", "a-ball-medial-axis"}));
+  explicit Bed(SampleData samples,
+               std::initializer_list<std::string_view> layers = {"medial-axis", "a-ball-medial-axis"})
+      : data(std::move(samples)) {
+    graph.set_demand(layers_named(layers));
+    load_again();
+  }
+  void load_again() {
     const auto delta = std::make_shared<const DocumentDelta>(*replace_all(document, data));
     document.apply(*delta);
     graph.post(delta);
@@ -83,6 +90,24 @@ void pipeline(benchmark::State& state, RatioTable& table, std::size_t n) {
   if (n > 10000) return;
   bed.choose(Precision::exact, false);
   table.add({"one-step axis", n, 1e3 * one_step_ms, 1e3 * bed.ms("a-union"), 0.0, "general pipeline, exact"});
+}
+
+void power_crust(benchmark::State& state, RatioTable& table, std::size_t n) {
+  Bed bed(data_of(test::benchmark_curve(n)), {"power-crust"});
+  std::vector<Disk> disks;
+  for (const PipelineBall& ball : scaled_balls(bed.graph.structures().get<PolarDiagram>().family()).balls)
+    disks.push_back(ball.disk);
+  std::vector<double> raw, ours;
+  for (auto _ : state) {
+    const double start = now_us();
+    benchmark::DoNotOptimize(raw_regular_insert_range(disks));
+    raw.push_back(now_us() - start);
+    bed.load_again();
+    ours.push_back(1e3 * (bed.ms("poles") + bed.ms("pole-labels") + bed.ms("polar-diagram") + bed.ms("power-crust")));
+    state.SetIterationTime(1e-6 * ours.back());
+  }
+  table.add({"power crust", n, median(ours), median(raw), 2.0, "regular triangulation of the poles, insert(range)"});
+  state.counters["ratio"] = median(ours) / median(raw);
 }
 
 void drag(benchmark::State& state, RatioTable& table, std::size_t n) {
@@ -158,6 +183,11 @@ void register_unions(RatioTable& table) {
   for (const std::size_t n : {std::size_t{1000}, std::size_t{10000}, std::size_t{100000}}) {
     benchmark::RegisterBenchmark(("union/pipeline/" + std::to_string(n)).c_str(),
                                  [&table, n](benchmark::State& state) { pipeline(state, table, n); })
+        ->UseManualTime()
+        ->Iterations(n >= 100000 ? 5 : 15)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("union/power_crust/" + std::to_string(n)).c_str(),
+                                 [&table, n](benchmark::State& state) { power_crust(state, table, n); })
         ->UseManualTime()
         ->Iterations(n >= 100000 ? 5 : 15)
         ->Unit(benchmark::kMillisecond);
