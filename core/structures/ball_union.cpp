@@ -298,6 +298,18 @@ UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& in
   return {};
 }
 
+UnionTables BallUnion::exact_dual_complex(JobControl& job) const {
+  if (is_exact()) return tables_;
+  if (shortcut_ && certificate_->is_certified()) {
+    SampleUnion fresh = *shortcut_;
+    UnionTables tables;
+    fresh.rebuild(tables, job);
+    return tables;
+  }
+  const ScaledBalls balls = scaled_balls(*family_);
+  return run_dual_complex_exact({balls.balls, balls.rows}, job);
+}
+
 bool BallUnion::update(JobControl&) {
   changes_.clear();
   const bool same_balls = family_->changes().is_empty() && (!certificate_ || certificate_->touched() == 0);

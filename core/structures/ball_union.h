@@ -56,6 +56,8 @@ class BallUnion : public Structure {
   UnionRung rung() const { return rung_; }
   /// Why this rung and not a cheaper one.
   const std::string& why() const { return why_; }
+  /// Dual edges and faces of the balls as real disks, whatever the number type of the settings.
+  UnionTables exact_dual_complex(JobControl& job) const;
   bool is_exact() const { return rung_ != UnionRung::naive && rung_ != UnionRung::doubles; }
 
   void rebuild(JobControl& job) override;

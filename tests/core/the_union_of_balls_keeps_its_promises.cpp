@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -13,7 +14,9 @@
 #include "core/graph/graph.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/graph/theorem_light.h"
+#include "core/io/format.h"
 #include "core/structures/ball_union.h"
+#include "core/structures/precision_difference.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"
 
@@ -214,6 +217,79 @@ TEST_CASE("on dense shapes the theorem holds, and the certified shortcut is what
         CHECK(analysis.count("a-union", key) == 0);
       CHECK(analysis.light() == TheoremLight::green);
     }
+  }
+}
+
+TEST_CASE("on dense glyphs, corners and all, the two axes are one") {
+  struct Glyph {
+    const char* file;
+    std::int64_t components, cycles;
+  };
+  for (const Glyph& glyph : {Glyph{"tests/data/glyph_dejavusans_B_1000.poff", 1, 2},
+                             Glyph{"tests/data/glyph_dejavusans_ampersand_2000.poff", 1, 1}}) {
+    INFO(glyph.file);
+    auto file = read_sample_file(glyph.file);
+    REQUIRE(file.has_value());
+    Analysis analysis(file->data, Precision::exact, true, {"medial-axis", "a-ball-medial-axis", "axis-difference"});
+    for (const bool use_shortcut : {true, false}) {
+      analysis.choose(Precision::exact, use_shortcut);
+      const AUnion& balls = analysis.get<AUnion>();
+      REQUIRE(balls.rung() == (use_shortcut ? UnionRung::shortcut : UnionRung::rational));
+      CHECK(analysis.count("axis-difference", "only_one_step") == 0);
+      CHECK(analysis.count("axis-difference", "only_union") == 0);
+      CHECK(analysis.count("a-union", "components") == glyph.components);
+      CHECK(analysis.count("a-union", "cycles") == glyph.cycles);
+      CHECK(analysis.count("a-union", "chi") == analysis.count("a-union", "chi_dual"));
+      CHECK(analysis.measure("a-union", "length") ==
+            Approx(analysis.measure("medial-axis", "length")).epsilon(1e-12));
+      // The v-points are the samples that two balls or more touch.
+      std::map<Slot, int> touching;
+      std::vector<TouchedSample> samples;
+      for (Slot row = 0; row < balls.family().rows(); ++row) {
+        samples.clear();
+        if (balls.family().is_ball(row)) balls.family().touched_samples(row, samples);
+        for (const TouchedSample& sample : samples) ++touching[sample.site];
+      }
+      std::set<Slot> several;
+      for (const auto& [site, count] : touching)
+        if (count >= 2) several.insert(site);
+      CHECK(v_points_of(balls) == several);
+    }
+  }
+}
+
+TEST_CASE("the precision difference is what a number type misses of the exact dual complex, and no more") {
+  const std::initializer_list<std::string_view> layers{"a-ball-medial-axis", "b-ball-medial-axis",
+                                                       "precision-difference"};
+  for (const TestShape& shape : oracle_shapes(0.25, {.offset = 0.3, .jitter = 0.1})) {
+    INFO(shape.name);
+    Analysis analysis(shape.data, Precision::exact, true, layers);
+    const std::int64_t faces = analysis.count("a-union", "dual_faces");
+    const std::int64_t edges = analysis.count("a-union", "dual_edges");
+    for (const char* key : {"edges_missed", "edges_invented", "edges_of_other_class", "faces_missed"})
+      CHECK(analysis.count("a-precision-difference", key) == 0);
+    for (const Precision precision : {Precision::fast, Precision::naive}) {
+      analysis.choose(precision, false);
+      INFO(id_of(precision));
+      CHECK(analysis.count("a-precision-difference", "faces_missed") -
+                analysis.count("a-precision-difference", "faces_invented") ==
+            faces - analysis.count("a-union", "dual_faces"));
+      CHECK((analysis.count("a-precision-difference", "edges_missed") > 0 ||
+             edges == analysis.count("a-union", "dual_edges")));
+      CHECK(analysis.count("a-precision-difference", "edges_of_other_class") > 0);
+    }
+  }
+  // Disks that doubles hold are judged rightly by predicates that are exact on doubles.
+  Rng rng(9);
+  for (int trial = 0; trial < 30; ++trial) {
+    std::vector<Disk> disks(8);
+    for (Disk& disk : disks)
+      disk = {{static_cast<double>(rng.below(6)), static_cast<double>(rng.below(6))},
+              static_cast<double>(1 + rng.below(3))};
+    const Analysis analysis(balls_of(disks), Precision::fast, true, layers);
+    for (const char* key :
+         {"edges_missed", "edges_invented", "edges_of_other_class", "faces_missed", "faces_invented"})
+      CHECK(analysis.count("b-precision-difference", key) == 0);
   }
 }
 

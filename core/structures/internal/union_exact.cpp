@@ -16,6 +16,10 @@ UnionTables run_union_roots(const PipelineInput& input, JobControl& job) {
   return UnionPipeline<RootsKernel, RootsKernel>(input, false, job).run();
 }
 
+UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job) {
+  return UnionPipeline<ExactKernel, ExactKernel>(input, true, job).run_dual_complex();
+}
+
 std::vector<PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job) {
   return power_diagram<ExactKernel>(input, job);
 }

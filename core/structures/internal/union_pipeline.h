@@ -106,6 +106,11 @@ class UnionPipeline {
     cut_edges();
     return std::move(t_);
   }
+  UnionTables run_dual_complex() {
+    triangulate();
+    classify();
+    return std::move(t_);
+  }
   /// Only the Voronoi diagram of v-points that are known.
   UnionTables run_v_diagram(const KnownVPoints& known);
 

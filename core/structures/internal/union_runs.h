@@ -87,5 +87,7 @@ UnionTables run_union_doubles(const PipelineInput& input, JobControl& job);
 UnionTables run_union_rational(const PipelineInput& input, JobControl& job);
 UnionTables run_union_mixed(const PipelineInput& input, JobControl& job);
 UnionTables run_union_roots(const PipelineInput& input, JobControl& job);
+/// In rationals; only `dual_edges` and `dual_faces` are filled in. Needs no roots.
+UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job);
 
 }  // namespace mes

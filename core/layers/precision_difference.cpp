@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/precision_difference.h"
+#include "core/layers/helpers.h"
+
+namespace mes {
+namespace {
+
+void emit_face(const PrecisionDifference& difference, Slot row, Instance& out) {
+  const PrecisionDifference::Face& face = difference.faces()[row];
+  const BallFamily& family = difference.balls().family();
+  out.triangle(family.disk(face.ball[0]).center, family.disk(face.ball[1]).center, family.disk(face.ball[2]).center,
+               face.is_exact ? 1.0 : 2.0);
+}
+void emit_edge(const PrecisionDifference& difference, Slot row, Instance& out) {
+  const PrecisionDifference::Edge& edge = difference.edges()[row];
+  const BallFamily& family = difference.balls().family();
+  out.segment(family.disk(edge.ball[0]).center, family.disk(edge.ball[1]).center,
+              edge.chosen < 0 ? 1.0 : (edge.exact < 0 ? 2.0 : 3.0));
+}
+
+}  // namespace
+
+Layer make_precision_difference_layer(const StructureSet& set) {
+  const auto& a = set.get<APrecisionDifference>();
+  const auto& b = set.get<BPrecisionDifference>();
+  // A layer has one part of a kind: the rows of B follow those of A.
+  return make_layer(
+      {.id = "precision-difference",
+       .name = "Precision difference",
+       .tooltip =
+           "Dual edges and triangles of unions A and B that the number type judges otherwise than exact arithmetic",
+       .group = LayerGroup::diagnostics,
+       .scalar = "1: missed, 2: invented, 3: of another class",
+       .style = {.color = palette::vermilion, .opacity = 0.7, .line_width_px = 3},
+       .kinds = {PrimitiveKind::triangle, PrimitiveKind::segment}},
+      {&a, &b},
+      table_part(
+          {PrimitiveKind::triangle}, [&] { return a.faces().size() + b.faces().size(); }, a.changes(),
+          [&](Slot row, Instance& out) {
+            const Slot of_a = static_cast<Slot>(a.faces().size());
+            row < of_a ? emit_face(a, row, out) : emit_face(b, row - of_a, out);
+          }),
+      table_part(
+          {PrimitiveKind::segment}, [&] { return a.edges().size() + b.edges().size(); }, a.changes(),
+          [&](Slot row, Instance& out) {
+            const Slot of_a = static_cast<Slot>(a.edges().size());
+            row < of_a ? emit_edge(a, row, out) : emit_edge(b, row - of_a, out);
+          }));
+}
+
+}  // namespace mes
