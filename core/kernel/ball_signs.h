@@ -8,9 +8,9 @@
 // Source: Edelsbrunner 1995; the polynomial form is ours.
 #pragma once
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/number_utils.h>
 
 #include "core/kernel/kernels.h"
@@ -92,14 +92,14 @@ struct BallSigns {
   }
 };
 
-/// Exact for the given doubles: intervals first, then rationals.
+/// Exact for the given doubles: intervals first, then sums of products of any length. Threads may share it.
 template <>
 struct BallSigns<FastKernel> {
   using Number = double;
   template <class Polynomial, class... Ball>
   static int sign(Polynomial polynomial, const Ball&... balls) {
     using Interval = CGAL::Interval_nt<false>;
-    using Rational = CGAL::Exact_rational;
+    using Exact = CGAL::Mpzf;
     {
       CGAL::Protect_FPU_rounding<true> rounding;
       const Interval value = polynomial(BallOf<Interval>{Interval(balls.x), Interval(balls.y), Interval(balls.w)}...);
@@ -107,7 +107,7 @@ struct BallSigns<FastKernel> {
       if (value.sup() < 0.0) return -1;
     }
     return static_cast<int>(
-        CGAL::sign(polynomial(BallOf<Rational>{Rational(balls.x), Rational(balls.y), Rational(balls.w)}...)));
+        CGAL::sign(polynomial(BallOf<Exact>{Exact(balls.x), Exact(balls.y), Exact(balls.w)}...)));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/isolated.h"
+#include "core/structures/internal/hilbert.h"
 #include "core/structures/internal/union_runs.h"
 #include "core/structures/internal/voronoi_balls.h"
 
@@ -233,14 +234,48 @@ void BallUnion::rebuild(JobControl& job) {
   run_pipeline(made_with_.precision, job);
 }
 
+namespace {
+
+// Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
+std::vector<Slot> rows_by_place(const BallFamily& family) {
+  std::vector<KeyedSlot> order;
+  Box2 box;
+  for (Slot row = 0; row < family.rows(); ++row) {
+    if (!family.is_ball(row)) continue;
+    order.push_back({0, row});
+    if (const Vec2 center = family.disk(row).center; is_finite(center)) box.add(center);
+  }
+  const HilbertGrid grid(box);
+  for (KeyedSlot& item : order)
+    if (const Vec2 center = family.disk(item.slot).center; is_finite(center)) item.key = grid.key(center);
+  std::vector<KeyedSlot> scratch;
+  radix_sort(order, scratch, 32);
+  // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
+  for (auto begin = order.begin(); begin != order.end();) {
+    const auto end = std::find_if(begin, order.end(), [&](const KeyedSlot& item) { return item.key != begin->key; });
+    if (end - begin > 1) {
+      std::ranges::sort(begin, end, [&family](const KeyedSlot& a, const KeyedSlot& b) {
+        const Disk p = family.disk(a.slot);
+        const Disk q = family.disk(b.slot);
+        return p.center == q.center ? p.radius < q.radius : lexicographically_less(p.center, q.center);
+      });
+    }
+    begin = end;
+  }
+  std::vector<Slot> rows(order.size());
+  std::ranges::transform(order, rows.begin(), &KeyedSlot::slot);
+  return rows;
+}
+
+}  // namespace
+
 ScaledBalls scaled_balls(const BallFamily& family) {
   ScaledBalls out;
   // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
   double largest = 0.0;
   std::vector<std::size_t> first_sample;
   const auto note_size = [&largest](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
-  for (Slot row = 0; row < family.rows(); ++row) {
-    if (!family.is_ball(row)) continue;
+  for (const Slot row : rows_by_place(family)) {
     PipelineBall ball;
     ball.row = row;
     ball.disk = family.disk(row);

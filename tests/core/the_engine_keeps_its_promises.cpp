@@ -197,7 +197,8 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
     const LayerIndex layer = client.last().layers[i].layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     if (descriptor.id == "curve-normals") continue;
-    if (std::ranges::any_of(descriptor.structures, [](std::string_view s) { return s.ends_with("diagram"); })) continue;
+    if (std::ranges::any_of(descriptor.structures, [](std::string_view s) { return s.ends_with("diagram"); }))
+      continue;
     for (const KindPatch& kind : client.last().layers[i].kinds) {
       CHECK_FALSE(kind.reset);
       numbers += kind.data.size();

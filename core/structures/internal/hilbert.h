@@ -3,11 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/base/rng.h"
 #include "core/base/slot.h"
 
 namespace mes {
@@ -66,6 +68,26 @@ inline void radix_sort(std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& sc
     for (const KeyedSlot& item : items) scratch[start[(item.key >> shift) & ((1U << kDigit) - 1U)]++] = item;
     items.swap(scratch);
   }
+}
+
+/// Numbers below `count` in random rounds, each about twice as long as all before; in a round they ascend. The order
+/// in which to insert what is sorted along a curve: the triangulation on the way has no vertices of huge degree, and
+/// each is found from the one before. Always the same for the same count.
+/// Source: Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003.
+inline std::vector<Slot> in_rounds(std::size_t count) {
+  constexpr unsigned kRounds = 31;
+  std::vector<std::uint8_t> round(count);
+  std::vector<std::size_t> start(kRounds + 2, 0);
+  Rng coins(1);
+  for (std::uint8_t& r : round) {
+    const auto heads = static_cast<unsigned>(std::countl_zero(coins.next() | 1U));
+    r = static_cast<std::uint8_t>(kRounds - std::min(heads, kRounds));
+    ++start[r + 1U];
+  }
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<Slot> order(count);
+  for (Slot i = 0; i < count; ++i) order[start[round[i]]++] = i;
+  return order;
 }
 
 }  // namespace mes

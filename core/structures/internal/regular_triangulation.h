@@ -44,8 +44,9 @@ struct RegularTables {
   std::vector<Slot> same_as;     ///< by ball: itself, or for a duplicate the ball that stands for it
 };
 
-/// O(n log n) typical. Decisions are those of the kernel: exact for `FastKernel` (on the doubles it is given) and for
-/// the exact kernels. Balls that are left out count as hidden.
+/// O(n log n) typical, for balls that come in the order of neighbours (as `scaled_balls` gives them). Decisions are
+/// those of the kernel: exact for `FastKernel` (on the doubles it is given) and for the exact kernels. Balls that are
+/// left out count as hidden.
 template <class Kernel>
 RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT>>& balls, JobControl& job,
                                     const std::vector<bool>& left_out = {}) {
@@ -58,54 +59,32 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
       CGAL::Triangulation_face_base_with_info_2<Info, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
   using Rt = CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
-  std::vector<KeyedSlot> order(balls.size());
-  {
-    // In rounds, each of about twice as many balls as all before, chosen at random: else the triangulation on the way
-    // has vertices of huge degree. In a round neighbours in the plane come one after the other, so that each is found
-    // from the one before. Source: Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003.
-    std::vector<Vec2> centers(balls.size());
-    Box2 box;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      centers[i] = {CGAL::to_double(balls[i].x), CGAL::to_double(balls[i].y)};
-      box.add(centers[i]);
-    }
-    const HilbertGrid grid(box);
-    constexpr unsigned kRounds = 31;
-    Rng coins(1);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      const auto heads = static_cast<unsigned>(std::countl_zero(coins.next() | 1U));
-      const std::uint64_t round = kRounds - std::min(heads, kRounds);
-      order[i] = {(round << 32U) | grid.key(centers[i]), static_cast<Slot>(i)};
-    }
-    std::vector<KeyedSlot> scratch;
-    radix_sort(order, scratch, 37);
-  }
   RegularTables out;
   out.state.assign(balls.size(), BallState::visible);
   out.same_as.resize(balls.size());
   Rt rt;
   typename Rt::Face_handle hint{};
   std::size_t done = 0;
-  for (const KeyedSlot& item : order) {
+  for (const Slot ball_slot : in_rounds(balls.size())) {
     if ((++done & 0x3fU) == 0) job.checkpoint(done, 4 * balls.size());
-    if (!left_out.empty() && left_out[item.slot]) {
-      out.state[item.slot] = BallState::hidden;
-      out.same_as[item.slot] = item.slot;
+    if (!left_out.empty() && left_out[ball_slot]) {
+      out.state[ball_slot] = BallState::hidden;
+      out.same_as[ball_slot] = ball_slot;
       continue;
     }
-    const BallOf<typename Kernel::FT>& ball = balls[item.slot];
+    const BallOf<typename Kernel::FT>& ball = balls[ball_slot];
     const auto vertex =
         rt.insert(typename Kernel::Weighted_point_2(typename Kernel::Point_2(ball.x, ball.y), ball.w), hint);
-    out.same_as[item.slot] = item.slot;
+    out.same_as[ball_slot] = ball_slot;
     if (vertex == typename Rt::Vertex_handle()) {
-      out.state[item.slot] = BallState::hidden;
+      out.state[ball_slot] = BallState::hidden;
       continue;
     }
     if (vertex->info().slot == kNoSlot) {
-      vertex->info().slot = item.slot;
+      vertex->info().slot = ball_slot;
     } else {
-      out.state[item.slot] = BallState::duplicate;
-      out.same_as[item.slot] = vertex->info().slot;
+      out.state[ball_slot] = BallState::duplicate;
+      out.same_as[ball_slot] = vertex->info().slot;
     }
     hint = vertex->face();
   }
@@ -115,32 +94,39 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
   const auto ball_of = [&rt](typename Rt::Vertex_handle v) {
     return rt.is_infinite(v) ? kInfiniteBall : v->info().slot;
   };
-  if (rt.dimension() == 2) {
-    out.faces.reserve(2 * balls.size() + 2);
-    for (auto f = rt.all_faces_begin(); f != rt.all_faces_end(); ++f) {
-      f->info().slot = static_cast<Slot>(out.faces.size());
-      out.faces.emplace_back();
-      for (int i = 0; i < 3; ++i) out.faces.back().v[i] = ball_of(f->vertex(i));
-    }
-    for (auto f = rt.all_faces_begin(); f != rt.all_faces_end(); ++f)
-      for (int i = 0; i < 3; ++i) out.faces[f->info().slot].n[i] = f->neighbor(i)->info().slot;
+  if (rt.dimension() == 1) {
+    for (auto e = rt.finite_edges_begin(); e != rt.finite_edges_end(); ++e)
+      out.edges.push_back({{ball_of(e->first->vertex(0)), ball_of(e->first->vertex(1))}});
   }
-  if (rt.dimension() < 1) return out;
+  if (rt.dimension() < 2) return out;
+  // Rows in the order of the balls: as those are close to their neighbours, so are faces and edges.
+  std::vector<typename Rt::Face_handle> handles;
+  handles.reserve(2 * balls.size() + 2);
+  std::vector<KeyedSlot> order;
+  order.reserve(2 * balls.size() + 2);
+  for (auto f = rt.all_faces_begin(); f != rt.all_faces_end(); ++f) {
+    order.push_back({std::min({ball_of(f->vertex(0)), ball_of(f->vertex(1)), ball_of(f->vertex(2))}),
+                     static_cast<Slot>(handles.size())});
+    handles.push_back(f);
+  }
+  std::vector<KeyedSlot> scratch;
+  radix_sort(order, scratch, static_cast<unsigned>(std::bit_width(balls.size())));
+  out.faces.resize(order.size());
+  for (Slot slot = 0; slot < order.size(); ++slot) handles[order[slot].slot]->info().slot = slot;
   out.edges.reserve(3 * balls.size());
-  for (auto e = rt.finite_edges_begin(); e != rt.finite_edges_end(); ++e) {
-    const auto f = e->first;
-    const int i = e->second;
-    RegularTables::Edge edge;
-    if (rt.dimension() == 1) {
-      edge.v[0] = f->vertex(0)->info().slot;
-      edge.v[1] = f->vertex(1)->info().slot;
-    } else {
-      edge.v[0] = f->vertex(Rt::ccw(i))->info().slot;
-      edge.v[1] = f->vertex(Rt::cw(i))->info().slot;
-      edge.f[0] = f->info().slot;
-      edge.f[1] = f->neighbor(i)->info().slot;
+  for (Slot slot = 0; slot < order.size(); ++slot) {
+    const auto f = handles[order[slot].slot];
+    RegularTables::Face& face = out.faces[slot];
+    for (int i = 0; i < 3; ++i) {
+      face.v[i] = ball_of(f->vertex(i));
+      face.n[i] = f->neighbor(i)->info().slot;
     }
-    out.edges.push_back(edge);
+    for (int i = 0; i < 3; ++i) {
+      const Slot from = face.v[Rt::ccw(i)];
+      const Slot to = face.v[Rt::cw(i)];
+      if (slot < face.n[i] && from != kInfiniteBall && to != kInfiniteBall)
+        out.edges.push_back({{from, to}, {slot, face.n[i]}});
+    }
   }
   return out;
 }

@@ -32,6 +32,7 @@
 #include "core/base/circumcircle.h"
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
+#include "core/base/parallel.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/internal/regular_triangulation.h"
@@ -156,7 +157,16 @@ class UnionPipeline {
   std::optional<Crossing> crossing_of(Slot a, Slot b, bool left);
   std::optional<Crossing> crossing_by_sample(Slot a, Slot b, bool left);
   Crossing crossing_by_root(Slot a, Slot b, bool left, const PointNumber& radicand);
-  Slot add_v_point(Slot dual_edge, bool left);
+  /// A v-point as one dual edge gives it.
+  struct Raw {
+    Slot edge;          // of the regular triangulation
+    std::uint8_t side;  // 0 = left
+    Crossing crossing;
+    typename Dt::Vertex_handle vertex;
+  };
+  void cross(Slot edge, bool left);
+  void insert_crossings();
+  Slot add_v_point(const Raw& raw);
   void triangulate_v_points();
   void walk_around(Slot ball);
   void gather_events();
@@ -167,6 +177,7 @@ class UnionPipeline {
   }
   void mark_polygon(Slot ball, const std::vector<Slot>& points);
   bool is_center_here(Slot edge, Slot inner_face) const;
+  void sort_by_edge(std::vector<Event>& events) const;
   void cut_edges();
   Slot node_of(Slot face) const;
   static Circle circle_of(typename Dt::Face_handle face);
@@ -186,11 +197,21 @@ class UnionPipeline {
   std::vector<std::array<Slot, 2>> crossing_;   // left and right v-point, by row in t_.dual_edges
   std::vector<Slot> zero_group_;                // by face; kNoSlot = none
   std::vector<Slot> group_v_;                   // the v-point of a group, if any
+  std::vector<Raw> raw_;
   Dt dt_;
   typename Dt::Face_handle hint_{};
-  std::vector<typename Dt::Vertex_handle> v_vertex_;
+  std::vector<typename Dt::Vertex_handle> v_vertex_;  // by row of v_points
+  std::vector<typename Dt::Face_handle> v_handle_;    // by row of v_faces
   std::vector<Event> events_;
+  struct Spoke {
+    Slot edge;
+    Slot left;  // face
+  };
+  // Work space of one ball.
+  std::vector<Spoke> star_;
   std::vector<Place> places_;
+  std::vector<Slot> points_;
+  std::vector<typename Dt::Face_handle> stack_;
   std::vector<std::uint32_t> stamp_;  // v-points on the circle at hand
   std::uint32_t now_ = 0;
 };
@@ -249,12 +270,27 @@ void UnionPipeline<Balls, Points>::leave_out_covered() {
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::classify() {
   face_sign_.assign(rt_.faces.size(), 2);
+  const auto judge = [this](Slot f) {
+    const auto& v = rt_.faces[f].v;
+    if (!is_infinite(f))
+      face_sign_[f] =
+          static_cast<std::int8_t>(sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]));
+  };
+  if constexpr (std::is_same_v<BallNumber, double>) {
+    parallel_for(rt_.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t f = begin; f < end && !job_.stop_requested(); ++f) judge(static_cast<Slot>(f));
+    });
+  } else {
+    for (Slot f = 0; f < rt_.faces.size(); ++f) {
+      if ((f & 0xffU) == 0) job_.checkpoint(f, 4 * rt_.faces.size());
+      judge(f);
+    }
+  }
+  job_.checkpoint();
   for (Slot f = 0; f < rt_.faces.size(); ++f) {
-    if ((f & 0xffU) == 0) job_.checkpoint(f, 4 * rt_.faces.size());
     if (is_infinite(f)) continue;
     const auto& v = rt_.faces[f].v;
-    const int sign = sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]);
-    face_sign_[f] = static_cast<std::int8_t>(sign);
+    const int sign = face_sign_[f];
     const bool touches_sample = common_sample(input_[v[0]], input_[v[1]], input_[v[2]]) != nullptr;
     if (touches_sample && sign != 0) ++t_.counts.sign_flips;
     if (sign < 0 && !touches_sample) ++t_.counts.negative_faces;
@@ -377,30 +413,42 @@ auto UnionPipeline<Balls, Points>::crossing_of(Slot a, Slot b, bool left) -> std
 }
 
 template <class Balls, class Points>
-Slot UnionPipeline<Balls, Points>::add_v_point(Slot dual_edge, bool left) {
-  const Slot e = dual_edge;
+void UnionPipeline<Balls, Points>::cross(Slot edge, bool left) {
   // Where rounding matters it must not depend on the order in which the balls came.
-  Slot a = rt_.edges[e].v[0];
-  Slot b = rt_.edges[e].v[1];
-  if (comes_before(b, a)) {
-    std::swap(a, b);
-    left = !left;
+  Slot a = rt_.edges[edge].v[0];
+  Slot b = rt_.edges[edge].v[1];
+  const bool is_turned = comes_before(b, a);
+  if (is_turned) std::swap(a, b);
+  if (auto crossing = crossing_of(a, b, left != is_turned))
+    raw_.push_back({edge, static_cast<std::uint8_t>(left ? 0 : 1), std::move(*crossing), {}});
+}
+
+// In rounds, as the balls were; the crossings themselves come in the order of neighbours.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::insert_crossings() {
+  const std::vector<Slot> order = in_rounds(raw_.size());
+  std::size_t done = 0;
+  for (const Slot i : order) {
+    if ((++done & 0x3fU) == 0) job_.checkpoint(raw_.size() + done, 4 * raw_.size());
+    raw_[i].vertex = dt_.insert(raw_[i].crossing.point, hint_);
+    hint_ = raw_[i].vertex->face();
   }
-  const auto crossing = crossing_of(a, b, left);
-  if (!crossing) return kNoSlot;
+}
+
+template <class Balls, class Points>
+Slot UnionPipeline<Balls, Points>::add_v_point(const Raw& raw) {
   ++t_.counts.raw_v_points;
-  const auto vertex = dt_.insert(crossing->point, hint_);
-  hint_ = vertex->face();
-  if (vertex->info().slot == kNoSlot) {
-    vertex->info().slot = static_cast<Slot>(t_.v_points.size());
-    t_.v_points.push_back({{rounded(crossing->point.x()), rounded(crossing->point.y())}, crossing->site, 0});
-    v_vertex_.push_back(vertex);
+  Slot& v = raw.vertex->info().slot;
+  if (v == kNoSlot) {
+    v = static_cast<Slot>(t_.v_points.size());
+    const auto& p = raw.vertex->point();
+    t_.v_points.push_back({{rounded(p.x()), rounded(p.y())}, kNoSlot, 0});
+    v_vertex_.push_back(raw.vertex);
   }
-  const Slot v = vertex->info().slot;
   VPoint& point = t_.v_points[v];
-  if (crossing->site != kNoSlot) point.site = crossing->site;
+  if (raw.crossing.site != kNoSlot) point.site = raw.crossing.site;
   ++point.multiplicity;
-  t_.v_origins.push_back({v, dual_of_edge_[e]});
+  t_.v_origins.push_back({v, dual_of_edge_[raw.edge]});
   return v;
 }
 
@@ -428,55 +476,77 @@ void UnionPipeline<Balls, Points>::make_v_points() {
     t_.counts.edges_without_sample += dual.shares_sample != 0 ? 0 : 1;
     for (std::size_t side = 0; side < 2; ++side) {
       const bool is_filled = edge.f[side] != kNoSlot && face_sign_[edge.f[side]] <= 0;
-      if (is_filled) continue;
-      crossing_[row][side] = add_v_point(e, side == 0);
-      // A group of triangles of radius zero ends here: its common centre is this crossing.
-      const Slot inner = edge.f[1 - side];
-      if (dual.kind == DualClass::regular && zero_group_[inner] != kNoSlot && is_center_here(e, inner))
-        group_v_[zero_group_[inner]] = crossing_[row][side];
+      if (!is_filled) cross(e, side == 0);
     }
+  }
+  insert_crossings();
+  for (const Raw& raw : raw_) {
+    const Slot row = dual_of_edge_[raw.edge];
+    const Slot v = add_v_point(raw);
+    crossing_[row][raw.side] = v;
+    // A group of triangles of radius zero ends here: its common centre is this crossing.
+    const Slot inner = rt_.edges[raw.edge].f[1 - raw.side];
+    if (t_.dual_edges[row].kind == DualClass::regular && zero_group_[inner] != kNoSlot &&
+        is_center_here(raw.edge, inner))
+      group_v_[zero_group_[inner]] = v;
   }
 }
 
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::triangulate_v_points() {
-  VFace empty;
+  const auto square_of = [this](const VEdge& edge) {
+    const Vec2 d = t_.v_points[edge.v[1]].position - t_.v_points[edge.v[0]].position;
+    return dot(d, d);
+  };
   if (dt_.dimension() == 2) {
+    // Rows in the order of the v-points, which are close to their neighbours.
+    std::vector<typename Dt::Face_handle> handles;
+    std::vector<KeyedSlot> order;
+    handles.reserve(2 * t_.v_points.size());
+    order.reserve(2 * t_.v_points.size());
     for (auto f = dt_.finite_faces_begin(); f != dt_.finite_faces_end(); ++f) {
-      if ((t_.v_faces.size() & 0x3fU) == 0) job_.checkpoint();
-      f->info().slot = static_cast<Slot>(t_.v_faces.size());
-      VFace row = empty;
-      for (int i = 0; i < 3; ++i) row.v[i] = f->vertex(i)->info().slot;
-      t_.v_faces.push_back(row);
+      if ((handles.size() & 0x3fU) == 0) job_.checkpoint();
+      order.push_back({std::min({f->vertex(0)->info().slot, f->vertex(1)->info().slot, f->vertex(2)->info().slot}),
+                       static_cast<Slot>(handles.size())});
+      handles.push_back(f);
+    }
+    std::vector<KeyedSlot> scratch;
+    radix_sort(order, scratch, static_cast<unsigned>(std::bit_width(t_.v_points.size())));
+    t_.v_faces.resize(order.size());
+    v_handle_.resize(order.size());
+    for (Slot slot = 0; slot < order.size(); ++slot) {
+      const auto f = handles[order[slot].slot];
+      v_handle_[slot] = f;
+      f->info().slot = slot;
+      for (int i = 0; i < 3; ++i) t_.v_faces[slot].v[i] = f->vertex(i)->info().slot;
     }
   }
   double longest = 0.0;
-  if (dt_.dimension() >= 1) {
+  const auto add = [&](const VEdge& row) {
+    longest = std::max(longest, square_of(row));
+    t_.v_edges.push_back(row);
+    return static_cast<Slot>(t_.v_edges.size() - 1);
+  };
+  t_.v_edges.reserve(3 * t_.v_points.size());
+  if (dt_.dimension() == 1) {
     for (auto e = dt_.finite_edges_begin(); e != dt_.finite_edges_end(); ++e) {
       const auto f = e->first;
-      const int i = e->second;
-      const Slot own = static_cast<Slot>(t_.v_edges.size());
-      VEdge row;
-      if (dt_.dimension() == 1) {
-        row.v[0] = f->vertex(0)->info().slot;
-        row.v[1] = f->vertex(1)->info().slot;
-        f->info().edge[2] = own;
-      } else {
-        const auto g = f->neighbor(i);
-        row.v[0] = f->vertex(Dt::ccw(i))->info().slot;
-        row.v[1] = f->vertex(Dt::cw(i))->info().slot;
-        row.f[0] = f->info().slot;
-        row.f[1] = g->info().slot;
-        f->info().edge[i] = own;
-        g->info().edge[g->index(f)] = own;
-      }
-      longest = std::max(longest, distance(t_.v_points[row.v[0]].position, t_.v_points[row.v[1]].position));
-      t_.v_edges.push_back(row);
+      f->info().edge[2] = add({{f->vertex(0)->info().slot, f->vertex(1)->info().slot}});
+    }
+  }
+  for (Slot slot = 0; slot < v_handle_.size(); ++slot) {
+    const auto f = v_handle_[slot];
+    for (int i = 0; i < 3; ++i) {
+      const auto g = f->neighbor(i);
+      const Slot other = g->info().slot;  // kNoSlot outside
+      if (other < slot) continue;
+      const Slot own = add({{f->vertex(Dt::ccw(i))->info().slot, f->vertex(Dt::cw(i))->info().slot}, {slot, other}});
+      f->info().edge[i] = own;
+      g->info().edge[g->index(f)] = own;
     }
   }
   for (const VEdge& edge : t_.v_edges)
-    if (distance(t_.v_points[edge.v[0]].position, t_.v_points[edge.v[1]].position) < 1e-7 * longest)
-      ++t_.counts.near_duplicates;
+    if (square_of(edge) < 1e-14 * longest) ++t_.counts.near_duplicates;
 }
 
 // Fills `places_` with the v-points on the circle of the ball, counter-clockwise. The triangles around the ball come
@@ -484,11 +554,8 @@ void UnionPipeline<Balls, Points>::triangulate_v_points() {
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::walk_around(Slot ball) {
   places_.clear();
-  struct Spoke {
-    Slot edge;
-    Slot left;  // face
-  };
-  std::vector<Spoke> star;
+  std::vector<Spoke>& star = star_;
+  star.clear();
   if (rt_.dimension == 2) {
     const Slot start = some_face_[ball];
     Slot at = start;
@@ -566,7 +633,8 @@ void UnionPipeline<Balls, Points>::mark_polygon(Slot ball, const std::vector<Slo
       if (dt_.is_infinite(f->vertex(i)) || stamp_[f->vertex(i)->info().slot] != now_) return false;
     return true;
   };
-  std::vector<typename Dt::Face_handle> stack;
+  std::vector<typename Dt::Face_handle>& stack = stack_;
+  stack.clear();
   const auto visit = [&](typename Dt::Face_handle f) {
     if (!is_on_circle(f)) return;
     // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
@@ -631,7 +699,8 @@ void UnionPipeline<Balls, Points>::gather_events() {
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::take_places(Slot ball) {
   if (places_.size() < 2) return;
-  std::vector<Slot> points;
+  std::vector<Slot>& points = points_;
+  points.clear();
   for (std::size_t k = 0; k < places_.size(); ++k) {
     points.push_back(places_[k].v);
     add_event(ball, places_[(k + places_.size() - 1) % places_.size()].v, places_[k].v, places_[k].before);
@@ -683,6 +752,17 @@ Circle UnionPipeline<Balls, Points>::circle_of(typename Dt::Face_handle face) {
   }
 }
 
+// Stable; O(events + edges).
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::sort_by_edge(std::vector<Event>& events) const {
+  std::vector<Slot> start(t_.v_edges.size() + 1, 0);
+  for (const Event& event : events) ++start[event.edge + 1];
+  for (std::size_t e = 1; e < start.size(); ++e) start[e] += start[e - 1];
+  std::vector<Event> sorted(events.size());
+  for (const Event& event : events) sorted[start[event.edge]++] = event;
+  events.swap(sorted);
+}
+
 // Cuts the Voronoi edges of the v-points at the centres on them and keeps what lies in |R|.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::cut_edges() {
@@ -694,7 +774,8 @@ void UnionPipeline<Balls, Points>::cut_edges() {
     Label label;
   };
   std::vector<Cut> cuts;
-  std::ranges::stable_sort(events_, {}, &Event::edge);
+  cuts.reserve(t_.v_edges.size() + events_.size());
+  sort_by_edge(events_);
   std::vector<Slot> on_edge;
   for (std::size_t begin = 0, e = 0; e < t_.v_edges.size(); ++e) {
     std::size_t end = begin;
@@ -769,13 +850,13 @@ void UnionPipeline<Balls, Points>::cut_edges() {
     }
   }
   // Circumcentres where something is drawn.
-  for (auto f = dt_.finite_faces_begin(); dt_.dimension() == 2 && f != dt_.finite_faces_end(); ++f) {
-    VFace& face = t_.v_faces[f->info().slot];
+  for (Slot slot = 0; slot < v_handle_.size(); ++slot) {
+    VFace& face = t_.v_faces[slot];
     if (face.ball != kNoSlot) {
       face.center = input_[face.ball].disk.center;
       face.radius = input_[face.ball].disk.radius;
     } else {
-      const Circle circle = circle_of(f);
+      const Circle circle = circle_of(v_handle_[slot]);
       face.center = circle.center;
       face.radius = circle.radius;
     }
