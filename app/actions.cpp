@@ -259,6 +259,23 @@ std::vector<ActionDescriptor> make_table() {
        always,
        false,
        {}},
+      {Id::toggle_union_shortcut,
+       "toggle-union-shortcut",
+       "Certified shortcut for unions",
+       "Let unions of inner balls follow from shared samples where that is certified; off: the general pipeline "
+       "always",
+       compute,
+       always,
+       false,
+       {}},
+      {Id::toggle_pole_propagation,
+       "toggle-pole-propagation",
+       "Pole labels by propagation",
+       "Spread the labels of poles from pole to pole, as Amenta, Choi and Kolluri do; off: by their triangles",
+       compute,
+       always,
+       false,
+       {}},
 
       {Id::help, "help", "Keys and gestures", "Show every key", ActionGroup::help, always, false, {"?", "F1"}},
   };

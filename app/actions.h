@@ -52,6 +52,8 @@ enum class ActionId : std::uint8_t {
   precision_fast,
   precision_exact,
   precision_exact_roots,
+  toggle_union_shortcut,
+  toggle_pole_propagation,
   help,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;

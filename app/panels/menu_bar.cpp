@@ -111,6 +111,9 @@ float draw_menu_bar(const PanelContext& context) {
         action_item(context, id);
       ImGui::EndMenu();
     }
+    for (const ActionId id : {ActionId::toggle_union_shortcut, ActionId::toggle_pole_propagation})
+      action_item(context, id);
+    ImGui::Separator();
     for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(context, id);
     ImGui::EndMenu();
   }

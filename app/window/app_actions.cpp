@@ -119,6 +119,16 @@ void App::bind_view_actions() {
                        {},
                        [this, precision] { return computation_.precision == precision; }});
   }
+  const auto bind_switch = [&](ActionId id, Parameter parameter) {
+    actions_.bind(id, {[this, parameter] {
+                         computation_[parameter] = computation_.is_on(parameter) ? 0.0 : 1.0;
+                         engine_.set_settings(computation_);
+                       },
+                       {},
+                       [this, parameter] { return computation_.is_on(parameter); }});
+  };
+  bind_switch(ActionId::toggle_union_shortcut, Parameter::union_shortcut);
+  bind_switch(ActionId::toggle_pole_propagation, Parameter::pole_propagation);
 }
 
 void App::choose_precision(Precision precision) {
