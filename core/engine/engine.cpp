@@ -31,7 +31,7 @@ struct Engine::Impl {
 
   bool has_work() const {
     return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics ||
-           want_findings != has_findings || unfinished;
+           want_findings != has_findings || question || unfinished;
   }
 
   void work(const std::stop_token& stop) {
@@ -49,6 +49,8 @@ struct Engine::Impl {
       has_statistics = want_statistics;
       graph.set_want_findings(want_findings);
       has_findings = want_findings;
+      if (question) graph.ask(std::move(*question));
+      question.reset();
       unfinished = false;
       job_stop = std::stop_source();
       if (stopping) job_stop.request_stop();
@@ -105,6 +107,7 @@ struct Engine::Impl {
   bool has_statistics = false;
   bool want_findings = false;
   bool has_findings = false;
+  std::optional<ProvenanceQuestion> question;
   bool unfinished = false;
   bool stopping = false;
   std::stop_source job_stop;
@@ -161,6 +164,14 @@ void Engine::set_want_findings(bool wanted) {
   {
     const std::lock_guard lock(impl_->mutex);
     impl_->want_findings = wanted;
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::ask(ProvenanceQuestion question) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->question = std::move(question);
   }
   impl_->work_there.notify_one();
 }

@@ -58,6 +58,8 @@ class Engine {
   void set_want_statistics(bool wanted);
   /// The next patches carry `NodeReport::findings`, of the theorem's judges too.
   void set_want_findings(bool wanted);
+  /// The patch of the next complete run carries the answer. Does not hold up what is being computed.
+  void ask(ProvenanceQuestion question);
   void cancel();
   void resume();
 

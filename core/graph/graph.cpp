@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "core/base/parallel.h"
+#include "core/graph/explain.h"
 
 namespace mes {
 
@@ -316,6 +318,34 @@ void Graph::report(FramePatch& out) {
   }
 }
 
+void Graph::ask(ProvenanceQuestion question) {
+  question_ = std::move(question);
+  dirty_ = true;
+}
+
+Provenance Graph::answer(const ProvenanceQuestion& question) const {
+  Provenance out;
+  out.ticket = question.ticket;
+  for (const LayerIndex layer : question.layers) {
+    const LayerNode& node = layer_nodes_[layer];
+    if (!node.demanded || node.state != NodeState::up_to_date) continue;
+    HitSearch search(question.at, question.reach);
+    for (const auto& part : layers_[layer].parts) part->look_for(search);
+    if (!search.best()) continue;
+    const auto is_current = [this](const Structure& structure) {
+      const auto found = std::ranges::find(nodes_, &structure, &StructureNode::structure);
+      return found != nodes_.end() && found->needed && found->state == NodeState::up_to_date;
+    };
+    out.layer = layer;
+    out.lines = explain(structures_, is_current, search.best()->element);
+    if (out.lines.empty())
+      out.lines.push_back({ProvenanceRole::itself, std::string(layers_[layer].descriptor.tooltip), {}});
+    if (out.lines.front().shapes.empty()) out.lines.front().shapes.push_back(search.best()->shape);
+    break;
+  }
+  return out;
+}
+
 bool Graph::run(FramePatch& out, JobControl& job) {
   ++run_;
   dirty_ = false;
@@ -338,6 +368,8 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   out.frame = frame_;
   out.document_revision = samples_.document_revision();
   report(out);
+  out.provenance.reset();
+  if (question_ && out.complete) out.provenance = std::make_unique<Provenance>(answer(*std::exchange(question_, {})));
   return out.complete;
 }
 

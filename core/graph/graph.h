@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,8 @@ class Graph {
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
   /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
   void set_want_findings(bool wanted);
+  /// The next complete run answers; a later question takes the place of an earlier one.
+  void ask(ProvenanceQuestion question);
   /// Something was posted or demanded that `run` has not seen.
   bool is_dirty() const { return dirty_; }
   /// Brings all demanded layers up to date and writes what changed. False when cancelled; the next run goes on.
@@ -97,6 +100,7 @@ class Graph {
   void fill(LayerPatch& patch, Emission emission, JobControl& job);
   void follow_extent(FramePatch& out);
   void report(FramePatch& out);
+  Provenance answer(const ProvenanceQuestion& question) const;
   double lap_ms();
 
   StructureSet structures_;
@@ -111,6 +115,7 @@ class Graph {
   bool demand_changed_ = true;
   bool want_statistics_ = false;
   bool want_findings_ = false;
+  std::optional<ProvenanceQuestion> question_;
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
   std::vector<std::size_t> resets_;  // work space: patches to fill from all rows

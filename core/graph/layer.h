@@ -20,6 +20,7 @@
 
 #include "core/base/change_set.h"
 #include "core/base/prefetch.h"
+#include "core/graph/hit.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/graph/patch.h"
 #include "core/graph/structure.h"
@@ -78,6 +79,8 @@ class LayerPart {
   virtual void reset(LayerPatch& patch) = 0;
   /// Emits the rows of the change set.
   virtual void update(LayerPatch& patch) = 0;
+  /// Shows every instance to the search; O(rows).
+  virtual void look_for(HitSearch& search) const = 0;
 };
 
 class InstancePlaces {
@@ -182,8 +185,8 @@ class InstancePlaces {
 template <class RowCount, class Emit>
 class TablePart final : public LayerPart {
  public:
-  TablePart(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes, Emit emit)
-      : kinds_(std::move(kinds)), rows_(rows), changes_(changes), emit_(emit) {}
+  TablePart(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes, Emit emit, ElementType element)
+      : kinds_(std::move(kinds)), rows_(rows), changes_(changes), emit_(emit), element_(element) {}
 
   void reset(LayerPatch& patch) override {
     const std::size_t rows = rows_();
@@ -221,19 +224,31 @@ class TablePart final : public LayerPart {
     places_.close_holes(kinds_, patch, emit_);
   }
 
+  void look_for(HitSearch& search) const override {
+    const std::size_t rows = rows_();
+    Instance instance;
+    for (std::size_t row = 0; row < rows; ++row) {
+      instance.clear();
+      emit_(static_cast<Slot>(row), instance);
+      if (instance.is_set()) search.look_at(instance.kind(), instance.begin(), element_, static_cast<Slot>(row));
+    }
+  }
+
  private:
   std::vector<PrimitiveKind> kinds_;
   RowCount rows_;
   const ChangeSet& changes_;
   Emit emit_;
+  ElementType element_;
   InstancePlaces places_;
 };
 
-/// Part of a layer over one table. Each kind of a layer belongs to one part.
+/// Part of a layer over one table. Each kind of a layer belongs to one part. `element` says what the rows are, for
+/// those who point at one.
 template <class RowCount, class Emit>
 std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes,
-                                      Emit emit) {
-  return std::make_unique<TablePart<RowCount, Emit>>(std::move(kinds), rows, changes, emit);
+                                      Emit emit, ElementType element = {}) {
+  return std::make_unique<TablePart<RowCount, Emit>>(std::move(kinds), rows, changes, emit, element);
 }
 
 struct Layer {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "core/base/primitives.h"
 #include "core/base/slot.h"
 #include "core/base/stat.h"
+#include "core/graph/provenance.h"
 
 namespace mes {
 
@@ -95,7 +97,8 @@ struct FramePatch {
   std::size_t layer_count = 0;
   std::vector<NodeReport> nodes;
   std::vector<LayerReport> reports;
-  bool complete = true;  ///< false: cancelled before every demanded layer was brought up to date
+  std::unique_ptr<Provenance> provenance;  ///< the answer, if this run gave one
+  bool complete = true;                    ///< false: cancelled before every demanded layer was brought up to date
 };
 
 }  // namespace mes

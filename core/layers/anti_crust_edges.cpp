@@ -23,7 +23,8 @@ Layer make_anti_crust_edges_layer(const StructureSet& set) {
             if (crust.is_crust(row) || diagram.is_at_infinity(edge.ball[0]) || diagram.is_at_infinity(edge.ball[1]))
               return;
             emit_centers(diagram, edge, out);
-          }));
+          },
+          ElementType{ElementKind::power_edge, &diagram}));
 }
 
 }  // namespace mes

@@ -22,7 +22,8 @@ Layer make_b_inner_centers_layer(const StructureSet& set) {
             if (!balls.is_alive(row)) return;
             const Disk& disk = balls.disk(row);
             out.point(disk.center, disk.radius);
-          }));
+          },
+          ElementType{ElementKind::own_ball}));
 }
 
 }  // namespace mes

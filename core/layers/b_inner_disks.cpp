@@ -21,7 +21,8 @@ Layer make_b_inner_disks_layer(const StructureSet& set) {
                           if (!balls.is_alive(row)) return;
                           const Disk& disk = balls.disk(row);
                           if (disk.radius > 0.0) out.disk(disk.center, disk.radius, disk.radius);
-                        }));
+                        },
+                        ElementType{ElementKind::own_ball}));
 }
 
 }  // namespace mes

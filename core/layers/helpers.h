@@ -26,7 +26,8 @@ auto edges_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
       std::move(kinds), [&delaunay] { return delaunay.edge_rows(); }, changes,
       [&delaunay, emit](Slot edge, Instance& out) {
         if (delaunay.edge(edge).is_alive()) emit(edge, out);
-      });
+      },
+      ElementType{ElementKind::delaunay_edge});
 }
 
 /// Part over live finite faces, which are the Voronoi vertices.
@@ -36,7 +37,8 @@ auto faces_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
       std::move(kinds), [&delaunay] { return delaunay.face_rows(); }, changes,
       [&delaunay, emit](Slot face, Instance& out) {
         if (delaunay.is_finite_face(face)) emit(face, out);
-      });
+      },
+      ElementType{ElementKind::voronoi_vertex});
 }
 
 /// Part over live sites.
@@ -46,7 +48,8 @@ auto sites_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
       std::move(kinds), [&delaunay] { return delaunay.site_rows(); }, changes,
       [&delaunay, emit](Slot site, Instance& out) {
         if (delaunay.is_site(site)) emit(site, out);
-      });
+      },
+      ElementType{ElementKind::site});
 }
 
 /// The Delaunay edge itself.

@@ -20,7 +20,8 @@ Layer make_points_layer(const StructureSet& set) {
                         {PrimitiveKind::point}, [&samples] { return samples.row_count(); }, samples.changes(),
                         [&samples](Slot row, Instance& out) {
                           if (samples.is_alive(row)) out.point(samples.position(row), samples.id(row).value);
-                        }));
+                        },
+                        ElementType{ElementKind::sample}));
 }
 
 }  // namespace mes

@@ -20,7 +20,8 @@ Layer make_power_crust_layer(const StructureSet& set) {
                         [&diagram] { return diagram.edges().size(); }, crust.changes(),
                         [&](Slot edge, Instance& out) {
                           if (crust.is_crust(edge)) emit_power_edge(diagram.edges()[edge], out);
-                        }));
+                        },
+                        ElementType{ElementKind::power_edge, &diagram}));
 }
 
 }  // namespace mes

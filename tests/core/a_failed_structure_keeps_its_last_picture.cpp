@@ -7,6 +7,7 @@
 
 #include "core/document/commands.h"
 #include "core/engine/engine.h"
+#include "core/graph/explain.h"
 #include "core/graph/graph.h"
 #include "tests/support/layer_contents.h"
 
@@ -80,6 +81,11 @@ constexpr LayerIndex kDependent = 2;
 }  // namespace
 
 namespace mes {
+
+std::vector<ProvenanceLine> explain(const StructureSet&, const std::function<bool(const Structure&)>&,
+                                    const Element&) {
+  return {};
+}
 
 StructureSet make_structures() {
   StructureSet set;

@@ -108,6 +108,17 @@ void Workbench::run() {
   REQUIRE(patch_.document_revision == document_.revision());
 }
 
+Provenance Workbench::ask(Vec2 at, double reach, const std::vector<std::string_view>& layers) {
+  static std::uint64_t ticket = 0;
+  ProvenanceQuestion question{++ticket, at, reach, {}};
+  for (const std::string_view layer : layers) question.layers.push_back(find_layer(layer));
+  graph_.ask(std::move(question));
+  run();
+  REQUIRE(patch_.provenance);
+  REQUIRE(patch_.provenance->ticket == ticket);
+  return *patch_.provenance;
+}
+
 std::vector<SampleId> Workbench::ids() const {
   std::vector<SampleId> out;
   for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));

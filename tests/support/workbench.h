@@ -75,6 +75,9 @@ class Workbench {
   /// Instances of a layer, `stride_of(kind)` doubles each.
   std::span<const double> instances(std::string_view layer, PrimitiveKind kind) const;
 
+  /// What lies there in the layers, top first; up to `reach` away.
+  Provenance ask(Vec2 at, double reach, const std::vector<std::string_view>& layers);
+
   /// Empty when the rows are sound and everything equals a fresh graph of the same samples and balls, given in
   /// reverse order; otherwise what does not.
   std::string trouble() const;

@@ -24,7 +24,8 @@ Layer make_union_ball_medial_axis_layer(const UnionFamily& family) {
             if (balls.tables().balls[row] != BallState::isolated) return;
             const Disk disk = balls.family().disk(row);
             out.point(disk.center, disk.radius);
-          }));
+          },
+          ElementType{ElementKind::ball, &balls}));
 }
 
 }  // namespace mes

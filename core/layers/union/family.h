@@ -43,20 +43,41 @@ Layer union_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts..
   return layer;
 }
 
+template <class Table>
+constexpr ElementKind kElementOf = ElementKind::other;
+template <>
+inline constexpr ElementKind kElementOf<DualEdge> = ElementKind::dual_edge;
+template <>
+inline constexpr ElementKind kElementOf<DualFace> = ElementKind::dual_face;
+template <>
+inline constexpr ElementKind kElementOf<VPoint> = ElementKind::v_point;
+template <>
+inline constexpr ElementKind kElementOf<VOrigin> = ElementKind::v_origin;
+template <>
+inline constexpr ElementKind kElementOf<AxisPiece> = ElementKind::axis_piece;
+template <>
+inline constexpr ElementKind kElementOf<VFace> = ElementKind::v_face;
+template <>
+inline constexpr ElementKind kElementOf<VEdge> = ElementKind::v_edge;
+template <>
+inline constexpr ElementKind kElementOf<BoundaryArc> = ElementKind::boundary_arc;
+
 /// Part over a table of the union: `emit(row of the table, instance)`.
 template <class Table, class Emit>
-auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, Table UnionTables::*table,
+auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, std::vector<Table> UnionTables::*table,
                 const ChangeSet& changes, Emit emit) {
   return table_part(
       std::move(kinds), [&balls, table] { return (balls.tables().*table).size(); }, changes,
-      [&balls, table, emit](Slot row, Instance& out) { emit((balls.tables().*table)[row], out); });
+      [&balls, table, emit](Slot row, Instance& out) { emit((balls.tables().*table)[row], out); },
+      ElementType{kElementOf<Table>, &balls});
 }
 
 template <class Emit>
 auto power_part(std::vector<PrimitiveKind> kinds, const PowerDiagram& diagram, Emit emit) {
   return table_part(
       std::move(kinds), [&diagram] { return diagram.edges().size(); }, diagram.changes(),
-      [&diagram, emit](Slot row, Instance& out) { emit(diagram.edges()[row], out); });
+      [&diagram, emit](Slot row, Instance& out) { emit(diagram.edges()[row], out); },
+      ElementType{ElementKind::power_edge, &diagram});
 }
 
 /// Edge of the power diagram.
@@ -73,10 +94,12 @@ inline void emit_centers(const PowerDiagram& diagram, const PowerEdge& edge, Ins
 }
 
 template <class Table, class Emit>
-auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, Table UnionTables::*table, Emit emit) {
+auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, std::vector<Table> UnionTables::*table,
+            Emit emit) {
   return table_part(
       std::move(kinds), [&diagram, table] { return (diagram.tables().*table).size(); }, diagram.changes(),
-      [&diagram, table, emit](Slot row, Instance& out) { emit((diagram.tables().*table)[row], out); });
+      [&diagram, table, emit](Slot row, Instance& out) { emit((diagram.tables().*table)[row], out); },
+      ElementType{kElementOf<Table>, &diagram});
 }
 
 /// Voronoi edge of two v-points.

@@ -20,7 +20,8 @@ Layer make_union_inner_circles_layer(const UnionFamily& family) {
             if (balls.tables().balls[row] == BallState::none) return;
             const Disk disk = balls.family().disk(row);
             out.circle(disk.center, disk.radius, disk.radius);
-          }));
+          },
+          ElementType{ElementKind::ball, &balls}));
 }
 
 }  // namespace mes

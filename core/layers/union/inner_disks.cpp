@@ -20,7 +20,8 @@ Layer make_union_inner_disks_layer(const UnionFamily& family) {
             if (balls.tables().balls[row] == BallState::none) return;
             const Disk disk = balls.family().disk(row);
             out.disk(disk.center, disk.radius, disk.radius);
-          }));
+          },
+          ElementType{ElementKind::ball, &balls}));
 }
 
 }  // namespace mes

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which instance of a layer lies at a place.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "core/graph/provenance.h"
+
+namespace mes {
+
+/// The best instance seen so far. Points win over lines, lines over areas; of points and lines the nearest, of areas
+/// that hold the place the smallest.
+class HitSearch {
+ public:
+  HitSearch(Vec2 at, double reach) : at_(at), reach_(reach) {}
+  /// `values` as in core/base/primitives.h.
+  void look_at(PrimitiveKind kind, const double* values, ElementType type, Slot row);
+
+  struct Hit {
+    Element element;
+    ProvenanceShape shape;
+  };
+  const std::optional<Hit>& best() const { return best_; }
+
+ private:
+  Vec2 at_;
+  double reach_;
+  int best_rank_ = 3;  ///< 0 point, 1 line, 2 area
+  double best_measure_ = std::numeric_limits<double>::infinity();
+  std::optional<Hit> best_;
+};
+
+}  // namespace mes

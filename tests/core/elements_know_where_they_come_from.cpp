@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pointing at things: what is found, what it is made of, and that no dead row is ever met.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "core/base/rng.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/structures/ball_union.h"
+#include "core/structures/inner_balls.h"
+#include "core/structures/medial_axis.h"
+#include "tests/support/shapes.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+const ProvenanceLine* line_with(const Provenance& answer, ProvenanceRole role, std::string_view text) {
+  for (const ProvenanceLine& line : answer.lines)
+    if (line.role == role && line.text.find(text) != std::string::npos) return &line;
+  return nullptr;
+}
+std::size_t shapes_of(const Provenance& answer, ProvenanceRole role, std::string_view text) {
+  const ProvenanceLine* line = line_with(answer, role, text);
+  return line == nullptr ? 0 : line->shapes.size();
+}
+
+}  // namespace
+
+TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and union") {
+  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& axis = bench.get<MedialAxis>();
+  std::size_t seen = 0;
+  for (Slot face = 0; face < delaunay.face_rows(); ++face) {
+    if (!delaunay.is_finite_face(face) || !bench.get<InnerBalls>().is_ball(face) || axis.node_degree(face) != 2)
+      continue;
+    ++seen;
+    const Provenance answer = bench.ask(delaunay.circumcenter(face), 1e-9, {"interior-voronoi-vertices"});
+    REQUIRE_FALSE(answer.lines.empty());
+    CHECK(answer.layer == find_layer("interior-voronoi-vertices"));
+    CHECK(answer.lines.front().role == ProvenanceRole::itself);
+    CHECK(answer.lines.front().text.starts_with("Inner Voronoi ball at ("));
+    CHECK(shapes_of(answer, ProvenanceRole::origin, "touches 3 samples") == 3);
+    CHECK(shapes_of(answer, ProvenanceRole::origin, "1 Delaunay triangle") == 1);
+    CHECK(shapes_of(answer, ProvenanceRole::product, "medial axis edges end here") == 2);
+    CHECK(shapes_of(answer, ProvenanceRole::product, "of its power cell") >= 3);
+    CHECK(shapes_of(answer, ProvenanceRole::product, "on the boundary of the union") >= 1);
+  }
+  CHECK(seen > 40);
+}
+
+TEST_CASE("an axis edge comes from two samples and ends in two balls") {
+  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  const auto& delaunay = bench.get<Delaunay>();
+  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+    const EdgeRow& row = delaunay.edge(edge);
+    if (!row.is_alive() || !bench.get<MedialAxis>().is_axis_edge(edge)) continue;
+    const Vec2 middle = 0.5 * (delaunay.circumcenter(row.f[0]) + delaunay.circumcenter(row.f[1]));
+    const Provenance answer = bench.ask(middle, 1e-9, {"medial-axis"});
+    CHECK(answer.lines.front().text.starts_with("Medial axis edge"));
+    CHECK(shapes_of(answer, ProvenanceRole::origin, "2 samples") == 2);
+    CHECK(shapes_of(answer, ProvenanceRole::product, "Voronoi balls at its ends") == 2);
+  }
+}
+
+TEST_CASE("a v-point names the balls whose circles cross there, and a circle all samples on it") {
+  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  std::size_t seen = 0;
+  for (const VPoint& v : bench.get<AUnion>().tables().v_points) {
+    if (!v.is_alive()) continue;
+    ++seen;
+    const Provenance answer = bench.ask(v.position, 1e-9, {"a-v-points"});
+    CHECK(answer.lines.front().text.ends_with("a sample"));
+    CHECK(shapes_of(answer, ProvenanceRole::origin, "balls whose circles cross here") >= 2);
+  }
+  CHECK(seen > 40);
+
+  std::vector<Vec2> circle;
+  for (int x = -5; x <= 5; ++x)
+    for (int y = -5; y <= 5; ++y)
+      if (x * x + y * y == 25) circle.push_back({static_cast<double>(x), static_cast<double>(y)});
+  bench.replace(circle);
+  const Provenance answer = bench.ask({0, 0}, 1e-9, {"interior-voronoi-vertices"});
+  CHECK(shapes_of(answer, ProvenanceRole::origin, "touches 12 samples") == 12);
+  CHECK(shapes_of(answer, ProvenanceRole::origin, "triangles on one circle") == 10);
+}
+
+TEST_CASE("points win over lines and lines over areas; the upper layer over the lower") {
+  Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {0, 3}});
+  CHECK(bench.ask({0.1, 0}, 0.2, {"points"}).lines.front().text.starts_with("Sample at (0, 0)"));
+  CHECK(bench.ask({2, 0.1}, 0.2, {"points", "delaunay"}).layer == find_layer("delaunay"));
+  CHECK(bench.ask({2, 1}, 0.05, {"points", "delaunay"}).lines.empty());
+  CHECK(bench.ask({2, 1}, 0.05, {"delaunay", "interior-voronoi-disks"}).layer ==
+        find_layer("interior-voronoi-disks"));
+  CHECK(bench.ask({2, 1}, 0.05, {}).lines.empty());
+}
+
+TEST_CASE("whatever is pointed at, after whatever edits, has an answer without dead rows") {
+  Rng rng(11);
+  for (const bool on_lattice : {false, true}) {
+    const auto some_point = [&]() -> Vec2 {
+      if (on_lattice) return {static_cast<double>(rng.below(6)), static_cast<double>(rng.below(6))};
+      return {6.0 * rng.uniform(), 6.0 * rng.uniform()};
+    };
+    Workbench bench;
+    SampleData data;
+    for (int i = 0; i < 30; ++i) data.positions.push_back(some_point());
+    for (int i = 0; i < 4; ++i) data.balls.push_back({some_point(), 0.5 + rng.uniform()});
+    bench.load(data);
+    for (int round = 0; round < 12; ++round) {
+      for (LayerIndex layer = 0; layer < layer_descriptors().size(); ++layer) {
+        const std::string_view id = layer_descriptors()[layer].id;
+        INFO(id << " in round " << round);
+        for (const PrimitiveKind kind : layer_descriptors()[layer].kinds) {
+          const auto instances = bench.instances(id, kind);
+          const std::size_t count = instances.size() / stride_of(kind);
+          for (std::size_t i = 0; i < count; i += 1 + count / 4) {
+            const double* values = instances.data() + i * stride_of(kind);
+            const Vec2 at{values[0], values[1]};
+            const double radius = kind == PrimitiveKind::circle ? values[2] : 0.0;
+            const Provenance answer = bench.ask({at.x + radius, at.y}, 1e-6 * (1.0 + radius), {id});
+            REQUIRE_FALSE(answer.lines.empty());
+            REQUIRE_FALSE(answer.lines.front().shapes.empty());
+            for (const ProvenanceLine& line : answer.lines) REQUIRE_FALSE(line.text.empty());
+          }
+        }
+      }
+      const auto ids = bench.ids();
+      switch (rng.below(3)) {
+        case 0: bench.insert({some_point()}); break;
+        case 1: bench.remove({ids[rng.below(ids.size())]}); break;
+        default: bench.move(ids[rng.below(ids.size())], some_point()); break;
+      }
+    }
+  }
+}
