@@ -62,7 +62,7 @@ std::vector<ActionDescriptor> make_table() {
       {Id::deselect,
        "deselect",
        "Deselect",
-       "End the gesture under way, or select nothing",
+       "End the gesture under way, take away the card of what was clicked, or select nothing",
        edit,
        always,
        false,
@@ -321,11 +321,13 @@ std::string tooltip_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 12> table{{
+  static constexpr std::array<GestureDescriptor, 14> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
       {"Click", "select a sample (select tool), add one (insert tool)"},
+      {"Click anything else drawn", "show what it comes from and what it leads to (select tool)"},
+      {"Alt + click", "the same for a sample or a ball"},
       {"Shift + click or box", "add to the selection"},
       {"Ctrl + Shift + click or box", "take out of the selection"},
       {"Drag a sample or a ball", "move it, with the selection it belongs to"},

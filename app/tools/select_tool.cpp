@@ -106,8 +106,10 @@ void SelectTool::release(const Pointer& pointer) {
     case State::idle: break;
     case State::pressed_empty:
       if (mode == Mode::replace) context_.editor.selection().clear();
+      if (mode == Mode::replace && context_.ask_about) context_.ask_about(pointer);
       break;
     case State::pressed_thing:
+      if (pointer.modifiers.alt && context_.ask_about) context_.ask_about(pointer);
       if (mode == Mode::replace && was_selected_) select_one(pressed_, mode);
       break;
     case State::boxing: select_box(pointer); break;

@@ -32,7 +32,10 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       layers_(layer_descriptors()),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       files_(editor_, [] { GlfwWindow::wake(); }),
-      tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); }},
+      tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); },
+                    [this](const Pointer& pointer) {
+                      provenance_.ask(engine_, layers_, pointer, editor_.document().revision());
+                    }},
       canvas_(tool_context_) {
   if (!loaded.message.empty()) messages_.problem(loaded.message);
   bind_actions();
@@ -59,6 +62,7 @@ void App::run() {
     deliver_events();
     take_read_file();
     picture_.take_from(engine_);
+    provenance_.take(picture_.take_provenance());
     const bool was_about_to_rest = gui_.is_about_to_rest();
     frame();
     frames_wanted_ = std::max(0, frames_wanted_ - 1);
@@ -160,6 +164,9 @@ void App::draw_panels() {
     const float margin = 10 * unit;
     left = margin + draw_toolbar(context, {margin, top + margin});
   }
+  const float card_margin = 10 * unit;
+  provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
+                   {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
   draw_help(context, &show_help_);

@@ -16,6 +16,7 @@
 #include "app/panels/file_browser.h"
 #include "app/panels/layers_panel.h"
 #include "app/panels/panel_context.h"
+#include "app/panels/provenance_card.h"
 #include "app/sample_shapes.h"
 #include "app/settings.h"
 #include "app/window/file_desk.h"
@@ -103,6 +104,7 @@ class App final : private WindowListener {
   std::vector<SampleShape> shapes_;
   Gui gui_;
   Picture picture_;
+  ProvenanceCard provenance_;
   Engine engine_;
   LayerStack layers_;
   Editor editor_;

@@ -54,7 +54,7 @@ void App::bind_edit_actions() {
   actions_.bind(ActionId::invert_selection,
                 {by_hand([this] { editor_.selection().invert(editor_.document()); }), has_something});
   actions_.bind(ActionId::deselect, {by_hand([this] {
-                  if (!canvas_.cancel_gesture()) editor_.selection().clear();
+                  if (!canvas_.cancel_gesture() && !provenance_.clear()) editor_.selection().clear();
                 })});
   actions_.bind(ActionId::delete_selection, {by_hand([this] {
                                                const std::string what = counted(editor_.selection().sample_count(),

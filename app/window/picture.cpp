@@ -31,6 +31,7 @@ bool Picture::take_from(Engine& engine) {
     document_revision_ = patch->document_revision;
     reports_.swap(patch->reports);
     nodes_.swap(patch->nodes);
+    if (patch->provenance) provenance_ = std::move(patch->provenance);
     engine.recycle(std::move(patch));
     took = true;
     ++patches_;

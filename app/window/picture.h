@@ -39,6 +39,9 @@ class Picture {
   /// Of disks only each so manieth is on screen; 1: all.
   std::uint32_t every() const { return detail_.every(); }
 
+  /// The last answer that came, once.
+  std::unique_ptr<Provenance> take_provenance() { return std::move(provenance_); }
+
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
   const std::vector<NodeReport>& nodes() const { return nodes_; }
@@ -72,6 +75,7 @@ class Picture {
   render::Scene scene_;
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
+  std::unique_ptr<Provenance> provenance_;
   std::uint64_t document_revision_ = 0;
   std::uint64_t patches_ = 0;
   MarkedState marked_;

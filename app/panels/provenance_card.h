@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was clicked, what it comes from and what it made: as text on a card, and drawn over the picture.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/panels/panel_context.h"
+#include "app/tools/tool.h"
+#include "core/graph/provenance.h"
+
+namespace mes {
+
+/// It holds for one state of the document: an edit takes it away. Threads: the window's.
+class ProvenanceCard {
+ public:
+  /// What lies under the pointer in the visible layers; the answer comes with a later patch.
+  void ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, std::uint64_t document_revision);
+  /// An answer; those to earlier questions are passed over.
+  void take(std::unique_ptr<Provenance> answer);
+  /// True when there was something to take away.
+  bool clear();
+  const Provenance* shown() const { return answer_.get(); }
+
+  /// `corner`: lower left. Draws the shapes behind all panels.
+  void draw(const PanelContext& context, ImVec2 corner, ImVec2 room);
+
+ private:
+  std::uint64_t ticket_ = 0;
+  std::uint64_t document_revision_ = 0;
+  std::unique_ptr<Provenance> answer_;
+  std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none
+};
+
+}  // namespace mes
