@@ -10,8 +10,8 @@
 namespace mes {
 
 /// Position in `parameter_descriptors()`.
-enum class Parameter : std::uint8_t { union_shortcut };
-inline constexpr std::size_t kParameters = 1;
+enum class Parameter : std::uint8_t { union_shortcut, medial_sampling_angle };
+inline constexpr std::size_t kParameters = 2;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -26,7 +26,10 @@ struct ParameterDescriptor {
 inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{
     {{"union-shortcut",
       "1: unions of Voronoi balls follow from shared samples where that is certified; 0: the general pipeline always",
-      "", 0.0, 1.0, 1.0, true}}};
+      "", 0.0, 1.0, 1.0, true},
+     {"medial-sampling-angle",
+      "Sampled balls are added until neighbouring circles cross at this angle or more; nearer to 180 is denser",
+      "degrees", 90.0, 179.9, 175.0}}};
 
 /// Every parameter.
 constexpr std::span<const ParameterDescriptor> parameter_descriptors() {
