@@ -72,6 +72,11 @@ enum class Reach : std::uint8_t {
   far,   ///< twice that many bits: deep zoom, and coordinates far outside
 };
 
+/// Kinds that are drawn as `DrawUniforms::arc_pieces` quads along a circle.
+constexpr bool is_ring(PrimitiveKind kind) {
+  return kind == PrimitiveKind::circle || kind == PrimitiveKind::arc;
+}
+
 /// Chooses a program; compiled at first use.
 struct ProgramKey {
   PrimitiveKind kind = PrimitiveKind::point;

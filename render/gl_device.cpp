@@ -17,6 +17,9 @@ namespace {
 // fixed cost outweighs waiting for the drawing in flight.
 constexpr std::size_t kMapFrom = 512;
 
+/// Most columns of a layout.
+constexpr GLuint kColumns = 5;
+
 constexpr int kRealVectors = 5;
 constexpr int kBitVectors = 2;
 static_assert(sizeof(DrawUniforms) == 16 * (kRealVectors + kBitVectors));
@@ -24,7 +27,7 @@ static_assert(sizeof(DrawUniforms) == 16 * (kRealVectors + kBitVectors));
 /// Vertices of one instance, as a triangle strip.
 GLsizei vertices_of(const DrawCall& call) {
   if (call.program.kind == PrimitiveKind::point) return 3;
-  if (call.program.kind != PrimitiveKind::circle || call.uniforms.arc_pieces == 0.0F) return 4;
+  if (!is_ring(call.program.kind) || call.uniforms.arc_pieces == 0.0F) return 4;
   return 2 * (static_cast<GLsizei>(call.uniforms.arc_pieces) + 1);
 }
 
@@ -295,7 +298,7 @@ void GlDevice::draw(const DrawCall& call) {
     GLuint location = 0;
     for (int i = 0; i < layout.points; ++i) column(location++, 4);
     for (int i = 0; i < layout.numbers; ++i) column(location++, 2);
-    for (GLuint unused = location; unused < 3; ++unused) glDisableVertexAttribArray(unused);
+    for (GLuint unused = location; unused < kColumns; ++unused) glDisableVertexAttribArray(unused);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_of(call), static_cast<GLsizei>(count));
   };
   // No driver need take a larger stride; beyond it the few instances that are left are drawn one by one.

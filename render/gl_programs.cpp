@@ -88,8 +88,11 @@ GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) 
       return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, disk_vert},
                   {uniforms_glsl, round_distance_glsl, disk_frag});
     case PrimitiveKind::circle:
-      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, circle_vert},
+      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, ring_glsl, circle_vert},
                   {uniforms_glsl, round_distance_glsl, dash_glsl, circle_frag});
+    case PrimitiveKind::arc:
+      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, round_distance_glsl, ring_glsl, arc_vert},
+                  {uniforms_glsl, round_distance_glsl, dash_glsl, arc_frag});
     case PrimitiveKind::segment:
     case PrimitiveKind::ray:
     case PrimitiveKind::line:

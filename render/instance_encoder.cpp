@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/instance_encoder.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <utility>
 
+#include "core/base/arc.h"
 #include "core/base/vec2.h"
 #include "render/instance_layout.h"
 
@@ -111,6 +114,25 @@ void encode_unbounded(PrimitiveKind kind, const DrawingFrame& frame, std::span<c
   store(out, 1, d);
 }
 
+void encode_arc(const DrawingFrame& frame, std::span<const double> in, std::span<double> out,
+                InstanceExtent& extent) {
+  const Arc arc{.center = map(frame, in[0], in[1]),
+                .radius = in[2] * frame.scale,
+                .from = map(frame, in[3], in[4]),
+                .to = map(frame, in[5], in[6])};
+  const bool shown = in_range(arc.center) && in_range(arc.from) && in_range(arc.to) && arc.radius >= 0.0 &&
+                     arc.radius <= kDrawingLimit;
+  const std::array columns{arc.center, arc.from, arc.to};
+  for (std::size_t i = 0; i < columns.size(); ++i) store(out, i, shown ? columns[i] : Vec2{kNowhere, kNowhere});
+  out[6] = shown ? arc.radius : -1.0;
+  // Of ends as close as doubles allow single precision cannot tell which comes first. Ends that only the frame makes
+  // equal are a short arc, and no whole circle.
+  const bool is_whole = in[3] == in[5] && in[4] == in[6];
+  const bool is_long = arc.from != arc.to && sweep_of(arc) > std::numbers::pi;
+  out[7] = is_whole ? 2.0 : (is_long ? 1.0 : 0.0);
+  if (shown) extent.radius = std::max(extent.radius, arc.radius);
+}
+
 }  // namespace
 
 void encode_instance(PrimitiveKind kind, const DrawingFrame& frame, std::span<const double> in, std::span<double> out,
@@ -145,6 +167,7 @@ void encode_instance(PrimitiveKind kind, const DrawingFrame& frame, std::span<co
       if (!shown) std::fill(out.begin(), out.end(), kNowhere);
       break;
     }
+    case PrimitiveKind::arc: encode_arc(frame, in, out, extent); break;
   }
   const std::size_t points = kind == PrimitiveKind::ray || kind == PrimitiveKind::line
                                  ? std::size_t{1}

@@ -4,8 +4,8 @@
 // What it guarantees:
 //  1. Coordinates become `(p - origin) * scale`, computed in double and not rounded further.
 //  2. What leaves the buffer's range of +-kDrawingLimit is cut to it along its own line (segments, rays, lines), so
-//     that the part anybody can see stays where it is. Disks and circles that large show nothing: doubles do not say
-//     any more where their rim is.
+//     that the part anybody can see stays where it is. Disks, circles and arcs that large show nothing: doubles do
+//     not say any more where their rim is.
 //  3. A number that is not finite gives an instance that shows nothing.
 #pragma once
 

@@ -124,7 +124,7 @@ void RecordingDevice::draw(const DrawCall& call) {
                                   u.dash_period_px, u.arc_pieces}));
   MES_ASSERT(u.pixels_per_unit > 0.0F && u.half_view_px[0] > 0.0F && u.half_view_px[1] > 0.0F);
   MES_ASSERT(!call.program.dashed || u.dash_period_px > 0.0F);
-  MES_ASSERT(call.program.kind != PrimitiveKind::circle || u.arc_pieces == 0.0F || u.arc_pieces >= 3.0F);
+  MES_ASSERT(!is_ring(call.program.kind) || u.arc_pieces == 0.0F || u.arc_pieces >= 3.0F);
   MES_ASSERT(is_color(u.color));
   calls_.push_back(call);
   ++counters_.draw_calls;

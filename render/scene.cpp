@@ -10,8 +10,8 @@
 namespace mes::render {
 namespace {
 
-// Beyond this many pixels from the centre lines and circles are placed with more bits. There single precision rounds
-// to 1/128 of a pixel. Smaller: costlier programs at ordinary views; larger: lines begin to shake.
+// Beyond this many pixels from the centre lines, circles and arcs are placed with more bits. There single precision
+// rounds to 1/128 of a pixel. Smaller: costlier programs at ordinary views; larger: lines begin to shake.
 constexpr double kNearReach = 0x1p17;
 // Scales at which the drawing is far below a pixel, or a pixel far below what doubles tell apart.
 constexpr double kMinScale = 0x1p-70;
@@ -24,7 +24,7 @@ constexpr double kGap = 4.0;
 /// Triangles first: those of a group have to be summed before anything else covers them.
 constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
     PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,
-    PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::point};
+    PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::arc,  PrimitiveKind::point};
 
 /// One coordinate of the view's centre in the forms programs want.
 struct CenterParts {
@@ -266,7 +266,7 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Laye
   if (!is_point && reach > kNearReach) call.program.reach = Reach::far;
   call.program.dashed =
       style.dashed && (buffer.kind() == PrimitiveKind::segment || buffer.kind() == PrimitiveKind::ray ||
-                       buffer.kind() == PrimitiveKind::line || buffer.kind() == PrimitiveKind::circle);
+                       buffer.kind() == PrimitiveKind::line || is_ring(buffer.kind()));
   device_.draw(call);
   ++draw_calls_;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -20,8 +21,11 @@ namespace {
 
 std::string_view csv_columns(PrimitiveKind kind) {
   constexpr std::array<std::string_view, kPrimitiveKinds> names{
-      "x,y", "x,y,r", "x,y,r", "x1,y1,x2,y2", "x,y,dx,dy", "x,y,dx,dy", "x1,y1,x2,y2,x3,y3"};
+      "x,y", "x,y,r", "x,y,r", "x1,y1,x2,y2", "x,y,dx,dy", "x,y,dx,dy", "x1,y1,x2,y2,x3,y3", "x,y,r,a0,a1"};
   return names[static_cast<std::size_t>(kind)];
+}
+std::size_t csv_width(PrimitiveKind kind) {
+  return kind == PrimitiveKind::arc ? 5 : doubles_per(kind);
 }
 
 void append_values(std::string& out, std::span<const double> values) {
@@ -29,6 +33,18 @@ void append_values(std::string& out, std::span<const double> values) {
     if (i != 0) out += ',';
     append_number(out, values[i]);
   }
+}
+
+/// One row without scalar; arcs by angle in radians, a0 <= a1.
+void append_coordinates(std::string& out, PrimitiveKind kind, std::span<const double> values) {
+  if (kind != PrimitiveKind::arc) {
+    append_values(out, values);
+    return;
+  }
+  const Arc arc = arc_of(values.data());
+  const Vec2 start = arc.from - arc.center;
+  const double a0 = std::atan2(start.y, start.x);
+  append_values(out, std::array{arc.center.x, arc.center.y, arc.radius, a0, a0 + sweep_of(arc)});
 }
 
 /// Points by number of first appearance, and the edges between them.
@@ -132,8 +148,8 @@ std::string csv_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescr
   std::size_t columns = 0;
   std::string_view header;
   for (const PrimitiveKind kind : descriptor.kinds) {
-    if (doubles_per(kind) <= columns) continue;
-    columns = doubles_per(kind);
+    if (csv_width(kind) <= columns) continue;
+    columns = csv_width(kind);
     header = csv_columns(kind);
   }
   std::string out = (has_kind ? "kind," : "") + std::string(header) + (has_scalar ? ",scalar\n" : "\n");
@@ -147,8 +163,8 @@ std::string csv_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescr
         out += name_of(kind);
         out += ',';
       }
-      append_values(out, values.first(stride - 1));
-      out.append(columns - (stride - 1), ',');
+      append_coordinates(out, kind, values.first(stride - 1));
+      out.append(columns - csv_width(kind), ',');
       if (has_scalar) {
         out += ',';
         append_number(out, values.back());

@@ -16,8 +16,8 @@ void Sum::add(double term) {
 }
 
 std::string_view plural_of(PrimitiveKind kind) {
-  constexpr std::array<std::string_view, kPrimitiveKinds> names{"points", "disks", "circles",  "segments",
-                                                                "rays",   "lines", "triangles"};
+  constexpr std::array<std::string_view, kPrimitiveKinds> names{"points", "disks", "circles",   "segments",
+                                                                "rays",   "lines", "triangles", "arcs"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -43,6 +43,11 @@ LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer) {
           break;
         case PrimitiveKind::disk:
         case PrimitiveKind::circle: radius_sum.add(v[2]); break;
+        case PrimitiveKind::arc: {
+          const Arc arc = arc_of(v);
+          length_sum.add(arc.radius * sweep_of(arc));
+          break;
+        }
         case PrimitiveKind::triangle: {
           const Vec2 corner{v[0], v[1]};
           area_sum.add(0.5 * std::abs(cross(Vec2{v[2], v[3]} - corner, Vec2{v[4], v[5]} - corner)));

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/arc.h"
 #include "core/graph/layer_mirror.h"
 
 namespace mes::cli {
@@ -13,7 +14,7 @@ namespace mes::cli {
 struct LayerSummary {
   std::array<std::uint64_t, kPrimitiveKinds> count{};  ///< zero-length segments not counted
   std::uint64_t zero_length = 0;                       ///< segments whose ends are equal
-  double length = 0.0;                                 ///< of the segments
+  double length = 0.0;                                 ///< of segments and arcs
   double radius_sum = 0.0;                             ///< of circles and disks
   double area = 0.0;                                   ///< of the triangles
 };
@@ -26,6 +27,11 @@ std::string_view plural_of(PrimitiveKind kind);
 /// True for a segment (as in patches) whose ends are equal.
 constexpr bool is_zero_length(const double* segment) {
   return segment[0] == segment[2] && segment[1] == segment[3];
+}
+
+/// An arc as in patches.
+constexpr Arc arc_of(const double* values) {
+  return {{values[0], values[1]}, values[2], {values[3], values[4]}, {values[5], values[6]}};
 }
 
 /// A sum whose error does not grow with the number of terms (Neumaier's variant of Kahan's).

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string_view>
 
+#include "app/cli/layer_summary.h"
 #include "app/cli/messages.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/io/text_numbers.h"
@@ -28,6 +29,7 @@ Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
           box.add(Vec2{v[0] - v[2], v[1] - v[2]});
           box.add(Vec2{v[0] + v[2], v[1] + v[2]});
           break;
+        case PrimitiveKind::arc: box.add(bounding_box_of(arc_of(v))); break;
         case PrimitiveKind::triangle: box.add(Vec2{v[4], v[5]}); [[fallthrough]];
         case PrimitiveKind::segment: box.add(Vec2{v[2], v[3]}); [[fallthrough]];
         case PrimitiveKind::point: box.add(Vec2{v[0], v[1]}); break;

@@ -21,8 +21,8 @@ bool has_points(const LayerDescriptor& descriptor) {
   return has_kind(descriptor, {PrimitiveKind::point});
 }
 bool has_strokes(const LayerDescriptor& descriptor) {
-  return has_kind(descriptor,
-                  {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line, PrimitiveKind::circle});
+  return has_kind(descriptor, {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line, PrimitiveKind::circle,
+                               PrimitiveKind::arc});
 }
 
 bool is_failed(NodeState state) {
@@ -110,7 +110,7 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
   const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
   if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
     list.AddRectFilled(at, end, color, 3 * unit);
-  else if (has_kind(descriptor, {PrimitiveKind::circle}))
+  else if (has_kind(descriptor, {PrimitiveKind::circle, PrimitiveKind::arc}))
     list.AddCircle(middle, 0.36F * size.y, color, 0, width);
   else if (has_strokes(descriptor))
     list.AddLine({at.x + 4 * unit, end.y - 4 * unit}, {end.x - 4 * unit, at.y + 4 * unit}, color, width);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/window/theme.h"
+#include "core/base/arc.h"
 #include "core/graph/layer_descriptor.h"
 
 namespace mes {
@@ -67,6 +68,7 @@ class Overlay {
       case PrimitiveKind::point: return point(a);
       case PrimitiveKind::disk:
       case PrimitiveKind::circle: return circle(a, v[2]);
+      case PrimitiveKind::arc: return arc({a, v[2], {v[3], v[4]}, {v[5], v[6]}});
       case PrimitiveKind::segment: return line(a, {v[2], v[3]});
       case PrimitiveKind::ray: return unbounded(a, {v[2], v[3]}, 0.0);
       case PrimitiveKind::line: return unbounded(a, {v[2], v[3]}, -std::numeric_limits<double>::infinity());
@@ -103,6 +105,16 @@ class Overlay {
   }
   void stroke(const std::optional<Piece>& piece) const {
     if (piece) list_.AddLine(to_im(piece->a), to_im(piece->b), color_, look_.width * unit_);
+  }
+  void arc(const Arc& arc) const {
+    const double r = arc.radius / camera_.units_per_pixel() * to_logical_ * static_cast<double>(unit_);
+    if (!(r < kLargestCirclePx)) return line(arc.from, arc.to);
+    // Angles of the screen run the other way.
+    const Vec2 start = arc.from - arc.center;
+    const auto from = static_cast<float>(-std::atan2(start.y, start.x));
+    list_.PathArcTo(to_im(on_screen(arc.center)), static_cast<float>(r), from - static_cast<float>(sweep_of(arc)),
+                    from, static_cast<int>(std::clamp(r, 24.0, 360.0)));
+    list_.PathStroke(color_, 0, look_.width * unit_);
   }
   void line(Vec2 a, Vec2 b) const {
     const Vec2 from = on_screen(a);

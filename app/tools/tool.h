@@ -25,7 +25,7 @@ struct ToolContext {
   Editor& editor;
   const double& spray_spacing_px;
   std::function<void(const Error&)> report;       ///< a command was refused
-  std::function<void(const Pointer&)> ask_about;  ///< what lies there, and where does it come from?
+  std::function<void(const Pointer&)> ask_about{};  ///< what lies there, and where does it come from?
 };
 
 /// What the canvas shows of a tool besides the drawing.

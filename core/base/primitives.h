@@ -5,7 +5,10 @@
 //   disk      x y r          | s        ray       x y dx dy            | s   from (x, y) towards (dx, dy)
 //   circle    x y r          | s        line      x y dx dy            | s   through (x, y), both ways
 //                                       triangle  x1 y1 x2 y2 x3 y3    | s
+//                                       arc       x y r x1 y1 x2 y2    | s
 //
+// An arc runs counter-clockwise along the circle (x, y) r from its point (x1, y1) to (x2, y2); equal ends are the
+// whole circle. Ends, not angles: an angle in a double places an end no better than the radius times its last bit.
 // Coordinates are in the units of the document; all are finite. Directions of rays and lines are
 // not zero and need not be of unit length. The scalar feeds colour maps; layers without one give 0.
 #pragma once
@@ -17,15 +20,15 @@
 
 namespace mes {
 
-enum class PrimitiveKind : std::uint8_t { point, disk, circle, segment, ray, line, triangle };
-inline constexpr std::size_t kPrimitiveKinds = 7;
+enum class PrimitiveKind : std::uint8_t { point, disk, circle, segment, ray, line, triangle, arc };
+inline constexpr std::size_t kPrimitiveKinds = 8;
 inline constexpr std::array<PrimitiveKind, kPrimitiveKinds> kAllPrimitiveKinds{
-    PrimitiveKind::point, PrimitiveKind::disk, PrimitiveKind::circle,  PrimitiveKind::segment,
-    PrimitiveKind::ray,   PrimitiveKind::line, PrimitiveKind::triangle};
+    PrimitiveKind::point, PrimitiveKind::disk, PrimitiveKind::circle,   PrimitiveKind::segment,
+    PrimitiveKind::ray,   PrimitiveKind::line, PrimitiveKind::triangle, PrimitiveKind::arc};
 
 /// Coordinates of one instance, without the scalar.
 constexpr std::size_t doubles_per(PrimitiveKind kind) {
-  constexpr std::array<std::size_t, kPrimitiveKinds> counts{2, 3, 3, 4, 4, 4, 6};
+  constexpr std::array<std::size_t, kPrimitiveKinds> counts{2, 3, 3, 4, 4, 4, 6, 7};
   return counts[static_cast<std::size_t>(kind)];
 }
 
@@ -36,8 +39,8 @@ constexpr std::size_t stride_of(PrimitiveKind kind) {
 
 /// Singular, lower case: "point", "disk", ...
 constexpr std::string_view name_of(PrimitiveKind kind) {
-  constexpr std::array<std::string_view, kPrimitiveKinds> names{"point", "disk", "circle",  "segment",
-                                                                "ray",   "line", "triangle"};
+  constexpr std::array<std::string_view, kPrimitiveKinds> names{"point", "disk", "circle",   "segment",
+                                                                "ray",   "line", "triangle", "arc"};
   return names[static_cast<std::size_t>(kind)];
 }
 

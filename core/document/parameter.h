@@ -10,8 +10,8 @@
 namespace mes {
 
 /// Position in `parameter_descriptors()`.
-enum class Parameter : std::uint8_t { union_shortcut, pole_propagation };
-inline constexpr std::size_t kParameters = 2;
+enum class Parameter : std::uint8_t { union_shortcut, pole_propagation, medial_sampling_angle };
+inline constexpr std::size_t kParameters = 3;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -29,7 +29,10 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       "", 0.0, 1.0, 1.0, true},
      {"pole-propagation",
       "0: a pole is inside where its triangle is; 1: labels spread from pole to pole, as Amenta, Choi and Kolluri do",
-      "", 0.0, 1.0, 0.0, true}}};
+      "", 0.0, 1.0, 0.0, true},
+     {"medial-sampling-angle",
+      "Sampled balls are added until neighbouring circles cross at this angle or more; nearer to 180 is denser",
+      "degrees", 90.0, 179.9, 175.0}}};
 
 /// Every parameter.
 constexpr std::span<const ParameterDescriptor> parameter_descriptors() {

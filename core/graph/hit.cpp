@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/arc.h"
+
 namespace mes {
 namespace {
 
@@ -30,6 +32,14 @@ void HitSearch::look_at(PrimitiveKind kind, const double* v, ElementType type, S
     case PrimitiveKind::segment: measure = distance_to_line(at_, a, Vec2{v[2], v[3]} - a, 0.0, 1.0); break;
     case PrimitiveKind::ray: measure = distance_to_line(at_, a, {v[2], v[3]}, 0.0, kFar); break;
     case PrimitiveKind::line: measure = distance_to_line(at_, a, {v[2], v[3]}, -kFar, kFar); break;
+    case PrimitiveKind::arc: {
+      const Vec2 from{v[3], v[4]};
+      const Vec2 to{v[5], v[6]};
+      // Beside the arc its ends are nearest. Where on the circle: as far as the sweep to there is not longer.
+      const bool is_beside = from == to || sweep_of({a, v[2], from, at_}) <= sweep_of({a, v[2], from, to});
+      measure = is_beside ? std::abs(distance(at_, a) - v[2]) : std::min(distance(at_, from), distance(at_, to));
+      break;
+    }
     case PrimitiveKind::disk:
       rank = 2;
       if (distance(at_, a) <= v[2]) measure = v[2] * v[2];

@@ -18,6 +18,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/arc.h"
 #include "core/base/change_set.h"
 #include "core/base/prefetch.h"
 #include "core/graph/hit.h"
@@ -44,6 +45,10 @@ class Instance {
   void triangle(Vec2 a, Vec2 b, Vec2 c, double scalar = 0.0) {
     set(PrimitiveKind::triangle, {a.x, a.y, b.x, b.y, c.x, c.y, scalar});
   }
+  void arc(const Arc& arc, double scalar = 0.0) {
+    set(PrimitiveKind::arc,
+        {arc.center.x, arc.center.y, arc.radius, arc.from.x, arc.from.y, arc.to.x, arc.to.y, scalar});
+  }
 
   bool is_set() const { return is_set_; }
   PrimitiveKind kind() const { return kind_; }
@@ -63,7 +68,7 @@ class Instance {
     kind_ = kind;
     is_set_ = std::isfinite(sum);
   }
-  std::array<double, 7> values_{};
+  std::array<double, 8> values_{};
   PrimitiveKind kind_ = PrimitiveKind::point;
   bool is_set_ = false;
 };
@@ -163,6 +168,7 @@ class InstancePlaces {
   static constexpr std::uint32_t kNoPlace = 0xffffffffU;
   static constexpr unsigned kIndexBits = 29;
   static constexpr std::uint32_t kIndexMask = (1U << kIndexBits) - 1U;
+  static_assert(kPrimitiveKinds <= std::size_t{1} << (32U - kIndexBits));
   static std::size_t index_of(PrimitiveKind kind) { return static_cast<std::size_t>(kind); }
   static std::uint32_t encode(PrimitiveKind kind, std::uint32_t index) {
     return (static_cast<std::uint32_t>(kind) << kIndexBits) | index;

@@ -13,7 +13,8 @@ void check_instance(PrimitiveKind kind, std::span<const double> values) {
   for (const double value : values) MES_ASSERT(std::isfinite(value));
   switch (kind) {
     case PrimitiveKind::disk:
-    case PrimitiveKind::circle: MES_ASSERT(values[2] >= 0.0); break;
+    case PrimitiveKind::circle:
+    case PrimitiveKind::arc: MES_ASSERT(values[2] >= 0.0); break;
     case PrimitiveKind::ray:
     case PrimitiveKind::line: MES_ASSERT(values[2] != 0.0 || values[3] != 0.0); break;
     case PrimitiveKind::point:

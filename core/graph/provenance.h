@@ -55,7 +55,7 @@ struct ProvenanceQuestion {
 
 struct ProvenanceShape {
   PrimitiveKind kind = PrimitiveKind::point;
-  std::array<double, 6> values{};  ///< as in core/base/primitives.h, without the scalar
+  std::array<double, 7> values{};  ///< as in core/base/primitives.h, without the scalar
 };
 
 enum class ProvenanceRole : std::uint8_t { itself, origin, product };

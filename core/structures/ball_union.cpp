@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "core/base/isolated.h"
@@ -101,10 +100,6 @@ class OwnBalls final : public BallFamily {
   const UserBalls& balls_;
 };
 
-double angle_of(Vec2 v) {
-  return std::atan2(v.y, v.x);
-}
-
 /// Area and perimeter of the union by Green's theorem over its boundary.
 struct Measures {
   double area = 0.0;
@@ -113,15 +108,12 @@ struct Measures {
 Measures measures_of(const UnionTables& t, const BallFamily& family) {
   Measures out;
   for (const BoundaryArc& arc : t.arcs) {
-    if (!arc.is_alive()) continue;
+    if (!arc.is_alive() || is_rounded_away(arc)) continue;
     const Disk disk = family.disk(arc.ball);
-    double from = 0.0;
-    double turn = 2.0 * std::numbers::pi;
-    if (arc.is_whole == 0) {
-      from = angle_of(arc.from - disk.center);
-      turn = angle_of(arc.to - disk.center) - from;
-      if (turn <= 0.0) turn += 2.0 * std::numbers::pi;
-    }
+    const Arc drawn = arc_of(arc, disk);
+    const Vec2 start = drawn.from - disk.center;
+    const double from = std::atan2(start.y, start.x);
+    const double turn = sweep_of(drawn);
     const double to = from + turn;
     const double r = disk.radius;
     out.perimeter += r * turn;

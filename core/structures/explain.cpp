@@ -35,12 +35,15 @@ class Shapes {
   void segment(Vec2 a, Vec2 b) { add(PrimitiveKind::segment, {a.x, a.y, b.x, b.y}); }
   void ray(Vec2 from, Vec2 towards) { add(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y}); }
   void line(Vec2 through, Vec2 along) { add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}); }
+  void arc(const Disk& disk, Vec2 from, Vec2 to) {
+    add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.x, from.y, to.x, to.y});
+  }
   void triangle(Vec2 a, Vec2 b, Vec2 c) { add(PrimitiveKind::triangle, {a.x, a.y, b.x, b.y, c.x, c.y}); }
   std::size_t size() const { return shapes_.size(); }
   std::vector<ProvenanceShape> take() { return std::move(shapes_); }
 
  private:
-  void add(PrimitiveKind kind, std::array<double, 6> values) {
+  void add(PrimitiveKind kind, std::array<double, 7> values) {
     if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) shapes_.push_back({kind, values});
   }
   std::vector<ProvenanceShape> shapes_;
@@ -392,8 +395,7 @@ void Explanation::about_arc(const BallUnion& balls, Slot row) {
   const UnionTables& t = balls.tables();
   if (row >= t.arcs.size() || !t.arcs[row].is_alive()) return;
   Shapes itself, circle;
-  itself.point(t.arcs[row].from);
-  itself.point(t.arcs[row].to);
+  itself.arc(balls.family().disk(t.arcs[row].ball), t.arcs[row].from, t.arcs[row].to);
   say(Role::itself,
       t.arcs[row].is_whole != 0 ? "A whole circle on the boundary of the union"
                                 : "Arc on the boundary of the union, between two v-points",

@@ -9,3 +9,16 @@ float rim_distance(vec2 p, vec2 n, float r) {
   return (square + twice) / max(sqrt(max(r * r + twice + square, 0.0)) + r, 1e-6);
 }
 #endif
+
+// Angle along a rim of radius r from its point with outward normal n to the direction of p, seen from the centre.
+float rim_angle(vec2 p, vec2 n, float r) {
+  float across = n.x * p.y - n.y * p.x;
+  float out_of = dot(n, p);
+#if REACH != 0
+  out_of += r;
+#endif
+  float slope = across / max(out_of, 1e-30);
+  // The inverse tangent of a driver is good to so many places after the point; a huge radius wants its leading digits.
+  if (out_of > 0.0 && abs(slope) < 0.05) return slope * (1.0 - slope * slope / 3.0);
+  return atan(across, out_of);
+}

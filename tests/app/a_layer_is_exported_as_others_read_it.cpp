@@ -96,6 +96,20 @@ TEST_CASE("balls are exported as they were read, those of radius zero included")
   CHECK(with_zero.out == "WPOFF 1 0 0\n1 2 0\n");
 }
 
+TEST_CASE("arcs are exported by their angles, counter-clockwise, and only as a table") {
+  const std::string balls = "WPOFF 3 0 0\n0 0 5\n6 0 5\n20 1 2\n";
+  const std::vector<std::string> lines = lines_of(exported("-", "b-union-boundary", "csv", balls));
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[0] == "x,y,r,a0,a1");
+  CHECK_THAT(lines[1], Catch::StartsWith("0,0,5,0.92729521800161"));
+  CHECK_THAT(lines[1], Catch::Contains(",5.35589008917797"));
+  CHECK_THAT(lines[2], Catch::StartsWith("6,0,5,-2.2142974355881"));
+  CHECK(lines[3] == "20,1,2,0,6.283185307179586");
+  const RunResult refused = run({"export", "-", "--layer", "b-union-boundary", "--format", "poff"}, {.input = balls});
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("csv can hold it"));
+}
+
 TEST_CASE("the disks of any layer are exported as balls that can be read again") {
   const std::string text = exported(kDude, "interior-voronoi-disks", "wpoff");
   const Json read = Json::parse(run({"compute", "-", "--layers", "b-inner-disks"}, {.input = text}).out);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
@@ -92,6 +93,15 @@ TEST_CASE("balls of a WPOFF file are counted, and one of radius zero has a centr
   CHECK(out["layers"]["b-inner-disks"]["radius_sum"].get<double>() == Approx(6.2));
   CHECK(out["layers"]["b-inner-circles"]["circles"] == 5);
   CHECK(out["layers"]["b-inner-centers"]["points"] == 6);
+}
+
+TEST_CASE("the boundary of a union has as many arcs as pieces, and a length") {
+  const Json out =
+      json_of(run({"compute", "-", "--layers", "b-union-boundary"}, {.input = "WPOFF 2 0 0\n0 0 5\n20 1 2\n"}));
+  const Json& layer = out["layers"]["b-union-boundary"];
+  CHECK(layer["arcs"] == 2);
+  CHECK(layer["length"].get<double>() == Approx(14.0 * std::numbers::pi));
+  CHECK_FALSE(layer.contains("zero_length"));
 }
 
 TEST_CASE("without balls there are no radii to tell") {

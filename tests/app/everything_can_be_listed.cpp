@@ -38,7 +38,7 @@ TEST_CASE("every layer that is listed can be computed") {
   CHECK(result.exit_code == 0);
   const Json computed = Json::parse(result.out)["layers"];
   CHECK(computed.size() == layers.size());
-  const std::set<std::string> counts{"points", "segments", "rays", "lines", "circles", "disks", "triangles"};
+  const std::set<std::string> counts{"points", "segments", "rays", "lines", "circles", "disks", "triangles", "arcs"};
   for (const Json& layer : layers)
     for (const Json& kind : layer["kinds"])
       CHECK(computed[layer["id"].get<std::string>()].contains(kind.get<std::string>() + "s"));

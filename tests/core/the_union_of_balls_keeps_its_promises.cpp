@@ -7,8 +7,10 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <string>
 #include <utility>
 
+#include "core/base/arc.h"
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 #include "core/graph/graph.h"
@@ -19,6 +21,7 @@
 #include "core/structures/precision_difference.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"
+#include "tests/support/workbench.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -391,6 +394,34 @@ TEST_CASE("exact and exact with roots agree on balls with many coincidences") {
     for (const char* key : {"lost_crossings", "contradictions", "negative_radicands"})
       CHECK(mixed.count("b-union", key) == 0);
     CHECK(mixed.measure("b-union", "length") == Approx(roots.measure("b-union", "length")).margin(1e-9));
+  }
+}
+
+TEST_CASE("the boundary is drawn in closed curves as long as the perimeter") {
+  Rng rng(9);
+  SampleData data = ellipse(2, 1, 200, {.offset = 0.123}).data;
+  for (int i = 0; i < 40; ++i) data.balls.push_back({{10 * rng.uniform(), 10 * rng.uniform()}, 0.2 + rng.uniform()});
+  // Alone, twice and within another; touching from outside and from inside.
+  for (const Disk& disk : {Disk{{20, 0}, 1}, {{20, 0}, 1}, {{20.5, 0}, 0.25}, {{22, 0}, 1}, {{22.5, 0}, 0.5}})
+    data.balls.push_back(disk);
+  Workbench bench;
+  bench.load(data);
+  for (const std::string family : {"a", "b"}) {
+    const auto arcs = bench.instances(family + "-union-boundary", PrimitiveKind::arc);
+    REQUIRE_FALSE(arcs.empty());
+    double length = 0.0;
+    std::map<std::pair<double, double>, int> ends;
+    for (std::size_t at = 0; at < arcs.size(); at += stride_of(PrimitiveKind::arc)) {
+      const double* const v = arcs.data() + at;
+      const Arc arc{{v[0], v[1]}, v[2], {v[3], v[4]}, {v[5], v[6]}};
+      length += arc.radius * sweep_of(arc);
+      CHECK(distance(arc.center, arc.from) == Approx(arc.radius).epsilon(1e-9));
+      CHECK(distance(arc.center, arc.to) == Approx(arc.radius).epsilon(1e-9));
+      ++ends[{v[3], v[4]}];
+      --ends[{v[5], v[6]}];
+    }
+    CHECK(length == Approx(bench.measure(family + "-union", "perimeter")).epsilon(1e-12));
+    CHECK(std::ranges::all_of(ends, [](const auto& end) { return end.second == 0; }));
   }
 }
 

@@ -255,6 +255,34 @@ TEST_CASE("a ball is drawn, resized with the wheel, and saved to a file of its o
   CHECK(ball.radius == Approx(60 / kPxPerUnit * 1.1 * 1.1 * 1.1).margin(1e-6));
 }
 
+TEST_CASE("what is clicked says where it comes from, until Esc or an edit") {
+  Session session;
+  session.show_only_the_drawing();
+  const VirtualScreen& screen = session.screen;
+  const auto is_card = [](Color c) { return c.r == 0xF7 && c.g == 0xF8 && c.b == 0xF9; };
+  const auto has_card = [&] { return screen.shoot().count(is_card) > 10000; };
+  REQUIRE_FALSE(has_card());
+  const auto click = [&](int x, int y) {
+    screen.xdotool("mousemove " + std::to_string(x) + " " + std::to_string(y));
+    screen.xdotool("click 1");
+  };
+  // Within all inner disks, off the axis.
+  click(700, 300);
+  CHECK(eventually(has_card));
+  session.press("Escape");
+  CHECK(eventually([&] { return !has_card(); }));
+  click(700, 300);
+  CHECK(eventually(has_card));
+  // Outside there is nothing.
+  click(1200, 60);
+  CHECK(eventually([&] { return !has_card(); }));
+  click(700, 300);
+  CHECK(eventually(has_card));
+  session.press("i");
+  click(1200, 60);
+  CHECK(eventually([&] { return !has_card(); }));
+}
+
 TEST_CASE("a file that cannot be read is a message, and the document stays") {
   Session session;
   session.show_only_the_drawing();

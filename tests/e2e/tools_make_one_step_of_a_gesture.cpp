@@ -170,3 +170,20 @@ TEST_CASE("a cancelled move puts everything back") {
   CHECK_FALSE(tool.is_active());
   CHECK_FALSE(bench.editor.can_undo());
 }
+
+TEST_CASE("a click beside all samples asks what is there; on a sample only with Alt; a box does not") {
+  Bench bench;
+  std::vector<Vec2> asked;
+  bench.context.ask_about = [&](const Pointer& pointer) { asked.push_back(pointer.px); };
+  SelectTool tool(bench.context);
+  click(tool, at(100, 300));
+  CHECK(asked == std::vector<Vec2>{{100, 300}});
+  click(tool, at(100, 100));
+  drag(tool, at(50, 300), at(90, 340));
+  click(tool, at(100, 300, kShift));
+  CHECK(asked.size() == 1);
+  click(tool, at(100, 100, Modifiers{.alt = true}));
+  CHECK(asked.size() == 2);
+  CHECK(bench.selected().size() == 1);
+  CHECK_FALSE(bench.editor.can_undo());
+}

@@ -89,6 +89,59 @@ TEST_CASE("circles cover length times width, whatever strip they are made of") {
   }
 }
 
+TEST_CASE("arcs cover length times width and their caps, wherever they begin and however far they go") {
+  Drawing drawing;
+  const Vec2 c{150.3, 150.4};
+  for (const double r : {5.0, 12.0, 30.0, 60.0, 140.0}) {
+    for (const double sweep : {0.02, 0.7, 3.1, kPi, 3.2, 5.0, 6.0}) {
+      for (int i = 0; i < 7; ++i) {
+        const double from = 0.1 + i;
+        const double to = from + sweep;
+        drawing.set(0, arc,
+                    {c.x, c.y, r, c.x + r * std::cos(from), c.y + r * std::sin(from), c.x + r * std::cos(to),
+                     c.y + r * std::sin(to)});
+        constexpr double kWidthPx = 2.0;
+        // A ramp one pixel wide around a disk of radius 1 covers so much more than the disk.
+        constexpr double kCaps = kPi * (1.0 + 1.0 / 12.0);
+        const double area = covered_area(drawing.draw(pixel_camera(300, 300), {{0, black(kWidthPx)}}));
+        CAPTURE(r, sweep, from);
+        // Caps that reach into each other cover less.
+        const double gap = (2.0 * kPi - sweep) * r;
+        if (gap > kWidthPx) CHECK(area == Approx(r * sweep * kWidthPx + kCaps).epsilon(0.01).margin(0.25));
+      }
+    }
+  }
+}
+
+TEST_CASE("an arc and what it leaves of its circle are the circle") {
+  Drawing drawing;
+  const Vec2 c{50.2, 50.7};
+  constexpr double kRadius = 40.0;
+  drawing.set(0, circle, {c.x, c.y, kRadius});
+  const Image whole = drawing.draw(pixel_camera(100, 100), {{0, black(3.0)}});
+  Rng random(5);
+  for (int i = 0; i < 30; ++i) {
+    const double t0 = random.uniform(0.0, 2.0 * kPi);
+    // Ends close together, too.
+    const double t1 = t0 + random.uniform(0.0, 2.0 * kPi) * std::pow(10.0, -0.4 * i);
+    const Vec2 p = c + kRadius * Vec2{std::cos(t0), std::sin(t0)};
+    const Vec2 q = c + kRadius * Vec2{std::cos(t1), std::sin(t1)};
+    drawing.set(1, arc, {c.x, c.y, kRadius, p.x, p.y, q.x, q.y});
+    drawing.set(2, arc, {c.x, c.y, kRadius, q.x, q.y, p.x, p.y});
+    const Image first = drawing.draw(pixel_camera(100, 100), {{1, black(3.0)}});
+    const Image second = drawing.draw(pixel_camera(100, 100), {{2, black(3.0)}});
+    double worst = 0.0;
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 100; ++x)
+        worst = std::max(worst, std::abs(std::max(cover(first, x, y), cover(second, x, y)) - cover(whole, x, y)));
+    }
+    CAPTURE(t0, t1);
+    CHECK(worst < 0.02);
+  }
+  drawing.set(3, arc, {c.x, c.y, kRadius, c.x, c.y + kRadius, c.x, c.y + kRadius});
+  CHECK(drawing.draw(pixel_camera(100, 100), {{3, black(3.0)}}).rgba == whole.rgba);
+}
+
 TEST_CASE("triangles cover their area, needles too") {
   Drawing drawing;
   const std::vector<std::vector<double>> triangles{{10.2, 10.3, 80.7, 15.1, 40.4, 90.9},

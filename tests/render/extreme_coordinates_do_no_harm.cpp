@@ -106,6 +106,8 @@ TEST_CASE("primitives without extent are dots or nothing") {
   CHECK(covered_area(drawing.draw(unit_camera(), {{1, black()}})) < 0.1);
   drawing.set(2, circle, {0.1, 0.1, 0.0});
   CHECK(covered_area(drawing.draw(unit_camera(), {{2, black(6.0)}})) == Approx(3.14159265 * 9.0).epsilon(0.03));
+  drawing.set(5, arc, {0.1, 0.1, 0.0, 0.1, 0.1, 0.1, 0.1});
+  CHECK(covered_area(drawing.draw(unit_camera(), {{5, black(6.0)}})) == Approx(3.14159265 * 9.0).epsilon(0.03));
   drawing.set(3, triangle, {0.1, 0.1, 0.5, 0.5, 0.9, 0.9});
   CHECK(covered_area(drawing.draw(unit_camera(), {{3, black()}})) == 0.0);
   drawing.set(4, triangle, {0.1, 0.1, 0.1, 0.1, 0.1, 0.1});
@@ -127,6 +129,10 @@ TEST_CASE("huge disks fill what lies inside, and nothing else") {
     drawing.set(3, circle, {0.0, r, r - 0.5});
     CHECK(covered_area(drawing.draw(unit_camera(), {{3, black(2.0)}})) ==
           Approx(400.0).epsilon(r < 100.0 ? 0.1 : 0.02));
+    // From the origin half way around and beyond, towards the left.
+    drawing.set(4, arc, {0.0, -r, r, 0.0, 0.0, r, -r});
+    CHECK(covered_area(drawing.draw(unit_camera(), {{4, black(2.0)}})) ==
+          Approx(200.0 + 0.5 * 3.14159265).epsilon(r < 100.0 ? 0.1 : 0.02));
   }
 }
 
@@ -147,6 +153,7 @@ TEST_CASE("random numbers of every size and views of every depth draw finite pic
       for (int i = 0; i < 40; ++i) {
         for (std::size_t k = 0; k < doubles_per(kind); ++k) data.push_back(number());
         if (kind == disk || kind == circle) data.back() = std::abs(data.back());
+        if (kind == arc) data.end()[-5] = std::abs(data.end()[-5]);
       }
       drawing.set(
           layer, kind, data,

@@ -62,6 +62,30 @@ TEST_CASE("every kind of primitive, thin and thick, plain and dashed") {
                             "kinds_at_double_scale") == "");
 }
 
+TEST_CASE("arcs short and long, thin, thick and dashed, begin and end round") {
+  Drawing drawing;
+  std::vector<double> rays;
+  std::vector<double> petals;
+  const auto add = [](std::vector<double>& out, Vec2 c, double r, double from, double to) {
+    out.insert(out.end(), {c.x, c.y, r, c.x + r * std::cos(from), c.y + r * std::sin(from), c.x + r * std::cos(to),
+                           c.y + r * std::sin(to)});
+  };
+  for (int i = 1; i <= 8; ++i) add(rays, {50, 50}, 5.0 * i, 0.3 * i, 0.3 * i + 0.75 * i);
+  for (int i = 0; i < 6; ++i) {
+    const double turn = std::numbers::pi / 3.0 * i;
+    add(petals, {150 + 20.0 * std::cos(turn), 50 + 20.0 * std::sin(turn)}, 20.0, turn - 2.0, turn + 2.0);
+  }
+  drawing.set(0, arc, rays);
+  drawing.set(1, arc, petals);
+  drawing.set(2, arc, {150, 50, 46, 196, 50, 104, 50, 50, 50, 45, 50, 95, 50, 95});
+  std::vector<LayerView> views{
+      {0, style(palette::blue)}, {1, style(palette::orange, 0.5)}, {2, style(palette::black)}};
+  views[0].style.line_width_px = 2.0;
+  views[1].style.line_width_px = 6.0;
+  views[2].style.dashed = true;
+  CHECK(compare_with_golden(drawing.draw(pixel_camera(200, 100), views), "arcs") == "");
+}
+
 TEST_CASE("disks of a layer darken where they overlap, unless it is flat") {
   Drawing drawing;
   drawing.set(0, disk, {40, 40, 30, 70, 40, 30, 55, 65, 30});

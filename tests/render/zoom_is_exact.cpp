@@ -98,19 +98,23 @@ TEST_CASE("panning by whole pixels shifts the picture, at every depth") {
     std::vector<double> points;
     std::vector<double> segments;
     std::vector<double> circles;
+    std::vector<double> arcs;
     for (int i = -20; i < 20; ++i) {
       const Vec2 p = at(0.03 * i, 0.02 * i * (i % 3));
       const Vec2 q = at(0.05 * i, -0.3 + 0.01 * i);
       points.insert(points.end(), {p.x, p.y});
       segments.insert(segments.end(), {p.x, p.y, q.x, q.y});
       circles.insert(circles.end(), {q.x, q.y, std::abs(0.01 * i) * view_width});
+      const double r = distance(p, q);
+      arcs.insert(arcs.end(), {p.x, p.y, r, q.x, q.y, p.x + r * std::cos(i), p.y + r * std::sin(i)});
     }
     // One that begins in view and ends far outside it.
     segments.insert(segments.end(), {sample.x, sample.y, -1.0, 1.0});
     drawing.set(0, point, points);
     drawing.set(1, segment, segments);
     drawing.set(2, circle, circles);
-    const std::vector<LayerView> views{{0, black(1.0)}, {1, black(1.5)}, {2, black(1.0)}};
+    drawing.set(3, arc, arcs);
+    const std::vector<LayerView> views{{0, black(1.0)}, {1, black(1.5)}, {2, black(1.0)}, {3, black(1.0)}};
     Camera camera = camera_at(sample, view_width);
     const Image before = drawing.draw(camera, views);
     CHECK(covered_area(before) > 1000.0);
@@ -201,6 +205,56 @@ TEST_CASE("the rim of a circle stays smooth and in place when magnified") {
     }
     CHECK(worst_ring < 0.05);
     CHECK(worst_full < 0.05);
+  }
+}
+
+TEST_CASE("an arc ends where it should when magnified, whichever way it runs and however long it is") {
+  const GlDeviceOptions options = GENERATE(from_range(kWays));
+  Drawing drawing(options);
+  // 3-4-5: both ends lie exactly on the circle.
+  const Vec2 center{0.125, -0.25};
+  const double r = 1.25;
+  const Vec2 end{0.75 + 0.125, 1.0 - 0.25};
+  const Vec2 normal{0.6, 0.8};
+  const Vec2 along{-0.8, 0.6};
+  const double deepest = drawing.device().uses_double() ? 1e-12 : 1e-9;
+  for (const double view_width : {1e-2, 1e-4, 1e-6, 1e-9, deepest}) {
+    const double pixel = view_width / kWidth;
+    // The far end: a quarter, a half and three quarters of a turn away, on the axes of the first end, and both ends
+    // in view with most of the circle, or next to nothing of it, between them.
+    for (const Vec2 other : {center + r * along, center - r * normal, center - r * along, end + 60.0 * pixel * along,
+                             end - 60.0 * pixel * along}) {
+      const double other_px = dot(other - end, along) / pixel;
+      const bool is_near = distance(end, other) < view_width;
+      for (const bool begins : {true, false}) {
+        const Vec2 from = begins ? end : other;
+        const Vec2 to = begins ? other : end;
+        drawing.set(0, arc, {center.x, center.y, r, from.x, from.y, to.x, to.y});
+        Camera camera = camera_at(end, view_width);
+        camera.pan({30.0, 20.0});
+        const Image image = drawing.draw(camera, {{0, black(6.0)}});
+        CAPTURE(options.allow_double, options.allow_precise, view_width, other.x, other.y, begins);
+        double worst = 0.0;
+        for (int y = 0; y < kHeight; ++y) {
+          for (int x = 0; x < kWidth; ++x) {
+            const Vec2 px{x + 0.5 - 0.5 * kWidth - 30.0, 0.5 * kHeight - y - 0.5 + 20.0};
+            const Vec2 p = pixel * px;
+            const double rim = (dot(p, p) + 2.0 * r * dot(p, normal)) / (length(p + r * normal) + r) / pixel;
+            const double s = dot(px, along);
+            // Beside the end, on the side where the arc goes, until it ends again.
+            const bool past_end = begins ? s >= 0.0 : s <= 0.0;
+            const bool before_other = begins ? s <= other_px : s >= other_px;
+            const bool is_long = (other_px < 0.0) == begins;
+            const bool inside = !is_near ? past_end : (is_long ? past_end || before_other : past_end && before_other);
+            double sd = std::abs(rim);
+            if (!inside) sd = std::min(length(px), is_near ? length(px - (1.0 / pixel) * (other - end)) : 1e9);
+            worst = std::max(worst, std::abs(std::clamp(3.5 - sd, 0.0, 1.0) - cover(image, x, y)));
+          }
+        }
+        // The last bit of a coordinate moves an end by so much.
+        CHECK(worst < 0.05 + 2.5e-16 / pixel);
+      }
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/layers/helpers.h"
 #include "core/structures/ball_diagrams.h"
+#include "core/structures/ball_sampling.h"
 #include "core/structures/ball_union.h"
 
 namespace mes {
@@ -18,6 +19,7 @@ struct UnionFamily {
   const BallUnion& balls;
   const PowerDiagram& power_diagram;
   const VDiagram& v_diagram;
+  const BallSampling& sampling;
   LayerGroup group;
   bool in_paper;  ///< the paper has this family
 };
@@ -100,6 +102,16 @@ auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, std::vect
       std::move(kinds), [&diagram, table] { return (diagram.tables().*table).size(); }, diagram.changes(),
       [&diagram, table, emit](Slot row, Instance& out) { emit((diagram.tables().*table)[row], out); },
       ElementType{kElementOf<Table>, &diagram});
+}
+
+/// Part over sampled balls: `emit(disk, instance)`.
+template <class Emit>
+auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, Emit emit) {
+  return table_part(
+      std::move(kinds), [&balls] { return balls.rows(); }, balls.changes(),
+      [&balls, emit](Slot row, Instance& out) {
+        if (balls.is_alive(row)) emit(balls.disk(row), out);
+      });
 }
 
 /// Voronoi edge of two v-points.

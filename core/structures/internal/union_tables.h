@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/arc.h"
 #include "core/base/slot.h"
 #include "core/base/vec2.h"
 
@@ -82,6 +83,17 @@ struct BoundaryArc {
   std::uint8_t is_whole = 0;  ///< the whole circle, but for at most one point
   bool is_alive() const { return ball != kNoSlot; }
 };
+
+/// As it is drawn and measured; `disk` is its ball.
+inline Arc arc_of(const BoundaryArc& arc, const Disk& disk) {
+  const Vec2 rightmost{disk.center.x + disk.radius, disk.center.y};
+  if (arc.is_whole != 0) return {disk.center, disk.radius, rightmost, rightmost};
+  return {disk.center, disk.radius, arc.from, arc.to};
+}
+/// Its two ends differ by less than doubles tell apart.
+inline bool is_rounded_away(const BoundaryArc& arc) {
+  return arc.is_whole == 0 && arc.from == arc.to;
+}
 
 enum class BallState : std::uint8_t { none, visible, isolated, hidden, duplicate };
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/union/family.h"
+
+namespace mes {
+
+Layer make_union_union_boundary_layer(const UnionFamily& family) {
+  const BallUnion& balls = family.balls;
+  return union_layer(family,
+                     {.id = "union-boundary",
+                      .name = "union boundary",
+                      .tooltip = "Boundary arcs of the union",
+                      .style = {.color = palette::black, .line_width_px = 1.5},
+                      .kinds = {PrimitiveKind::arc}},
+                     union_part({PrimitiveKind::arc}, balls, &UnionTables::arcs, balls.changes().arcs,
+                                [&balls](const BoundaryArc& arc, Instance& out) {
+                                  if (!arc.is_alive() || is_rounded_away(arc)) return;
+                                  out.arc(arc_of(arc, balls.family().disk(arc.ball)));
+                                }));
+}
+
+}  // namespace mes

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A table of disks made from elements that come and go: each element owns some rows, which live as long as it.
+#pragma once
+
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/base/disk.h"
+
+namespace mes {
+
+class SampledBalls {
+ public:
+  std::size_t rows() const { return disks_.size(); }
+  bool is_alive(Slot row) const { return disks_[row].radius >= 0.0; }
+  const Disk& disk(Slot row) const { return disks_[row]; }
+  std::size_t count() const { return disks_.size() - free_.size(); }
+  const ChangeSet& changes() const { return changes_; }
+  void clear_changes() { changes_.clear(); }
+
+  /// Drops everything; what follows is a rebuild.
+  void reset() {
+    disks_.clear();
+    next_.clear();
+    first_.clear();
+    free_.clear();
+    changes_.clear();
+    is_recording_ = false;
+  }
+  /// What follows, up to `finish`, is an update.
+  void begin() {
+    recorder_.begin(disks_.size());
+    is_recording_ = true;
+  }
+  void finish() {
+    recorder_.finish(changes_, [this](Slot row) { return is_alive(row); });
+  }
+
+  void add(Slot owner, const Disk& disk) {
+    Slot row = static_cast<Slot>(disks_.size());
+    if (free_.empty()) {
+      disks_.push_back({{}, kDead});
+      next_.push_back(kNoSlot);
+    } else {
+      row = free_.back();
+      free_.pop_back();
+    }
+    if (is_recording_) recorder_.note(row, false);
+    disks_[row] = disk;
+    if (first_.size() <= owner) first_.resize(owner + owner / 4 + std::size_t{1}, kNoSlot);
+    next_[row] = first_[owner];
+    first_[owner] = row;
+  }
+  /// Drops all rows of an owner.
+  void drop(Slot owner) {
+    if (first_.size() <= owner) return;
+    for (Slot row = first_[owner]; row != kNoSlot; row = next_[row]) {
+      if (is_recording_) recorder_.note(row, true);
+      disks_[row].radius = kDead;
+      free_.push_back(row);
+    }
+    first_[owner] = kNoSlot;
+  }
+
+ private:
+  static constexpr double kDead = -1.0;
+  std::vector<Disk> disks_;
+  std::vector<Slot> next_;   // of the same owner, by row
+  std::vector<Slot> first_;  // by owner
+  std::vector<Slot> free_;
+  bool is_recording_ = false;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes
