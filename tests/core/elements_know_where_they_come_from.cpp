@@ -118,7 +118,8 @@ TEST_CASE("whatever is pointed at, after whatever edits, has an answer without d
           const std::size_t count = instances.size() / stride_of(kind);
           for (std::size_t i = 0; i < count; i += 1 + count / 4) {
             const double* values = instances.data() + i * stride_of(kind);
-            const Vec2 at{values[0], values[1]};
+            const bool is_arc = kind == PrimitiveKind::arc;
+            const Vec2 at = is_arc ? Vec2{values[3], values[4]} : Vec2{values[0], values[1]};
             const double radius = kind == PrimitiveKind::circle ? values[2] : 0.0;
             const Provenance answer = bench.ask({at.x + radius, at.y}, 1e-6 * (1.0 + radius), {id});
             REQUIRE_FALSE(answer.lines.empty());

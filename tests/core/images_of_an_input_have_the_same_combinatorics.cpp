@@ -68,6 +68,8 @@ GeometryState image_of(const GeometryState& state, const std::function<Vec2(Vec2
   // are sound is compared by their edges above. Normals are compared where they are unique: at closed chains.
   out.chains.clear();
   out.normals.clear();
+  // Of two equally far poles the lexicographically smaller counts.
+  out.poles.clear();
   return out;
 }
 
