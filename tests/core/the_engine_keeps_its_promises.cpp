@@ -204,7 +204,8 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
     }
   }
   CHECK(numbers > 0);
-  CHECK(numbers < 3000);
+  // Some ten instances a layer, of several thousand.
+  CHECK(numbers < 50 * all_layers().size());
   check_layers(client, all_layers());
   client.insert({{1.0, 2.0}, {3.0, 4.0}});
   client.remove(client.ids()[100]);
