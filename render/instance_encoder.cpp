@@ -128,9 +128,11 @@ void encode_arc(const DrawingFrame& frame, std::span<const double> in, std::span
   // Of ends as close as doubles allow single precision cannot tell which comes first. Ends that only the frame makes
   // equal are a short arc, and no whole circle.
   const bool is_whole = in[3] == in[5] && in[4] == in[6];
-  const bool is_long = arc.from != arc.to && sweep_of(arc) > std::numbers::pi;
-  out[7] = is_whole ? 2.0 : (is_long ? 1.0 : 0.0);
-  if (shown) extent.radius = std::max(extent.radius, arc.radius);
+  const double sweep = is_whole || arc.from != arc.to ? sweep_of(arc) : 0.0;
+  out[7] = is_whole ? 2.0 : (sweep > std::numbers::pi ? 1.0 : 0.0);
+  if (!shown) return;
+  extent.radius = std::max(extent.radius, arc.radius);
+  extent.length = std::max(extent.length, arc.radius * sweep);
 }
 
 }  // namespace

@@ -24,9 +24,11 @@ inline constexpr double kDrawingLimit = 0x1p60;
 struct InstanceExtent {
   double coordinate = 0.0;  ///< largest absolute value
   double radius = 0.0;
+  double length = 0.0;  ///< of arcs
   void add(const InstanceExtent& other) {
     coordinate = std::max(coordinate, other.coordinate);
     radius = std::max(radius, other.radius);
+    length = std::max(length, other.length);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/assert.h"
 
@@ -78,11 +79,15 @@ float pixels(double logical, double content_scale, double low, double high) {
 
 /// Quads along a circle: more cost vertices, fewer cost fragments between the chord and the rim. Small circles are a
 /// square each (0): measured, a square of 30 pixels costs as much as eight quads.
-float arc_pieces(double largest_radius_px) {
-  if (largest_radius_px < 16.0) return 0.0F;
-  if (largest_radius_px < 60.0) return 8.0F;
-  if (largest_radius_px < 150.0) return 12.0F;
-  return largest_radius_px < 500.0 ? 20.0F : 32.0F;
+float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale) {
+  if (extent.radius * scale < 16.0) return 0.0F;
+  // An arc strays no farther from its chords than a circle as long as it.
+  const double radius_px =
+      (kind == PrimitiveKind::arc ? 0.5 / std::numbers::pi * extent.length : extent.radius) * scale;
+  if (radius_px < 16.0) return 4.0F;
+  if (radius_px < 60.0) return 8.0F;
+  if (radius_px < 150.0) return 12.0F;
+  return radius_px < 500.0 ? 20.0F : 32.0F;
 }
 
 }  // namespace
@@ -258,7 +263,7 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Laye
   const double width = std::max(1.0, style.line_width_px / 2.0);
   u.dash_px = static_cast<float>(kDash * width * pass.content_scale);
   u.dash_period_px = static_cast<float>((kDash + kGap) * width * pass.content_scale);
-  u.arc_pieces = arc_pieces(buffer.extent().radius * scale);
+  u.arc_pieces = arc_pieces(buffer.kind(), buffer.extent(), scale);
 
   call.program.kind = buffer.kind();
   const double center_size = std::max(std::abs(x.first), std::abs(y.first));

@@ -14,16 +14,15 @@ namespace mes {
 /// What it guarantees:
 ///  1. `medial` holds the ball of each node of the axis once, and balls of points in between. A ball of the axis is
 ///     the largest in the union about its centre: its radius is the distance to the v-points of its piece.
-///  2. `convex` holds the balls joined by singular or regular dual edges, and in between circles of the pencil
-///  through
-///     the crossings of the two, at whose crossings they would vanish no thinner than a tenth of the smaller ball.
+///  2. `convex` holds the balls that singular or regular dual edges join, and in between circles through both
+///     crossings of the two (their pencil), none thinner than a tenth of the smaller ball.
 ///  3. A piece or edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more
-///     (their radii at the crossing enclose 180 degrees less that), a part is shorter than 1e-4 of the union's
-///     diameter, or halved twenty times.
+///     (their radii at the crossing enclose 180 degrees less that), or the part is shorter than 1e-4 of the union's
+///     diameter, or twenty times.
 ///
 /// For display and for growing: radii and decisions are those of doubles. The samples of a piece depend on that piece
-/// only, so updates of the union are followed locally; not so a diameter that doubles.
-/// Cost: O(samples), and O(n) when the ball farthest out on one side changes.
+/// only, so updates of the union are followed locally; a diameter that doubles asks for a rebuild.
+/// Cost: O(samples made anew), and O(n) when the ball farthest out on one side changes.
 class BallSampling : public Structure {
  public:
   const SampledBalls& medial() const { return medial_.balls; }
