@@ -32,7 +32,43 @@ void LayerStack::reset() {
     styles_.push_back(descriptors_[layer].style);
   }
   solo_ = kNoSlot;
+  image_ = {};
   ++demand_revision_;
+}
+
+LayerConfiguration LayerStack::configuration() const {
+  LayerConfiguration out;
+  for (const LayerIndex layer : order_)
+    out.layers.push_back({std::string(descriptors_[layer].id), visible_[layer], styles_[layer]});
+  out.image = image_;
+  return out;
+}
+
+void LayerStack::set_configuration(const LayerConfiguration& configuration) {
+  std::vector<bool> is_named(descriptors_.size(), false);
+  std::vector<LayerIndex> named;
+  const std::vector<LayerIndex> before = visible_layers();
+  for (const LayerConfiguration::Entry& entry : configuration.layers) {
+    const auto found = std::ranges::find(descriptors_, std::string_view(entry.layer), &LayerDescriptor::id);
+    if (found == descriptors_.end()) continue;
+    const auto layer = static_cast<LayerIndex>(found - descriptors_.begin());
+    if (is_named[layer]) continue;
+    is_named[layer] = true;
+    named.push_back(layer);
+    visible_[layer] = entry.visible;
+    styles_[layer] = entry.style;
+  }
+  std::vector<LayerIndex> order;
+  for (const LayerIndex layer : order_) {
+    if (is_named[layer]) continue;
+    order.push_back(layer);
+    visible_[layer] = false;
+  }
+  order.insert(order.end(), named.begin(), named.end());
+  order_ = std::move(order);
+  solo_ = kNoSlot;
+  image_ = configuration.image;
+  if (visible_layers() != before) ++demand_revision_;
 }
 
 std::vector<LayerIndex> LayerStack::visible_layers() const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/layer_configuration.h"
 #include "core/graph/layer_descriptor.h"
 
 namespace mes {
@@ -43,12 +44,22 @@ class LayerStack {
   /// Order, visibility and styles as at the beginning.
   void reset();
 
+  const BackgroundImage& image() const { return image_; }
+  void set_image(const BackgroundImage& image) { image_ = image; }
+
+  /// All of it as a value. Solo is a way of looking and not part of it.
+  LayerConfiguration configuration() const;
+  /// Layers that are not named are hidden, keep their style and go below those that are, in their present order;
+  /// names that are not known are skipped. Ends solo.
+  void set_configuration(const LayerConfiguration& configuration);
+
  private:
   std::span<const LayerDescriptor> descriptors_;
   std::vector<LayerIndex> order_;
   std::vector<bool> visible_;
   std::vector<LayerStyle> styles_;
   LayerIndex solo_ = kNoSlot;
+  BackgroundImage image_;
   std::uint64_t demand_revision_ = 0;
 };
 

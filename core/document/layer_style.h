@@ -2,6 +2,8 @@
 // How a layer looks. Changing a style never recomputes geometry and uploads nothing.
 #pragma once
 
+#include <string>
+
 #include "core/base/color.h"
 
 namespace mes {
@@ -13,6 +15,10 @@ struct LayerStyle {
   double line_width_px = 1.0;  ///< width of segments, rays, lines, circles, logical pixels, [0.1, 64]
   bool dashed = false;         ///< segments, rays, lines and circles are drawn dashed
   bool flat = false;           ///< draw the layer as one group, so that overlaps do not darken
+  std::string color_map{};     ///< name of the map that colours by the layer's scalar; empty: `color` alone
+  bool range_locked = false;   ///< the map spans the range below, whatever is shown; else what is shown now
+  double range_low = 0.0;      ///< scalar at the map's first colour, in the scalar's unit
+  double range_high = 1.0;     ///< at its last colour; not below `range_low`
   friend bool operator==(const LayerStyle&, const LayerStyle&) = default;
 };
 

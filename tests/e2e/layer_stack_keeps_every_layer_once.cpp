@@ -105,3 +105,36 @@ TEST_CASE("the search box takes words in any case and order") {
   CHECK(matches_search(layer, "  voronoi-d "));
   CHECK_FALSE(matches_search(layer, "disk exterior"));
 }
+
+TEST_CASE("a configuration brings everything back, whatever the order and names in it") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  stack.move(0, 4, true);
+  stack.set_visible(3, true);
+  LayerStyle style;
+  style.color_map = "viridis";
+  style.range_locked = true;
+  style.range_high = 7.5;
+  stack.set_style(2, style);
+  stack.set_image({"map.png", {1, 2}, 3});
+  const LayerConfiguration kept = stack.configuration();
+
+  stack.reset();
+  CHECK(stack.image().file.empty());
+  stack.solo(1);
+  stack.set_configuration(kept);
+  CHECK(stack.soloed() == kNoSlot);
+  CHECK(stack.configuration() == kept);
+
+  const std::uint64_t demand = stack.demand_revision();
+  stack.set_configuration(kept);
+  CHECK(stack.demand_revision() == demand);
+
+  // Named twice, unknown, not named at all.
+  stack.set_configuration(
+      {{{"d", true, {}}, {"of-the-future", true, {}}, {"b", false, style}, {"d", false, {}}}, {}});
+  CHECK(order_of(stack) == std::vector<LayerIndex>{2, 4, 0, 3, 1});
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{3});
+  CHECK(stack.style(1) == style);
+  CHECK(stack.style(2) == style);
+}
