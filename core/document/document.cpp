@@ -25,6 +25,14 @@ std::uint64_t bits_of(double value) {
 
 Document::Document() : curve_(std::make_shared<const CurveOrder>()) {}
 
+Document Document::successor() const {
+  Document out;
+  out.revision_ = out.highest_revision_ = highest_revision_ + 1;
+  out.samples_.number_from(samples_.next_id());
+  out.balls_.number_from(balls_.next_id());
+  return out;
+}
+
 Box2 Document::bounding_box() const {
   Box2 box;
   for (Slot slot = 0; slot < slot_count(); ++slot)

@@ -31,6 +31,9 @@ namespace mes {
 class Document {
  public:
   Document();
+  /// Empty, with revisions and ids that go on from this one's: what is told of either is not mistaken for the
+  /// other's.
+  Document successor() const;
 
   std::uint64_t revision() const { return revision_; }
   std::size_t sample_count() const { return samples_.count(); }
@@ -46,6 +49,11 @@ class Document {
   /// Live slots by increasing id, which is input order. O(n log n).
   std::vector<Slot> slots_in_input_order() const { return samples_.by_age(); }
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
+
+  /// Id that the first sample had since everything was last replaced: what counts from it is the same however often
+  /// the same data were opened before.
+  SampleId first_id() const { return SampleId{samples_.first_id()}; }
+  BallId first_ball_id() const { return BallId{balls_.first_id()}; }
 
   /// The same of balls, which have rows of their own.
   std::size_t ball_count() const { return balls_.count(); }
