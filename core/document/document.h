@@ -67,7 +67,8 @@ class Document {
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
   /// Bounding box of samples and balls, O(n).
   Box2 bounding_box() const;
-  /// Order-independent digest of ids, positions and disks; equal documents have equal digests.
+  /// Order-independent digest of ids, counted from the first, positions and disks: equal work on equal data gives
+  /// equal digests, whatever was open before.
   std::uint64_t digest() const { return sample_digest() + ball_digest(); }
   std::uint64_t sample_digest() const;
   /// Zero when there are no balls.

@@ -87,19 +87,19 @@ class Rows {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
     value_[slot] = value;
   }
-  void replace(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots) {
+  void replace(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots, ThingId first) {
     MES_ASSERT(values.size() == ids.size());
-    first_id_ = next_id_;
+    first_id_ = first.value;
     value_ = std::move(values);
     id_ = std::move(ids);
     free_ = std::move(free_slots);
+    next_id_ = std::max(next_id_, first_id_);
     alive_ = 0;
     slot_of_.clear();
     slot_of_.reserve(id_.size());
     for (Slot slot = 0; slot < id_.size(); ++slot) {
       if (!id_[slot].is_valid()) continue;
       slot_of_.emplace(id_[slot], slot);
-      first_id_ = std::min(first_id_, id_[slot].value);
       next_id_ = std::max(next_id_, id_[slot].value + 1);
       ++alive_;
     }

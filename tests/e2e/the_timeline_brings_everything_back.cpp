@@ -56,6 +56,7 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
     const Timeline& timeline = editor.timeline();
 
     DocumentReplay replay = replayed(timeline);
+    CHECK(replay.document().digest() == editor.document().digest());
     CHECK(replay.document().snapshot()->position == editor.document().snapshot()->position);
     CHECK(replay.document().snapshot()->free_slots == editor.document().snapshot()->free_slots);
     CHECK(replay.document().ball_snapshot()->disk == editor.document().ball_snapshot()->disk);
@@ -70,6 +71,7 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
     CHECK_FALSE(other.is_modified());
     CHECK(copy.digest() == other.document().digest());
     CHECK(other.index().nearest(Vec2{0.3, 0.4}, 10.0) == editor.index().nearest(Vec2{0.3, 0.4}, 10.0));
+    CHECK(other.document().digest() == editor.document().digest());
     CHECK(reachable(other) == reachable(editor));
     CHECK(copy.digest() == other.document().digest());
     // And once more: what is noted after a restore fits to what was before.
