@@ -97,6 +97,11 @@ void apply(const LayersChanged& change, LayerConfiguration& configuration) {
   if (change.image) configuration.image = *change.image;
 }
 
+bool changes_document(const TimelineEntry& entry) {
+  return std::holds_alternative<TimelineEdit>(entry) || std::holds_alternative<Undone>(entry) ||
+         std::holds_alternative<Redone>(entry);
+}
+
 bool is_visible(const TimelineEntry& entry) {
   return !std::holds_alternative<GestureBegun>(entry) && !std::holds_alternative<GestureEnded>(entry);
 }

@@ -98,6 +98,8 @@ struct Captioned {
 using TimelineEntry = std::variant<TimelineEdit, GestureBegun, GestureEnded, Undone, Redone, LayersChanged,
                                    SettingsChanged, ViewChanged, Captioned>;
 
+/// Whether the entry is about samples and balls.
+bool changes_document(const TimelineEntry& entry);
 /// Whether the entry can change what is on the picture.
 bool is_visible(const TimelineEntry& entry);
 
