@@ -55,6 +55,7 @@ void App::recover(LeftWork work) {
     report(done.error());
     return;
   }
+  messages_.remark("Recovered " + files_.title() + "; no file holds it yet");
   show_as_in(work.session());
   fit_wanted_ = Fit::at_once;
   had_first_file_ = true;
