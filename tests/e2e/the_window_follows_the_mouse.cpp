@@ -56,6 +56,7 @@ struct Session {
   Environment environment{{"DISPLAY", screen.display()},
                           {"WAYLAND_DISPLAY", ""},
                           {"XDG_CONFIG_HOME", folder.path.string()},
+                          {"XDG_DATA_HOME", folder.path.string()},
                           {"LIBGL_ALWAYS_SOFTWARE", "1"},
                           // Under a sanitizer: what the graphics driver forgets is not ours to find.
                           {"ASAN_OPTIONS", "detect_leaks=0"}};
@@ -299,7 +300,10 @@ TEST_CASE("a file that cannot be read is a message, and the document stays") {
 TEST_CASE("without a display there is one line that names the way without, and exit code 4") {
   const Folder folder;
   Child program({MESECINA_BINARY},
-                {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_CONFIG_HOME", folder.path.string()}},
+                {{"DISPLAY", ""},
+                 {"WAYLAND_DISPLAY", ""},
+                 {"XDG_CONFIG_HOME", folder.path.string()},
+                 {"XDG_DATA_HOME", folder.path.string()}},
                 folder.path / "errors");
   CHECK(program.wait() == 4);
   const std::string errors = bytes_of(folder.path / "errors");
