@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace mes {
 namespace {
@@ -106,7 +107,8 @@ class Layout {
     for (int i = 0; i < kBarSteps; ++i) {
       const double left = width * i / kBarSteps;
       const Rgb color = entry.map->at((i + 0.5) / kBarSteps);
-      drawing_.boxes.push_back({kPadding + left, y_, width / kBarSteps, kBar, color});
+      // Each reaches to the end of the bar and is covered by the next: edges within a pixel show no seam.
+      drawing_.boxes.push_back({kPadding + left, y_, width - left, kBar, color});
     }
     y_ += kBar;
     std::vector<LegendTick> ticks = legend_ticks(entry.range);
@@ -168,6 +170,36 @@ class Layout {
   double y_ = kPadding;
 };
 
+struct PixelPlace {
+  int left = 0;
+  int top = 0;
+};
+
+/// Where a rectangle hides the fewest pixels that differ from the first one of the picture.
+PixelPlace emptiest_corner(const render::Image& image, double width, double height, double margin) {
+  const auto w = static_cast<int>(std::ceil(width));
+  const auto h = static_cast<int>(std::ceil(height));
+  const auto m = static_cast<int>(std::lround(margin));
+  const int right = image.width - m - w;
+  const int bottom = image.height - m - h;
+  PixelPlace best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const PixelPlace place :
+       {PixelPlace{right, bottom}, PixelPlace{m, bottom}, PixelPlace{right, m}, PixelPlace{m, m}}) {
+    std::size_t hidden = 0;
+    for (int y = std::max(place.top, 0); y < std::min(place.top + h, image.height); ++y)
+      for (int x = std::max(place.left, 0); x < std::min(place.left + w, image.width); ++x)
+        hidden += std::equal(&image.rgba[image.offset(x, y)], &image.rgba[image.offset(x, y)] + 4, image.rgba.begin())
+                      ? 0U
+                      : 1U;
+    if (hidden < least) {
+      least = hidden;
+      best = place;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
@@ -224,12 +256,16 @@ Expected<LegendFonts> LegendFonts::read(const std::filesystem::path& assets) {
 }
 
 void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale) {
+  constexpr double kShare = 0.3;
+  constexpr double kLeast = 0.7;
+  scale *= std::clamp(kShare * image.width / (scale * kWidth), kLeast, 1.0);
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
     return render::text_width(is_bold ? fonts.bold : fonts.plain, scale * size, text) / scale;
   };
   const LegendDrawing legend = layout_legend(entries, measure, image.height / scale - 2.0 * kMargin);
-  const double left = std::round(image.width - scale * (legend.width + kMargin));
-  const double top = std::round(image.height - scale * (legend.height + kMargin));
+  const PixelPlace at = emptiest_corner(image, scale * legend.width, scale * legend.height, scale * kMargin);
+  const auto left = static_cast<double>(at.left);
+  const auto top = static_cast<double>(at.top);
   for (const LegendDrawing::Box& box : legend.boxes)
     render::fill_rectangle(image, left + scale * box.left, top + scale * box.top, scale * box.width,
                            scale * box.height, box.color, box.opacity);

@@ -79,7 +79,8 @@ struct LegendFonts {
   static Expected<LegendFonts> read(const std::filesystem::path& assets);
 };
 
-/// Into the lower right corner, `scale` pixels to a logical one.
+/// Into the corner where it hides least, the lower right one if all are alike; `scale` pixels to a logical one,
+/// somewhat fewer on a small picture.
 void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale);
 
 }  // namespace mes

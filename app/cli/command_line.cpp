@@ -124,8 +124,9 @@ void describe_commands(CLI::App& app, Arguments& to) {
                        "range is LOW:HIGH or fit, dashed and flat are on or off")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  render->add_flag("--legend,!--no-legend", to.render.with_legend,
-                   "With a colour map: whether its colour bar is drawn in the lower right corner; default: yes");
+  render->add_flag(
+      "--legend,!--no-legend", to.render.with_legend,
+      "With a colour map: whether its colour bar is drawn, in the corner where it hides least; default: yes");
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
