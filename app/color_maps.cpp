@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
+#include "app/data_folder.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -95,12 +95,8 @@ Expected<render::ColorMap> read_color_map(const fs::path& file) {
 }
 
 fs::path user_color_map_folder() {
-  // Relative values are invalid by the XDG base directory specification and are ignored.
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && data[0] == '/')
-    return fs::path(data) / "mesecina" / "colormaps";
-  if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/')
-    return fs::path(home) / ".local" / "share" / "mesecina" / "colormaps";
-  return {};
+  const fs::path data = data_folder();
+  return data.empty() ? fs::path() : data / "colormaps";
 }
 
 LoadedColorMaps load_color_maps(const fs::path& assets, const fs::path& user_folder) {

@@ -7,6 +7,10 @@ Editor::Editor(Listener listener) : index_(document_), listener_(std::move(liste
 
 void Editor::apply(const DocumentDelta& delta) {
   document_.apply(delta);
+  tell(delta);
+}
+
+void Editor::tell(const DocumentDelta& delta) {
   index_.follow(delta);
   selection_.follow(delta);
   if (listener_) listener_(std::make_shared<const DocumentDelta>(delta));
@@ -18,8 +22,45 @@ Expected<void> Editor::load(const SampleData& data) {
   if (in_gesture()) end_gesture();
   apply(*delta);
   history_.clear();
+  timeline_.restart(std::make_shared<const SampleData>(data));
   mark_saved();
   return {};
+}
+
+void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data,
+                     std::vector<TimelineEntry> entries) {
+  if (in_gesture()) end_gesture();
+  replay.finish();
+  const std::uint64_t before = document_.revision();
+  document_ = std::move(replay).take_document();
+  history_ = std::move(replay).take_history();
+  timeline_.restart(std::move(data), std::move(entries));
+  // For those who follow it is one replacement.
+  DocumentDelta delta;
+  delta.from_revision = before;
+  delta.to_revision = document_.revision();
+  delta.before = delta.after = document_.snapshot();
+  delta.balls_before = delta.balls_after = document_.ball_snapshot();
+  delta.curve_before = delta.curve_after = document_.curve_order();
+  tell(delta);
+  mark_saved();
+}
+
+void Editor::begin_gesture(std::string name) {
+  timeline_.note_gesture_begun(name);
+  history_.begin_gesture(std::move(name));
+}
+
+void Editor::end_gesture() {
+  history_.end_gesture();
+  timeline_.note_gesture_ended();
+}
+
+void Editor::record(const DocumentDelta& delta, const std::string& name, bool continues) {
+  if (delta.is_empty()) return;
+  apply(delta);
+  timeline_.note_edit(document_, delta, name, continues);
+  if (!continues || !history_.extend(delta, name)) history_.record(delta, name);
 }
 
 Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, const std::string& name) {
@@ -28,8 +69,7 @@ Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, cons
   std::vector<Slot> slots;
   slots.reserve(delta->edits.size());
   for (const SampleEdit& edit : delta->edits) slots.push_back(edit.slot);
-  if (!delta->is_empty()) apply(*delta);
-  history_.record(*delta, name);
+  record(*delta, name);
   return slots;
 }
 
@@ -39,16 +79,13 @@ Expected<std::vector<Slot>> Editor::insert_balls(std::span<const Disk> disks, co
   std::vector<Slot> slots;
   slots.reserve(delta->ball_edits.size());
   for (const BallEdit& edit : delta->ball_edits) slots.push_back(edit.slot);
-  if (!delta->is_empty()) apply(*delta);
-  history_.record(*delta, name);
+  record(*delta, name);
   return slots;
 }
 
 Expected<void> Editor::perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues) {
   if (!delta) return std::unexpected(delta.error());
-  if (delta->is_empty()) return {};
-  apply(*delta);
-  if (!continues || !history_.extend(*delta, name)) history_.record(*delta, name);
+  record(*delta, name, continues);
   return {};
 }
 
@@ -95,15 +132,19 @@ Expected<void> Editor::scale_selected_balls(double factor, double least, bool co
 void Editor::cancel_gesture() {
   if (!in_gesture()) return;
   const std::size_t before = history_.position();
-  history_.end_gesture();
+  end_gesture();
   if (history_.position() != before) undo();
 }
 
 void Editor::undo() {
+  if (!can_undo()) return;
+  timeline_.note(Undone{});
   for (const DocumentDelta& delta : history_.undo()) apply(delta);
 }
 
 void Editor::redo() {
+  if (!can_redo()) return;
+  timeline_.note(Redone{});
   for (const DocumentDelta& delta : history_.redo()) apply(delta);
 }
 

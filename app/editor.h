@@ -14,6 +14,7 @@
 #include "core/document/commands.h"
 #include "core/document/document.h"
 #include "core/document/history.h"
+#include "core/document/timeline.h"
 
 namespace mes {
 
@@ -21,7 +22,8 @@ namespace mes {
 ///  1. Every change of the document goes through here, and reaches the index, the selection and the listener once, in
 ///     order. A refused command changes nothing.
 ///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step.
-///  3. `is_modified` compares document states: undoing back to what was saved is "not modified".
+///  3. The timeline tells of each change, once and in order; replaying it gives this document and this history.
+///  4. `is_modified` compares document states: undoing back to what was saved is "not modified".
 ///
 /// Smallest use:
 ///     Editor editor([&](auto delta) { engine.post(std::move(delta)); });
@@ -43,6 +45,11 @@ class Editor {
 
   /// Replaces everything and forgets the history: the loaded state is the saved one.
   Expected<void> load(const SampleData& data);
+  /// Takes over a document with all that can be undone; `timeline` is what was replayed. It counts as not modified.
+  void restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, std::vector<TimelineEntry> entries);
+  const Timeline& timeline() const { return timeline_; }
+  /// For what happens beside the document: views, layers, settings.
+  void note(TimelineEntry entry) { timeline_.note(std::move(entry)); }
   /// Rows of the new samples.
   Expected<std::vector<Slot>> insert(std::span<const Vec2> positions, const std::string& name);
   Expected<std::vector<Slot>> insert_balls(std::span<const Disk> disks, const std::string& name);
@@ -61,8 +68,8 @@ class Editor {
   /// step as the call before if nothing else happened since.
   Expected<void> scale_selected_balls(double factor, double least, bool continues);
 
-  void begin_gesture(std::string name) { history_.begin_gesture(std::move(name)); }
-  void end_gesture() { history_.end_gesture(); }
+  void begin_gesture(std::string name);
+  void end_gesture();
   /// Ends the gesture and takes back what it did.
   void cancel_gesture();
   bool in_gesture() const { return history_.in_gesture(); }
@@ -76,13 +83,19 @@ class Editor {
 
   bool is_modified() const { return document_.revision() != saved_revision_; }
   void mark_saved() { saved_revision_ = document_.revision(); }
+  /// No file holds this state.
+  void mark_unsaved() { saved_revision_ = ~std::uint64_t{0}; }
 
  private:
   void apply(const DocumentDelta& delta);
+  void tell(const DocumentDelta& delta);
+  /// An edit that can be undone.
+  void record(const DocumentDelta& delta, const std::string& name, bool continues = false);
   Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
 
   Document document_;
   History history_;
+  Timeline timeline_;
   Selection selection_;
   SampleIndex index_;
   Listener listener_;

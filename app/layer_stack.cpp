@@ -33,6 +33,7 @@ void LayerStack::reset() {
   }
   solo_ = kNoSlot;
   image_ = {};
+  ++revision_;
   ++demand_revision_;
 }
 
@@ -68,6 +69,7 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   order_ = std::move(order);
   solo_ = kNoSlot;
   image_ = configuration.image;
+  ++revision_;
   if (visible_layers() != before) ++demand_revision_;
 }
 
@@ -82,6 +84,7 @@ void LayerStack::set_visible(LayerIndex layer, bool visible) {
   if (solo_ == kNoSlot && visible_[layer] == visible) return;
   solo_ = kNoSlot;
   visible_[layer] = visible;
+  ++revision_;
   ++demand_revision_;
 }
 
@@ -105,6 +108,19 @@ void LayerStack::move(LayerIndex layer, LayerIndex target, bool above) {
   auto to = std::ranges::find(order_, target);
   MES_ASSERT(to != order_.end());
   order_.insert(above ? to + 1 : to, layer);
+  ++revision_;
+}
+
+void LayerStack::set_style(LayerIndex layer, const LayerStyle& style) {
+  if (styles_[layer] == style) return;
+  styles_[layer] = style;
+  ++revision_;
+}
+
+void LayerStack::set_image(const BackgroundImage& image) {
+  if (image_ == image) return;
+  image_ = image;
+  ++revision_;
 }
 
 bool matches_search(const LayerDescriptor& descriptor, std::string_view text) {

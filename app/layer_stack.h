@@ -27,6 +27,8 @@ class LayerStack {
   /// Visible ones, bottom first.
   std::vector<LayerIndex> visible_layers() const;
   std::uint64_t demand_revision() const { return demand_revision_; }
+  /// Grows with every change of what `configuration` gives.
+  std::uint64_t revision() const { return revision_; }
 
   void set_visible(LayerIndex layer, bool visible);
   /// Shows this layer alone until `end_solo`, or until any visibility is set; the visibilities are kept.
@@ -38,14 +40,14 @@ class LayerStack {
   void move(LayerIndex layer, LayerIndex target, bool above);
 
   const LayerStyle& style(LayerIndex layer) const { return styles_[layer]; }
-  void set_style(LayerIndex layer, const LayerStyle& style) { styles_[layer] = style; }
-  void reset_style(LayerIndex layer) { styles_[layer] = descriptors_[layer].style; }
+  void set_style(LayerIndex layer, const LayerStyle& style);
+  void reset_style(LayerIndex layer) { set_style(layer, descriptors_[layer].style); }
   bool has_default_style(LayerIndex layer) const { return styles_[layer] == descriptors_[layer].style; }
   /// Order, visibility and styles as at the beginning.
   void reset();
 
   const BackgroundImage& image() const { return image_; }
-  void set_image(const BackgroundImage& image) { image_ = image; }
+  void set_image(const BackgroundImage& image);
 
   /// All of it as a value. Solo is a way of looking and not part of it.
   LayerConfiguration configuration() const;
@@ -61,6 +63,7 @@ class LayerStack {
   LayerIndex solo_ = kNoSlot;
   BackgroundImage image_;
   std::uint64_t demand_revision_ = 0;
+  std::uint64_t revision_ = 0;
 };
 
 /// Whether a search text picks the layer: every word of it occurs in its name, id or group, whatever the case.

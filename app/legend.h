@@ -6,8 +6,8 @@
 // window, or a picture in memory. So both look alike.
 //
 // Smallest use:
-//     const LegendDrawing legend = layout_legend({legend_entry(descriptor, shown)}, measure);
-//     paint_legend(image, fonts, legend, 1.0);
+//     const std::vector<LegendEntry> entries = ...;
+//     draw_legend(image, fonts, entries, 1.0);
 //
 // Cost: some hundred rectangles a layer. Threads: none.
 #pragma once

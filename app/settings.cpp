@@ -2,11 +2,11 @@
 #include "app/settings.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/data_folder.h"
 #include "core/io/atomic_file.h"
 
 namespace mes {
@@ -75,12 +75,8 @@ void remember_file(Settings& settings, const fs::path& file) {
 }
 
 fs::path default_settings_path() {
-  // Relative values are invalid by the XDG base directory specification and are ignored.
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
-    return fs::path(config) / "mesecina" / "settings.json";
-  if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/')
-    return fs::path(home) / ".config" / "mesecina" / "settings.json";
-  return {};
+  const fs::path folder = config_folder();
+  return folder.empty() ? folder : folder / "settings.json";
 }
 
 LoadedSettings load_settings(const fs::path& path) {

@@ -44,6 +44,13 @@ Vec2 ViewMotion::middle() const {
           0.5 * (insets_.top + camera_.height() - insets_.bottom)};
 }
 
+Box2 ViewMotion::free_box() const {
+  Box2 out;
+  out.add(camera_.to_world({insets_.left, insets_.top}));
+  out.add(camera_.to_world({camera_.width() - insets_.right, camera_.height() - insets_.bottom}));
+  return out;
+}
+
 void ViewMotion::remember() {
   if (!earlier_.empty() && earlier_.back() == camera_) return;
   earlier_.push_back(camera_);

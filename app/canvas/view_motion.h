@@ -46,6 +46,8 @@ class ViewMotion {
   void advance(double seconds);
   /// Centre of what the panels leave free.
   Vec2 middle() const;
+  /// What is seen between the panels, in the world. Fitting it without margin shows the same again.
+  Box2 free_box() const;
 
  private:
   struct Flight {

@@ -31,16 +31,19 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
-      files_(editor_, [] { GlfwWindow::wake(); }),
+      files_(
+          editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
       tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); },
                     [this](const Pointer& pointer) {
                       provenance_.ask(engine_, layers_, pointer, editor_.document().revision());
                     }},
-      canvas_(tool_context_) {
+      canvas_(tool_context_),
+      autosave_(default_autosave_folder(), [] { GlfwWindow::wake(); }) {
   if (!loaded.message.empty()) messages_.problem(loaded.message);
   bind_actions();
   window_->set_listener(this);
   open_first(options);
+  look_for_left_work();
 }
 
 App::~App() {
@@ -61,6 +64,7 @@ void App::run() {
       window_->wait(next_wait());
     deliver_events();
     take_read_file();
+    offer_left_work();
     picture_.take_from(engine_);
     provenance_.take(picture_.take_provenance());
     const bool was_about_to_rest = gui_.is_about_to_rest();
@@ -69,6 +73,8 @@ void App::run() {
     // A tooltip that comes up now is measured in its first frame and seen in its second.
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
   }
+  // In order: whoever was asked has saved or given up what there was.
+  autosave_.discard();
   remember_settings();
 }
 
@@ -134,6 +140,7 @@ void App::frame() {
   picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.content_scale());
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
+  keep_timeline();
   gui_.end_frame();
   window_->swap();
   update_title();

@@ -4,14 +4,18 @@
 
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/action_bindings.h"
+#include "app/autosave.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
+#include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
 #include "app/panels/file_browser.h"
 #include "app/panels/layers_panel.h"
@@ -19,6 +23,7 @@
 #include "app/panels/provenance_card.h"
 #include "app/sample_shapes.h"
 #include "app/settings.h"
+#include "app/surroundings.h"
 #include "app/window/file_desk.h"
 #include "app/window/glfw_window.h"
 #include "app/window/gui.h"
@@ -31,7 +36,8 @@ namespace mes {
 /// What it guarantees:
 ///  1. The thread that draws never waits for the engine or for a file being read.
 ///  2. Unsaved work is not lost without a question, whichever way the window is left.
-///  3. With nothing to show anew it sleeps and uses no processor time.
+///  3. Nor by a crash: a journal of what no file holds is offered at the next start.
+///  4. With nothing to show anew it sleeps and uses no processor time.
 ///
 /// Threads: the main one. Members are destroyed in reverse order: panels and canvas first, then the engine with its
 /// thread, then what needs OpenGL, the window last.
@@ -83,6 +89,14 @@ class App final : private WindowListener {
   void take_read_file();
   void draw_dialogs();
   void remember_settings();
+
+  // app_session.cpp
+  Session session_now() const;
+  void show_as_in(const Session& session);
+  void keep_timeline();
+  void look_for_left_work();
+  void offer_left_work();
+  void recover(LeftWork work);
   std::filesystem::path browse_folder() const;
 
   // app.cpp
@@ -115,10 +129,15 @@ class App final : private WindowListener {
   LayersPanel layers_panel_;
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;
+  AskRecover ask_recover_;
+  SurroundingsNotes notes_;
+  Autosave autosave_;
+  std::future<FoundWork> left_work_;
   std::function<void()> after_save_;  // what waits for a save under a new name
   bool show_help_ = false;
   bool show_panels_ = true;
   enum class Fit : std::uint8_t { none, glide, at_once };
+  std::optional<Box2> fit_to_;  // instead of everything
   Fit fit_wanted_ = Fit::none;  // done in the next frame, when the panels are where they will be
   bool had_first_file_ = false;
   bool is_closing_ = false;

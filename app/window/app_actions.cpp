@@ -151,7 +151,11 @@ Box2 App::fit_box() const {
 
 void App::fit_if_wanted() {
   if (fit_wanted_ == Fit::none) return;
-  canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
+  if (fit_to_)
+    canvas_.view().fit(*fit_to_, 0.0, fit_wanted_ == Fit::at_once);
+  else
+    canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
+  fit_to_.reset();
   fit_wanted_ = Fit::none;
 }
 

@@ -29,7 +29,8 @@ void App::follow_pointer(Vec2 px, Modifiers modifiers) {
 
 // Which dialog has the keys now.
 int App::dialog() const {
-  return (show_help_ ? 1 : 0) + (ask_unsaved_.is_open() ? 2 : 0) + (browser_.is_open() ? 4 : 0);
+  return (show_help_ ? 1 : 0) + (ask_unsaved_.is_open() ? 2 : 0) + (browser_.is_open() ? 4 : 0) +
+         (ask_recover_.is_open() ? 8 : 0);
 }
 
 // Events that came with one that opened or closed a dialog wait for the next frame, when it is really there (or
@@ -77,6 +78,10 @@ bool App::close_top_dialog(const KeyChord& chord) {
   const bool is_escape = chord.symbol == key::escape;
   if (show_help_) {
     if (is_escape || find_action(chord, false) == ActionId::help) show_help_ = false;
+    return true;
+  }
+  if (ask_recover_.is_open()) {
+    if (is_escape) ask_recover_.close();
     return true;
   }
   if (ask_unsaved_.is_open()) {

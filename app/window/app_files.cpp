@@ -47,6 +47,7 @@ void App::take_read_file() {
     if (!fs::exists(outcome->file)) std::erase(settings_.recent_files, text);
     return;
   }
+  if (outcome->session) show_as_in(*outcome->session);
   fit_wanted_ = had_first_file_ ? Fit::glide : Fit::at_once;
   had_first_file_ = true;
   messages_.clear_problem();
@@ -94,6 +95,10 @@ void App::save_as(const fs::path& file) {
 void App::say_saved(const std::string& files) {
   messages_.clear_problem();
   messages_.remark("Saved " + files);
+  if (!editor_.is_modified()) {
+    keep_timeline();
+    autosave_.note_saved();
+  }
   const FileDesk::Unsaved rest = files_.unsaved();
   if (!rest.samples && !rest.balls) {
     if (const auto then = std::exchange(after_save_, {})) then();
@@ -117,7 +122,9 @@ void App::ask_save_as() {
   const FileDesk::Unsaved rest = files_.unsaved();
   const bool balls_only = editor_.document().sample_count() == 0 && editor_.document().ball_count() != 0;
   const bool wants_balls = rest.balls && !rest.samples;
-  browser_.ask_save(browse_folder(), name + (wants_balls || balls_only ? ".wpoff" : ".poff"));
+  const bool has_format = !files_.file().empty() && !files_.has_session_file();
+  const char* const extension = !has_format ? ".json" : wants_balls || balls_only ? ".wpoff" : ".poff";
+  browser_.ask_save(browse_folder(), name + extension);
 }
 
 fs::path App::browse_folder() const {
@@ -138,6 +145,12 @@ void App::draw_dialogs() {
       after_save_ = ask_unsaved_.take_then();
       save();
       break;
+  }
+  switch (ask_recover_.draw(gui_)) {
+    case AskRecover::Answer::none: break;
+    case AskRecover::Answer::later: ask_recover_.close(); break;
+    case AskRecover::Answer::discard: ask_recover_.take().remove(); break;
+    case AskRecover::Answer::recover: with_saved_work([this] { recover(ask_recover_.take()); }); break;
   }
   const bool was_saving = browser_.is_saving();
   if (const auto chosen = browser_.draw(gui_)) {

@@ -15,16 +15,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_ball_file(const fs::path& file) {
+std::string extension_of(const fs::path& file) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".wpoff";
+  return extension;
+}
+
+bool is_ball_file(const fs::path& file) {
+  return extension_of(file) == ".wpoff";
+}
+
+bool is_session_file(const fs::path& file) {
+  return extension_of(file) == ".json";
 }
 
 }  // namespace
 
-FileDesk::FileDesk(Editor& editor, std::function<void()> wake) : editor_(editor), wake_(std::move(wake)) {
+FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake)
+    : editor_(editor), session_now_(std::move(session_now)), wake_(std::move(wake)) {
   note_all_as_saved();
 }
 FileDesk::~FileDesk() = default;
@@ -85,6 +94,28 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     return out;
   }
 
+  const auto blame = [&out](Expected<void> done) {
+    if (done) return false;
+    out.error = std::move(done.error());
+    out.error->file = out.file.string();
+    return true;
+  };
+  if (LoadedFile& first = *reading->results.front(); first.session) {
+    out.file = reading->files.front();
+    if (blame(take_over(*first.session, out.file.string()))) return out;
+    out.session = first.session;
+    out.format = first.format;
+    out.files = {out.file};
+    out.left_out = reading->files.size() - 1;
+    out.samples = editor_.document().sample_count();
+    out.balls = editor_.document().ball_count();
+    forget_files();
+    file_ = session_file_ = out.file;
+    note_all_as_saved();
+    title_ = out.file.filename().string();
+    return out;
+  }
+
   SampleData data;
   fs::path sample_file;
   fs::path ball_file;
@@ -108,14 +139,11 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     if (loaded.format == "wpoff") ball_file = reading->files[i];
   }
   out.file = out.files.front();
-  if (auto done = editor_.load(data); !done) {
-    out.error = done.error();
-    out.error->file = out.file.string();
-    return out;
-  }
+  if (blame(editor_.load(data))) return out;
   out.format = reading->results.front()->format;
   out.samples = data.positions.size();
   out.balls = data.balls.size();
+  forget_files();
   sample_file_ = out.is_shape ? fs::path() : sample_file;
   ball_file_ = out.is_shape ? fs::path() : ball_file;
   file_ = sample_file_.empty() ? ball_file_ : sample_file_;
@@ -127,12 +155,35 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
 void FileDesk::start_empty() {
   cancel_reading();
   if (editor_.load({})) {
-    file_.clear();
-    sample_file_.clear();
-    ball_file_.clear();
+    forget_files();
     note_all_as_saved();
     title_ = "Untitled";
   }
+}
+
+void FileDesk::forget_files() {
+  file_.clear();
+  sample_file_.clear();
+  ball_file_.clear();
+  session_file_.clear();
+}
+
+Expected<void> FileDesk::take_over(const Session& session, const std::string& name) {
+  DocumentReplay replay(editor_.document());
+  if (auto done = replay_session(session, replay, name); !done) return done;
+  editor_.restore(std::move(replay), session.data, session.entries);
+  return {};
+}
+
+Expected<void> FileDesk::recover(const Session& session) {
+  cancel_reading();
+  if (auto done = take_over(session, "recovered work"); !done) return done;
+  forget_files();
+  saved_samples_ = Document().sample_digest();
+  saved_balls_ = 0;
+  editor_.mark_unsaved();
+  title_ = "Recovered: " + (session.title.empty() ? std::string("Untitled") : session.title);
+  return {};
 }
 
 void FileDesk::note_all_as_saved() {
@@ -141,6 +192,7 @@ void FileDesk::note_all_as_saved() {
 }
 
 FileDesk::Unsaved FileDesk::unsaved() const {
+  if (has_session_file()) return {editor_.is_modified(), false};
   return {editor_.document().sample_digest() != saved_samples_, editor_.document().ball_digest() != saved_balls_};
 }
 
@@ -156,7 +208,16 @@ Expected<void> FileDesk::write_balls() {
   return written;
 }
 
+Expected<void> FileDesk::write_session_file() {
+  auto written = write_file_atomically(session_file_, write_session(session_now_()));
+  if (!written) return written;
+  note_all_as_saved();
+  editor_.mark_saved();
+  return {};
+}
+
 Expected<void> FileDesk::save() {
+  if (has_session_file()) return write_session_file();
   if (!sample_file_.empty())
     if (auto written = write_samples(); !written) return written;
   if (!ball_file_.empty())
@@ -166,15 +227,28 @@ Expected<void> FileDesk::save() {
 }
 
 Expected<void> FileDesk::save_as(const fs::path& file) {
+  const fs::path session_before = std::exchange(session_file_, is_session_file(file) ? file : fs::path());
+  const std::string title_before = std::exchange(title_, file.filename().string());
+  if (has_session_file()) {
+    if (auto written = write_session_file(); !written) {
+      session_file_ = session_before;
+      title_ = title_before;
+      return written;
+    }
+    forget_files();
+    file_ = session_file_ = file;
+    return {};
+  }
   fs::path& target = is_ball_file(file) ? ball_file_ : sample_file_;
   const fs::path before = std::exchange(target, file);
   if (auto written = is_ball_file(file) ? write_balls() : write_samples(); !written) {
     target = before;
+    session_file_ = session_before;
+    title_ = title_before;
     return written;
   }
   if (const Unsaved rest = unsaved(); !rest.samples && !rest.balls) editor_.mark_saved();
   file_ = file;
-  title_ = file.filename().string();
   return {};
 }
 

@@ -13,15 +13,16 @@
 
 #include "app/editor.h"
 #include "core/io/format.h"
+#include "core/io/session.h"
 
 namespace mes {
 
 /// What it guarantees:
 ///  1. Reading happens on a thread of its own; until it ends well the document stays as it is, and a file that cannot
 ///     be read leaves it so for good.
-///  2. Saving is atomic, and writes POFF or WPOFF whatever was read. A POFF file holds samples and a WPOFF file
-///  balls, so
-///     a document of both has two files; until each holds what the document holds, it counts as modified.
+///  2. Saving is atomic, and writes a session, POFF or WPOFF, whatever was read. A session holds everything. A POFF
+///     file holds samples and a WPOFF file balls, so a document of both has two files; until each holds what the
+///     document holds, it counts as modified.
 ///
 /// Smallest use:
 ///     desk.open("a.poff");
@@ -30,7 +31,8 @@ namespace mes {
 /// Threads: the window's; `wake` is called from the reader's.
 class FileDesk {
  public:
-  FileDesk(Editor& editor, std::function<void()> wake);
+  /// `session_now` gives what a session file is to hold.
+  FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake);
   ~FileDesk();
 
   /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something
@@ -48,6 +50,7 @@ class FileDesk {
     std::vector<std::filesystem::path> files;  ///< that were opened
     std::size_t left_out = 0;                  ///< files that would have replaced what the first brought
     bool is_shape = false;
+    std::shared_ptr<const Session> session;  ///< if it was one; the document is the session's already
     std::string format;
     std::size_t samples = 0;
     std::size_t balls = 0;
@@ -58,9 +61,12 @@ class FileDesk {
   std::optional<Outcome> poll();
 
   void start_empty();
-  /// Writes samples and balls to the files they have. Error: one cannot be written.
+  /// Takes over work that a crash left behind: no file holds it.
+  Expected<void> recover(const Session& session);
+  /// Writes the session, or samples and balls, to the files they have. Error: one cannot be written.
   Expected<void> save();
-  /// Writes one of them: the balls when the name ends in .wpoff, else the samples. That is their file from now on.
+  /// Writes everything when the name ends in .json, the balls when it ends in .wpoff, else the samples. That is their
+  /// file from now on.
   Expected<void> save_as(const std::filesystem::path& file);
   /// What of the document no file holds as it is now.
   struct Unsaved {
@@ -73,6 +79,7 @@ class FileDesk {
   const std::filesystem::path& file() const { return file_; }
   const std::filesystem::path& sample_file() const { return sample_file_; }
   const std::filesystem::path& ball_file() const { return ball_file_; }
+  bool has_session_file() const { return !session_file_.empty(); }
   /// Of the window: "a.poff", "Elephant", "Untitled".
   const std::string& title() const { return title_; }
 
@@ -87,14 +94,19 @@ class FileDesk {
   void begin(const std::vector<std::filesystem::path>& files, const std::string& shape_title);
   static void read(Reading& reading);
   void note_all_as_saved();
+  void forget_files();
   Expected<void> write_samples();
   Expected<void> write_balls();
+  Expected<void> write_session_file();
+  Expected<void> take_over(const Session& session, const std::string& name);
 
   Editor& editor_;
+  std::function<Session()> session_now_;
   std::function<void()> wake_;
   std::filesystem::path file_;
   std::filesystem::path sample_file_;  // empty: none yet
   std::filesystem::path ball_file_;
+  std::filesystem::path session_file_;
   std::uint64_t saved_samples_ = 0;  // digests of what files hold
   std::uint64_t saved_balls_ = 0;
   std::string title_ = "Untitled";

@@ -183,6 +183,8 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
     }
     curve->contours.push_back(std::move(out));
   }
+  after->first = document.next_id();
+  balls_after->first = document.next_ball_id();
   delta.before = document.snapshot();
   delta.after = std::move(after);
   delta.balls_before = document.ball_snapshot();

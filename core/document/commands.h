@@ -41,6 +41,7 @@ struct SampleData {
   struct Contour {
     bool closed = true;
     std::vector<std::uint32_t> points;  ///< indices into `positions`
+    friend bool operator==(const Contour&, const Contour&) = default;
   };
   std::vector<Vec2> positions{};
   std::vector<Contour> contours{};

@@ -38,6 +38,7 @@ struct SampleSnapshot {
   std::vector<Vec2> position;  ///< by slot; dead rows hold (0, 0)
   std::vector<SampleId> id;    ///< by slot; invalid in dead rows
   std::vector<Slot> free_slots;
+  SampleId first{0};  ///< that the first of the data had, alive or not
 };
 
 /// One change of a user's ball. Kinds as for samples; `change` sets centre and radius.
@@ -55,6 +56,7 @@ struct BallSnapshot {
   std::vector<Disk> disk;  ///< by slot; dead rows hold a zero disk
   std::vector<BallId> id;  ///< by slot; invalid in dead rows
   std::vector<Slot> free_slots;
+  BallId first{0};
 };
 
 /// Applied in order. Either `edits`, or a replacement of everything when `after` is set.

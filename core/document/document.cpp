@@ -25,6 +25,14 @@ std::uint64_t bits_of(double value) {
 
 Document::Document() : curve_(std::make_shared<const CurveOrder>()) {}
 
+Document Document::successor() const {
+  Document out;
+  out.revision_ = out.highest_revision_ = highest_revision_ + 1;
+  out.samples_.number_from(samples_.next_id());
+  out.balls_.number_from(balls_.next_id());
+  return out;
+}
+
 Box2 Document::bounding_box() const {
   Box2 box;
   for (Slot slot = 0; slot < slot_count(); ++slot)
@@ -38,7 +46,7 @@ std::uint64_t Document::sample_digest() const {
   std::uint64_t sum = mix(sample_count());
   for (Slot slot = 0; slot < slot_count(); ++slot) {
     if (!is_alive(slot)) continue;
-    const std::uint64_t x = mix(bits_of(position(slot).x) + id(slot).value);
+    const std::uint64_t x = mix(bits_of(position(slot).x) + (id(slot).value - first_id().value));
     sum += mix(x ^ bits_of(position(slot).y));
   }
   return sum;
@@ -49,7 +57,8 @@ std::uint64_t Document::ball_digest() const {
   std::uint64_t sum = 0;
   for (Slot slot = 0; slot < ball_slot_count(); ++slot) {
     if (!is_ball_alive(slot)) continue;
-    const std::uint64_t x = mix(bits_of(disk(slot).center.x) + kOtherThanSamples + ball_id(slot).value);
+    const std::uint64_t x =
+        mix(bits_of(disk(slot).center.x) + kOtherThanSamples + (ball_id(slot).value - first_ball_id().value));
     sum += mix(mix(x ^ bits_of(disk(slot).center.y)) ^ bits_of(disk(slot).radius));
   }
   return sum;
@@ -57,11 +66,12 @@ std::uint64_t Document::ball_digest() const {
 
 std::shared_ptr<const SampleSnapshot> Document::snapshot() const {
   return std::make_shared<const SampleSnapshot>(
-      SampleSnapshot{samples_.values(), samples_.ids(), samples_.free_slots()});
+      SampleSnapshot{samples_.values(), samples_.ids(), samples_.free_slots(), first_id()});
 }
 
 std::shared_ptr<const BallSnapshot> Document::ball_snapshot() const {
-  return std::make_shared<const BallSnapshot>(BallSnapshot{balls_.values(), balls_.ids(), balls_.free_slots()});
+  return std::make_shared<const BallSnapshot>(
+      BallSnapshot{balls_.values(), balls_.ids(), balls_.free_slots(), first_ball_id()});
 }
 
 void Document::apply(const DocumentDelta& delta) {
@@ -70,8 +80,9 @@ void Document::apply(const DocumentDelta& delta) {
   if (delta.is_empty()) return;
   if (delta.replaces_all()) {
     MES_ASSERT(delta.balls_after != nullptr);
-    samples_.replace(delta.after->position, delta.after->id, delta.after->free_slots);
-    balls_.replace(delta.balls_after->disk, delta.balls_after->id, delta.balls_after->free_slots);
+    samples_.replace(delta.after->position, delta.after->id, delta.after->free_slots, delta.after->first);
+    balls_.replace(delta.balls_after->disk, delta.balls_after->id, delta.balls_after->free_slots,
+                   delta.balls_after->first);
   }
   for (const SampleEdit& edit : delta.edits) {
     switch (edit.kind) {

@@ -31,6 +31,9 @@ namespace mes {
 class Document {
  public:
   Document();
+  /// Empty, with revisions and ids that go on from this one's: what is told of either is not mistaken for the
+  /// other's.
+  Document successor() const;
 
   std::uint64_t revision() const { return revision_; }
   std::size_t sample_count() const { return samples_.count(); }
@@ -47,6 +50,11 @@ class Document {
   std::vector<Slot> slots_in_input_order() const { return samples_.by_age(); }
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
 
+  /// Id that the first sample had since everything was last replaced: what counts from it is the same however often
+  /// the same data were opened before.
+  SampleId first_id() const { return SampleId{samples_.first_id()}; }
+  BallId first_ball_id() const { return BallId{balls_.first_id()}; }
+
   /// The same of balls, which have rows of their own.
   std::size_t ball_count() const { return balls_.count(); }
   std::size_t ball_slot_count() const { return balls_.row_count(); }
@@ -59,7 +67,8 @@ class Document {
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
   /// Bounding box of samples and balls, O(n).
   Box2 bounding_box() const;
-  /// Order-independent digest of ids, positions and disks; equal documents have equal digests.
+  /// Order-independent digest of ids, counted from the first, positions and disks: equal work on equal data gives
+  /// equal digests, whatever was open before.
   std::uint64_t digest() const { return sample_digest() + ball_digest(); }
   std::uint64_t sample_digest() const;
   /// Zero when there are no balls.

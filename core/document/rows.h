@@ -36,6 +36,13 @@ class Rows {
   const std::vector<ThingId>& ids() const { return id_; }
   const std::vector<Slot>& free_slots() const { return free_; }
   std::uint32_t next_id() const { return next_id_; }
+  /// The id that the first thing after the last `replace` has or will have.
+  std::uint32_t first_id() const { return first_id_; }
+  /// Ids below this are taken. Only while there is nothing yet.
+  void number_from(std::uint32_t id) {
+    MES_ASSERT(id_.empty());
+    first_id_ = next_id_ = id;
+  }
   /// The row that the i-th of several insertions takes.
   Slot slot_for_new(std::size_t i) const {
     return i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<Slot>(id_.size() + i - free_.size());
@@ -80,11 +87,13 @@ class Rows {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
     value_[slot] = value;
   }
-  void replace(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots) {
+  void replace(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots, ThingId first) {
     MES_ASSERT(values.size() == ids.size());
+    first_id_ = first.value;
     value_ = std::move(values);
     id_ = std::move(ids);
     free_ = std::move(free_slots);
+    next_id_ = std::max(next_id_, first_id_);
     alive_ = 0;
     slot_of_.clear();
     slot_of_.reserve(id_.size());
@@ -102,6 +111,7 @@ class Rows {
   std::vector<Slot> free_;
   std::unordered_map<ThingId, Slot> slot_of_;
   std::size_t alive_ = 0;
+  std::uint32_t first_id_ = 0;
   std::uint32_t next_id_ = 0;
 };
 

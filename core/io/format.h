@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,11 +14,15 @@
 
 namespace mes {
 
+struct Session;
+
 /// What a file held.
 struct LoadedFile {
   SampleData data;
   std::string format;                 ///< id of the format it was read as
   std::vector<std::string> warnings;  ///< one line each, already with file, line and column
+  /// Of a session, all of it; `data` is its last state then.
+  std::shared_ptr<const Session> session;
 };
 
 struct FormatDescriptor {

@@ -13,7 +13,12 @@ namespace {
 struct Bench {
   test::TemporaryFolder folder;
   Editor editor{{}};
-  FileDesk desk{editor, {}};
+  FileDesk desk{editor,
+                [this] {
+                  return Session{.data = editor.timeline().data(),
+                                 .entries = {editor.timeline().entries().begin(), editor.timeline().entries().end()}};
+                },
+                {}};
 
   FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
   FileDesk::Outcome open(const std::vector<std::filesystem::path>& files) {
@@ -174,4 +179,63 @@ TEST_CASE("a bad file of balls leaves the document as it is") {
   CHECK(outcome.error->line == 2);
   CHECK(bench.editor.document().ball_count() == 1);
   CHECK(bench.desk.file() == good);
+}
+
+TEST_CASE("a session holds samples, balls and what can be undone") {
+  Bench bench;
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n")).error);
+  bench.add_sample();
+  bench.add_ball();
+  const auto file = bench.folder.path() / "a.json";
+  REQUIRE(bench.desk.save_as(file));
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.desk.title() == "a.json");
+  bench.add_ball();
+  CHECK(bench.desk.unsaved().samples);
+  REQUIRE(bench.desk.save());
+  CHECK(bench.is_complete());
+  const std::uint64_t digest = bench.editor.document().digest();
+
+  bench.desk.start_empty();
+  CHECK_FALSE(bench.desk.has_session_file());
+  const auto outcome = bench.open(file);
+  REQUIRE_FALSE(outcome.error);
+  REQUIRE(outcome.session != nullptr);
+  CHECK(outcome.samples == 2);
+  CHECK(outcome.balls == 2);
+  CHECK(bench.editor.document().digest() == digest);
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.desk.file() == file);
+  bench.editor.undo();
+  bench.editor.undo();
+  CHECK(bench.editor.document().ball_count() == 0);
+  CHECK(bench.editor.document().sample_count() == 2);
+
+  // The samples alone are saved: what a session held besides counts as unsaved.
+  REQUIRE(bench.desk.save_as(bench.folder.path() / "b.poff"));
+  CHECK_FALSE(bench.desk.has_session_file());
+  CHECK_FALSE(bench.desk.unsaved().samples);
+}
+
+TEST_CASE("a session that cannot be written leaves file, title and mark as they were") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  bench.add_sample();
+  CHECK_FALSE(bench.desk.save_as(bench.folder.path() / "no" / "such" / "folder" / "a.json"));
+  CHECK(bench.desk.file() == file);
+  CHECK(bench.desk.title() == "a.poff");
+  CHECK(bench.editor.is_modified());
+  REQUIRE(bench.desk.save());
+  CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
+}
+
+TEST_CASE("recovered work has no file and counts as unsaved") {
+  Bench bench;
+  REQUIRE(bench.desk.recover({.title = "x", .data = std::make_shared<SampleData>(SampleData{{{1, 2}}, {}, {}})}));
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.unsaved().samples);
+  REQUIRE(bench.desk.save_as(bench.folder.path() / "x.poff"));
+  CHECK_FALSE(bench.editor.is_modified());
 }

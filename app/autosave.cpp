@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/autosave.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "app/data_folder.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".journal";
+
+std::string local_time(std::time_t when, const char* format) {
+  std::tm parts{};
+  ::localtime_r(&when, &parts);
+  std::array<char, 64> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), format, &parts);
+  return {text.data(), length};
+}
+
+fs::path set_aside_name(fs::path file) {
+  file += ".broken";
+  return file;
+}
+
+/// A new file that nobody else has, locked.
+int create_locked(const fs::path& folder, fs::path& file) {
+  const std::string stem =
+      local_time(std::time(nullptr), "%Y%m%d-%H%M%S") + '-' + std::to_string(static_cast<long>(::getpid()));
+  for (int attempt = 0;; ++attempt) {
+    file = folder / (stem + (attempt == 0 ? "" : '-' + std::to_string(attempt)) + kExtension);
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (fd < 0 && errno == EEXIST) continue;
+    if (fd >= 0) static_cast<void>(::flock(fd, LOCK_EX | LOCK_NB));
+    return fd;
+  }
+}
+
+}  // namespace
+
+/// The file being written. What could not be written is kept for the next attempt.
+struct Autosave::Journal {
+  int fd = -1;
+  fs::path file;
+  off_t length = 0;  // up to the last whole line
+  std::string unwritten;
+  bool is_wanted = false;
+
+  Journal() = default;
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal() { close(); }
+
+  void close() {
+    if (fd >= 0) ::close(fd);
+    fd = -1;
+  }
+  void drop() {
+    if (fd >= 0) ::unlink(file.c_str());
+    close();
+    length = 0;
+    unwritten.clear();
+    is_wanted = false;
+  }
+  /// Error number, 0 when all is written.
+  int put(const fs::path& folder) {
+    if (!is_wanted || unwritten.empty()) return 0;
+    if (fd < 0) {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      fd = create_locked(folder, file);
+      if (fd < 0) return errno;
+    }
+    std::size_t done = 0;
+    while (done < unwritten.size()) {
+      const ssize_t n =
+          ::pwrite(fd, unwritten.data() + done, unwritten.size() - done, length + static_cast<off_t>(done));
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) {
+        const int error = n < 0 ? errno : ENOSPC;
+        // A torn line in the middle would hide all that comes after it.
+        static_cast<void>(::ftruncate(fd, length));
+        return error;
+      }
+      done += static_cast<std::size_t>(n);
+    }
+    if (::fdatasync(fd) != 0) return errno;
+    length += static_cast<off_t>(done);
+    unwritten.clear();
+    return 0;
+  }
+};
+
+Autosave::Autosave(fs::path folder, std::function<void()> wake, std::chrono::milliseconds gather)
+    : folder_(std::move(folder)), wake_(std::move(wake)), gather_(gather) {
+  if (!folder_.empty()) thread_ = std::jthread([this](const std::stop_token& stop) { write_on(stop); });
+}
+
+Autosave::~Autosave() = default;
+
+void Autosave::follow(const Editor& editor, const std::function<Session()>& head) {
+  if (folder_.empty()) return;
+  const Timeline& timeline = editor.timeline();
+  Work work;
+  if (timeline.generation() != generation_) {
+    generation_ = timeline.generation();
+    work.ends = std::exchange(has_journal_, false);
+    told_ = 0;
+  }
+  if (!has_journal_ && editor.is_modified() && timeline.settled() > 0) {
+    work.begins = has_journal_ = true;
+    work.head = head();
+    told_ = 0;
+  }
+  if (has_journal_ && told_ < timeline.settled()) {
+    const auto entries = timeline.entries().subspan(told_, timeline.settled() - told_);
+    work.entries.assign(entries.begin(), entries.end());
+    told_ = timeline.settled();
+  }
+  if (work.is_empty()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.push_back(std::move(work));
+  }
+  condition_.notify_all();
+}
+
+void Autosave::note_saved() {
+  if (!has_journal_) return;
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.emplace_back().saved = true;
+  }
+  condition_.notify_all();
+}
+
+void Autosave::discard() {
+  if (!has_journal_) return;
+  has_journal_ = false;
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.emplace_back().ends = true;
+  }
+  flush();
+}
+
+std::string Autosave::take_problem() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(problem_, {});
+}
+
+void Autosave::flush() {
+  if (folder_.empty()) return;
+  std::unique_lock lock(mutex_);
+  hurry_ = true;
+  condition_.notify_all();
+  condition_.wait(lock, [this] { return queue_.empty() && !is_writing_; });
+  hurry_ = false;
+}
+
+void Autosave::write(Work& work, Journal& journal) {
+  if (work.ends) journal.drop();
+  if (work.begins) {
+    journal.drop();
+    journal.is_wanted = true;
+    journal.unwritten = write_journal_head(work.head);
+  }
+  for (const TimelineEntry& entry : work.entries) journal.unwritten += write_journal_line(entry);
+  if (work.saved) journal.unwritten += write_journal_saved();
+}
+
+void Autosave::write_on(const std::stop_token& stop) {
+  Journal journal;
+  bool has_complained = false;
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested() || !queue_.empty()) {
+    condition_.wait(lock, stop, [this] { return !queue_.empty(); });
+    condition_.wait_for(lock, stop, gather_, [this] { return hurry_; });
+    std::vector<Work> works = std::exchange(queue_, {});
+    is_writing_ = true;
+    lock.unlock();
+    for (Work& work : works) write(work, journal);
+    const int error = journal.put(folder_);
+    lock.lock();
+    is_writing_ = false;
+    if (error == 0) {
+      has_complained = false;
+    } else if (!std::exchange(has_complained, true)) {
+      problem_ = "unsaved work is not protected against a crash: " + folder_.string() + ": " + std::strerror(error);
+      if (wake_) wake_();
+    }
+    condition_.notify_all();
+  }
+}
+
+fs::path default_autosave_folder() {
+  const fs::path folder = data_folder();
+  return folder.empty() ? folder : folder / "autosave";
+}
+
+LeftWork::LeftWork(fs::path file, int lock, Journaled journal)
+    : file_(std::move(file)),
+      lock_(lock),
+      session_(std::move(journal.session)),
+      edits_(journal.unsaved_edits),
+      is_partial_(!journal.complaint.empty()) {
+  std::error_code error;
+  const auto written = fs::last_write_time(file_, error);
+  if (!error)
+    when_ =
+        local_time(std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(written)), "%Y-%m-%d %H:%M");
+}
+
+LeftWork::~LeftWork() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+LeftWork::LeftWork(LeftWork&& other) noexcept
+    : file_(std::move(other.file_)),
+      lock_(std::exchange(other.lock_, -1)),
+      session_(std::move(other.session_)),
+      edits_(other.edits_),
+      is_partial_(other.is_partial_),
+      when_(std::move(other.when_)) {}
+
+LeftWork& LeftWork::operator=(LeftWork&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(lock_, other.lock_);
+  std::swap(session_, other.session_);
+  std::swap(edits_, other.edits_);
+  std::swap(is_partial_, other.is_partial_);
+  std::swap(when_, other.when_);
+  return *this;
+}
+
+void LeftWork::remove() {
+  std::error_code error;
+  if (is_partial_)
+    fs::rename(file_, set_aside_name(file_), error);
+  else
+    fs::remove(file_, error);
+}
+
+FoundWork find_left_work(const fs::path& folder) {
+  FoundWork out;
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    if (entry->path().extension() == kExtension) files.push_back(entry->path());
+  std::ranges::sort(files, std::ranges::greater());
+  for (const fs::path& file : files) {
+    const int fd = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+    if (fd < 0) continue;
+    if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+      ::close(fd);  // its program runs, or another one is asking about it
+      continue;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    auto journal = read_journal(text.view(), file.string());
+    if (!journal && text.view().find('\n') != std::string_view::npos) {
+      const fs::path aside = set_aside_name(file);
+      fs::rename(file, aside, error);
+      out.message =
+          "work that was left unsaved cannot be read (" + journal.error().text + "); it is kept as " + aside.string();
+      ::close(fd);
+    } else if (!journal || journal->unsaved_edits == 0) {
+      ::unlink(file.c_str());
+      ::close(fd);
+    } else {
+      if (!journal->complaint.empty())
+        out.message = "some of the work that was left unsaved cannot be read: " + journal->complaint;
+      out.works.emplace_back(file, fd, std::move(*journal));
+    }
+  }
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the program keeps what it makes for itself, by the XDG base directory specification.
+#pragma once
+
+#include <filesystem>
+
+namespace mes {
+
+/// $XDG_DATA_HOME/mesecina or ~/.local/share/mesecina; empty when there is no home.
+std::filesystem::path data_folder();
+/// $XDG_CONFIG_HOME/mesecina or ~/.config/mesecina; empty when there is no home.
+std::filesystem::path config_folder();
+
+}  // namespace mes

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/ask_recover.h"
+
+namespace mes {
+
+LeftWork AskRecover::take() {
+  LeftWork out = std::move(works_.front());
+  works_.erase(works_.begin());
+  return out;
+}
+
+AskRecover::Answer AskRecover::draw(const Gui& gui) {
+  const float unit = gui.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
+  Answer answer = Answer::none;
+  if (Gui::begin_dialog("##ask-recover", is_open(),
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (is_open()) {
+      const LeftWork& work = works_.front();
+      const std::string title = work.session().title.empty() ? "Untitled" : work.session().title;
+      ImGui::PushFont(gui.bold());
+      ImGui::TextUnformatted("Work was left unsaved when Mesecina ended");
+      ImGui::PopFont();
+      ImGui::Dummy({1, 2 * unit});
+      ImGui::TextUnformatted((title + ", " + std::to_string(work.edits()) +
+                              (work.edits() == 1 ? " change, at " : " changes, the last at ") + work.when())
+                                 .c_str());
+      if (works_.size() > 1) ImGui::TextDisabled("%zu more after this one", works_.size() - 1);
+      ImGui::Dummy({1, 6 * unit});
+      const ImVec2 size(120 * unit, 0);
+      if (ImGui::Button("Recover", size)) answer = Answer::recover;
+      ImGui::SameLine();
+      if (ImGui::Button("Discard", size)) answer = Answer::discard;
+      ImGui::SameLine();
+      if (ImGui::Button("Not now", size)) answer = Answer::later;
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+  return answer;
+}
+
+}  // namespace mes

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/player.h"
+
+#include <utility>
+
+namespace mes {
+namespace {
+
+std::string_view name_of(const TimelineEntry& entry) {
+  struct Name {
+    std::string_view operator()(const TimelineEdit&) const { return "edit"; }
+    std::string_view operator()(const GestureBegun&) const { return "begin"; }
+    std::string_view operator()(const GestureEnded&) const { return "end"; }
+    std::string_view operator()(const Undone&) const { return "undo"; }
+    std::string_view operator()(const Redone&) const { return "redo"; }
+    std::string_view operator()(const LayersChanged&) const { return "layers"; }
+    std::string_view operator()(const SettingsChanged&) const { return "settings"; }
+    std::string_view operator()(const ViewChanged&) const { return "view"; }
+    std::string_view operator()(const Captioned&) const { return "caption"; }
+  };
+  return std::visit(Name{}, entry);
+}
+
+}  // namespace
+
+std::vector<PlayStep> steps_of(std::span<const TimelineEntry> entries) {
+  std::size_t at = 0;
+  while (at < entries.size() && !changes_document(entries[at]) && !std::holds_alternative<GestureBegun>(entries[at]))
+    ++at;
+  std::vector<PlayStep> out{{0, at, "open"}};
+  for (std::size_t first = at; at < entries.size(); ++at) {
+    if (!is_visible(entries[at])) continue;
+    out.push_back({first, at + 1, std::string(name_of(entries[at]))});
+    first = at + 1;
+  }
+  return out;
+}
+
+Player::Player(const Session& session, OnPatch on_patch)
+    : session_(session),
+      steps_(steps_of(session_.entries)),
+      on_patch_(std::move(on_patch)),
+      layers_(layer_descriptors()),
+      engine_({}),
+      replay_({},
+              [this](const DocumentDelta& delta) { engine_.post(std::make_shared<const DocumentDelta>(delta)); }) {
+  // A timeline that does not begin with them was made by other hands: what was there last will do.
+  const auto begins_with = [this](auto is_kind) {
+    for (std::size_t i = 0; i < steps_.front().end_entry; ++i)
+      if (is_kind(session_.entries[i])) return true;
+    return false;
+  };
+  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<LayersChanged>(entry); }))
+    configuration_ = session_.layers;
+  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<SettingsChanged>(entry); }))
+    settings_ = session_.settings;
+  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<ViewChanged>(entry); }))
+    view_ = session_.view;
+  if (!configuration_.layers.empty()) layers_.set_configuration(configuration_);
+}
+
+Expected<void> Player::apply(const TimelineEntry& entry) {
+  if (const auto* layers = std::get_if<LayersChanged>(&entry)) {
+    mes::apply(*layers, configuration_);
+    layers_.set_configuration(configuration_);
+  } else if (const auto* settings = std::get_if<SettingsChanged>(&entry)) {
+    settings_ = settings->settings;
+  } else if (const auto* view = std::get_if<ViewChanged>(&entry)) {
+    view_ = view->visible;
+  } else if (const auto* caption = std::get_if<Captioned>(&entry)) {
+    caption_ = caption->text;
+  } else {
+    return replay_.apply(entry);
+  }
+  return {};
+}
+
+Expected<void> Player::apply(const PlayStep& step) {
+  if (!std::exchange(has_begun_, true))
+    if (auto begun = replay_.begin(*session_.data); !begun) return begun;
+  for (std::size_t i = step.first_entry; i < step.end_entry; ++i) {
+    auto done = apply(session_.entries[i]);
+    if (!done) {
+      done.error().text = "entry " + std::to_string(i + 1) + " of the timeline: " + done.error().text;
+      return done;
+    }
+  }
+  return {};
+}
+
+std::string Player::complete() {
+  engine_.set_settings(settings_);
+  engine_.set_demand(layers_.visible_layers());
+  std::string failure;
+  while (auto patch = engine_.sync()) {
+    failure.clear();
+    for (const NodeReport& node : patch->nodes)
+      if (node.state == NodeState::failed) failure = node.structure + ": " + node.reason;
+    if (on_patch_) on_patch_(*patch);
+    engine_.recycle(std::move(patch));
+  }
+  return failure;
+}
+
+}  // namespace mes

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/timeline.h"
+
+#include <algorithm>
+
+namespace mes {
+namespace {
+
+// Dragging fewer than this many things leaves each move of the pointer on record.
+constexpr std::size_t kLargeEdit = 4096;
+
+std::unexpected<Error> refuse(std::string text) {
+  return std::unexpected(Error{ErrorCode::bad_input, std::move(text)});
+}
+
+std::vector<SampleData::Contour> numbered(const CurveOrder& curve, SampleId first) {
+  std::vector<SampleData::Contour> out;
+  for (const CurveOrder::Contour& contour : curve.contours) {
+    SampleData::Contour& to = out.emplace_back(SampleData::Contour{contour.closed, {}});
+    to.points.reserve(contour.samples.size());
+    for (const SampleId id : contour.samples) to.points.push_back(id.value - first.value);
+  }
+  return out;
+}
+
+// Only gives things other places.
+bool is_motion(const TimelineEdit& edit) {
+  return edit.removed.empty() && edit.inserted.empty() && edit.removed_balls.empty() && edit.inserted_balls.empty() &&
+         !edit.curve;
+}
+
+template <class Place>
+bool same_things(const std::vector<std::pair<std::uint32_t, Place>>& a,
+                 const std::vector<std::pair<std::uint32_t, Place>>& b) {
+  return std::ranges::equal(a, b, {}, &std::pair<std::uint32_t, Place>::first,
+                            &std::pair<std::uint32_t, Place>::first);
+}
+
+bool all_known(const std::vector<std::uint32_t>& numbers, std::size_t known) {
+  return std::ranges::all_of(numbers, [known](std::uint32_t number) { return number < known; });
+}
+template <class Place>
+bool all_known(const std::vector<std::pair<std::uint32_t, Place>>& things, std::size_t known) {
+  return std::ranges::all_of(things, [known](const auto& thing) { return thing.first < known; });
+}
+
+template <class SomeId>
+std::vector<SomeId> ids_of(const std::vector<std::uint32_t>& numbers, SomeId first) {
+  std::vector<SomeId> out;
+  out.reserve(numbers.size());
+  for (const std::uint32_t number : numbers) out.push_back(SomeId{first.value + number});
+  return out;
+}
+
+template <class SomeId, class Place>
+std::vector<std::pair<SomeId, Place>> places_of(const std::vector<std::pair<std::uint32_t, Place>>& numbers,
+                                                SomeId first) {
+  std::vector<std::pair<SomeId, Place>> out;
+  out.reserve(numbers.size());
+  for (const auto& [number, place] : numbers) out.emplace_back(SomeId{first.value + number}, place);
+  return out;
+}
+
+}  // namespace
+
+LayersChanged difference(const LayerConfiguration& before, const LayerConfiguration& after) {
+  LayersChanged out;
+  for (const LayerConfiguration::Entry& entry : after.layers) {
+    const auto old = std::ranges::find(before.layers, entry.layer, &LayerConfiguration::Entry::layer);
+    if (old == before.layers.end() || *old != entry) out.changed.push_back(entry);
+  }
+  if (!std::ranges::equal(before.layers, after.layers, {}, &LayerConfiguration::Entry::layer,
+                          &LayerConfiguration::Entry::layer))
+    for (const LayerConfiguration::Entry& entry : after.layers) out.order.push_back(entry.layer);
+  if (before.image != after.image) out.image = after.image;
+  return out;
+}
+
+void apply(const LayersChanged& change, LayerConfiguration& configuration) {
+  auto& layers = configuration.layers;
+  for (const LayerConfiguration::Entry& entry : change.changed) {
+    const auto old = std::ranges::find(layers, entry.layer, &LayerConfiguration::Entry::layer);
+    if (old == layers.end())
+      layers.push_back(entry);
+    else
+      *old = entry;
+  }
+  if (!change.order.empty()) {
+    const auto rank = [&](const LayerConfiguration::Entry& entry) {
+      return std::ranges::find(change.order, entry.layer) - change.order.begin();
+    };
+    std::ranges::stable_sort(layers, {}, rank);
+    std::erase_if(layers, [&](const LayerConfiguration::Entry& entry) {
+      return rank(entry) == static_cast<std::ptrdiff_t>(change.order.size());
+    });
+  }
+  if (change.image) configuration.image = *change.image;
+}
+
+bool changes_document(const TimelineEntry& entry) {
+  return std::holds_alternative<TimelineEdit>(entry) || std::holds_alternative<Undone>(entry) ||
+         std::holds_alternative<Redone>(entry);
+}
+
+bool is_visible(const TimelineEntry& entry) {
+  return !std::holds_alternative<GestureBegun>(entry) && !std::holds_alternative<GestureEnded>(entry);
+}
+
+Timeline::Timeline() : data_(std::make_shared<const SampleData>()) {}
+
+void Timeline::restart(std::shared_ptr<const SampleData> data) {
+  restart(std::move(data), {});
+}
+
+void Timeline::restart(std::shared_ptr<const SampleData> data, std::vector<TimelineEntry> entries) {
+  data_ = std::move(data);
+  entries_ = std::move(entries);
+  gesture_at_.reset();
+  ++generation_;
+}
+
+void Timeline::note_edit(const Document& document, const DocumentDelta& delta, const std::string& name,
+                         bool continues) {
+  TimelineEdit out{.name = gesture_at_ ? std::string() : name, .continues = continues};
+  const std::uint32_t first = document.first_id().value;
+  for (const SampleEdit& edit : delta.edits) {
+    switch (edit.kind) {
+      case SampleEdit::Kind::insert: out.inserted.push_back(edit.to); break;
+      case SampleEdit::Kind::remove: out.removed.push_back(edit.id.value - first); break;
+      case SampleEdit::Kind::move: out.moved.emplace_back(edit.id.value - first, edit.to); break;
+    }
+  }
+  const std::uint32_t first_ball = document.first_ball_id().value;
+  for (const BallEdit& edit : delta.ball_edits) {
+    switch (edit.kind) {
+      case BallEdit::Kind::insert: out.inserted_balls.push_back(edit.to); break;
+      case BallEdit::Kind::remove: out.removed_balls.push_back(edit.id.value - first_ball); break;
+      case BallEdit::Kind::change: out.changed_balls.emplace_back(edit.id.value - first_ball, edit.to); break;
+    }
+  }
+  if (delta.curve_after != delta.curve_before) out.curve = numbered(*delta.curve_after, document.first_id());
+
+  const bool is_large = delta.edits.size() + delta.ball_edits.size() > kLargeEdit;
+  if (is_large && gesture_at_ && entries_.size() > *gesture_at_ + 1) {
+    if (auto* last = std::get_if<TimelineEdit>(&entries_.back());
+        last != nullptr && is_motion(*last) && is_motion(out) && same_things(last->moved, out.moved) &&
+        same_things(last->changed_balls, out.changed_balls)) {
+      *last = std::move(out);
+      return;
+    }
+  }
+  entries_.push_back(std::move(out));
+}
+
+void Timeline::note_gesture_begun(const std::string& name) {
+  gesture_at_ = entries_.size();
+  entries_.push_back(GestureBegun{name});
+}
+
+void Timeline::note_gesture_ended() {
+  if (!gesture_at_) return;
+  const auto begun = entries_.begin() + static_cast<std::ptrdiff_t>(*gesture_at_);
+  const bool has_edits = std::any_of(
+      begun, entries_.end(), [](const TimelineEntry& entry) { return std::holds_alternative<TimelineEdit>(entry); });
+  if (has_edits)
+    entries_.push_back(GestureEnded{});
+  else
+    entries_.erase(begun);
+  gesture_at_.reset();
+}
+
+void DocumentReplay::change(const DocumentDelta& delta) {
+  document_.apply(delta);
+  if (listener_) listener_(delta);
+}
+
+Expected<void> DocumentReplay::begin(const SampleData& data) {
+  const auto delta = replace_all(document_, data);
+  if (!delta) return std::unexpected(delta.error());
+  change(*delta);
+  history_.clear();
+  return {};
+}
+
+Expected<DocumentDelta> DocumentReplay::delta_of(const TimelineEdit& edit) const {
+  if (!edit.removed.empty() && (!edit.moved.empty() || !edit.inserted.empty()))
+    return refuse("one edit removes samples and does something else with others");
+  const int kinds_of_balls = !edit.removed_balls.empty() + !edit.changed_balls.empty() + !edit.inserted_balls.empty();
+  if (kinds_of_balls > 1) return refuse("one edit does different things with balls");
+  const SampleId first = document_.first_id();
+  const BallId first_ball = document_.first_ball_id();
+  const std::size_t known = document_.next_id().value - first.value;
+  const std::size_t known_balls = document_.next_ball_id().value - first_ball.value;
+  if (!all_known(edit.removed, known) || !all_known(edit.moved, known)) return refuse("an edit of no sample");
+  if (!all_known(edit.removed_balls, known_balls) || !all_known(edit.changed_balls, known_balls))
+    return refuse("an edit of no ball");
+  auto samples = edit.removed.empty() ? move_samples(document_, places_of(edit.moved, first))
+                                      : remove_samples(document_, ids_of(edit.removed, first));
+  if (samples && !edit.inserted.empty()) {
+    auto inserted = insert_samples(document_, edit.inserted);
+    if (!inserted) return inserted;
+    samples->edits.insert(samples->edits.end(), inserted->edits.begin(), inserted->edits.end());
+  }
+  auto balls = !edit.removed_balls.empty()    ? remove_balls(document_, ids_of(edit.removed_balls, first_ball))
+               : !edit.inserted_balls.empty() ? insert_balls(document_, edit.inserted_balls)
+                                              : change_balls(document_, places_of(edit.changed_balls, first_ball));
+  auto out = together(std::move(samples), balls);
+  if (!out || !edit.curve) return out;
+  auto curve = std::make_shared<CurveOrder>();
+  for (const SampleData::Contour& contour : *edit.curve) {
+    if (!all_known(contour.points, known + edit.inserted.size()))
+      return refuse("a contour names a sample that never was");
+    curve->contours.push_back({contour.closed, ids_of(contour.points, first)});
+  }
+  out->curve_after = std::move(curve);
+  return out;
+}
+
+Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
+  const auto delta = delta_of(edit);
+  if (!delta) return std::unexpected(delta.error());
+  if (delta->is_empty()) return {};
+  change(*delta);
+  if (!edit.continues || !history_.extend(*delta, edit.name)) history_.record(*delta, edit.name);
+  return {};
+}
+
+Expected<void> DocumentReplay::apply(const TimelineEntry& entry) {
+  if (const auto* edit = std::get_if<TimelineEdit>(&entry)) return apply_edit(*edit);
+  if (const auto* begun = std::get_if<GestureBegun>(&entry)) {
+    if (history_.in_gesture()) return refuse("a gesture begins within another");
+    history_.begin_gesture(begun->name);
+  } else if (std::holds_alternative<GestureEnded>(entry)) {
+    if (!history_.in_gesture()) return refuse("a gesture ends that never began");
+    history_.end_gesture();
+  } else if (std::holds_alternative<Undone>(entry)) {
+    if (!history_.can_undo()) return refuse("there is nothing to undo");
+    for (const DocumentDelta& delta : history_.undo()) change(delta);
+  } else if (std::holds_alternative<Redone>(entry)) {
+    if (!history_.can_redo()) return refuse("there is nothing to redo");
+    for (const DocumentDelta& delta : history_.redo()) change(delta);
+  }
+  return {};
+}
+
+void DocumentReplay::finish() {
+  if (history_.in_gesture()) history_.end_gesture();
+}
+
+}  // namespace mes

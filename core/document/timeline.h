@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that happened since the data were opened, in order: what sessions, recovery after a crash and replay
+// read.
+//
+// What it guarantees:
+//  1. The data and the entries determine the document, its free rows, and everything that can be undone and redone.
+//  2. Samples and balls are named by the number of their kind: 0 is the first one since the data were opened. So the
+//     same work has the same timeline, whatever was open before.
+//  3. Entries once `settled` stay as they are; others may still be merged or dropped until their gesture ends.
+//
+// Smallest use:
+//     Timeline timeline;
+//     timeline.restart(std::make_shared<const SampleData>(data));
+//     timeline.note_edit(document, delta, "Insert sample", false);
+//     DocumentReplay replay;
+//     replay.begin(*timeline.data());
+//     for (const TimelineEntry& entry : timeline.entries()) replay.apply(entry);
+//
+// Cost: O(edits) an entry, in time and memory. Threads: none.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/document/commands.h"
+#include "core/document/computation_settings.h"
+#include "core/document/document.h"
+#include "core/document/history.h"
+#include "core/document/layer_configuration.h"
+
+namespace mes {
+
+/// One change of the document.
+struct TimelineEdit {
+  std::string name{};      ///< of the step of undo, outside a gesture
+  bool continues = false;  ///< belongs to the step before, if that has the same name and moved the same things
+  std::vector<std::uint32_t> removed{};
+  std::vector<std::pair<std::uint32_t, Vec2>> moved{};
+  std::vector<Vec2> inserted{};
+  std::vector<std::uint32_t> removed_balls{};
+  std::vector<std::pair<std::uint32_t, Disk>> changed_balls{};
+  std::vector<Disk> inserted_balls{};
+  std::optional<std::vector<SampleData::Contour>> curve{};  ///< the new order, if it changed
+  friend bool operator==(const TimelineEdit&, const TimelineEdit&) = default;
+};
+
+/// The edits up to the end of the gesture are one step of undo.
+struct GestureBegun {
+  std::string name{};
+  friend bool operator==(const GestureBegun&, const GestureBegun&) = default;
+};
+struct GestureEnded {
+  friend bool operator==(const GestureEnded&, const GestureEnded&) = default;
+};
+struct Undone {
+  friend bool operator==(const Undone&, const Undone&) = default;
+};
+struct Redone {
+  friend bool operator==(const Redone&, const Redone&) = default;
+};
+
+/// What became different between two configurations of the layers.
+struct LayersChanged {
+  std::vector<LayerConfiguration::Entry> changed{};
+  std::vector<std::string> order{};  ///< of all, bottom first; empty: as before
+  std::optional<BackgroundImage> image{};
+  bool is_empty() const { return changed.empty() && order.empty() && !image; }
+  friend bool operator==(const LayersChanged&, const LayersChanged&) = default;
+};
+LayersChanged difference(const LayerConfiguration& before, const LayerConfiguration& after);
+void apply(const LayersChanged& change, LayerConfiguration& configuration);
+
+struct SettingsChanged {
+  ComputationSettings settings{};
+  friend bool operator==(const SettingsChanged&, const SettingsChanged&) = default;
+};
+
+/// The view came to rest.
+struct ViewChanged {
+  Box2 visible{};  ///< what was to be seen, document units
+  friend bool operator==(const ViewChanged&, const ViewChanged&) = default;
+};
+
+/// Words for whoever watches, until others come; empty: none.
+struct Captioned {
+  std::string text{};
+  friend bool operator==(const Captioned&, const Captioned&) = default;
+};
+
+using TimelineEntry = std::variant<TimelineEdit, GestureBegun, GestureEnded, Undone, Redone, LayersChanged,
+                                   SettingsChanged, ViewChanged, Captioned>;
+
+/// Whether the entry is about samples and balls.
+bool changes_document(const TimelineEntry& entry);
+/// Whether the entry can change what is on the picture.
+bool is_visible(const TimelineEntry& entry);
+
+class Timeline {
+ public:
+  Timeline();
+
+  /// Forgets everything: the document is the data now.
+  void restart(std::shared_ptr<const SampleData> data);
+  /// The same with what is known to have happened since.
+  void restart(std::shared_ptr<const SampleData> data, std::vector<TimelineEntry> entries);
+  const std::shared_ptr<const SampleData>& data() const { return data_; }
+  std::span<const TimelineEntry> entries() const { return entries_; }
+  /// So many entries, from the first, will not change any more.
+  std::size_t settled() const { return gesture_at_ ? *gesture_at_ : entries_.size(); }
+  /// Grows with each `restart`.
+  std::uint64_t generation() const { return generation_; }
+
+  /// `document` is the one the delta was applied to. Large edits that continue the one before within a gesture are
+  /// merged with it, so that dragging a million samples does not fill the memory.
+  void note_edit(const Document& document, const DocumentDelta& delta, const std::string& name, bool continues);
+  void note_gesture_begun(const std::string& name);
+  /// A gesture without edits leaves no trace.
+  void note_gesture_ended();
+  void note(TimelineEntry entry) { entries_.push_back(std::move(entry)); }
+
+ private:
+  std::shared_ptr<const SampleData> data_;
+  std::vector<TimelineEntry> entries_;
+  std::optional<std::size_t> gesture_at_;  // where the open gesture began
+  std::uint64_t generation_ = 0;
+};
+
+/// The document and its history, brought to life from a timeline. Entries come from files and are not trusted: one
+/// that makes no sense is an error, and nothing of it is applied.
+class DocumentReplay {
+ public:
+  using Listener = std::function<void(const DocumentDelta&)>;
+  /// Revisions and ids go on from those of `before`. The listener hears of every change.
+  explicit DocumentReplay(const Document& before = {}, Listener listener = {})
+      : document_(before.successor()), listener_(std::move(listener)) {}
+
+  Expected<void> begin(const SampleData& data);
+  /// Entries that are not about the document change nothing.
+  Expected<void> apply(const TimelineEntry& entry);
+  /// Ends a gesture that was left open.
+  void finish();
+
+  const Document& document() const { return document_; }
+  const History& history() const { return history_; }
+  Document take_document() && { return std::move(document_); }
+  History take_history() && { return std::move(history_); }
+
+ private:
+  Expected<DocumentDelta> delta_of(const TimelineEdit& edit) const;
+  Expected<void> apply_edit(const TimelineEdit& edit);
+  void change(const DocumentDelta& delta);
+
+  Document document_;
+  History history_;
+  Listener listener_;
+};
+
+}  // namespace mes

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/json_layers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+using nlohmann::json;
+
+std::string hexadecimal(Rgb color) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02X%02X%02X", color.r, color.g, color.b);
+  return text.data();
+}
+
+json to_json(const LayerStyle& style) {
+  json out = {{"color", hexadecimal(style.color)}, {"opacity", style.opacity}, {"point_size", style.point_size_px},
+              {"line_width", style.line_width_px}, {"dashed", style.dashed},   {"flat", style.flat}};
+  if (!style.color_map.empty()) out["color_map"] = style.color_map;
+  if (style.range_locked) out["range_locked"] = true;
+  if (style.range_low != 0.0 || style.range_high != 1.0) out["range"] = {style.range_low, style.range_high};
+  return out;
+}
+
+/// Reads one object; the first thing of the wrong kind is the fault.
+class Reader {
+ public:
+  Reader(const json& object, std::string where, std::string& fault)
+      : object_(object), where_(std::move(where)), fault_(fault) {
+    if (!object.is_object()) complain("not an object");
+  }
+
+  const json* find(const char* key) const {
+    if (!object_.is_object()) return nullptr;
+    const auto found = object_.find(key);
+    return found == object_.end() ? nullptr : &*found;
+  }
+  void number(const char* key, double low, double high, double& out) {
+    if (const json* value = find(key)) to_number(*value, key, low, high, out);
+  }
+  void to_number(const json& value, const char* key, double low, double high, double& out) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      complain(std::string("\"") + key + "\" is not a number");
+    else
+      out = std::clamp(value.get<double>(), low, high);
+  }
+  void flag(const char* key, bool& out) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_boolean())
+      complain(std::string("\"") + key + "\" is neither true nor false");
+    else
+      out = value->get<bool>();
+  }
+  void text(const char* key, std::string& out) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_string())
+      complain(std::string("\"") + key + "\" is not a text");
+    else
+      out = value->get<std::string>();
+  }
+  void numbers(const char* key, double& first, double& second) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_array() || value->size() != 2) {
+      complain(std::string("\"") + key + "\" is not two numbers");
+      return;
+    }
+    constexpr double kAny = 1e300;
+    to_number((*value)[0], key, -kAny, kAny, first);
+    to_number((*value)[1], key, -kAny, kAny, second);
+  }
+  void color(const char* key, Rgb& out) {
+    std::string word = hexadecimal(out);
+    text(key, word);
+    unsigned value = 0;
+    int end = 0;
+    if (word.size() != 7 || std::sscanf(word.c_str(), "#%6x%n", &value, &end) != 1 || end != 7)
+      complain("a colour is #RRGGBB, not " + in_quotes(word));
+    else
+      out = {static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>((value >> 8U) & 0xffU),
+             static_cast<std::uint8_t>(value & 0xffU)};
+  }
+  void complain(const std::string& what) {
+    if (fault_.empty()) fault_ = where_ + ": " + what;
+  }
+
+ private:
+  const json& object_;
+  std::string where_;
+  std::string& fault_;
+};
+
+LayerStyle style_from(const json& object, const std::string& where, std::string& fault) {
+  LayerStyle out;
+  Reader reader(object, where, fault);
+  reader.color("color", out.color);
+  reader.number("opacity", 0.0, 1.0, out.opacity);
+  reader.number("point_size", 0.5, 64.0, out.point_size_px);
+  reader.number("line_width", 0.1, 64.0, out.line_width_px);
+  reader.flag("dashed", out.dashed);
+  reader.flag("flat", out.flat);
+  reader.text("color_map", out.color_map);
+  reader.flag("range_locked", out.range_locked);
+  reader.numbers("range", out.range_low, out.range_high);
+  out.range_high = std::max(out.range_low, out.range_high);
+  return out;
+}
+
+}  // namespace
+
+json to_json(const LayerConfiguration& configuration) {
+  json layers = json::array();
+  for (const LayerConfiguration::Entry& entry : configuration.layers)
+    layers.push_back({{"layer", entry.layer}, {"visible", entry.visible}, {"style", to_json(entry.style)}});
+  json out = {{"layers", std::move(layers)}};
+  if (const BackgroundImage& image = configuration.image; image != BackgroundImage{})
+    out["image"] = {{"file", image.file}, {"center", {image.center.x, image.center.y}}, {"width", image.width}};
+  return out;
+}
+
+Expected<LayerConfiguration> layer_configuration_from(const json& value) {
+  LayerConfiguration out;
+  std::string fault;
+  Reader reader(value, "the layers", fault);
+  if (const json* layers = reader.find("layers"); layers != nullptr && layers->is_array()) {
+    for (const json& object : *layers) {
+      LayerConfiguration::Entry& entry = out.layers.emplace_back();
+      Reader part(object, "layer " + std::to_string(out.layers.size()), fault);
+      part.text("layer", entry.layer);
+      part.flag("visible", entry.visible);
+      if (const json* style = part.find("style")) entry.style = style_from(*style, "layer " + entry.layer, fault);
+      if (!fault.empty()) break;
+    }
+  } else if (layers != nullptr) {
+    reader.complain("\"layers\" is not a list");
+  }
+  if (const json* image = reader.find("image")) {
+    Reader part(*image, "the traced picture", fault);
+    part.text("file", out.image.file);
+    part.numbers("center", out.image.center.x, out.image.center.y);
+    part.number("width", 0.0, 1e300, out.image.width);
+  }
+  if (!fault.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sessions: the data, everything that happened to them, and how they are looked at, as JSON.
+//
+// A session file is one JSON object. A journal, for recovery after a crash, is a session without timeline on its
+// first line and an entry of the timeline on each line after it; its last line may be torn.
+//
+// What it guarantees:
+//  1. What is written reads back equal, every double bit for bit; equal sessions give equal bytes.
+//  2. Keys and kinds of entries that are not known are skipped, so that a later version's files can be opened.
+//  3. Anything else that makes no sense is an error that says where; nothing crashes, and no more memory is used than
+//     the text itself calls for.
+//
+// Smallest use:
+//     auto session = read_session(text, "a.json");
+//     DocumentReplay replay;
+//     auto done = replay_session(*session, replay);
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/base/error.h"
+#include "core/document/timeline.h"
+
+namespace mes {
+
+struct Session {
+  std::string title{};  ///< as in the window's title, without the file
+  std::shared_ptr<const SampleData> data = std::make_shared<const SampleData>();
+  std::vector<TimelineEntry> entries{};
+  LayerConfiguration layers{};  ///< now; no layers: as at the start of the program
+  ComputationSettings settings{};
+  Box2 view{};  ///< what is to be seen, document units; empty: everything
+};
+
+std::string write_session(const Session& session);
+/// Error: `bad_input` with file, and line and column if it is no JSON.
+Expected<Session> read_session(std::string_view text, const std::string& file);
+/// Whether text is meant to be a session, from how it begins.
+bool looks_like_session(std::string_view text);
+
+/// Brings the document of the session to its last state. Error: `bad_input`, naming the entry.
+Expected<void> replay_session(const Session& session, DocumentReplay& replay, const std::string& file);
+
+/// One line of a journal, with its end.
+std::string write_journal_head(const Session& session);
+std::string write_journal_line(const TimelineEntry& entry);
+/// Says that a file holds everything up to here.
+std::string write_journal_saved();
+struct Journaled {
+  Session session;                ///< with layers, settings and view as they were last
+  std::size_t unsaved_edits = 0;  ///< entries since the last save that changed the document
+  bool is_torn = false;           ///< ends within a line, as after a crash
+  std::string complaint;          ///< about the line at which reading ended early; empty: all was read
+};
+/// Reads as far as it makes sense. Error: the first line does not.
+Expected<Journaled> read_journal(std::string_view text, const std::string& file);
+
+}  // namespace mes

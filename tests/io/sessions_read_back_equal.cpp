@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "core/base/rng.h"
+#include "core/io/format.h"
+#include "core/io/session.h"
+
+using namespace mes;
+
+namespace {
+
+Session sample_session() {
+  Session session;
+  session.title = "Elephant \"1\"";
+  session.data = std::make_shared<const SampleData>(
+      SampleData{{{0.1, 1e-300}, {1.0 / 3.0, -2}, {3, 1e300}}, {{true, {0, 1, 2}}, {false, {2}}}, {{{1, 2}, 0.3}}});
+  LayerStyle style;
+  style.color = {1, 2, 3};
+  style.color_map = "viridis";
+  style.range_locked = true;
+  style.range_low = -0.1;
+  session.layers = {{{"points", true, style}, {"curve", false, {}}}, {"traced.png", {0.5, 0.25}, 3}};
+  session.settings.precision = Precision::exact;
+  session.settings[Parameter::medial_sampling_angle] = 171.7;
+  session.view.add(Vec2{-0.1, 0.2});
+  session.view.add(Vec2{5, 6});
+  session.entries = {
+      GestureBegun{"Move\nsamples"},
+      TimelineEdit{.moved = {{0, {0.7, 0.1}}, {2, {5, 1e-17}}}},
+      TimelineEdit{.moved = {{0, {0.8, 0.1}}, {2, {6, 1e-17}}}},
+      GestureEnded{},
+      TimelineEdit{
+          .name = "Smooth, 3 steps", .moved = {{1, {2, 2}}}, .inserted = {{9, 9}}, .curve = {{{true, {0, 1, 2, 3}}}}},
+      Undone{},
+      Redone{},
+      TimelineEdit{.name = "Delete", .removed = {1}, .removed_balls = {0}},
+      TimelineEdit{.name = "Ball", .inserted_balls = {{{1, 1}, 0}}},
+      TimelineEdit{.name = "Radius", .continues = true, .changed_balls = {{1, {{1, 1}, 0.1}}}},
+      LayersChanged{{{"curve", true, style}}, {"curve", "points"}, BackgroundImage{"a.png", {1, 2}, 3}},
+      LayersChanged{{{"curve", true, {}}}, {}, BackgroundImage{}},
+      SettingsChanged{session.settings},
+      ViewChanged{session.view},
+      Captioned{"Now \xc3\xa4 the axis"}};
+  return session;
+}
+
+bool equal(const Session& a, const Session& b) {
+  return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
+         a.data->balls == b.data->balls && a.entries == b.entries && a.layers == b.layers &&
+         a.settings == b.settings && a.view == b.view;
+}
+
+}  // namespace
+
+TEST_CASE("a session reads back equal, and equal sessions are equal bytes") {
+  const Session session = sample_session();
+  const std::string text = write_session(session);
+  CHECK(looks_like_session(text));
+  const auto read = read_session(text, "a.json");
+  REQUIRE(read);
+  CHECK(equal(*read, session));
+  CHECK(write_session(*read) == text);
+  const auto empty = read_session(write_session({}), "empty.json");
+  REQUIRE(empty);
+  CHECK(equal(*empty, {}));
+}
+
+TEST_CASE("a session is a source of samples and balls: those of its last state") {
+  const auto file = read_sample_bytes(write_session(sample_session()), "a.json");
+  REQUIRE(file);
+  CHECK(file->format == "session");
+  CHECK(file->data.positions == std::vector<Vec2>{{0.8, 0.1}, {6, 1e-17}, {9, 9}});
+  REQUIRE(file->data.contours.size() == 1);
+  CHECK(file->data.contours[0].points == std::vector<std::uint32_t>{0, 1, 2});
+  REQUIRE(file->data.balls.size() == 1);
+  CHECK(file->data.balls[0].radius == 0.1);
+}
+
+TEST_CASE("what is not known is skipped, what makes no sense is refused") {
+  const auto read = [](const std::string& text) { return read_session(text, "a.json"); };
+  const auto later = read(R"({"mesecina":"session","schema":1,"of the future":[1],
+    "data":{"samples":[1,2],"colours":7},
+    "settings":{"precision":"quantum","parameters":{"medial-sampling-angle":1e9,"union-shortcut":0.2,"x":1}},
+    "timeline":[{"teleport":3},{"edit":{"insert":[3,4],"why":"because"}}]})");
+  REQUIRE(later);
+  CHECK(later->entries.size() == 1);
+  CHECK(later->settings.precision == Precision::fast);
+  CHECK(later->settings[Parameter::medial_sampling_angle] == 179.9);
+  CHECK(later->settings[Parameter::union_shortcut] == 0.0);
+  for (const char* text :
+       {"", "{}", "[]", "null", R"({"mesecina":"session"})", R"({"mesecina":"session","schema":2})",
+        R"({"mesecina":"session","schema":1,"data":{"samples":[1]}})",
+        R"({"mesecina":"session","schema":1,"data":{"samples":[1,"2"]}})",
+        R"({"mesecina":"session","schema":1,"data":{"samples":{"0":1}}})",
+        R"({"mesecina":"session","schema":1,"data":[]})", R"({"mesecina":"session","schema":1,"view":[1,2,3]})",
+        R"({"mesecina":"session","schema":1,"timeline":{}})", R"({"mesecina":"session","schema":1,"timeline":[4]})",
+        R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[-1]}}]})",
+        R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[4294967296]}}]})",
+        R"({"mesecina":"session","schema":1,"timeline":[{"begin":7}]})"}) {
+    INFO(text);
+    const auto refused = read(text);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::bad_input);
+    CHECK(refused.error().message().find('\n') == std::string::npos);
+  }
+  // Well formed, but of samples that are not there.
+  const auto impossible =
+      read_sample_bytes(R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[0]}}]})", "a.json");
+  REQUIRE_FALSE(impossible);
+  CHECK(impossible.error().message().find("entry 1") != std::string::npos);
+}
+
+TEST_CASE("a journal is read up to where it was torn") {
+  const Session session = sample_session();
+  std::string text = write_journal_head(session);
+  const std::size_t head = text.size();
+  std::vector<std::size_t> ends;
+  for (const TimelineEntry& entry : session.entries) {
+    text += write_journal_line(entry);
+    ends.push_back(text.size());
+  }
+  for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+    const auto journal = read_journal(std::string_view(text).substr(0, cut), "x.journal");
+    REQUIRE(journal.has_value() == (cut >= head));
+    if (!journal) continue;
+    const auto whole =
+        static_cast<std::size_t>(std::ranges::count_if(ends, [cut](std::size_t end) { return end <= cut; }));
+    CHECK(journal->session.entries.size() == whole);
+    CHECK(journal->is_torn == (text[cut - 1] != '\n'));
+    CHECK(journal->complaint.empty());
+  }
+  const auto all = read_journal(text, "x.journal");
+  CHECK(all->unsaved_edits == 8);
+  CHECK(all->session.layers.layers.front().layer == "curve");
+  CHECK(all->session.layers.image.file.empty());
+  CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);
+  CHECK(read_journal(text + write_journal_saved() + write_journal_line(Undone{}), "x.journal")->unsaved_edits == 1);
+  const auto spoiled =
+      read_journal(text + "{\"edit\":{\"remove\":[77]}}\n" + write_journal_line(Undone{}), "x.journal");
+  REQUIRE(spoiled);
+  CHECK(spoiled->session.entries.size() == session.entries.size());
+  CHECK_FALSE(spoiled->complaint.empty());
+}
+
+TEST_CASE("no bytes make the reader of sessions crash or hang") {
+  const std::string good = write_session(sample_session());
+  Rng random(5);
+  for (int i = 0; i < 4000; ++i) {
+    std::string text = good;
+    for (std::uint64_t n = 1 + random.below(6); n > 0; --n) {
+      const auto at = static_cast<std::size_t>(random.below(text.size()));
+      switch (random.below(4)) {
+        case 0: text[at] = static_cast<char>(random.below(256)); break;
+        case 1: text.erase(at, static_cast<std::size_t>(random.below(40))); break;
+        case 2: text.insert(at, text.substr(static_cast<std::size_t>(random.below(text.size())), 30)); break;
+        default: text[at] = "0123456789[]{},:\"-e."[random.below(20)];
+      }
+      if (text.empty()) text = "{";
+    }
+    const auto session = read_session(text, "fuzz");
+    if (!session) {
+      CHECK(session.error().code == ErrorCode::bad_input);
+      continue;
+    }
+    DocumentReplay replay;
+    static_cast<void>(replay_session(*session, replay, "fuzz"));
+  }
+}
