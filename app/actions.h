@@ -46,6 +46,7 @@ enum class ActionId : std::uint8_t {
   toggle_panels,
   toggle_layers,
   toggle_statistics,
+  toggle_legend,
   cancel_computation,
   resume_computation,
   precision_naive,  // the four in the order of `Precision`

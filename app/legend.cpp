@@ -50,7 +50,7 @@ std::string number_text(double value, double step) {
 
 /// 1, 2 or 5 times a power of ten, so that some five steps make the width.
 double round_step(double width) {
-  const double raw = width / 4.0;
+  const double raw = width / 5.0;
   const double power = std::pow(10.0, std::floor(std::log10(raw) + kRounding));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= (1.0 - kRounding) * raw) return factor * power;

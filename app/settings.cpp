@@ -49,6 +49,7 @@ Settings from_json(const json& object) {
   out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
   out.show_layers = flag_in(object, "show_layers", out.show_layers);
   out.show_statistics = flag_in(object, "show_statistics", out.show_statistics);
+  out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.last_folder = text_in(object, "last_folder");
   return out;
 }
@@ -113,6 +114,7 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
                        {"window_height", settings.window_height},
                        {"show_layers", settings.show_layers},
                        {"show_statistics", settings.show_statistics},
+                       {"show_legend", settings.show_legend},
                        {"last_folder", settings.last_folder}};
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
   return write_file_atomically(path, object.dump(2, ' ', false, json::error_handler_t::replace) + '\n');

@@ -107,6 +107,7 @@ void App::bind_view_actions() {
   bind_toggle(ActionId::toggle_panels, show_panels_);
   bind_toggle(ActionId::toggle_layers, settings_.show_layers);
   bind_toggle(ActionId::toggle_statistics, settings_.show_statistics);
+  bind_toggle(ActionId::toggle_legend, settings_.show_legend);
   actions_.bind(ActionId::cancel_computation,
                 {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
   actions_.bind(ActionId::resume_computation,

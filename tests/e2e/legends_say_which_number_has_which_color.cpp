@@ -35,10 +35,10 @@ using Words = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("ticks are the ends and round numbers between") {
-  CHECK(labels_of({0.0, 10.0}) == Words{"0", "5", "10"});
+  CHECK(labels_of({0.0, 10.0}) == Words{"0", "2", "4", "6", "8", "10"});
   CHECK(labels_of({1.53, 33.48}) == Words{"1.5", "10", "20", "30", "33.5"});
   CHECK(labels_of({-1.0, 1.0}) == Words{"-1", "-0.5", "0", "0.5", "1"});
-  CHECK(labels_of({0.0, 1e-9}) == Words{"0", "5e-10", "1e-09"});
+  CHECK(labels_of({0.0, 1e-9}) == Words{"0", "2e-10", "4e-10", "6e-10", "8e-10", "1e-09"});
   CHECK(labels_of({1e6, 1e6 + 1.0}).front() == "1000000");
   CHECK(labels_of({1e6, 1e6 + 1.0}).back() == "1000001");
   CHECK(labels_of({7.25, 7.25}) == Words{"7.25"});
