@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "render/picture_file.h"
 
 namespace mes::render {
 namespace {
@@ -147,6 +148,7 @@ Scene::~Scene() {
   for (const GroupTarget& group : groups_)
     if (group.id != FramebufferId{}) device_.destroy_framebuffer(group.id);
   if (map_texture_ != TextureId{}) device_.destroy_texture(map_texture_);
+  clear_picture();
 }
 
 void Scene::apply(const FramePatch& patch) {
@@ -169,6 +171,28 @@ void Scene::apply(const FramePatch& patch) {
 void Scene::forget(LayerIndex layer) {
   if (layer >= layers_.size()) return;
   for (InstanceBuffer& buffer : layers_[layer].kinds) buffer.clear();
+}
+
+void Scene::set_picture(LayerIndex layer, const Image& image) {
+  clear_picture();
+  const bool fits = std::max(image.width, image.height) <= device_.max_framebuffer_size();
+  const Image smaller = fits ? Image{} : reduced(image, device_.max_framebuffer_size());
+  const Image& shown = fits ? image : smaller;
+  std::vector<std::uint8_t> premultiplied_rgba = shown.rgba;
+  for (std::size_t i = 0; i < premultiplied_rgba.size(); i += 4) {
+    const unsigned alpha = premultiplied_rgba[i + 3];
+    for (std::size_t channel = i; channel < i + 3; ++channel)
+      premultiplied_rgba[channel] = static_cast<std::uint8_t>((premultiplied_rgba[channel] * alpha + 127) / 255);
+  }
+  picture_ = device_.create_texture(shown.width, shown.height, premultiplied_rgba, /*smooth=*/true);
+  picture_layer_ = layer;
+  picture_aspect_ = static_cast<double>(image.height) / image.width;
+}
+
+void Scene::clear_picture() {
+  if (picture_ != TextureId{}) device_.destroy_texture(picture_);
+  picture_ = {};
+  picture_layer_ = kNoSlot;
 }
 
 void Scene::set_overlay(std::uint32_t slot, const Overlay& overlay) {
@@ -241,6 +265,7 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
                   .target = options.target,
                   .area = {options.left, options.bottom, camera.width(), camera.height()}};
   for (const LayerView& view : views) {
+    if (view.layer == picture_layer_) draw_picture(pass, view.style);
     if (view.layer >= layers_.size()) continue;
     Pass of_view = pass;
     of_view.every = std::max(1U, view.every);
@@ -252,6 +277,36 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
   if (!options.overlays) return;
   for (const OverlaySet& set : overlays_) {
     if (set.buffer.count() > 0) draw_layer(pass, std::span(&set.buffer, 1), {.style = set.style, .ring = set.ring});
+  }
+}
+
+void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
+  const double opacity = static_cast<double>(premultiplied({}, style.opacity)[3]);
+  if (picture_place_.width > 0.0 && std::isfinite(picture_place_.width) && opacity > 0.0) {
+    const Camera& camera = pass.camera;
+    const double scale = 1.0 / camera.units_per_pixel();
+    const auto from_center = [scale](double value, double center, double low) {
+      return ((value - center) - low) * scale;
+    };
+    const Vec2 middle{from_center(picture_place_.center.x, camera.center().x, camera.center_low().x),
+                      from_center(picture_place_.center.y, camera.center().y, camera.center_low().y)};
+    const Vec2 half{0.5 * picture_place_.width * scale, 0.5 * picture_place_.width * picture_aspect_ * scale};
+    // Cut to a little more than the view: what is left are small numbers, whatever the zoom.
+    const Vec2 view{0.5 * camera.width() + 2.0, 0.5 * camera.height() + 2.0};
+    const Vec2 low{std::max(middle.x - half.x, -view.x), std::max(middle.y - half.y, -view.y)};
+    const Vec2 high{std::min(middle.x + half.x, view.x), std::min(middle.y + half.y, view.y)};
+    // False also for what is not a number.
+    if (!(low.x < high.x && low.y < high.y)) return;
+    const auto across = [&](double x) { return static_cast<float>(0.5 + 0.5 * (x - middle.x) / half.x); };
+    const auto down = [&](double y) { return static_cast<float>(0.5 - 0.5 * (y - middle.y) / half.y); };
+    device_.draw_picture({.target = pass.target,
+                          .area = pass.area,
+                          .texture = picture_,
+                          .place = {static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(high.x),
+                                    static_cast<float>(high.y)},
+                          .part = {across(low.x), down(low.y), across(high.x), down(high.y)},
+                          .opacity = static_cast<float>(opacity)});
+    ++draw_calls_;
   }
 }
 

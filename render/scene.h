@@ -34,6 +34,7 @@
 #include "render/camera.h"
 #include "render/colormap.h"
 #include "render/device.h"
+#include "render/image.h"
 #include "render/instance_buffer.h"
 
 namespace mes::render {
@@ -60,6 +61,13 @@ struct DrawOptions {
   bool overlays = true;
 };
 
+/// Where a picture lies, in document units: its height follows from its pixels.
+struct PicturePlace {
+  Vec2 center{};
+  double width = 0.0;  ///< not above 0: it is not drawn
+  friend bool operator==(const PicturePlace&, const PicturePlace&) = default;
+};
+
 /// A few primitives of the app above all layers: selection, hovered sample, rubber band.
 struct Overlay {
   PrimitiveKind kind = PrimitiveKind::point;
@@ -80,6 +88,12 @@ class Scene {
   void apply(const FramePatch& patch);
   /// Forgets all instances of a layer and gives its memory back.
   void forget(LayerIndex layer);
+
+  /// Draws a picture in the place of a layer, with the opacity of its style; uploaded now, at most once. Its edges
+  /// lie where doubles say, at any zoom. Throws std::bad_alloc.
+  void set_picture(LayerIndex layer, const Image& image);
+  void place_picture(const PicturePlace& place) { picture_place_ = place; }
+  void clear_picture();
 
   /// Overlays are drawn in the order of their slots, a small number the app chooses. Cheap enough for every frame.
   void set_overlay(std::uint32_t slot, const Overlay& overlay);
@@ -125,6 +139,7 @@ class Scene {
   void draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look);
   void draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
                  Blend blend);
+  void draw_picture(const Pass& pass, const LayerStyle& style);
   FramebufferId group_target(TargetFormat format, int width, int height);
   TextureId map_texture();
 
@@ -134,6 +149,10 @@ class Scene {
   DrawingFrame frame_;
   std::vector<ColorMap> maps_ = builtin_color_maps();
   TextureId map_texture_{};
+  TextureId picture_{};
+  LayerIndex picture_layer_ = kNoSlot;
+  double picture_aspect_ = 1.0;  // height by width
+  PicturePlace picture_place_;
   std::array<GroupTarget, 2> groups_;  // by TargetFormat
   std::uint64_t bytes_uploaded_ = 0;
   std::uint32_t draw_calls_ = 0;
