@@ -197,8 +197,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   std::optional<fs::path> out;
   if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
-  const char* const saving = extension_ == ".wpoff" ? "Save balls as" : "Save samples as";
-  ImGui::TextUnformatted(is_saving_ ? saving : "Open samples or balls");
+  ImGui::TextUnformatted(is_saving_ ? "Save as" : "Open a session, samples or balls");
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
@@ -219,8 +218,11 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
       accepted_ = true;
     if (!is_saving_) {
       ImGui::Checkbox("All files", &all_files_);
-      ImGui::SameLine();
+    } else {
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextDisabled(".json everything   .poff samples   .wpoff balls");
     }
+    ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";
     const float buttons = 2 * 90 * unit + 8 * unit;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - buttons);

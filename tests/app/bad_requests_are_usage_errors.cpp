@@ -43,7 +43,7 @@ TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"export", kDude, "--layer", "medial-axis", "--format", "wpoff"}, {"no disks"});
   require_usage_error({"render", kDude, "-o", "a.svg"}, {"not available in this build"});
   require_usage_error({"render", kDude, "-o", "a.jpeg"}, {".png"});
-  for (const char* command : {"evolve", "play", "demo"}) {
+  for (const char* command : {"evolve", "demo"}) {
     require_usage_error({command}, {"not available"});
     require_usage_error({command, kDude, "--steps", "5"}, {"not available"});
   }
@@ -97,4 +97,24 @@ TEST_CASE("help and version are results") {
     CHECK(help.err.empty());
     CHECK_THAT(help.out, Catch::Contains("Usage:"));
   }
+}
+
+TEST_CASE("a style that makes no sense is refused with what there is") {
+  const auto refused = [](const std::string& style, const std::vector<std::string>& says) {
+    require_usage_error(
+        {"render", kDude, "--layers", "curve,curve-normals,points", "--set-style", style, "-o", "a.png"}, says);
+  };
+  refused("curve:color-map=virdis", {"unknown colour map \"virdis\"", "viridis"});
+  refused("curve-normals:color-map=viridis", {"curve-normals has no scalar"});
+  refused("curve", {"LAYER:KEY=VALUE"});
+  refused("curve:", {"KEY=VALUE"});
+  refused("curve:flat", {"KEY=VALUE"});
+  refused("curve:opacity=2", {"from 0 to 1"});
+  refused("curve:opacity=nan", {"from 0 to 1"});
+  refused("curve:color=red", {"RRGGBB"});
+  refused("curve:flat=yes", {"on or off"});
+  refused("curve:colr=000000", {"unknown style key", "color"});
+  refused("curve:range=3:1", {"LOW:HIGH"});
+  refused("curv:flat=on", {"unknown layer", "curve"});
+  refused("voronoi:flat=on", {"voronoi, which is not drawn"});
 }
