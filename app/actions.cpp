@@ -294,6 +294,14 @@ std::vector<ActionDescriptor> make_table() {
        false,
        {}},
 
+      {Id::demo,
+       "demo",
+       "Demo",
+       "Play the paper's video, computed live; Esc ends it",
+       ActionGroup::help,
+       always,
+       false,
+       {}},
       {Id::help, "help", "Keys and gestures", "Show every key", ActionGroup::help, always, false, {"?", "F1"}},
   };
 }

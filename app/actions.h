@@ -57,6 +57,7 @@ enum class ActionId : std::uint8_t {
   precision_exact_roots,
   toggle_union_shortcut,
   toggle_pole_propagation,
+  demo,
   help,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;

@@ -124,6 +124,7 @@ float draw_menu_bar(const PanelContext& context) {
   }
   if (ImGui::BeginMenu("Help")) {
     action_item(context, ActionId::help);
+    action_item(context, ActionId::demo);
     ImGui::Separator();
     ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
     ImGui::EndMenu();

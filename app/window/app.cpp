@@ -56,6 +56,7 @@ App::~App() {
 
 double App::next_wait() const {
   const EngineStatus status = engine_.status();
+  if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (status.busy || files_.is_reading() || gui_.is_about_to_rest()) return kProgressInterval;
   return 0.0;
@@ -138,6 +139,7 @@ void App::frame() {
   show_first_ball();
   follow_demand();
   advance_animation();
+  advance_demo();
   engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.details == DetailsPage::statistics && show_panels_);
   fit_if_wanted();
@@ -186,6 +188,7 @@ void App::draw_panels() {
   if (settings_.show_legend)
     draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
                        screen.y - top - bottom - 2 * card_margin);
+  draw_caption({left + 0.5F * (screen.x - left - right), screen.y - bottom}, screen.x - left - right);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
   draw_help(context, &show_help_);

@@ -22,6 +22,7 @@
 #include "app/panels/layers_panel.h"
 #include "app/panels/panel_context.h"
 #include "app/panels/provenance_card.h"
+#include "app/player.h"
 #include "app/sample_shapes.h"
 #include "app/settings.h"
 #include "app/surroundings.h"
@@ -33,6 +34,19 @@
 #include "core/engine/engine.h"
 
 namespace mes {
+
+/// The demo while it is played in the window.
+struct LiveDemo {
+  Session session;
+  std::vector<PlayStep> steps;
+  std::size_t next = 0;
+  bool is_paused = false;
+  double not_before = 0.0;     ///< seconds; the next step waits until then, and for the picture
+  std::uint64_t document = 0;  ///< revision it left behind; another one means that somebody edits
+  std::string caption{};
+  LayerConfiguration layers_before{};
+  ComputationSettings settings_before{};
+};
 
 /// What it guarantees:
 ///  1. The thread that draws never waits for the engine or for a file being read.
@@ -102,6 +116,13 @@ class App final : private WindowListener {
   void recover(LeftWork work);
   std::filesystem::path browse_folder() const;
 
+  // app_demo.cpp
+  void start_demo();
+  void end_demo(bool restore);
+  void advance_demo();
+  Expected<void> perform(const TimelineEntry& entry);
+  void draw_caption(ImVec2 middle, float width);
+
   // app.cpp
   void frame();
   void draw_panels();
@@ -132,6 +153,7 @@ class App final : private WindowListener {
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
   ParameterAnimation animation_;
+  std::optional<LiveDemo> demo_;
   double next_animation_step_ = 0.0;  // seconds
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;

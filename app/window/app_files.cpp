@@ -40,6 +40,7 @@ void App::open_shape(const SampleShape& shape) {
 void App::take_read_file() {
   const auto outcome = files_.poll();
   if (!outcome) return;
+  if (!outcome->error) end_demo(true);
   frames_wanted_ = 3;
   if (outcome->error) {
     report(*outcome->error);
