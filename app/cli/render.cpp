@@ -9,6 +9,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "app/cli/bundle_request.h"
 #include "app/cli/computation.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
@@ -29,7 +30,8 @@ namespace {
 
 /// The request, understood.
 struct Picture {
-  std::vector<LayerIndex> layers;
+  std::vector<LayerIndex> layers;  // bottom first
+  std::vector<LayerStyle> styles;  // of all layers
   PictureSize size;
   std::optional<Box2> view;
   std::optional<Rgb> background;
@@ -51,13 +53,42 @@ Expected<void> check_picture_name(const std::string& file) {
   return usage_error("the name of the picture must end in .png, not " + in_quotes(extension));
 }
 
-Expected<Picture> understand(const RenderRequest& request) {
-  Picture picture;
-  auto layers = select_layers(request.layers);
+/// Layers and styles of a bundle; what it names that is not here is told.
+Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
+  const auto bundle = find_bundle(name_or_file);
+  if (!bundle) return std::unexpected(bundle.error());
+  std::size_t unknown = 0;
+  for (const LayerConfiguration::Entry& entry : bundle->layers.layers) {
+    const LayerIndex layer = find_layer(entry.layer);
+    if (layer == kNoSlot) {
+      ++unknown;
+      continue;
+    }
+    picture.styles[layer] = entry.style;
+    if (entry.visible && std::ranges::find(picture.layers, layer) == picture.layers.end())
+      picture.layers.push_back(layer);
+  }
+  if (unknown != 0)
+    say("bundle " + in_quotes(bundle->name) + ": " + std::to_string(unknown) +
+        (unknown == 1 ? " layer is" : " layers are") + " not available here");
+  return {};
+}
+
+Expected<void> take_layers(const std::string& ids, Picture& picture) {
+  auto layers = select_layers(ids);
   if (!layers) return std::unexpected(layers.error());
   picture.layers = std::move(*layers);
   // The stacking order is the registry's, whatever the order of the words.
   std::ranges::sort(picture.layers);
+  return {};
+}
+
+Expected<Picture> understand(const RenderRequest& request) {
+  Picture picture;
+  for (const LayerDescriptor& layer : layer_descriptors()) picture.styles.push_back(layer.style);
+  const auto taken =
+      request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
+  if (!taken) return std::unexpected(taken.error());
   const auto size = parse_size(request.size);
   if (!size) return std::unexpected(size.error());
   picture.size = *size;
@@ -97,7 +128,7 @@ std::vector<render::LayerView> views_of(const Picture& picture, const render::Ca
   constexpr double kSmallestDot = 1.5;
   std::vector<render::LayerView> views;
   for (const LayerIndex layer : picture.layers) {
-    LayerStyle style = layer_descriptors()[layer].style;
+    LayerStyle style = picture.styles[layer];
     if (layer_descriptors()[layer].id == "points" && samples.size() > 1) {
       const double spacing_px = typical_spacing(samples) / camera.units_per_pixel() / picture.scale;
       const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
