@@ -101,7 +101,6 @@ class CurrentBundle {
   /// The layers have just been saved under this name.
   void note_saved(std::string name, const LayerStack& layers);
   void note_renamed(std::string name) { name_ = std::move(name); }
-  void forget() { name_.clear(); }
   const std::string& name() const { return name_; }
   bool is_changed(const LayerStack& layers) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "app/bundles.h"
+#include "app/bundle_desk.h"
 #include "core/io/bundle_file.h"
 #include "tests/io/temporary_folder.h"
 
@@ -164,4 +164,42 @@ TEST_CASE("the starting bundles name layers that exist") {
       CHECK(find_layer(entry.layer) != kNoSlot);
     }
   }
+}
+
+TEST_CASE("what the window does to bundles is on disk at once and can be undone") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  const auto on_disk = [&] { return names(BundleStore(file).load({}).bundles); };
+  const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}, {.id = "curve"}};
+  LayerStack layers(descriptors);
+  BundleDesk desk(file, {}, layers);
+  CHECK_FALSE(desk.current());
+  CHECK_FALSE(desk.save(" "));
+  REQUIRE(desk.save("a"));
+  CHECK(desk.current() == 0U);
+  layers.set_visible(1, true);
+  CHECK(desk.is_changed());
+  REQUIRE(desk.save("b"));
+  CHECK(on_disk() == "a! b! ");
+  desk.choose(0);
+  CHECK_FALSE(layers.is_visible(1));
+  CHECK(desk.undo_offer().empty());
+  REQUIRE(desk.rename(0, "c"));
+  CHECK(desk.current() == 0U);
+  REQUIRE(desk.move(0, 1));
+  CHECK(desk.current() == 1U);
+  REQUIRE(desk.remove(0));
+  CHECK(on_disk() == "c! ");
+  CHECK(desk.undo_offer() == "Deleted \"b\"");
+  REQUIRE(desk.undo());
+  CHECK(on_disk() == "b! c! ");
+  REQUIRE(desk.export_to(folder / "one.json", 1));
+  REQUIRE(desk.export_to(folder / "all.json", {}));
+  REQUIRE(desk.remove(1));
+  CHECK(desk.import(folder / "one.json") == "Imported the bundle \"c\"");
+  CHECK(desk.current() == 1U);
+  CHECK(on_disk() == "b! c! ");
+  CHECK(desk.import(folder / "all.json") == "Imported 2 bundles");
+  CHECK(on_disk() == "b! c! ");
+  CHECK_FALSE(desk.import(folder / "none.json"));
 }
