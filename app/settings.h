@@ -22,6 +22,7 @@ struct Settings {
   int window_height = 800;
   bool show_layers = true;
   DetailsPage details = DetailsPage::none;
+  bool show_legend = true;  ///< of the colour maps in use
   std::string last_folder;  ///< of the file browser
 };
 

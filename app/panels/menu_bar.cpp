@@ -61,7 +61,7 @@ void view_menu(const PanelContext& context) {
     action_item(context, id);
   ImGui::Separator();
   for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters,
-                            ActionId::toggle_log, ActionId::toggle_panels})
+                            ActionId::toggle_log, ActionId::toggle_legend, ActionId::toggle_panels})
     action_item(context, id);
   ImGui::Separator();
   if (ImGui::BeginMenu("Interface size")) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/color_maps.h"
+#include "app/panels/canvas_legend.h"
 #include "app/panels/help.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/status_bar.h"
@@ -39,6 +41,9 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       canvas_(tool_context_),
       autosave_(default_autosave_folder(), [] { GlfwWindow::wake(); }) {
   if (!loaded.message.empty()) messages_.problem(loaded.message);
+  LoadedColorMaps maps = load_color_maps(assets_, user_color_map_folder());
+  picture_.set_color_maps(std::move(maps.maps));
+  if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
   bind_actions();
   window_->set_listener(this);
   open_first(options);
@@ -178,6 +183,9 @@ void App::draw_panels() {
   const float card_margin = 10 * unit;
   provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
+  if (settings_.show_legend)
+    draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
+                       screen.y - top - bottom - 2 * card_margin);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
   draw_help(context, &show_help_);

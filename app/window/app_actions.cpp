@@ -114,6 +114,7 @@ void App::bind_view_actions() {
   bind_page(ActionId::toggle_statistics, DetailsPage::statistics);
   bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
   bind_page(ActionId::toggle_log, DetailsPage::log);
+  bind_toggle(ActionId::toggle_legend, settings_.show_legend);
   actions_.bind(ActionId::cancel_computation,
                 {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
   actions_.bind(ActionId::resume_computation,
