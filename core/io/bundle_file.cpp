@@ -94,6 +94,7 @@ bool looks_like_bundles(std::string_view bytes) {
 bool is_bundle_file(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return false;
+  if (path.extension() == ".bnd") return true;
   std::string begin(256, '\0');
   std::ifstream stream(path, std::ios::binary);
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
@@ -103,6 +104,7 @@ bool is_bundle_file(const fs::path& path) {
 
 Expected<LoadedBundles> read_bundles(std::string_view bytes, const std::string& file,
                                      std::span<const std::string_view> layer_ids) {
+  if (!looks_like_bnd(bytes) && file.ends_with(".bnd")) return refuse("this is no file of bundles", file);
   auto out = looks_like_bnd(bytes) ? read_bnd(bytes, file, layer_ids) : read_json(bytes, file);
   if (out && out->bundles.empty()) return refuse("there is no bundle in it", file);
   return out;

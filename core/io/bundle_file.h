@@ -23,7 +23,7 @@ std::string write_bundles(std::span<const Bundle> bundles);
 
 /// Of the first few kilobytes: whether they begin a file of bundles of either kind.
 bool looks_like_bundles(std::string_view bytes);
-/// The same for a file; one that cannot be read is none.
+/// The same for a file, and true by the name alone for .bnd; one that cannot be read is none.
 bool is_bundle_file(const std::filesystem::path& path);
 
 /// JSON is recognised by its first key and BND by its token; unknown keys and unknown layers of JSON are let through,

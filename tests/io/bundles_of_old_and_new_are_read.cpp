@@ -255,6 +255,8 @@ TEST_CASE("files of bundles are told from other files") {
   CHECK_FALSE(is_bundle_file(folder.write("e", "")));
   CHECK_FALSE(is_bundle_file(folder.path()));
   CHECK_FALSE(is_bundle_file(folder / "none"));
+  CHECK(is_bundle_file(folder.write("f.bnd", "POFF")));
+  CHECK(read_bundle_file(folder / "f.bnd", kLayers).error().text == "this is no file of bundles");
   CHECK(read_bundle_file(folder / "none", kLayers).error().text == "there is no such file");
   CHECK(read_bundle_file(folder / "e", kLayers).error().text == "this is not JSON");
   CHECK(read_bundle_file(folder.path(), kLayers).error().text == "this is not a file");
