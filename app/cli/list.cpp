@@ -165,7 +165,7 @@ std::vector<Entry> bundles() {
     }
     out.push_back({printable(bundle.name),
                    printable(text),
-                   {{"name", bundle.name}, {"built_in", is_built_in}, {"layers", shown}}});
+                   {{"id", bundle.name}, {"built_in", is_built_in}, {"layers", shown}}});
   }
   return out;
 }

@@ -16,7 +16,10 @@ constexpr float kRowHeight = 24.0F;
 constexpr float kHeadHeight = 34.0F;
 
 void tell(const PanelContext& context, const Expected<void>& done) {
-  if (!done) context.messages.problem(done.error().message());
+  if (!done)
+    context.messages.problem(done.error().message());
+  else if (const std::string what = context.bundles.undo_offer(); !what.empty())
+    context.messages.remark(what);
   if (const std::string message = context.bundles.take_message(); !message.empty()) context.messages.problem(message);
 }
 
@@ -35,6 +38,13 @@ void menu_item(const PanelContext& context, ActionId id) {
   const std::string key = action.keys.empty() ? std::string() : std::string(action.keys.front());
   if (ImGui::MenuItem(name.c_str(), key.c_str(), false, context.actions.is_enabled(id))) context.actions.run(id);
   tooltip(context.gui, std::string(action.tooltip));
+}
+
+// Whether a key or a click has asked for the next popup, it opens where the eye is.
+void place_beside_panel(const PanelContext& context) {
+  const ImVec2 panel = ImGui::GetWindowPos();
+  const float gap = 8 * context.gui.unit();
+  ImGui::SetNextWindowPos({panel.x - gap, panel.y + gap}, ImGuiCond_Always, {1.0F, 0.0F});
 }
 
 bool begin_roomy_popup(const PanelContext& context, const char* id) {
@@ -111,6 +121,7 @@ void BundlesPanel::draw_menu(const PanelContext& context) {
   if (ImGui::MenuItem("Add the starting set")) tell(context, context.bundles.add_starting_set());
   tooltip(context.gui, "Bring back the bundles that come with the program, at the end, where they are missing");
   menu_item(context, ActionId::undo_bundles);
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   end_roomy_popup();
 }
 
@@ -119,6 +130,7 @@ void BundlesPanel::draw_save_popup(const PanelContext& context) {
     name_.clear();
     ImGui::OpenPopup("save-bundle");
   }
+  place_beside_panel(context);
   if (!begin_roomy_popup(context, "save-bundle")) return;
   ImGui::TextUnformatted("Save the layers as they are under a name");
   const auto checked = checked_bundle_name(name_);
@@ -149,6 +161,7 @@ void BundlesPanel::draw_context_menu(const PanelContext& context, std::size_t in
     if (ImGui::MenuItem("Export...")) context.export_bundles(index);
     ImGui::Separator();
     if (ImGui::MenuItem("Delete")) tell(context, context.bundles.remove(index));
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
@@ -162,6 +175,7 @@ void BundlesPanel::draw_rename_popup(const PanelContext& context) {
     ImGui::OpenPopup("rename-bundle");
   }
   asks_rename_.reset();
+  place_beside_panel(context);
   if (!begin_roomy_popup(context, "rename-bundle")) return;
   ImGui::TextUnformatted("Rename the bundle");
   if (renamed_ < bundles.size() && name_field(context, name_, "Rename")) {
