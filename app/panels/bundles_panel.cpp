@@ -2,6 +2,7 @@
 #include "app/panels/bundles_panel.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/panels/icons.h"
 #include "app/window/theme.h"
@@ -56,6 +57,10 @@ bool begin_roomy_popup(const PanelContext& context, const char* id) {
   return is_open;
 }
 
+void close_on_escape() {
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+}
+
 void end_roomy_popup() {
   ImGui::EndPopup();
   ImGui::PopStyleVar(2);
@@ -72,7 +77,7 @@ bool name_field(const PanelContext& context, std::string& name, const char* verb
   ImGui::BeginDisabled(!is_good);
   const bool pressed = ImGui::Button(verb, {90 * unit, 0});
   ImGui::EndDisabled();
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  close_on_escape();
   return is_good && (entered || pressed);
 }
 
@@ -121,7 +126,7 @@ void BundlesPanel::draw_menu(const PanelContext& context) {
   if (ImGui::MenuItem("Add the starting set")) tell(context, context.bundles.add_starting_set());
   tooltip(context.gui, "Bring back the bundles that come with the program, at the end, where they are missing");
   menu_item(context, ActionId::undo_bundles);
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  close_on_escape();
   end_roomy_popup();
 }
 
@@ -161,7 +166,7 @@ void BundlesPanel::draw_context_menu(const PanelContext& context, std::size_t in
     if (ImGui::MenuItem("Export...")) context.export_bundles(index);
     ImGui::Separator();
     if (ImGui::MenuItem("Delete")) tell(context, context.bundles.remove(index));
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+    close_on_escape();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
