@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/film.h"
 #include "app/cli/interruption.h"
 #include "core/base/error.h"
 
@@ -50,8 +51,14 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
 
 struct PlayRequest {
   std::string session;
+  FilmRequest film;
 };
 Expected<void> run_play(const PlayRequest& request, Interruption& interruption);
+
+struct DemoRequest {
+  FilmRequest film;
+};
+Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
 
 struct ListRequest {
   std::string what;
