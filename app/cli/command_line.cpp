@@ -113,6 +113,11 @@ void describe_commands(CLI::App& app, Arguments& to) {
                      "Comma list of layer ids, or all; default: those visible at start.\n"
                      "They are drawn in the order of mesecina list layers, the first at\n"
                      "the bottom, however they are listed here");
+  render
+      ->add_option("--bundle", to.render.bundle,
+                   "Layers, their order and their styles as in a bundle: its name\n"
+                   "(mesecina list bundles) or a file of bundles, .json or .bnd")
+      ->excludes("--layers");
   render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
   render
       ->add_option("--view", to.render.view,

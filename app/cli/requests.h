@@ -38,6 +38,7 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
 struct RenderRequest {
   Source source;
   std::string layers;
+  std::string bundle;  ///< name or file, instead of layers
   std::string size = "1600x1200";
   std::string view = "fit";
   std::string scale = "1";

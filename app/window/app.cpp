@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kSettlingFrames = 2;
 constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
+constexpr float kMostOfBundles = 0.4F;      // of the height that bundles and layers share
 constexpr double kLargestCirclePx = 10'000.0;
 constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
 
@@ -31,6 +32,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       gui_(*window_, assets_),
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
+      bundles_(default_bundles_path(), assets_, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       files_(
           editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
@@ -44,6 +46,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
   LoadedColorMaps maps = load_color_maps(assets_, user_color_map_folder());
   picture_.set_color_maps(std::move(maps.maps));
   if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
+  if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);
   bind_actions();
   window_->set_listener(this);
   open_first(options);
@@ -90,6 +93,7 @@ PanelContext App::panel_context() {
           editor_,
           engine_,
           layers_,
+          bundles_,
           canvas_,
           picture_,
           files_,
@@ -100,7 +104,8 @@ PanelContext App::panel_context() {
           shapes_,
           [this](const ComputationSettings& settings) { set_computation(settings); },
           [this](const std::string& file) { open_files({file}); },
-          [this](const SampleShape& shape) { open_shape(shape); }};
+          [this](const SampleShape& shape) { open_shape(shape); },
+          [this](std::optional<std::size_t> index) { ask_export(index); }};
 }
 
 void App::follow_demand() {
@@ -174,7 +179,11 @@ void App::draw_panels() {
     const bool both = settings_.show_layers && has_details;
     if (settings_.show_layers || has_details) right = width;
     const float upper = both ? 0.55F * height : height;
-    if (settings_.show_layers) layers_panel_.draw(context, {{screen.x - width, top}, {width, upper}});
+    if (settings_.show_layers) {
+      const float bundles = bundles_panel_.height(context, kMostOfBundles * upper);
+      bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
+      layers_panel_.draw(context, {{screen.x - width, top + bundles}, {width, upper - bundles}});
+    }
     if (has_details) {
       const float from = both ? top + upper : top;
       details_panel_.draw(context, {{screen.x - width, from}, {width, top + height - from}});

@@ -11,12 +11,14 @@
 
 #include "app/action_bindings.h"
 #include "app/autosave.h"
+#include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
+#include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
 #include "app/panels/file_browser.h"
 #include "app/panels/layers_panel.h"
@@ -94,6 +96,12 @@ class App final : private WindowListener {
   Box2 fit_box() const;
   void fit_if_wanted();
 
+  // app_bundles.cpp
+  void bind_bundle_actions();
+  void ask_export(std::optional<std::size_t> index);
+  void import_bundles(const std::filesystem::path& file);
+  std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
+
   // app_files.cpp
   void open_first(const WindowOptions& options);
   void with_saved_work(std::function<void()> then);
@@ -145,11 +153,13 @@ class App final : private WindowListener {
   ProvenanceCard provenance_;
   Engine engine_;
   LayerStack layers_;
+  BundleDesk bundles_;
   Editor editor_;
   FileDesk files_;
   ToolContext tool_context_;
   Canvas canvas_;
   ActionBindings actions_;
+  BundlesPanel bundles_panel_;
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
   ParameterAnimation animation_;
@@ -161,7 +171,8 @@ class App final : private WindowListener {
   SurroundingsNotes notes_;
   Autosave autosave_;
   std::future<FoundWork> left_work_;
-  std::function<void()> after_save_;  // what waits for a save under a new name
+  std::function<void(const std::filesystem::path&)> when_chosen_;  // instead of opening or saving
+  std::function<void()> after_save_;                               // what waits for a save under a new name
   bool show_help_ = false;
   bool show_panels_ = true;
   enum class Fit : std::uint8_t { none, glide, at_once };

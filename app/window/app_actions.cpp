@@ -14,6 +14,7 @@ void App::bind_actions() {
   bind_file_actions();
   bind_edit_actions();
   bind_view_actions();
+  bind_bundle_actions();
 }
 
 void App::bind_file_actions() {
