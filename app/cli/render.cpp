@@ -9,6 +9,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "app/background_loader.h"
 #include "app/cli/computation.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
@@ -25,6 +26,7 @@
 #include "core/io/text_numbers.h"
 #include "render/gl_device.h"
 #include "render/offscreen.h"
+#include "render/picture_file.h"
 #include "render/png.h"
 #include "render/scene.h"
 
@@ -38,6 +40,7 @@ struct Picture {
   PictureSize size;
   std::optional<Box2> view;
   std::optional<Rgb> background;
+  BackgroundImage image;
   double scale = 1.0;
 };
 
@@ -61,6 +64,11 @@ Expected<Picture> understand(const RenderRequest& request, std::span<const rende
   auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   picture.layers = std::move(*layers);
+  const LayerIndex image = find_layer("image");
+  if (!request.image.empty()) {
+    picture.image = parse_image(request.image);
+    if (std::ranges::find(picture.layers, image) == picture.layers.end()) picture.layers.push_back(image);
+  }
   // The stacking order is the registry's, whatever the order of the words.
   std::ranges::sort(picture.layers);
   std::vector<std::string> map_names;
@@ -85,6 +93,18 @@ Expected<Picture> understand(const RenderRequest& request, std::span<const rende
   picture.scale = *scale;
   if (auto good = check_picture_name(request.output); !good) return std::unexpected(good.error());
   return picture;
+}
+
+/// The picture to trace: in its place, or the one it is given.
+Expected<void> add_image(Picture& picture, const Box2& samples, render::Scene& scene) {
+  if (picture.image.file.empty()) return {};
+  const auto image = render::read_picture(picture.image.file);
+  if (!image) return std::unexpected(image.error());
+  if (!(picture.image.width > 0.0))
+    picture.image = placed_in(samples, picture.image.file, static_cast<double>(image->height) / image->width);
+  scene.set_picture(find_layer("image"), *image);
+  scene.place_picture({picture.image.center, picture.image.width});
+  return {};
 }
 
 render::Camera camera_for(const Picture& picture, const Box2& samples, const LayerMirror& mirror) {
@@ -169,7 +189,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   const auto settings = settings_of(request.source);
   if (!settings) return std::unexpected(settings.error());
   LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
-  const auto picture = understand(request, maps.maps);
+  auto picture = understand(request, maps.maps);
   if (!picture) return std::unexpected(picture.error());
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
@@ -182,6 +202,9 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   render::GlDevice device;
   render::Scene scene(device);
   scene.set_color_maps(std::move(maps.maps));
+  Box2 samples;
+  for (const Vec2 position : input->data.positions) samples.add(position);
+  if (auto good = add_image(*picture, samples, scene); !good) return good;
   LayerMirror mirror;
   const auto result = run_computation(
       input->data, {.layers = picture->layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {
