@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ namespace mes {
 class FileBrowser {
  public:
   void ask_open(const std::filesystem::path& folder);
+  /// For files of other kinds: `then` gets the chosen one, instead of whoever draws the dialog.
+  void ask_for(const std::string& title, std::vector<std::string> extensions, const std::filesystem::path& folder,
+               std::function<void(const std::filesystem::path&)> then);
   void ask_save(const std::filesystem::path& folder, const std::string& name);
   void close() { is_open_ = false; }
   bool is_open() const { return is_open_; }
@@ -35,6 +39,7 @@ class FileBrowser {
     std::uintmax_t size = 0;
   };
   void ask(const std::filesystem::path& folder);
+  bool is_listed(const std::string& name) const;
   void enter(const std::filesystem::path& folder);
   void draw_path(const Gui& gui);
   void draw_entries(const Gui& gui, float height);
@@ -50,6 +55,9 @@ class FileBrowser {
   std::filesystem::path folder_;
   std::string name_;
   std::string extension_;  // of the name proposed
+  std::string title_;
+  std::vector<std::string> extensions_;  // lower case, with the dot; empty: of samples and balls
+  std::function<void(const std::filesystem::path&)> then_;
   std::string trouble_;
   std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for a yes

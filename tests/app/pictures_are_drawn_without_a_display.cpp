@@ -154,8 +154,8 @@ TEST_CASE("a picture to trace lies below the drawing, where it is put") {
   std::vector<std::string> seen{with({})};
   for (const std::vector<std::string>& more :
        std::vector<std::vector<std::string>>{{"--image", file},
-                                             {"--image", file + ":0,0,300"},
-                                             {"--image", file + ":10,0,300"},
+                                             {"--image", file + ":320,250,200"},
+                                             {"--image", file + ":330,250,200"},
                                              {"--image", file, "--set-style", "image:opacity=0.5"}}) {
     seen.push_back(with(more));
     CHECK(std::ranges::count(seen, seen.back()) == 1);
