@@ -46,6 +46,8 @@ enum class ActionId : std::uint8_t {
   toggle_panels,
   toggle_layers,
   toggle_statistics,
+  toggle_parameters,
+  toggle_log,
   toggle_legend,
   cancel_computation,
   resume_computation,

@@ -32,7 +32,7 @@ constexpr const char* kExamples = R"(Examples:
 Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output impossible (or no display), 130 interrupted.)";
 
 /// Commands that are spoken for, so that nobody takes them for names of files.
-constexpr std::array<std::string_view, 3> kLaterCommands{"evolve", "play", "demo"};
+constexpr std::array<std::string_view, 2> kLaterCommands{"evolve", "demo"};
 
 /// Everything the parser fills in.
 struct Arguments {
@@ -40,6 +40,7 @@ struct Arguments {
   ComputeRequest compute;
   ExportRequest exported;
   RenderRequest render;
+  PlayRequest play;
   ListRequest list;
 };
 
@@ -133,13 +134,16 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "where it hides least; default: yes");
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
 
+  CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
+  play->add_option("SESSION", to.play.session, "A saved session, .json")->required();
+
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
   for (const std::string& thing : listed_things()) things += (things.empty() ? "" : "|") + thing;
   list->add_option("WHAT", to.list.what, things)->required();
   list->add_flag("--json", to.list.as_json, "As JSON");
 
-  for (CLI::App* const command : {compute, exported, render, list})
+  for (CLI::App* const command : {compute, exported, render, play, list})
     command->set_help_flag("-h,--help", "Print this help and exit");
 }
 
@@ -152,6 +156,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
+  if (command.get_name() == "play") return run_play(arguments.play, interruption);
   return run_list(arguments.list, interruption);
 }
 

@@ -48,6 +48,11 @@ struct RenderRequest {
 };
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption);
 
+struct PlayRequest {
+  std::string session;
+};
+Expected<void> run_play(const PlayRequest& request, Interruption& interruption);
+
 struct ListRequest {
   std::string what;
   bool as_json = false;

@@ -59,7 +59,7 @@ void FileBrowser::ask(const fs::path& folder) {
   accepted_ = false;
   trouble_.clear();
   overwrite_.clear();
-  title_ = "Open samples or balls";
+  title_ = "Open a session, samples or balls";
   extensions_.clear();
   then_ = {};
   std::error_code error;
@@ -219,8 +219,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   std::optional<fs::path> out;
   if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
-  const char* const saving = extension_ == ".wpoff" ? "Save balls as" : "Save samples as";
-  ImGui::TextUnformatted(is_saving_ ? saving : title_.c_str());
+  ImGui::TextUnformatted(is_saving_ ? "Save as" : title_.c_str());
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
@@ -241,8 +240,11 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
       accepted_ = true;
     if (!is_saving_) {
       ImGui::Checkbox("All files", &all_files_);
-      ImGui::SameLine();
+    } else {
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextDisabled(".json everything   .poff samples   .wpoff balls");
     }
+    ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";
     const float buttons = 2 * 90 * unit + 8 * unit;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - buttons);

@@ -41,15 +41,6 @@ class PopupSpacing {
   PopupSpacing& operator=(const PopupSpacing&) = delete;
 };
 
-// One of a few words, side by side; the chosen one stands out.
-bool choice(const char* label, bool chosen) {
-  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentSoft : 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kAccent : theme::kTextQuiet);
-  const bool clicked = ImGui::Button(label);
-  ImGui::PopStyleColor(2);
-  return clicked;
-}
-
 // From the palette, or any.
 void draw_color_choice(const PanelContext& context, LayerStyle& style) {
   const float unit = context.gui.unit();
@@ -108,10 +99,10 @@ void LayersPanel::draw_head(const PanelContext& context) {
   const float padding = ImGui::GetStyle().FramePadding.x;
   const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  if (choice("Subject", !by_order_)) by_order_ = false;
+  if (choice_button("Subject", !by_order_)) by_order_ = false;
   tooltip(context.gui, "List the layers by what they are about");
   ImGui::SameLine(0, 2 * unit);
-  if (choice("Order", by_order_)) by_order_ = true;
+  if (choice_button("Order", by_order_)) by_order_ = true;
   tooltip(context.gui, "List the layers as they lie on each other, top first");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##search", "Search", &search_);

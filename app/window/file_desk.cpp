@@ -182,7 +182,7 @@ Expected<void> FileDesk::recover(const Session& session) {
   saved_samples_ = Document().sample_digest();
   saved_balls_ = 0;
   editor_.mark_unsaved();
-  title_ = "Recovered: " + (session.title.empty() ? std::string("Untitled") : session.title);
+  title_ = session.title.empty() ? "Untitled" : session.title;
   return {};
 }
 

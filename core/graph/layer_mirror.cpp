@@ -2,9 +2,11 @@
 #include "core/graph/layer_mirror.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/rng.h"
 
 namespace mes {
 namespace {
@@ -78,6 +80,20 @@ std::uint32_t LayerMirror::count(LayerIndex layer, PrimitiveKind kind) const {
 std::span<const double> LayerMirror::instances(LayerIndex layer, PrimitiveKind kind) const {
   if (layer >= layers_.size()) return {};
   return layers_[layer][static_cast<std::size_t>(kind)];
+}
+
+std::uint64_t LayerMirror::digest(LayerIndex layer) const {
+  std::uint64_t out = 0;
+  for (const PrimitiveKind kind : kAllPrimitiveKinds) {
+    const std::span<const double> data = instances(layer, kind);
+    const std::size_t stride = stride_of(kind);
+    for (std::size_t at = 0; at < data.size(); at += stride) {
+      std::uint64_t sum = static_cast<std::uint64_t>(kind) + 1;
+      for (const double value : data.subspan(at, stride)) sum = Rng(sum ^ std::bit_cast<std::uint64_t>(value)).at(0);
+      out += sum;
+    }
+  }
+  return out;
 }
 
 }  // namespace mes

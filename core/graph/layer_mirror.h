@@ -32,6 +32,8 @@ class LayerMirror {
 
   std::uint32_t count(LayerIndex layer, PrimitiveKind kind) const;
   std::span<const double> instances(LayerIndex layer, PrimitiveKind kind) const;
+  /// Of the bits of all instances of a layer, whatever their order.
+  std::uint64_t digest(LayerIndex layer) const;
   /// As of the last patch.
   const DrawingFrame& frame() const { return frame_; }
   std::uint64_t document_revision() const { return document_revision_; }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina play`: a session's timeline, step by step.
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/output.h"
+#include "app/cli/progress.h"
+#include "app/cli/requests.h"
+#include "app/player.h"
+#include "core/graph/layer_mirror.h"
+#include "core/io/format.h"
+
+namespace mes::cli {
+namespace {
+
+std::string hexadecimal(std::uint64_t value) {
+  std::array<char, 20> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
+  return text.data();
+}
+
+std::uint64_t digest_of(const LayerMirror& mirror, const LayerStack& layers) {
+  std::uint64_t out = 0;
+  for (const LayerIndex layer : layers.visible_layers()) out = out * 31 + mirror.digest(layer);
+  return out;
+}
+
+Expected<std::shared_ptr<const Session>> read(const std::string& file) {
+  auto loaded = read_sample_file(file);
+  if (!loaded) return std::unexpected(loaded.error());
+  if (!loaded->session)
+    return std::unexpected(Error{ErrorCode::bad_input, "this is no session but " + loaded->format, file});
+  return loaded->session;
+}
+
+}  // namespace
+
+Expected<void> run_play(const PlayRequest& request, Interruption& interruption) {
+  const auto session = read(request.session);
+  if (!session) return std::unexpected(session.error());
+  LayerMirror mirror;
+  Player player(**session, [&mirror](const FramePatch& patch) { mirror.apply(patch); });
+  Progress progress;
+  std::string out;
+  const std::size_t count = player.steps().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const PlayStep& step = player.steps()[i];
+    progress.show(step.what, static_cast<double>(i) / static_cast<double>(count));
+    if (auto done = player.apply(step); !done) {
+      done.error().file = request.session;
+      return done;
+    }
+    nlohmann::ordered_json line = {{"frame", i + 1}, {"what", step.what}};
+    if (const std::string failure = player.complete(); !failure.empty()) line["failed"] = failure;
+    line["document"] = hexadecimal(player.document().digest());
+    line["layers"] = hexadecimal(digest_of(mirror, player.layers()));
+    out += line.dump() + '\n';
+  }
+  return write_output("", out, interruption);
+}
+
+}  // namespace mes::cli
