@@ -10,19 +10,20 @@ namespace mes {
 
 BackgroundLoader::BackgroundLoader(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-void BackgroundLoader::follow(const std::string& file) {
-  if (file == file_) return;
+bool BackgroundLoader::follow(const std::string& file) {
+  if (file == file_) return false;
   file_ = file;
   if (reading_) given_up_.push_back(std::move(reading_));
   std::erase_if(given_up_, [](const auto& reading) { return reading->is_done.load(); });
-  if (file.empty()) return;
+  if (file.empty()) return true;
   reading_ = std::make_unique<Reading>();
   reading_->file = file;
   reading_->thread = std::jthread([reading = reading_.get(), wake = wake_] {
-    reading->result = render::read_picture(reading->file);
+    reading->result = read_background(reading->file);
     reading->is_done = true;
     if (wake) wake();
   });
+  return true;
 }
 
 std::optional<BackgroundLoader::Outcome> BackgroundLoader::poll() {
@@ -30,6 +31,14 @@ std::optional<BackgroundLoader::Outcome> BackgroundLoader::poll() {
   const std::unique_ptr<Reading> reading = std::move(reading_);
   reading->thread.join();
   return Outcome{reading->file, std::move(*reading->result)};
+}
+
+Expected<render::Image> read_background(const std::string& file) {
+  // More is not seen, and would keep the window from its frames while it goes to the graphics card.
+  constexpr int kLongestSide = 8192;
+  auto image = render::read_picture(file);
+  if (!image) return image;
+  return render::reduced(std::move(*image), kLongestSide);
 }
 
 BackgroundImage placed_in(const Box2& box, const std::string& file, double height_by_width) {

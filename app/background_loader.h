@@ -27,8 +27,9 @@ class BackgroundLoader {
  public:
   explicit BackgroundLoader(std::function<void()> wake);
 
-  /// Begins to read if this is another file than before; an empty name gives up what is being read.
-  void follow(const std::string& file);
+  /// Begins to read if this is another file than before, which is returned; an empty name gives up what is being
+  /// read.
+  bool follow(const std::string& file);
   bool is_reading() const { return reading_ != nullptr; }
 
   struct Outcome {
@@ -50,6 +51,9 @@ class BackgroundLoader {
   std::unique_ptr<Reading> reading_;
   std::vector<std::unique_ptr<Reading>> given_up_;  // a reader cannot be stopped, only not waited for
 };
+
+/// The picture of a file, reduced to what the eye and a graphics card need for tracing. Any thread.
+Expected<render::Image> read_background(const std::string& file);
 
 /// The picture as large as it can be within the box, in its middle; an empty box is the unit square.
 BackgroundImage placed_in(const Box2& box, const std::string& file, double height_by_width);

@@ -26,7 +26,6 @@
 #include "core/io/text_numbers.h"
 #include "render/gl_device.h"
 #include "render/offscreen.h"
-#include "render/picture_file.h"
 #include "render/png.h"
 #include "render/scene.h"
 
@@ -98,7 +97,7 @@ Expected<Picture> understand(const RenderRequest& request, std::span<const rende
 /// The picture to trace: in its place, or the one it is given.
 Expected<void> add_image(Picture& picture, const Box2& samples, render::Scene& scene) {
   if (picture.image.file.empty()) return {};
-  const auto image = render::read_picture(picture.image.file);
+  const auto image = read_background(picture.image.file);
   if (!image) return std::unexpected(image.error());
   if (!(picture.image.width > 0.0))
     picture.image = placed_in(samples, picture.image.file, static_cast<double>(image->height) / image->width);

@@ -57,7 +57,8 @@ App::~App() {
 double App::next_wait() const {
   const EngineStatus status = engine_.status();
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
-  if (status.busy || files_.is_reading() || gui_.is_about_to_rest()) return kProgressInterval;
+  if (status.busy || files_.is_reading() || background_.is_reading() || gui_.is_about_to_rest())
+    return kProgressInterval;
   return 0.0;
 }
 
@@ -137,6 +138,7 @@ void App::frame() {
   draw_panels();
   show_first_ball();
   follow_demand();
+  follow_picture();
   advance_animation();
   engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.details == DetailsPage::statistics && show_panels_);

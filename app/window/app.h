@@ -11,6 +11,7 @@
 
 #include "app/action_bindings.h"
 #include "app/autosave.h"
+#include "app/background_loader.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
@@ -102,6 +103,11 @@ class App final : private WindowListener {
   void recover(LeftWork work);
   std::filesystem::path browse_folder() const;
 
+  // app_image.cpp
+  void ask_picture();
+  void trace_picture(const std::filesystem::path& file);
+  void follow_picture();
+
   // app.cpp
   void frame();
   void draw_panels();
@@ -133,6 +139,7 @@ class App final : private WindowListener {
   DetailsPanel details_panel_;
   ParameterAnimation animation_;
   double next_animation_step_ = 0.0;  // seconds
+  BackgroundLoader background_{[] { GlfwWindow::wake(); }};
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;
   AskRecover ask_recover_;
