@@ -306,7 +306,7 @@ void GlDevice::read_pixels(FramebufferId source, const PixelRect& area, std::spa
   MES_ASSERT(area.width >= 0 && area.height >= 0);
   MES_ASSERT(rgba.size() ==
              std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved(source));
+  bind_for_reading(source);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
   glReadPixels(area.left, area.bottom, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
@@ -436,6 +436,21 @@ std::string GlDevice::description() const {
     return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
   };
   return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+void GlDevice::bind_for_reading(FramebufferId source) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved(source));
+}
+
+void GlDevice::shrink(FramebufferId target, const PixelRect& to, FramebufferId source, const PixelRect& from) {
+  MES_ASSERT(from.width == 2 * to.width && from.height == 2 * to.height);
+  bind_for_reading(source);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_of(target).handle.get());
+  glDisable(GL_SCISSOR_TEST);
+  // Halfway between four pixels a linear filter gives their mean.
+  glBlitFramebuffer(from.left, from.bottom, from.left + from.width, from.bottom + from.height, to.left, to.bottom,
+                    to.left + to.width, to.bottom + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void GlDevice::finish() {

@@ -43,6 +43,10 @@ class GlDevice final : public Device {
   /// Renderer and version as the driver names them.
   std::string description() const;
   bool uses_double() const { return uses_double_; }
+  /// The next glReadPixels is of this target, multisampled or not.
+  void bind_for_reading(FramebufferId source);
+  /// `to` becomes the averages of the squares of two by two pixels of `from`, which is twice as wide and high.
+  void shrink(FramebufferId target, const PixelRect& to, FramebufferId source, const PixelRect& from);
   /// Waits until everything asked for is drawn; for measuring.
   void finish();
 
