@@ -19,6 +19,7 @@ enum class ActionId : std::uint8_t {
   open,
   save,
   save_as,
+  trace_picture,
   quit,
   undo,
   redo,

@@ -266,9 +266,14 @@ void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const
   const PixelPlace at = emptiest_corner(image, scale * legend.width, scale * legend.height, scale * kMargin);
   const auto left = static_cast<double>(at.left);
   const auto top = static_cast<double>(at.top);
-  for (const LegendDrawing::Box& box : legend.boxes)
-    render::fill_rectangle(image, left + scale * box.left, top + scale * box.top, scale * box.width,
-                           scale * box.height, box.color, box.opacity);
+  // On whole pixels, so that edges are sharp and thin lines alike.
+  for (const LegendDrawing::Box& box : legend.boxes) {
+    const double x0 = std::round(left + scale * box.left);
+    const double y0 = std::round(top + scale * box.top);
+    const double x1 = std::max(std::round(left + scale * (box.left + box.width)), x0 + 1.0);
+    const double y1 = std::max(std::round(top + scale * (box.top + box.height)), y0 + 1.0);
+    render::fill_rectangle(image, x0, y0, x1 - x0, y1 - y0, box.color, box.opacity);
+  }
   // From the top of a line to the foot of its letters.
   constexpr double kAscent = 0.8;
   for (const LegendDrawing::Line& line : legend.lines)

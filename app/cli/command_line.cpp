@@ -140,9 +140,13 @@ void describe_commands(CLI::App& app, Arguments& to) {
                        "range is LOW:HIGH or fit, dashed and flat are on or off")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  render->add_flag(
-      "--legend,!--no-legend", to.render.with_legend,
-      "With a colour map: whether its colour bar is drawn, in the corner where it hides least; default: yes");
+  render->add_option("--image", to.render.image,
+                     "A PNG or JPEG picture below everything else (the layer image), FILE or\n"
+                     "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"
+                     "without them it is laid into the box around the samples");
+  render->add_flag("--legend,!--no-legend", to.render.with_legend,
+                   "With a colour map: whether its colour bar is drawn, in the corner\n"
+                   "where it hides least; default: yes");
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");

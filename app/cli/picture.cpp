@@ -41,6 +41,19 @@ Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
   return box;
 }
 
+/// Exactly as many numbers with commas between them.
+bool read_numbers(std::string_view text, std::span<double> numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i + 1 == numbers.size())) return false;
+    const auto value = parse_number(text.substr(0, comma));
+    if (!value) return false;
+    numbers[i] = *value;
+    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+  }
+  return true;
+}
+
 }  // namespace
 
 Expected<PictureSize> parse_size(const std::string& text) {
@@ -61,17 +74,7 @@ Expected<PictureSize> parse_size(const std::string& text) {
 Expected<std::optional<Box2>> parse_view(const std::string& text) {
   if (text == "fit") return std::nullopt;
   std::array<double, 4> corner{};
-  std::string_view rest = text;
-  bool good = true;
-  for (std::size_t i = 0; i < corner.size(); ++i) {
-    const std::size_t comma = rest.find(',');
-    good = good && (comma == std::string_view::npos) == (i + 1 == corner.size());
-    const auto value = parse_number(rest.substr(0, comma));
-    good = good && value.has_value();
-    if (!good) break;
-    corner[i] = *value;
-    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
-  }
+  bool good = read_numbers(text, corner);
   Box2 box;
   if (good) {
     box.add(Vec2{corner[0], corner[1]});
@@ -101,6 +104,15 @@ Expected<std::optional<Rgb>> parse_background(const std::string& text) {
   const auto color = parse_rgb(text);
   if (!color) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
   return color;
+}
+
+BackgroundImage parse_image(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  std::array<double, 3> numbers{};
+  if (colon == std::string::npos || !read_numbers(std::string_view(text).substr(colon + 1), numbers) ||
+      !(numbers[2] > 0.0))
+    return {.file = text};
+  return {text.substr(0, colon), {numbers[0], numbers[1]}, numbers[2]};
 }
 
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers) {

@@ -11,6 +11,7 @@
 #include "core/base/box2.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
+#include "core/document/layer_configuration.h"
 #include "core/graph/layer_mirror.h"
 
 namespace mes::cli {
@@ -31,6 +32,9 @@ std::optional<Rgb> parse_rgb(std::string_view text);
 
 /// "RRGGBB", with or without #; nothing for "transparent". Error: `usage`.
 Expected<std::optional<Rgb>> parse_background(const std::string& text);
+
+/// "FILE" or "FILE:X,Y,WIDTH"; without the numbers the width is 0. Whatever else follows a colon belongs to the name.
+BackgroundImage parse_image(const std::string& text);
 
 /// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
 /// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of

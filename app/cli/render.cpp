@@ -9,6 +9,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "app/background_loader.h"
 #include "app/cli/bundle_request.h"
 #include "app/cli/computation.h"
 #include "app/cli/input.h"
@@ -39,6 +40,7 @@ struct Picture {
   PictureSize size;
   std::optional<Box2> view;
   std::optional<Rgb> background;
+  BackgroundImage image;
   double scale = 1.0;
 };
 
@@ -72,6 +74,13 @@ Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
     if (entry.visible && std::ranges::find(picture.layers, layer) == picture.layers.end())
       picture.layers.push_back(layer);
   }
+  std::error_code error;
+  if (const BackgroundImage& image = bundle->layers.image; !image.file.empty()) {
+    if (std::filesystem::exists(image.file, error))
+      picture.image = image;
+    else
+      say("bundle " + in_quotes(bundle->name) + ": the picture " + image.file + " is not there");
+  }
   if (unknown != 0)
     say("bundle " + in_quotes(bundle->name) + ": " + std::to_string(unknown) +
         (unknown == 1 ? " layer is" : " layers are") + " not available here");
@@ -93,6 +102,13 @@ Expected<Picture> understand(const RenderRequest& request, std::span<const rende
   const auto taken =
       request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
   if (!taken) return std::unexpected(taken.error());
+  if (!request.image.empty()) {
+    picture.image = parse_image(request.image);
+    const LayerIndex layer = find_layer("image");
+    // It belongs below everything, wherever a bundle has it.
+    std::erase(picture.layers, layer);
+    picture.layers.insert(picture.layers.begin(), layer);
+  }
   std::vector<std::string> map_names;
   for (const render::ColorMap& map : maps) map_names.push_back(map.name);
   auto styles = changed_styles(std::move(picture.styles), request.styles, picture.layers, map_names);
@@ -115,6 +131,18 @@ Expected<Picture> understand(const RenderRequest& request, std::span<const rende
   picture.scale = *scale;
   if (auto good = check_picture_name(request.output); !good) return std::unexpected(good.error());
   return picture;
+}
+
+/// The picture to trace: in its place, or the one it is given.
+Expected<void> add_image(Picture& picture, const Box2& samples, render::Scene& scene) {
+  if (picture.image.file.empty()) return {};
+  const auto image = read_background(picture.image.file);
+  if (!image) return std::unexpected(image.error());
+  if (!(picture.image.width > 0.0))
+    picture.image = placed_in(samples, picture.image.file, static_cast<double>(image->height) / image->width);
+  scene.set_picture(find_layer("image"), *image);
+  scene.place_picture({picture.image.center, picture.image.width});
+  return {};
 }
 
 render::Camera camera_for(const Picture& picture, const Box2& samples, const LayerMirror& mirror) {
@@ -199,7 +227,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   const auto settings = settings_of(request.source);
   if (!settings) return std::unexpected(settings.error());
   LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
-  const auto picture = understand(request, maps.maps);
+  auto picture = understand(request, maps.maps);
   if (!picture) return std::unexpected(picture.error());
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
@@ -212,6 +240,9 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   render::GlDevice device;
   render::Scene scene(device);
   scene.set_color_maps(std::move(maps.maps));
+  Box2 samples;
+  for (const Vec2 position : input->data.positions) samples.add(position);
+  if (auto good = add_image(*picture, samples, scene); !good) return good;
   LayerMirror mirror;
   const auto result = run_computation(
       input->data, {.layers = picture->layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {

@@ -44,6 +44,7 @@ struct RenderRequest {
   std::string scale = "1";
   std::string background = "ffffff";
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
+  std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
   std::string output;
 };

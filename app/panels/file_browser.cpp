@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "app/window/theme.h"
 #include "core/io/format.h"
@@ -17,10 +18,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_known(const std::string& name) {
+std::string extension_of(const std::string& name) {
   std::string extension = fs::path(name).extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool is_known(const std::string& name) {
+  const std::string extension = extension_of(name);
   for (const FormatDescriptor& format : format_descriptors())
     if (format.can_read && std::ranges::count(format.extensions, extension) > 0) return true;
   return extension == ".txt" || extension == ".bnd";
@@ -53,6 +59,8 @@ void FileBrowser::ask(const fs::path& folder) {
   accepted_ = false;
   trouble_.clear();
   overwrite_.clear();
+  extensions_.clear();
+  then_ = {};
   std::error_code error;
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
 }
@@ -62,6 +70,18 @@ void FileBrowser::ask_open(const fs::path& folder, std::string heading) {
   is_saving_ = false;
   name_.clear();
   ask(folder);
+}
+
+void FileBrowser::ask_for(const std::string& title, std::vector<std::string> extensions, const fs::path& folder,
+                          std::function<void(const fs::path&)> then) {
+  ask_open(folder, title);
+  extensions_ = std::move(extensions);
+  then_ = std::move(then);
+}
+
+bool FileBrowser::is_listed(const std::string& name) const {
+  if (all_files_) return true;
+  return extensions_.empty() ? is_known(name) : std::ranges::count(extensions_, extension_of(name)) > 0;
 }
 
 void FileBrowser::ask_save(const fs::path& folder, const std::string& name, std::string heading) {
@@ -156,7 +176,7 @@ void FileBrowser::draw_entries(const Gui& gui, float height) {
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 80 * unit);
   for (const Entry& entry : entries_) {
-    if (!entry.is_folder && !all_files_ && !is_known(entry.name)) continue;
+    if (!entry.is_folder && !is_listed(entry.name)) continue;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(entry.name.c_str());
@@ -241,7 +261,9 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   }
   if (out) is_open_ = false;
   ImGui::EndPopup();
-  return out;
+  if (!out || !then_) return out;
+  std::exchange(then_, {})(*out);
+  return std::nullopt;
 }
 
 }  // namespace mes

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ class FileBrowser {
   /// `heading`: what for, when it is not for the document.
   void ask_open(const std::filesystem::path& folder, std::string heading = {});
   void ask_save(const std::filesystem::path& folder, const std::string& name, std::string heading = {});
+  /// For files of other kinds: `then` gets the chosen one, instead of whoever draws the dialog.
+  void ask_for(const std::string& title, std::vector<std::string> extensions, const std::filesystem::path& folder,
+               std::function<void(const std::filesystem::path&)> then);
   void close() { is_open_ = false; }
   bool is_open() const { return is_open_; }
   bool is_saving() const { return is_saving_; }
@@ -36,6 +40,7 @@ class FileBrowser {
     std::uintmax_t size = 0;
   };
   void ask(const std::filesystem::path& folder);
+  bool is_listed(const std::string& name) const;
   void enter(const std::filesystem::path& folder);
   void draw_path(const Gui& gui);
   void draw_entries(const Gui& gui, float height);
@@ -52,6 +57,8 @@ class FileBrowser {
   std::string name_;
   std::string extension_;  // of the name proposed
   std::string heading_;
+  std::vector<std::string> extensions_;  // lower case, with the dot; empty: of samples and balls
+  std::function<void(const std::filesystem::path&)> then_;
   std::string trouble_;
   std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for a yes

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/panels/icons.h"
+#include "app/panels/image_controls.h"
 #include "app/window/theme.h"
 #include "imgui_stdlib.h"
 
@@ -76,6 +77,8 @@ std::string milliseconds(double ms) {
 
 std::string explanation(const PanelContext& context, LayerIndex layer) {
   std::string out(context.layers.descriptor(layer).tooltip);
+  // Nothing is computed for the picture to trace.
+  if (context.layers.descriptor(layer).kinds.empty()) return out;
   const LayerReport* report = context.picture.report(layer);
   if (report == nullptr || !context.layers.is_visible(layer)) return out;
   if (is_failed(report->state)) return out + "\n\nNot up to date: " + report->reason;
@@ -130,7 +133,13 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
   const ImU32 color = to_imgui(style.color, style.opacity);
   const ImVec2 middle(0.5F * (at.x + end.x), 0.5F * (at.y + end.y));
   const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
-  if (is_mapped) {
+  if (descriptor.kinds.empty()) {
+    // A sun above a hill.
+    const ImU32 ink = context.layers.image().file.empty() ? theme::kBorder : theme::kTextQuiet;
+    list.AddCircleFilled({at.x + 0.3F * size.x, at.y + 0.35F * size.y}, 0.14F * size.y, ink);
+    list.AddTriangleFilled({at.x + 0.25F * size.x, end.y - 3 * unit}, {at.x + 0.6F * size.x, at.y + 0.3F * size.y},
+                           {end.x - 2 * unit, end.y - 3 * unit}, ink);
+  } else if (is_mapped) {
     // Its colours say enough.
   } else if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
     list.AddRectFilled(at, end, color, 3 * unit);
@@ -155,9 +164,11 @@ void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer
   ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
   ImGui::PopFont();
 
+  const bool is_picture = descriptor.kinds.empty();
+  if (is_picture) draw_image_controls(context);
   color_maps_.draw(context, layer, style);
   // The plain colour counts only without a map.
-  if (style.color_map.empty()) draw_color_choice(context, style);
+  if (style.color_map.empty() && !is_picture) draw_color_choice(context, style);
   const auto slider = [&](const char* label, double& value, float low, float high, float factor, const char* format,
                           bool logarithmic) {
     auto shown = static_cast<float>(value) * factor;
@@ -171,8 +182,9 @@ void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer
     slider("Line width", style.line_width_px, 0.1F, 64.0F, 1.0F, "%.1f px", true);
     ImGui::Checkbox("Dashed", &style.dashed);
   }
-  ImGui::Checkbox("Flat", &style.flat);
-  tooltip(context.gui, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
+  if (!is_picture) ImGui::Checkbox("Flat", &style.flat);
+  if (!is_picture)
+    tooltip(context.gui, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
   context.layers.set_style(layer, style);
   ImGui::BeginDisabled(context.layers.has_default_style(layer));
   if (ImGui::Button("Reset style")) context.layers.reset_style(layer);

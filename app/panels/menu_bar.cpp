@@ -39,6 +39,8 @@ void file_menu(const PanelContext& context) {
   action_item(context, ActionId::save);
   action_item(context, ActionId::save_as);
   ImGui::Separator();
+  action_item(context, ActionId::trace_picture);
+  ImGui::Separator();
   action_item(context, ActionId::quit);
 }
 

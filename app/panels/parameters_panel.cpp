@@ -113,7 +113,8 @@ void ParametersPanel::draw_parameter(const PanelContext& context, Parameter para
   if (is_switch(descriptor)) {
     ImGui::Dummy({button, button});
   } else {
-    if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain)) ImGui::OpenPopup("animate");
+    if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain))
+      ImGui::OpenPopup("animate");
     tooltip(context.gui, "Let it run from one value to another");
   }
   ImGui::SameLine(0, 2 * unit);

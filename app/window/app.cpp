@@ -61,7 +61,8 @@ double App::next_wait() const {
   const EngineStatus status = engine_.status();
   if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
-  if (status.busy || files_.is_reading() || gui_.is_about_to_rest()) return kProgressInterval;
+  if (status.busy || files_.is_reading() || background_.is_reading() || gui_.is_about_to_rest())
+    return kProgressInterval;
   return 0.0;
 }
 
@@ -143,6 +144,7 @@ void App::frame() {
   draw_panels();
   show_first_ball();
   follow_demand();
+  follow_picture();
   advance_animation();
   advance_demo();
   engine_.set_want_findings(show_panels_);

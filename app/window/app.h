@@ -11,6 +11,7 @@
 
 #include "app/action_bindings.h"
 #include "app/autosave.h"
+#include "app/background_loader.h"
 #include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
@@ -130,6 +131,10 @@ class App final : private WindowListener {
   void advance_demo();
   Expected<void> perform(const TimelineEntry& entry);
   void draw_caption(ImVec2 middle, float width);
+  // app_image.cpp
+  void ask_picture();
+  void trace_picture(const std::filesystem::path& file);
+  void follow_picture();
 
   // app.cpp
   void frame();
@@ -165,6 +170,7 @@ class App final : private WindowListener {
   ParameterAnimation animation_;
   std::optional<LiveDemo> demo_;
   double next_animation_step_ = 0.0;  // seconds
+  BackgroundLoader background_{[] { GlfwWindow::wake(); }};
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;
   AskRecover ask_recover_;

@@ -25,6 +25,7 @@ void App::bind_file_actions() {
                   });
                 }});
   actions_.bind(ActionId::open, {[this] { with_saved_work([this] { browser_.ask_open(browse_folder()); }); }});
+  actions_.bind(ActionId::trace_picture, {[this] { ask_picture(); }});
   actions_.bind(ActionId::save, {[this] { save(); }});
   actions_.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions_.bind(ActionId::quit, {[this] { with_saved_work([this] { is_closing_ = true; }); }});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/window/app.h"
+#include "render/picture_file.h"
 
 namespace mes {
 namespace {
@@ -123,7 +124,12 @@ void App::on_space(bool held) {
 
 void App::on_files_dropped(std::vector<std::string> files) {
   if (files.empty()) return;
-  open_files(files);
+  // Of several pictures the last is on top; the others would not be seen.
+  const auto first_picture = std::stable_partition(
+      files.begin(), files.end(), [](const std::string& file) { return !render::is_picture_file(file); });
+  if (first_picture != files.end()) trace_picture(files.back());
+  files.erase(first_picture, files.end());
+  if (!files.empty()) open_files(files);
 }
 
 void App::on_close_wanted() {

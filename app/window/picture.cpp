@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 namespace mes {
 namespace {
@@ -38,6 +39,30 @@ bool Picture::take_from(Engine& engine) {
     ++patches_;
   }
   return took;
+}
+
+bool Picture::set_background(LayerIndex layer, const render::Image& image) {
+  ++background_revision_;
+  try {
+    scene_.set_picture(layer, image);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  background_aspect_ = static_cast<double>(image.height) / image.width;
+  return true;
+}
+
+void Picture::place_background(const render::PicturePlace& place) {
+  if (place == background_place_) return;
+  background_place_ = place;
+  scene_.place_picture(place);
+  ++background_revision_;
+}
+
+void Picture::clear_background() {
+  scene_.clear_picture();
+  background_aspect_ = 0.0;
+  ++background_revision_;
 }
 
 void Picture::forget_hidden(const LayerStack& layers) {
@@ -135,7 +160,7 @@ std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                    double content_scale) {
   mark_selection(editor);
-  ShownState now{camera, content_scale, patches_, marked_, {}};
+  ShownState now{camera, content_scale, patches_, background_revision_, marked_, {}};
   for (const LayerIndex layer : layers.visible_layers()) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;

@@ -28,6 +28,14 @@ class Picture {
   Picture();
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
+  /// The picture to trace, in the place of a layer.
+  /// False when graphics memory is exhausted.
+  bool set_background(LayerIndex layer, const render::Image& image);
+  void place_background(const render::PicturePlace& place);
+  void clear_background();
+  /// Its height by its width; 0 while there is none.
+  double background_aspect() const { return background_aspect_; }
+
   /// Takes what is finished; true when something was.
   bool take_from(Engine& engine);
   /// Frees the graphics memory of layers that are shown no more.
@@ -62,6 +70,7 @@ class Picture {
     render::Camera camera;
     double content_scale = 0.0;
     std::uint64_t patches = 0;
+    std::uint64_t background = 0;
     MarkedState marked;
     std::vector<std::pair<LayerIndex, LayerStyle>> layers;
     friend bool operator==(const ShownState&, const ShownState&) = default;
@@ -79,6 +88,9 @@ class Picture {
   std::unique_ptr<Provenance> provenance_;
   std::uint64_t document_revision_ = 0;
   std::uint64_t patches_ = 0;
+  std::uint64_t background_revision_ = 0;  // grows with the picture and its place
+  double background_aspect_ = 0.0;
+  render::PicturePlace background_place_;
   MarkedState marked_;
   std::vector<double> mark_data_;  // kept for its memory
   ShownState shown_;

@@ -141,3 +141,30 @@ TEST_CASE("styles, colour maps, their range and the legend change a picture") {
   }
   CHECK(with({"--set-style", id + "color-map=viridis", "--set-style", id + "color-map=none"}) == seen.front());
 }
+
+TEST_CASE("a picture to trace lies below the drawing, where it is put") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "trace.png").string();
+  REQUIRE(run({"render", kDude, "--size", "60x40", "--background", "ff8800", "-o", file}, headless()).exit_code == 0);
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{kDude, "--size", "150x100", "--layers", "curve"};
+    all.insert(all.end(), more.begin(), more.end());
+    return picture(all);
+  };
+  std::vector<std::string> seen{with({})};
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--image", file},
+                                             {"--image", file + ":320,250,200"},
+                                             {"--image", file + ":330,250,200"},
+                                             {"--image", file, "--set-style", "image:opacity=0.5"}}) {
+    seen.push_back(with(more));
+    CHECK(std::ranges::count(seen, seen.back()) == 1);
+  }
+  for (const std::string& wrong : {(folder / "missing.png").string(), std::string(kDude), file + ":1,2"}) {
+    const RunResult result = run({"render", kDude, "--image", wrong, "-o", (folder / "b.png").string()}, headless());
+    CHECK(result.exit_code == 3);
+    CHECK_THAT(result.err, Catch::StartsWith("mesecina: " + wrong + ": "));
+    CHECK(std::ranges::count(result.err, '\n') == 1);
+  }
+  CHECK(folder.file_count() == 1);
+}
