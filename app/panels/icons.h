@@ -24,7 +24,10 @@ enum class Icon : std::uint8_t {
   layers,
   statistics,
   parameters,
-  play
+  play,
+  record,
+  snapshot,
+  more
 };
 
 /// Draws the icon into the square `size` wide at `at`.

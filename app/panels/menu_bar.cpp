@@ -39,6 +39,8 @@ void file_menu(const PanelContext& context) {
   action_item(context, ActionId::save);
   action_item(context, ActionId::save_as);
   ImGui::Separator();
+  for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(context, id);
+  ImGui::Separator();
   action_item(context, ActionId::quit);
 }
 
