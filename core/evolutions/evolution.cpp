@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evolutions/evolution.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "core/base/assert.h"
+
+namespace mes {
+namespace {
+
+constexpr ParameterDescriptor kFreezeChains{
+    "freeze-chains",
+    "Where no loops came with the samples. 0: the crust says at each step who follows whom; 1: the crust of the "
+    "beginning does",
+    "",
+    0.0,
+    1.0,
+    0.0,
+    true};
+
+std::unexpected<Error> failure(std::string text) {
+  return std::unexpected(Error{ErrorCode::cannot_compute, std::move(text), {}, 0, 0});
+}
+
+std::size_t index_of(std::string_view id) {
+  const auto all = evolution_parameters();
+  const auto found = std::ranges::find(all, id, &ParameterDescriptor::id);
+  MES_ASSERT(found != all.end());
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+Expected<std::shared_ptr<const MovingCurve>> chains_now(const std::vector<Vec2>& positions, JobControl& job) {
+  try {
+    return std::make_shared<const MovingCurve>(crust_curve(positions, job));
+  } catch (const std::exception& error) {
+    return failure(std::string("the crust failed: ") + error.what());
+  }
+}
+
+}  // namespace
+
+EvolutionValues::EvolutionValues() {
+  for (const ParameterDescriptor& parameter : evolution_parameters()) values_.push_back(parameter.default_value);
+}
+double EvolutionValues::operator[](std::string_view id) const {
+  return values_[index_of(id)];
+}
+void EvolutionValues::set(std::string_view id, double value) {
+  values_[index_of(id)] = value;
+}
+
+std::size_t EvolutionState::bytes_beside(const EvolutionState& first) const {
+  std::size_t size = sizeof *this + positions.capacity() * sizeof(Vec2);
+  if (numbers != first.numbers) size += numbers->capacity() * sizeof(std::uint32_t);
+  if (!curve || curve == first.curve) return size;
+  for (const MovingCurve::Chain& chain : curve->chains) size += sizeof chain + chain.points.size() * sizeof(Slot);
+  return size;
+}
+
+std::optional<EvolutionIndex> find_evolution(std::string_view id) {
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i)
+    if (evolutions()[i].descriptor.id == id) return i;
+  return std::nullopt;
+}
+
+std::span<const ParameterDescriptor> evolution_parameters() {
+  static const std::vector<ParameterDescriptor> all = [] {
+    std::vector<ParameterDescriptor> out{kFreezeChains};
+    for (const Evolution& evolution : evolutions())
+      out.insert(out.end(), evolution.descriptor.parameters.begin(), evolution.descriptor.parameters.end());
+    return out;
+  }();
+  return all;
+}
+
+std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution) {
+  std::vector<ParameterDescriptor> out = evolutions()[evolution].descriptor.parameters;
+  out.push_back(kFreezeChains);
+  return out;
+}
+
+EvolutionState state_of(const Document& document) {
+  EvolutionState out;
+  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> place(document.next_id().value - document.first_id().value, kNoSlot);
+  for (const Slot slot : document.slots_in_input_order()) {
+    const std::uint32_t number = document.id(slot).value - document.first_id().value;
+    place[number] = static_cast<std::uint32_t>(numbers.size());
+    numbers.push_back(number);
+    out.positions.push_back(document.position(slot));
+  }
+  out.numbers = std::make_shared<const std::vector<std::uint32_t>>(std::move(numbers));
+  std::vector<MovingCurve::Chain> chains;
+  for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
+    MovingCurve::Chain chain{contour.closed, {}};
+    for (const SampleId id : contour.samples)
+      if (const std::uint32_t at = place[id.value - document.first_id().value]; at != kNoSlot)
+        chain.points.push_back(at);
+    if (!chain.points.empty()) chains.push_back(std::move(chain));
+  }
+  if (!chains.empty())
+    out.curve = std::make_shared<const MovingCurve>(known_curve(std::move(chains), out.positions.size()));
+  return out;
+}
+
+Expected<EvolutionState> begin_evolution(EvolutionState state, const EvolutionChoice& choice, JobControl& job) {
+  if (state.curve || choice.values[kFreezeChains.id] == 0.0) return state;
+  auto curve = chains_now(state.positions, job);
+  if (!curve) return std::unexpected(curve.error());
+  state.curve = std::move(*curve);
+  return state;
+}
+
+Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k, const EvolutionChoice& choice,
+                                    JobControl& job) {
+  auto curve = state.curve;
+  if (!curve) {
+    auto found = chains_now(state.positions, job);
+    if (!found) return std::unexpected(found.error());
+    curve = std::move(*found);
+  }
+  job.checkpoint();
+  auto next = evolutions()[choice.evolution].step(state, {k, choice, *curve});
+  if (!next) return next;
+  // Equal points have equal bits; see core/document/commands.cpp.
+  for (Vec2& p : next->positions) p = {p.x + 0.0, p.y + 0.0};
+  if (!std::ranges::all_of(next->positions, [](Vec2 p) { return is_finite(p); }))
+    return failure("step " + std::to_string(k + 1) + " leaves the range of numbers");
+  return next;
+}
+
+std::vector<SampleData::Contour> contours_of(const EvolutionState& state) {
+  return state.curve && state.curve->is_known ? state.curve->chains : std::vector<SampleData::Contour>();
+}
+
+}  // namespace mes

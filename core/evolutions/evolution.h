@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Evolutions: deterministic maps from one state of the samples to the next, shown on a slider.
+//
+// What an evolution promises:
+//  1. A step is a pure function of the state, the step's number, the seed and the parameters: the same on any number
+//     of threads, in whatever order steps are asked for, and whatever was computed before.
+//  2. Samples keep their places in the state's lists; new ones follow at the end. None disappears.
+//  3. Samples that are not inner samples of one chain, or on one loop, stay where they are.
+//  4. All numbers are doubles at every step, whatever the number type of the structures.
+//
+// Smallest use:
+//     EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+//     const auto state = states.at(12, job);
+//
+// A new one: a file `name.cpp` with `Evolution name_evolution()` and a line in core/evolutions/CMakeLists.txt.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/document/document.h"
+#include "core/document/parameter.h"
+#include "core/evolutions/moving_curve.h"
+
+namespace mes {
+
+using EvolutionIndex = std::uint32_t;  ///< position in `evolutions()`
+
+/// Values of the parameters of all evolutions, by position in `evolution_parameters()`.
+class EvolutionValues {
+ public:
+  EvolutionValues();  ///< the defaults
+  /// The id must exist.
+  double operator[](std::string_view id) const;
+  void set(std::string_view id, double value);
+  friend bool operator==(const EvolutionValues&, const EvolutionValues&) = default;
+
+ private:
+  std::vector<double> values_;
+};
+
+/// What the states depend on beside the beginning.
+struct EvolutionChoice {
+  EvolutionIndex evolution = 0;
+  std::uint64_t seed = 1;
+  EvolutionValues values{};
+  friend bool operator==(const EvolutionChoice&, const EvolutionChoice&) = default;
+};
+
+/// One state. Lists that a step does not change are shared between states.
+struct EvolutionState {
+  std::vector<Vec2> positions;  ///< in input order
+  /// Numbers of the samples since the data were opened: what random numbers are drawn by.
+  std::shared_ptr<const std::vector<std::uint32_t>> numbers;
+  /// Known loops, or chains that were frozen at the beginning; null: chains are found anew at each step.
+  std::shared_ptr<const MovingCurve> curve;
+  /// What it takes in memory beside `first`, with which it may share lists.
+  std::size_t bytes_beside(const EvolutionState& first) const;
+};
+
+/// What a step is given beside the state.
+struct EvolutionStep {
+  std::uint64_t number = 0;  ///< of the state it starts from
+  const EvolutionChoice& choice;
+  const MovingCurve& curve;
+};
+
+struct EvolutionDescriptor {
+  std::string_view id;       ///< public name, kebab case
+  std::string_view name;     ///< as in a menu
+  std::string_view tooltip;  ///< one sentence, no full stop
+  bool is_random = false;    ///< the seed matters
+  std::vector<ParameterDescriptor> parameters;
+};
+
+struct Evolution {
+  EvolutionDescriptor descriptor;
+  /// The next state. Error: the step would make more than can be handled.
+  Expected<EvolutionState> (*step)(const EvolutionState& state, const EvolutionStep& step);
+};
+
+/// In the order of core/evolutions/CMakeLists.txt.
+std::span<const Evolution> evolutions();
+std::optional<EvolutionIndex> find_evolution(std::string_view id);
+
+/// Parameters of all evolutions, each once; those that several share come first.
+std::span<const ParameterDescriptor> evolution_parameters();
+/// Those that one evolution reads.
+std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution);
+
+/// The document as an evolution sees it; its known loops are the curve.
+EvolutionState state_of(const Document& document);
+/// State 0: where no loops are known, the chains of now are frozen if the choice says so. Throws `Cancelled`. Error:
+/// a structure fails.
+Expected<EvolutionState> begin_evolution(EvolutionState state, const EvolutionChoice& choice, JobControl& job);
+/// State `k + 1` from state `k`. Throws `Cancelled`. Error: the step is refused, a structure fails, or a coordinate
+/// leaves the range of doubles.
+Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k, const EvolutionChoice& choice,
+                                    JobControl& job);
+
+/// The known loops of a state, by places; none where its curve did not come from the document.
+std::vector<SampleData::Contour> contours_of(const EvolutionState& state);
+
+}  // namespace mes

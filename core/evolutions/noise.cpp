@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Noise: every sample on the curve is moved at random, by a fraction of the distance between its neighbours.
+#include "core/base/rng.h"
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+namespace {
+
+constexpr std::string_view kFactor = "noise-factor";
+constexpr std::string_view kIsotropic = "noise-isotropic";
+constexpr std::uint64_t kStream = 0x6e6f697365ULL;  // no other evolution draws the same numbers
+
+// Uniform in the unit disk; by rejection, as sines and cosines are not the same on all machines.
+Vec2 in_unit_disk(Rng& random) {
+  for (;;) {
+    const double x = random.uniform(-1.0, 1.0);
+    const double y = random.uniform(-1.0, 1.0);
+    if (x * x + y * y <= 1.0) return {x, y};
+  }
+}
+
+Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& step) {
+  const double factor = step.choice.values[kFactor];
+  const bool isotropic = step.choice.values[kIsotropic] != 0.0;
+  const Rng of_step(Rng(step.choice.seed ^ kStream).at(step.number));
+  EvolutionState out = state;
+  for_each_moving(step.curve, [&](std::uint32_t before, std::uint32_t sample, std::uint32_t after) {
+    Rng random(of_step.at((*state.numbers)[sample]));
+    const Vec2 across = state.positions[after] - state.positions[before];
+    // `across` turned by a right angle is the unit normal times the distance of the neighbours.
+    const Vec2 offset =
+        isotropic ? length(across) * in_unit_disk(random) : random.uniform(-1.0, 1.0) * perpendicular(across);
+    out.positions[sample] = state.positions[sample] + factor * offset;
+  });
+  gather_followers(step.curve, out.positions);
+  return out;
+}
+
+}  // namespace
+
+Evolution noise_evolution() {
+  return {
+      {"noise",
+       "Noise",
+       "Each sample on the curve moves at random along its normal",
+       true,
+       {{kFactor, "Largest distance a sample moves, in distances between its two neighbours", "", 0.0, 10.0, 0.05},
+        {kIsotropic, "0: along the normal of the curve; 1: in every direction", "", 0.0, 1.0, 0.0, true}}},
+      step};
+}
+
+}  // namespace mes

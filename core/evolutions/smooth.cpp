@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smoothing: every sample goes part of the way to the middle of its two neighbours.
+//
+// On a closed polygon of n samples the k-th Fourier mode is multiplied by 1 - mu (1 - cos(2 pi k / n)) in each step.
+// The second pass, of opposite sign, is Taubin's against shrinking (A signal processing approach to fair surface
+// design, SIGGRAPH 1995).
+#include <cmath>
+
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+namespace {
+
+constexpr std::string_view kMu = "smooth-mu";
+constexpr std::string_view kBack = "smooth-back";
+constexpr std::string_view kKeepArea = "smooth-keep-area";
+
+std::vector<Vec2> averaged(const MovingCurve& curve, const std::vector<Vec2>& from, double mu) {
+  std::vector<Vec2> out = from;
+  for_each_moving(curve, [&](std::uint32_t before, std::uint32_t sample, std::uint32_t after) {
+    // Halves first: the sum of two large numbers may be none.
+    const Vec2 middle = 0.5 * from[before] + 0.5 * from[after];
+    out[sample] = (1.0 - mu) * from[sample] + mu * middle;
+  });
+  return out;
+}
+
+double twice_area(const MovingCurve::Chain& loop, const std::vector<Vec2>& positions) {
+  const Vec2 origin = positions[loop.points.front()];
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < loop.points.size(); ++i)
+    sum += cross(positions[loop.points[i]] - origin, positions[loop.points[i + 1]] - origin);
+  return sum;
+}
+
+// Loops that turn inside out or lose all area, and those with samples that stay, are left as they are.
+void restore_areas(const MovingCurve& curve, const std::vector<Vec2>& before, std::vector<Vec2>& positions) {
+  for (const MovingCurve::Chain& chain : curve.chains) {
+    if (!chain.closed) continue;
+    const double factor = std::sqrt(twice_area(chain, before) / twice_area(chain, positions));
+    if (!std::isfinite(factor) || factor == 0.0) continue;
+    Vec2 center;
+    bool all_move = true;
+    for (const std::uint32_t sample : chain.points) {
+      center = center + (1.0 / static_cast<double>(chain.points.size())) * positions[sample];
+      all_move = all_move && curve.may_move[sample];
+    }
+    if (!all_move) continue;
+    for (const std::uint32_t sample : chain.points)
+      positions[sample] = center + factor * (positions[sample] - center);
+  }
+}
+
+Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& step) {
+  const EvolutionValues& values = step.choice.values;
+  EvolutionState out{{}, state.numbers, state.curve};
+  out.positions = averaged(step.curve, state.positions, values[kMu]);
+  if (values[kBack] > 0.0) out.positions = averaged(step.curve, out.positions, -values[kBack]);
+  if (values[kKeepArea] != 0.0) restore_areas(step.curve, state.positions, out.positions);
+  gather_followers(step.curve, out.positions);
+  return out;
+}
+
+}  // namespace
+
+Evolution smooth_evolution() {
+  return {{"smooth",
+           "Smooth",
+           "Each sample moves halfway to the middle of its neighbours on the curve",
+           false,
+           {{kMu, "How far a sample goes towards the middle of its neighbours", "", 0.001, 1.0, 0.5},
+            {kBack,
+             "How far it then goes back, as Taubin does against shrinking; a little more than smooth-mu is usual, 0: "
+             "not at all",
+             "", 0.0, 1.5, 0.0},
+            {kKeepArea, "1: each loop is scaled about its middle to the area it had; 0: loops shrink", "", 0.0, 1.0,
+             0.0, true}}},
+          step};
+}
+
+}  // namespace mes
