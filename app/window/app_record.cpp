@@ -53,7 +53,7 @@ RecordDesk::Drawn App::drawn_now() const {
 }
 
 void App::follow_recording() {
-  record_.follow();
+  if (record_.follow()) on_anything();
   const bool waits = holds_input() && !record_.is_waiting_for_disk();
   if (!engine_.status().busy && (waits || record_.wants_turn())) frames_wanted_ = std::max(frames_wanted_, 1);
 }

@@ -131,7 +131,7 @@ bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
 
 void RecordDesk::frame_asked(const Drawn& drawn) {
   const Change change = recorder_->change(drawn.state);
-  asked_.push_back({false, {name_of(change, drawn.editor.undo_name()), drawn.editor.document().digest()}});
+  asked_.push_back({false, {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest()}});
   recorder_->note_captured(drawn.state);
   ++frames_;
 }
@@ -208,14 +208,16 @@ void RecordDesk::write_snapshot(render::RawImage raw) {
   });
 }
 
-void RecordDesk::follow() {
+bool RecordDesk::follow() {
   while (auto raw = capture_.poll()) hand_on(std::move(*raw));
   if (writer_ && writer_->problem()) stop();
-  take_results();
+  return take_results();
 }
 
-void RecordDesk::take_results() {
+bool RecordDesk::take_results() {
+  bool told = false;
   if (is_ready(finished_)) {
+    told = true;
     const Finished done = finished_.get();
     if (done.frames != 0) last_take_ = done.folder;
     if (!done.result)
@@ -227,6 +229,7 @@ void RecordDesk::take_results() {
       messages_.remark("Recorded " + counted_frames(done.frames) + " in " + done.folder.string());
   }
   if (is_ready(written_snapshot_)) {
+    told = true;
     const auto file = written_snapshot_.get();
     if (file)
       messages_.remark("Snapshot in " + file->string());
@@ -234,6 +237,7 @@ void RecordDesk::take_results() {
       messages_.problem("No snapshot: " + file.error().message());
   }
   if (const auto done = video_.take_result()) {
+    told = true;
     if (done->has_value())
       messages_.remark("Video in " + video_.output().string());
     else if (done->error().code == ErrorCode::cancelled)
@@ -241,6 +245,7 @@ void RecordDesk::take_results() {
     else
       messages_.problem(done->error().message());
   }
+  return told;
 }
 
 void RecordDesk::start_video(double fps) {

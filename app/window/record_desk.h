@@ -62,8 +62,8 @@ class RecordDesk {
   void picture_drawn(const Drawn& drawn);
   /// The window shows everything.
   void panels_drawn(const Drawn& drawn);
-  /// Hands on what came from the graphics card, and tells what was finished.
-  void follow();
+  /// Hands on what came from the graphics card, and tells what was finished; whether there was something to tell.
+  bool follow();
   /// Something is under way that needs the next turn soon.
   bool wants_turn() const { return capture_.pending() != 0 || snapshot_.has_value(); }
 
@@ -98,7 +98,7 @@ class RecordDesk {
   bool ask(const Drawn& drawn, const RecordSettings& settings);
   void hand_on(render::RawImage raw);
   void write_snapshot(render::RawImage raw);
-  void take_results();
+  bool take_results();
 
   Picture& picture_;
   Messages& messages_;
