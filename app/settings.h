@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/recording/record_settings.h"
 #include "core/base/error.h"
 
 namespace mes {
@@ -25,6 +26,7 @@ struct Settings {
   DetailsPage details = DetailsPage::none;
   bool show_legend = true;  ///< of the colour maps in use
   std::string last_folder;  ///< of the file browser
+  RecordSettings record;
 };
 
 inline constexpr std::size_t kRecentFiles = 12;

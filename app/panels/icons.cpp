@@ -127,6 +127,20 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
         pen.fill(bar);
       }
       break;
+    case Icon::record:
+      pen.ring(12, 12, 8.5F);
+      pen.dot(12, 12, 4.6F);
+      break;
+    case Icon::snapshot: {
+      const ImVec2 body[] = {pen.p(3.5F, 7.5F), pen.p(8, 7.5F),     pen.p(9.5F, 5),   pen.p(14.5F, 5),
+                             pen.p(16, 7.5F),   pen.p(20.5F, 7.5F), pen.p(20.5F, 19), pen.p(3.5F, 19)};
+      pen.outline(body);
+      pen.ring(12, 13, 3.4F);
+      break;
+    }
+    case Icon::more:
+      for (const float x : {6.0F, 12.0F, 18.0F}) pen.dot(x, 12, 1.7F);
+      break;
     case Icon::parameters:
       for (const auto& [y, x] : {std::pair{6.5F, 15.0F}, std::pair{12.0F, 8.5F}, std::pair{17.5F, 13.0F}}) {
         pen.line(4, y, x - 2.4F, y);

@@ -25,7 +25,10 @@ enum class Icon : std::uint8_t {
   statistics,
   parameters,
   play,
-  pause
+  pause,
+  record,
+  snapshot,
+  more
 };
 
 /// Draws the icon into the square `size` wide at `at`.

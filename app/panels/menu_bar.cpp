@@ -40,6 +40,7 @@ void file_menu(const PanelContext& context) {
   action_item(context, ActionId::save_as);
   ImGui::Separator();
   action_item(context, ActionId::trace_picture);
+  for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(context, id);
   ImGui::Separator();
   action_item(context, ActionId::quit);
 }

@@ -19,6 +19,7 @@
 #include "app/window/file_desk.h"
 #include "app/window/gui.h"
 #include "app/window/picture.h"
+#include "app/window/record_desk.h"
 #include "core/document/computation_settings.h"
 #include "core/engine/engine.h"
 
@@ -38,6 +39,7 @@ struct PanelContext {
   const ComputationSettings& computation;
   ParameterAnimation& animation;
   Messages& messages;
+  RecordDesk& record;
   std::span<const SampleShape> shapes;
   std::function<void(const ComputationSettings&)> set_computation;
   std::function<void(const std::string&)> open_file;               ///< asks before unsaved work is lost

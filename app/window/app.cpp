@@ -23,13 +23,16 @@ constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes o
 
 }  // namespace
 
-App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded)
-    : settings_(std::move(loaded.settings)),
+App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded,
+         const Termination& termination)
+    : termination_(termination),
+      settings_(std::move(loaded.settings)),
       settings_path_(default_settings_path()),
       window_(std::move(window)),
       assets_(find_assets(options.executable)),
       shapes_(read_sample_shapes(assets_)),
       gui_(*window_, assets_),
+      record_(picture_, messages_, [] { GlfwWindow::wake(); }),
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets_, layers_),
@@ -67,7 +70,7 @@ double App::next_wait() const {
 }
 
 void App::run() {
-  while (!is_closing_) {
+  while (!is_closing_ && termination_.signal() == 0) {
     if (frames_wanted_ > 0 || canvas_.view().is_moving())
       window_->poll();
     else
@@ -75,6 +78,7 @@ void App::run() {
     deliver_events();
     take_read_file();
     offer_left_work();
+    note_if_complete();
     picture_.take_from(engine_);
     provenance_.take(picture_.take_provenance());
     const bool was_about_to_rest = gui_.is_about_to_rest();
@@ -83,8 +87,9 @@ void App::run() {
     // A tooltip that comes up now is measured in its first frame and seen in its second.
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
   }
-  // In order: whoever was asked has saved or given up what there was.
-  autosave_.discard();
+  record_.end();
+  // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays.
+  if (is_closing_) autosave_.discard();
   remember_settings();
 }
 
@@ -102,6 +107,7 @@ PanelContext App::panel_context() {
           computation_,
           animation_,
           messages_,
+          record_,
           shapes_,
           [this](const ComputationSettings& settings) { set_computation(settings); },
           [this](const std::string& file) { open_files({file}); },
@@ -150,7 +156,7 @@ void App::frame() {
   engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.details == DetailsPage::statistics && show_panels_);
   fit_if_wanted();
-  canvas_.advance(seconds);
+  if (!record_.holds_motion(shown_state())) canvas_.advance(seconds);
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
   const std::uint32_t share = picture_.every();
@@ -158,9 +164,12 @@ void App::frame() {
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   keep_timeline();
+  record_.picture_drawn(drawn_now());
   gui_.end_frame();
+  record_.panels_drawn(drawn_now());
   window_->swap();
   update_title();
+  follow_recording();
 }
 
 void App::draw_panels() {

@@ -33,7 +33,9 @@
 #include "app/window/glfw_window.h"
 #include "app/window/gui.h"
 #include "app/window/picture.h"
+#include "app/window/record_desk.h"
 #include "app/window/run_window.h"
+#include "app/window/termination.h"
 #include "core/engine/engine.h"
 
 namespace mes {
@@ -61,7 +63,8 @@ struct LiveDemo {
 /// thread, then what needs OpenGL, the window last.
 class App final : private WindowListener {
  public:
-  App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded);
+  App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded,
+      const Termination& termination);
   ~App() override;
 
   void run();
@@ -135,6 +138,14 @@ class App final : private WindowListener {
   void ask_picture();
   void trace_picture(const std::filesystem::path& file);
   void follow_picture();
+  // app_record.cpp
+  void bind_record_actions();
+  ShownState shown_state() const;
+  AtRest at_rest() const;
+  bool holds_input() const;
+  void note_if_complete();
+  RecordDesk::Drawn drawn_now() const;
+  void follow_recording();
 
   // app.cpp
   void frame();
@@ -146,6 +157,7 @@ class App final : private WindowListener {
   double next_wait() const;
   PanelContext panel_context();
 
+  const Termination& termination_;
   Settings settings_;
   ComputationSettings computation_;
   std::filesystem::path settings_path_;
@@ -155,6 +167,7 @@ class App final : private WindowListener {
   std::vector<SampleShape> shapes_;
   Gui gui_;
   Picture picture_;
+  RecordDesk record_;
   ProvenanceCard provenance_;
   Engine engine_;
   LayerStack layers_;

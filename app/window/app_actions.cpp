@@ -15,6 +15,7 @@ void App::bind_actions() {
   bind_edit_actions();
   bind_view_actions();
   bind_bundle_actions();
+  bind_record_actions();
 }
 
 void App::bind_file_actions() {
@@ -160,7 +161,7 @@ void App::set_computation(const ComputationSettings& settings) {
 
 // A step is taken when the picture of the one before has been seen.
 void App::advance_animation() {
-  if (!animation_.is_running() || engine_.status().busy) return;
+  if (!animation_.is_running() || engine_.status().busy || holds_input()) return;
   const double now = ImGui::GetTime();
   if (animation_.position() > 0 || computation_[animation_.parameter] == animation_.value()) {
     if (now < next_animation_step_) return;
