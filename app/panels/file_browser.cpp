@@ -23,7 +23,7 @@ bool is_known(const std::string& name) {
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const FormatDescriptor& format : format_descriptors())
     if (format.can_read && std::ranges::count(format.extensions, extension) > 0) return true;
-  return extension == ".txt";
+  return extension == ".txt" || extension == ".bnd";
 }
 
 std::string size_text(std::uintmax_t bytes) {
@@ -57,13 +57,15 @@ void FileBrowser::ask(const fs::path& folder) {
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
 }
 
-void FileBrowser::ask_open(const fs::path& folder) {
+void FileBrowser::ask_open(const fs::path& folder, std::string heading) {
+  heading_ = std::move(heading);
   is_saving_ = false;
   name_.clear();
   ask(folder);
 }
 
-void FileBrowser::ask_save(const fs::path& folder, const std::string& name) {
+void FileBrowser::ask_save(const fs::path& folder, const std::string& name, std::string heading) {
+  heading_ = std::move(heading);
   is_saving_ = true;
   name_ = name;
   extension_ = fs::path(name).extension().string();
@@ -197,7 +199,8 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   std::optional<fs::path> out;
   if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
-  ImGui::TextUnformatted(is_saving_ ? "Save as" : "Open a session, samples or balls");
+  const char* const usual = is_saving_ ? "Save as" : "Open a session, samples, balls or bundles";
+  ImGui::TextUnformatted(heading_.empty() ? usual : heading_.c_str());
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
@@ -220,7 +223,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
       ImGui::Checkbox("All files", &all_files_);
     } else {
       ImGui::AlignTextToFramePadding();
-      ImGui::TextDisabled(".json everything   .poff samples   .wpoff balls");
+      ImGui::TextDisabled("%s", heading_.empty() ? ".json everything   .poff samples   .wpoff balls" : "");
     }
     ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";

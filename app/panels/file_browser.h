@@ -19,8 +19,9 @@ namespace mes {
 ///     ... each frame: if (auto file = browser.draw(gui)) open(*file);
 class FileBrowser {
  public:
-  void ask_open(const std::filesystem::path& folder);
-  void ask_save(const std::filesystem::path& folder, const std::string& name);
+  /// `heading`: what for, when it is not for the document.
+  void ask_open(const std::filesystem::path& folder, std::string heading = {});
+  void ask_save(const std::filesystem::path& folder, const std::string& name, std::string heading = {});
   void close() { is_open_ = false; }
   bool is_open() const { return is_open_; }
   bool is_saving() const { return is_saving_; }
@@ -50,6 +51,7 @@ class FileBrowser {
   std::filesystem::path folder_;
   std::string name_;
   std::string extension_;  // of the name proposed
+  std::string heading_;
   std::string trouble_;
   std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for a yes

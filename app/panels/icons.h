@@ -27,7 +27,8 @@ enum class Icon : std::uint8_t {
   play,
   record,
   snapshot,
-  more
+  more,
+  pause
 };
 
 /// Draws the icon into the square `size` wide at `at`.
