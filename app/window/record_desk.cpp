@@ -167,6 +167,8 @@ void RecordDesk::picture_drawn(const Drawn& drawn) {
 
 void RecordDesk::panels_drawn(const Drawn& drawn) {
   const render::PixelRect all{0, 0, drawn.camera.width(), drawn.camera.height()};
+  // More disks may be on their way to the window.
+  if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
     capture_.take({}, all);
     asked_.push_back({.is_snapshot = true});
