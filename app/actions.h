@@ -50,6 +50,19 @@ enum class ActionId : std::uint8_t {
   toggle_parameters,
   toggle_log,
   toggle_legend,
+  bundle_1,  // the nine in a row
+  bundle_2,
+  bundle_3,
+  bundle_4,
+  bundle_5,
+  bundle_6,
+  bundle_7,
+  bundle_8,
+  bundle_9,
+  save_bundle,
+  import_bundles,
+  export_bundles,
+  undo_bundles,
   cancel_computation,
   resume_computation,
   precision_naive,  // the four in the order of `Precision`
@@ -58,6 +71,7 @@ enum class ActionId : std::uint8_t {
   precision_exact_roots,
   toggle_union_shortcut,
   toggle_pole_propagation,
+  demo,
   help,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;

@@ -61,6 +61,10 @@ class Editor {
                       std::span<const std::pair<BallId, Disk>> balls, const std::string& name);
   Expected<void> remove(std::span<const SampleId> ids, const std::string& name) { return remove(ids, {}, name); }
   Expected<void> remove(std::span<const SampleId> samples, std::span<const BallId> balls, const std::string& name);
+  /// A change as it stands on a timeline.
+  Expected<void> perform(const TimelineEdit& edit) {
+    return perform(delta_of(document_, edit), edit.name, edit.continues);
+  }
   Expected<void> remove_selection();
   /// Shifts what is selected. Repeated nudges within a gesture are one step.
   Expected<void> nudge_selection(Vec2 offset);

@@ -51,6 +51,7 @@ Settings from_json(const json& object) {
   out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
   out.window_width = number_in(object, "window_width", 320, 16384, out.window_width);
   out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
+  out.show_bundles = flag_in(object, "show_bundles", out.show_bundles);
   out.show_layers = flag_in(object, "show_layers", out.show_layers);
   const auto page = std::ranges::find(kPages, text_in(object, "details"));
   if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
@@ -117,6 +118,7 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
                        {"interface_scale", settings.interface_scale},
                        {"window_width", settings.window_width},
                        {"window_height", settings.window_height},
+                       {"show_bundles", settings.show_bundles},
                        {"show_layers", settings.show_layers},
                        {"details", kPages[static_cast<std::size_t>(settings.details)]},
                        {"show_legend", settings.show_legend},

@@ -21,6 +21,7 @@ struct Settings {
   int window_width = 1280;                ///< logical pixels
   int window_height = 800;
   bool show_layers = true;
+  bool show_bundles = true;  ///< unfolded, above the layers
   DetailsPage details = DetailsPage::none;
   bool show_legend = true;  ///< of the colour maps in use
   std::string last_folder;  ///< of the file browser

@@ -32,7 +32,7 @@ constexpr const char* kExamples = R"(Examples:
 Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output impossible (or no display), 130 interrupted.)";
 
 /// Commands that are spoken for, so that nobody takes them for names of files.
-constexpr std::array<std::string_view, 2> kLaterCommands{"evolve", "demo"};
+constexpr std::array<std::string_view, 1> kLaterCommands{"evolve"};
 
 /// Everything the parser fills in.
 struct Arguments {
@@ -41,6 +41,7 @@ struct Arguments {
   ExportRequest exported;
   RenderRequest render;
   PlayRequest play;
+  DemoRequest demo;
   ListRequest list;
 };
 
@@ -64,6 +65,15 @@ void add_source(CLI::App& command, Source& source) {
                   "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_film(CLI::App& command, FilmRequest& film) {
+  command.add_option("--frames", film.frames, "Folder for the pictures 00001.png ... and manifest.json");
+  command.add_option("--video", film.video, "A video, .mp4 or .webm; needs ffmpeg");
+  command.add_option("--size", film.size, "Width and height in pixels, WxH")->capture_default_str();
+  command.add_option("--fps", film.fps, "Pictures a second, 1 to 120")->capture_default_str();
+  command.add_option("--shard", film.shard,
+                     "I/N: only every Nth picture, beginning with the Ith, under the same names");
 }
 
 void describe_commands(CLI::App& app, Arguments& to) {
@@ -103,6 +113,11 @@ void describe_commands(CLI::App& app, Arguments& to) {
                      "Comma list of layer ids, or all; default: those visible at start.\n"
                      "They are drawn in the order of mesecina list layers, the first at\n"
                      "the bottom, however they are listed here");
+  render
+      ->add_option("--bundle", to.render.bundle,
+                   "Layers, their order and their styles as in a bundle: its name\n"
+                   "(mesecina list bundles) or a file of bundles, .json or .bnd")
+      ->excludes("--layers");
   render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
   render
       ->add_option("--view", to.render.view,
@@ -136,6 +151,12 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
   play->add_option("SESSION", to.play.session, "A saved session, .json")->required();
+  add_film(*play, to.play.film);
+  play->footer("Without --frames and --video: one line of JSON a step, with digests of document and layers.");
+
+  CLI::App* const demo = app.add_subcommand(
+      "demo", "The paper's video: the one-step axis, the general pipeline, smoothing; needs no display");
+  add_film(*demo, to.demo.film);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
@@ -143,7 +164,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   list->add_option("WHAT", to.list.what, things)->required();
   list->add_flag("--json", to.list.as_json, "As JSON");
 
-  for (CLI::App* const command : {compute, exported, render, play, list})
+  for (CLI::App* const command : {compute, exported, render, play, demo, list})
     command->set_help_flag("-h,--help", "Print this help and exit");
 }
 
@@ -156,6 +177,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
+  if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   return run_list(arguments.list, interruption);
 }

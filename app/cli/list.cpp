@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/actions.h"
+#include "app/cli/bundle_request.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
@@ -152,6 +153,23 @@ std::vector<Entry> actions() {
   return out;
 }
 
+std::vector<Entry> bundles() {
+  std::vector<Entry> out;
+  for (const auto& [bundle, is_built_in] : available_bundles()) {
+    Json shown = Json::array();
+    std::string text;
+    for (const LayerConfiguration::Entry& entry : bundle.layers.layers) {
+      if (!entry.visible) continue;
+      shown.push_back(entry.layer);
+      text += (text.empty() ? "" : ", ") + entry.layer;
+    }
+    out.push_back({printable(bundle.name),
+                   printable(text),
+                   {{"id", bundle.name}, {"built_in", is_built_in}, {"layers", shown}}});
+  }
+  return out;
+}
+
 std::vector<Entry> color_maps() {
   const LoadedColorMaps loaded = load_color_maps(find_assets({}), user_color_map_folder());
   for (const Error& problem : loaded.problems) say("a colour map is left out: " + problem.message());
@@ -170,12 +188,13 @@ struct Listing {
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 7> kListings{{{"layers", layers},
+constexpr std::array<Listing, 8> kListings{{{"layers", layers},
                                             {"structures", structures},
                                             {"formats", formats},
                                             {"parameters", parameters},
                                             {"precisions", precisions},
                                             {"actions", actions},
+                                            {"bundles", bundles},
                                             {"color-maps", color_maps}}};
 
 std::string table_of(const std::vector<Entry>& entries) {
@@ -207,7 +226,7 @@ Expected<void> run_list(const ListRequest& request, Interruption& interruption) 
     if (!request.as_json) return write_output({}, table_of(entries), interruption);
     Json out = Json::array();
     for (const Entry& entry : entries) out.push_back(entry.json);
-    return write_output({}, out.dump(2) + '\n', interruption);
+    return write_output({}, out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n', interruption);
   }
   return usage_error("cannot list " + in_quotes(request.what) + "; it is one of " + one_of(names));
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/background_loader.h"
+#include "app/cli/bundle_request.h"
 #include "app/cli/computation.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
@@ -34,7 +35,7 @@ namespace {
 
 /// The request, understood.
 struct Picture {
-  std::vector<LayerIndex> layers;
+  std::vector<LayerIndex> layers;  // bottom first
   std::vector<LayerStyle> styles;  // of all layers
   PictureSize size;
   std::optional<Box2> view;
@@ -58,21 +59,52 @@ Expected<void> check_picture_name(const std::string& file) {
   return usage_error("the name of the picture must end in .png, not " + in_quotes(extension));
 }
 
-Expected<Picture> understand(const RenderRequest& request, std::span<const render::ColorMap> maps) {
-  Picture picture;
-  auto layers = select_layers(request.layers);
+/// Layers and styles of a bundle; what it names that is not here is told.
+Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
+  const auto bundle = find_bundle(name_or_file);
+  if (!bundle) return std::unexpected(bundle.error());
+  std::size_t unknown = 0;
+  for (const LayerConfiguration::Entry& entry : bundle->layers.layers) {
+    const LayerIndex layer = find_layer(entry.layer);
+    if (layer == kNoSlot) {
+      ++unknown;
+      continue;
+    }
+    picture.styles[layer] = entry.style;
+    if (entry.visible && std::ranges::find(picture.layers, layer) == picture.layers.end())
+      picture.layers.push_back(layer);
+  }
+  if (unknown != 0)
+    say("bundle " + in_quotes(bundle->name) + ": " + std::to_string(unknown) +
+        (unknown == 1 ? " layer is" : " layers are") + " not available here");
+  return {};
+}
+
+Expected<void> take_layers(const std::string& ids, Picture& picture) {
+  auto layers = select_layers(ids);
   if (!layers) return std::unexpected(layers.error());
   picture.layers = std::move(*layers);
-  const LayerIndex image = find_layer("image");
-  if (!request.image.empty()) {
-    picture.image = parse_image(request.image);
-    if (std::ranges::find(picture.layers, image) == picture.layers.end()) picture.layers.push_back(image);
-  }
   // The stacking order is the registry's, whatever the order of the words.
   std::ranges::sort(picture.layers);
+  return {};
+}
+
+Expected<Picture> understand(const RenderRequest& request, std::span<const render::ColorMap> maps) {
+  Picture picture;
+  for (const LayerDescriptor& layer : layer_descriptors()) picture.styles.push_back(layer.style);
+  const auto taken =
+      request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
+  if (!taken) return std::unexpected(taken.error());
+  if (!request.image.empty()) {
+    picture.image = parse_image(request.image);
+    const LayerIndex image = find_layer("image");
+    // Below everything, unless a bundle says where.
+    if (std::ranges::find(picture.layers, image) == picture.layers.end())
+      picture.layers.insert(picture.layers.begin(), image);
+  }
   std::vector<std::string> map_names;
   for (const render::ColorMap& map : maps) map_names.push_back(map.name);
-  auto styles = styles_of(request.styles, picture.layers, map_names);
+  auto styles = changed_styles(std::move(picture.styles), request.styles, picture.layers, map_names);
   if (!styles) return std::unexpected(styles.error());
   picture.styles = std::move(*styles);
   const auto size = parse_size(request.size);

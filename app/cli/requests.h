@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/film.h"
 #include "app/cli/interruption.h"
 #include "core/base/error.h"
 
@@ -37,6 +38,7 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
 struct RenderRequest {
   Source source;
   std::string layers;
+  std::string bundle;  ///< name or file, instead of layers
   std::string size = "1600x1200";
   std::string view = "fit";
   std::string scale = "1";
@@ -50,8 +52,14 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
 
 struct PlayRequest {
   std::string session;
+  FilmRequest film;
 };
 Expected<void> run_play(const PlayRequest& request, Interruption& interruption);
+
+struct DemoRequest {
+  FilmRequest film;
+};
+Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
 
 struct ListRequest {
   std::string what;

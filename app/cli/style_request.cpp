@@ -101,10 +101,10 @@ std::string style_keys() {
   return out;
 }
 
-Expected<std::vector<LayerStyle>> styles_of(std::span<const std::string> requests, std::span<const LayerIndex> drawn,
-                                            std::span<const std::string> color_maps) {
-  std::vector<LayerStyle> styles;
-  for (const LayerDescriptor& layer : layer_descriptors()) styles.push_back(layer.style);
+Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
+                                                 std::span<const std::string> requests,
+                                                 std::span<const LayerIndex> drawn,
+                                                 std::span<const std::string> color_maps) {
   for (const std::string& request : requests) {
     const std::size_t colon = request.find(':');
     if (colon == std::string::npos)
@@ -113,8 +113,7 @@ Expected<std::vector<LayerStyle>> styles_of(std::span<const std::string> request
     if (!layer) return std::unexpected(layer.error());
     const LayerDescriptor& descriptor = layer_descriptors()[*layer];
     if (std::ranges::find(drawn, *layer) == drawn.end())
-      return usage_error("--set-style is given for " + std::string(descriptor.id) +
-                         ", which is not drawn; name it in --layers");
+      return usage_error("--set-style is given for " + std::string(descriptor.id) + ", which is not drawn");
     std::string_view rest = std::string_view(request).substr(colon + 1);
     while (true) {
       const std::string_view setting = rest.substr(0, rest.find(','));

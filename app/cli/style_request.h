@@ -12,10 +12,12 @@
 
 namespace mes::cli {
 
-/// The styles of all layers, by layer: those they have by themselves, changed as `requests` say, one after the other.
+/// The styles of all layers, by layer, changed as `requests` say, one after the other.
 /// Error: `usage`, naming the nearest words there are; also for a layer that is not among `drawn`.
-Expected<std::vector<LayerStyle>> styles_of(std::span<const std::string> requests, std::span<const LayerIndex> drawn,
-                                            std::span<const std::string> color_maps);
+Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
+                                                 std::span<const std::string> requests,
+                                                 std::span<const LayerIndex> drawn,
+                                                 std::span<const std::string> color_maps);
 
 /// The keys of a request, for the help page.
 std::string style_keys();

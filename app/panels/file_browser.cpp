@@ -29,7 +29,7 @@ bool is_known(const std::string& name) {
   const std::string extension = extension_of(name);
   for (const FormatDescriptor& format : format_descriptors())
     if (format.can_read && std::ranges::count(format.extensions, extension) > 0) return true;
-  return extension == ".txt";
+  return extension == ".txt" || extension == ".bnd";
 }
 
 std::string size_text(std::uintmax_t bytes) {
@@ -59,14 +59,14 @@ void FileBrowser::ask(const fs::path& folder) {
   accepted_ = false;
   trouble_.clear();
   overwrite_.clear();
-  title_ = "Open a session, samples or balls";
   extensions_.clear();
   then_ = {};
   std::error_code error;
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
 }
 
-void FileBrowser::ask_open(const fs::path& folder) {
+void FileBrowser::ask_open(const fs::path& folder, std::string heading) {
+  heading_ = std::move(heading);
   is_saving_ = false;
   name_.clear();
   ask(folder);
@@ -74,8 +74,7 @@ void FileBrowser::ask_open(const fs::path& folder) {
 
 void FileBrowser::ask_for(const std::string& title, std::vector<std::string> extensions, const fs::path& folder,
                           std::function<void(const fs::path&)> then) {
-  ask_open(folder);
-  title_ = title;
+  ask_open(folder, title);
   extensions_ = std::move(extensions);
   then_ = std::move(then);
 }
@@ -85,7 +84,8 @@ bool FileBrowser::is_listed(const std::string& name) const {
   return extensions_.empty() ? is_known(name) : std::ranges::count(extensions_, extension_of(name)) > 0;
 }
 
-void FileBrowser::ask_save(const fs::path& folder, const std::string& name) {
+void FileBrowser::ask_save(const fs::path& folder, const std::string& name, std::string heading) {
+  heading_ = std::move(heading);
   is_saving_ = true;
   name_ = name;
   extension_ = fs::path(name).extension().string();
@@ -219,7 +219,8 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   std::optional<fs::path> out;
   if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
-  ImGui::TextUnformatted(is_saving_ ? "Save as" : title_.c_str());
+  const char* const usual = is_saving_ ? "Save as" : "Open a session, samples, balls or bundles";
+  ImGui::TextUnformatted(heading_.empty() ? usual : heading_.c_str());
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
@@ -242,7 +243,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
       ImGui::Checkbox("All files", &all_files_);
     } else {
       ImGui::AlignTextToFramePadding();
-      ImGui::TextDisabled(".json everything   .poff samples   .wpoff balls");
+      ImGui::TextDisabled("%s", heading_.empty() ? ".json everything   .poff samples   .wpoff balls" : "");
     }
     ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";

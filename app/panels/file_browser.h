@@ -20,11 +20,12 @@ namespace mes {
 ///     ... each frame: if (auto file = browser.draw(gui)) open(*file);
 class FileBrowser {
  public:
-  void ask_open(const std::filesystem::path& folder);
+  /// `heading`: what for, when it is not for the document.
+  void ask_open(const std::filesystem::path& folder, std::string heading = {});
   /// For files of other kinds: `then` gets the chosen one, instead of whoever draws the dialog.
   void ask_for(const std::string& title, std::vector<std::string> extensions, const std::filesystem::path& folder,
                std::function<void(const std::filesystem::path&)> then);
-  void ask_save(const std::filesystem::path& folder, const std::string& name);
+  void ask_save(const std::filesystem::path& folder, const std::string& name, std::string heading = {});
   void close() { is_open_ = false; }
   bool is_open() const { return is_open_; }
   bool is_saving() const { return is_saving_; }
@@ -54,10 +55,10 @@ class FileBrowser {
   bool accepted_ = false;
   std::filesystem::path folder_;
   std::string name_;
-  std::string extension_;  // of the name proposed
-  std::string title_;
+  std::string extension_;                // of the name proposed
   std::vector<std::string> extensions_;  // lower case, with the dot; empty: of samples and balls
   std::function<void(const std::filesystem::path&)> then_;
+  std::string heading_;
   std::string trouble_;
   std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for a yes

@@ -121,6 +121,12 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.fill(head);
       break;
     }
+    case Icon::pause:
+      for (const float x : {7.5F, 13.5F}) {
+        const ImVec2 bar[] = {pen.p(x, 6), pen.p(x + 3, 6), pen.p(x + 3, 18), pen.p(x, 18)};
+        pen.fill(bar);
+      }
+      break;
     case Icon::parameters:
       for (const auto& [y, x] : {std::pair{6.5F, 15.0F}, std::pair{12.0F, 8.5F}, std::pair{17.5F, 13.0F}}) {
         pen.line(4, y, x - 2.4F, y);

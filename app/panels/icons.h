@@ -24,7 +24,8 @@ enum class Icon : std::uint8_t {
   layers,
   statistics,
   parameters,
-  play
+  play,
+  pause
 };
 
 /// Draws the icon into the square `size` wide at `at`.

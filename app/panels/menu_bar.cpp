@@ -66,6 +66,12 @@ void view_menu(const PanelContext& context) {
                             ActionId::toggle_log, ActionId::toggle_legend, ActionId::toggle_panels})
     action_item(context, id);
   ImGui::Separator();
+  if (ImGui::BeginMenu("Bundles")) {
+    for (const ActionId id :
+         {ActionId::save_bundle, ActionId::import_bundles, ActionId::export_bundles, ActionId::undo_bundles})
+      action_item(context, id);
+    ImGui::EndMenu();
+  }
   if (ImGui::BeginMenu("Interface size")) {
     constexpr std::array<int, 6> kPercents{75, 100, 125, 150, 175, 200};
     for (const int percent : kPercents) {
@@ -126,6 +132,7 @@ float draw_menu_bar(const PanelContext& context) {
   }
   if (ImGui::BeginMenu("Help")) {
     action_item(context, ActionId::help);
+    action_item(context, ActionId::demo);
     ImGui::Separator();
     ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
     ImGui::EndMenu();

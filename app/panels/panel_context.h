@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "app/action_bindings.h"
+#include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
@@ -28,6 +30,7 @@ struct PanelContext {
   Editor& editor;
   Engine& engine;
   LayerStack& layers;
+  BundleDesk& bundles;
   Canvas& canvas;
   Picture& picture;
   FileDesk& files;
@@ -37,8 +40,9 @@ struct PanelContext {
   Messages& messages;
   std::span<const SampleShape> shapes;
   std::function<void(const ComputationSettings&)> set_computation;
-  std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost
-  std::function<void(const SampleShape&)> open_shape;  ///< the same
+  std::function<void(const std::string&)> open_file;               ///< asks before unsaved work is lost
+  std::function<void(const SampleShape&)> open_shape;              ///< the same
+  std::function<void(std::optional<std::size_t>)> export_bundles;  ///< asks for a file for one or all
 };
 
 /// A rectangle of the window, in screen coordinates.

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kSettlingFrames = 2;
 constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
+constexpr float kMostOfBundles = 0.4F;      // of the height that bundles and layers share
 constexpr double kLargestCirclePx = 10'000.0;
 constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
 
@@ -31,6 +32,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       gui_(*window_, assets_),
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
+      bundles_(default_bundles_path(), assets_, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       files_(
           editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
@@ -44,6 +46,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
   LoadedColorMaps maps = load_color_maps(assets_, user_color_map_folder());
   picture_.set_color_maps(std::move(maps.maps));
   if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
+  if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);
   bind_actions();
   window_->set_listener(this);
   open_first(options);
@@ -56,6 +59,7 @@ App::~App() {
 
 double App::next_wait() const {
   const EngineStatus status = engine_.status();
+  if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (status.busy || files_.is_reading() || background_.is_reading() || gui_.is_about_to_rest())
     return kProgressInterval;
@@ -90,6 +94,7 @@ PanelContext App::panel_context() {
           editor_,
           engine_,
           layers_,
+          bundles_,
           canvas_,
           picture_,
           files_,
@@ -100,7 +105,8 @@ PanelContext App::panel_context() {
           shapes_,
           [this](const ComputationSettings& settings) { set_computation(settings); },
           [this](const std::string& file) { open_files({file}); },
-          [this](const SampleShape& shape) { open_shape(shape); }};
+          [this](const SampleShape& shape) { open_shape(shape); },
+          [this](std::optional<std::size_t> index) { ask_export(index); }};
 }
 
 void App::follow_demand() {
@@ -140,6 +146,7 @@ void App::frame() {
   follow_demand();
   follow_picture();
   advance_animation();
+  advance_demo();
   engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.details == DetailsPage::statistics && show_panels_);
   fit_if_wanted();
@@ -174,7 +181,11 @@ void App::draw_panels() {
     const bool both = settings_.show_layers && has_details;
     if (settings_.show_layers || has_details) right = width;
     const float upper = both ? 0.55F * height : height;
-    if (settings_.show_layers) layers_panel_.draw(context, {{screen.x - width, top}, {width, upper}});
+    if (settings_.show_layers) {
+      const float bundles = bundles_panel_.height(context, kMostOfBundles * upper);
+      bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
+      layers_panel_.draw(context, {{screen.x - width, top + bundles}, {width, upper - bundles}});
+    }
     if (has_details) {
       const float from = both ? top + upper : top;
       details_panel_.draw(context, {{screen.x - width, from}, {width, top + height - from}});
@@ -188,6 +199,7 @@ void App::draw_panels() {
   if (settings_.show_legend)
     draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
                        screen.y - top - bottom - 2 * card_margin);
+  draw_caption({left + 0.5F * (screen.x - left - right), screen.y - bottom}, screen.x - left - right);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
   draw_help(context, &show_help_);

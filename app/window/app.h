@@ -12,17 +12,20 @@
 #include "app/action_bindings.h"
 #include "app/autosave.h"
 #include "app/background_loader.h"
+#include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
+#include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
 #include "app/panels/file_browser.h"
 #include "app/panels/layers_panel.h"
 #include "app/panels/panel_context.h"
 #include "app/panels/provenance_card.h"
+#include "app/player.h"
 #include "app/sample_shapes.h"
 #include "app/settings.h"
 #include "app/surroundings.h"
@@ -34,6 +37,19 @@
 #include "core/engine/engine.h"
 
 namespace mes {
+
+/// The demo while it is played in the window.
+struct LiveDemo {
+  Session session;
+  std::vector<PlayStep> steps;
+  std::size_t next = 0;
+  bool is_paused = false;
+  double not_before = 0.0;     ///< seconds; the next step waits until then, and for the picture
+  std::uint64_t document = 0;  ///< revision it left behind; another one means that somebody edits
+  std::string caption{};
+  LayerConfiguration layers_before{};
+  ComputationSettings settings_before{};
+};
 
 /// What it guarantees:
 ///  1. The thread that draws never waits for the engine or for a file being read.
@@ -81,6 +97,12 @@ class App final : private WindowListener {
   Box2 fit_box() const;
   void fit_if_wanted();
 
+  // app_bundles.cpp
+  void bind_bundle_actions();
+  void ask_export(std::optional<std::size_t> index);
+  void import_bundles(const std::filesystem::path& file);
+  std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
+
   // app_files.cpp
   void open_first(const WindowOptions& options);
   void with_saved_work(std::function<void()> then);
@@ -108,6 +130,13 @@ class App final : private WindowListener {
   void trace_picture(const std::filesystem::path& file);
   void follow_picture();
 
+  // app_demo.cpp
+  void start_demo();
+  void end_demo(bool restore);
+  void advance_demo();
+  Expected<void> perform(const TimelineEntry& entry);
+  void draw_caption(ImVec2 middle, float width);
+
   // app.cpp
   void frame();
   void draw_panels();
@@ -130,14 +159,17 @@ class App final : private WindowListener {
   ProvenanceCard provenance_;
   Engine engine_;
   LayerStack layers_;
+  BundleDesk bundles_;
   Editor editor_;
   FileDesk files_;
   ToolContext tool_context_;
   Canvas canvas_;
   ActionBindings actions_;
+  BundlesPanel bundles_panel_;
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
   ParameterAnimation animation_;
+  std::optional<LiveDemo> demo_;
   double next_animation_step_ = 0.0;  // seconds
   BackgroundLoader background_{[] { GlfwWindow::wake(); }};
   FileBrowser browser_;
@@ -146,7 +178,8 @@ class App final : private WindowListener {
   SurroundingsNotes notes_;
   Autosave autosave_;
   std::future<FoundWork> left_work_;
-  std::function<void()> after_save_;  // what waits for a save under a new name
+  std::function<void(const std::filesystem::path&)> when_chosen_;  // instead of opening or saving
+  std::function<void()> after_save_;                               // what waits for a save under a new name
   bool show_help_ = false;
   bool show_panels_ = true;
   enum class Fit : std::uint8_t { none, glide, at_once };

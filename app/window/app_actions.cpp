@@ -14,6 +14,7 @@ void App::bind_actions() {
   bind_file_actions();
   bind_edit_actions();
   bind_view_actions();
+  bind_bundle_actions();
 }
 
 void App::bind_file_actions() {
@@ -28,6 +29,7 @@ void App::bind_file_actions() {
   actions_.bind(ActionId::save, {[this] { save(); }});
   actions_.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions_.bind(ActionId::quit, {[this] { with_saved_work([this] { is_closing_ = true; }); }});
+  actions_.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
   actions_.bind(ActionId::help, {[this] { show_help_ = !show_help_; }});
 }
 
@@ -55,6 +57,10 @@ void App::bind_edit_actions() {
   actions_.bind(ActionId::invert_selection,
                 {by_hand([this] { editor_.selection().invert(editor_.document()); }), has_something});
   actions_.bind(ActionId::deselect, {by_hand([this] {
+                  if (demo_) {
+                    end_demo(true);
+                    return;
+                  }
                   if (!canvas_.cancel_gesture() && !provenance_.clear()) editor_.selection().clear();
                 })});
   actions_.bind(ActionId::delete_selection, {by_hand([this] {

@@ -11,8 +11,8 @@ namespace mes {
 namespace fs = std::filesystem;
 
 void App::open_first(const WindowOptions& options) {
-  if (!options.files.empty()) {
-    files_.open(std::vector<fs::path>(options.files.begin(), options.files.end()));
+  if (const std::vector<fs::path> files = without_bundles(options.files); !files.empty()) {
+    files_.open(files);
   } else if (!shapes_.empty()) {
     files_.open_shape(shapes_.front().file, shapes_.front().name);
   } else {
@@ -30,7 +30,9 @@ void App::with_saved_work(std::function<void()> then) {
 }
 
 void App::open_files(const std::vector<std::string>& files) {
-  with_saved_work([this, paths = std::vector<fs::path>(files.begin(), files.end())] { files_.open(paths); });
+  std::vector<fs::path> paths = without_bundles(files);
+  if (paths.empty()) return;
+  with_saved_work([this, paths = std::move(paths)] { files_.open(paths); });
 }
 
 void App::open_shape(const SampleShape& shape) {
@@ -40,6 +42,7 @@ void App::open_shape(const SampleShape& shape) {
 void App::take_read_file() {
   const auto outcome = files_.poll();
   if (!outcome) return;
+  if (!outcome->error) end_demo(true);
   frames_wanted_ = 3;
   if (outcome->error) {
     report(*outcome->error);
@@ -156,13 +159,18 @@ void App::draw_dialogs() {
   const bool was_saving = browser_.is_saving();
   if (const auto chosen = browser_.draw(gui_)) {
     settings_.last_folder = chosen->parent_path().string();
-    if (!was_saving) {
-      files_.open(*chosen);
+    if (const auto then = std::exchange(when_chosen_, {})) {
+      then(*chosen);
+    } else if (!was_saving) {
+      if (const std::vector<fs::path> files = without_bundles({chosen->string()}); !files.empty()) files_.open(files);
     } else {
       save_as(*chosen);
     }
   }
-  if (!browser_.is_open()) after_save_ = {};
+  if (!browser_.is_open()) {
+    after_save_ = {};
+    when_chosen_ = {};
+  }
 }
 
 void App::remember_settings() {

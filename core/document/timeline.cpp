@@ -182,28 +182,28 @@ Expected<void> DocumentReplay::begin(const SampleData& data) {
   return {};
 }
 
-Expected<DocumentDelta> DocumentReplay::delta_of(const TimelineEdit& edit) const {
+Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& edit) {
   if (!edit.removed.empty() && (!edit.moved.empty() || !edit.inserted.empty()))
     return refuse("one edit removes samples and does something else with others");
   const int kinds_of_balls = !edit.removed_balls.empty() + !edit.changed_balls.empty() + !edit.inserted_balls.empty();
   if (kinds_of_balls > 1) return refuse("one edit does different things with balls");
-  const SampleId first = document_.first_id();
-  const BallId first_ball = document_.first_ball_id();
-  const std::size_t known = document_.next_id().value - first.value;
-  const std::size_t known_balls = document_.next_ball_id().value - first_ball.value;
+  const SampleId first = document.first_id();
+  const BallId first_ball = document.first_ball_id();
+  const std::size_t known = document.next_id().value - first.value;
+  const std::size_t known_balls = document.next_ball_id().value - first_ball.value;
   if (!all_known(edit.removed, known) || !all_known(edit.moved, known)) return refuse("an edit of no sample");
   if (!all_known(edit.removed_balls, known_balls) || !all_known(edit.changed_balls, known_balls))
     return refuse("an edit of no ball");
-  auto samples = edit.removed.empty() ? move_samples(document_, places_of(edit.moved, first))
-                                      : remove_samples(document_, ids_of(edit.removed, first));
+  auto samples = edit.removed.empty() ? move_samples(document, places_of(edit.moved, first))
+                                      : remove_samples(document, ids_of(edit.removed, first));
   if (samples && !edit.inserted.empty()) {
-    auto inserted = insert_samples(document_, edit.inserted);
+    auto inserted = insert_samples(document, edit.inserted);
     if (!inserted) return inserted;
     samples->edits.insert(samples->edits.end(), inserted->edits.begin(), inserted->edits.end());
   }
-  auto balls = !edit.removed_balls.empty()    ? remove_balls(document_, ids_of(edit.removed_balls, first_ball))
-               : !edit.inserted_balls.empty() ? insert_balls(document_, edit.inserted_balls)
-                                              : change_balls(document_, places_of(edit.changed_balls, first_ball));
+  auto balls = !edit.removed_balls.empty()    ? remove_balls(document, ids_of(edit.removed_balls, first_ball))
+               : !edit.inserted_balls.empty() ? insert_balls(document, edit.inserted_balls)
+                                              : change_balls(document, places_of(edit.changed_balls, first_ball));
   auto out = together(std::move(samples), balls);
   if (!out || !edit.curve) return out;
   auto curve = std::make_shared<CurveOrder>();
@@ -217,7 +217,7 @@ Expected<DocumentDelta> DocumentReplay::delta_of(const TimelineEdit& edit) const
 }
 
 Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
-  const auto delta = delta_of(edit);
+  const auto delta = delta_of(document_, edit);
   if (!delta) return std::unexpected(delta.error());
   if (delta->is_empty()) return {};
   change(*delta);

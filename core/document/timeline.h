@@ -52,6 +52,9 @@ struct TimelineEdit {
   friend bool operator==(const TimelineEdit&, const TimelineEdit&) = default;
 };
 
+/// What the edit does to the document. Error: `bad_input`, or as the commands it consists of.
+Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& edit);
+
 /// The edits up to the end of the gesture are one step of undo.
 struct GestureBegun {
   std::string name{};
@@ -92,6 +95,7 @@ struct ViewChanged {
 /// Words for whoever watches, until others come; empty: none.
 struct Captioned {
   std::string text{};
+  double seconds = 0.0;  ///< how long this picture stays in a video; 0: as long as any
   friend bool operator==(const Captioned&, const Captioned&) = default;
 };
 
@@ -154,7 +158,6 @@ class DocumentReplay {
   History take_history() && { return std::move(history_); }
 
  private:
-  Expected<DocumentDelta> delta_of(const TimelineEdit& edit) const;
   Expected<void> apply_edit(const TimelineEdit& edit);
   void change(const DocumentDelta& delta);
 

@@ -11,7 +11,7 @@ using mes::test::RunResult;
 using Json = nlohmann::json;
 
 TEST_CASE("what is listed has a name of its own, as a table and as JSON") {
-  for (const char* what : {"layers", "structures", "formats", "parameters", "precisions", "actions"}) {
+  for (const char* what : {"layers", "structures", "formats", "parameters", "precisions", "actions", "bundles"}) {
     INFO(what);
     const RunResult table = run({"list", what});
     CHECK(table.exit_code == 0);

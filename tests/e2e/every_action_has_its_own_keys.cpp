@@ -17,7 +17,7 @@ TEST_CASE("the table is in the order of the ids and complete") {
     CHECK_FALSE(actions[i].name.empty());
     CHECK_FALSE(actions[i].tooltip.empty());
     CHECK(actions[i].tooltip.back() != '.');
-    for (const char c : actions[i].public_id) CHECK(((c >= 'a' && c <= 'z') || c == '-'));
+    for (const char c : actions[i].public_id) CHECK(((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'));
   }
 }
 

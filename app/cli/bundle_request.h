@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bundles as the command line names them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/document/bundle.h"
+
+namespace mes::cli {
+
+struct AvailableBundle {
+  Bundle bundle;
+  bool is_built_in = false;
+};
+
+/// Those of the user first, then the built-in ones under other names. A file of the user's that cannot be read is
+/// told and left alone.
+std::vector<AvailableBundle> available_bundles();
+
+/// The bundle of this name, whatever the case if that leaves one; or the first of the file of this name. Error:
+/// `usage` with the nearest names, or `bad_input` for a file that holds none.
+Expected<Bundle> find_bundle(const std::string& name_or_file);
+
+}  // namespace mes::cli

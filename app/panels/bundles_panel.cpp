@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/bundles_panel.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/panels/icons.h"
+#include "app/window/theme.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+constexpr const char* kDragKind = "mesecina-bundle";
+constexpr std::size_t kDigits = 9;
+constexpr float kRowHeight = 24.0F;
+constexpr float kHeadHeight = 34.0F;
+
+void tell(const PanelContext& context, const Expected<void>& done) {
+  if (!done)
+    context.messages.problem(done.error().message());
+  else if (const std::string what = context.bundles.undo_offer(); !what.empty())
+    context.messages.remark(what);
+  if (const std::string message = context.bundles.take_message(); !message.empty()) context.messages.problem(message);
+}
+
+bool head_button(const PanelContext& context, const char* label, const std::string& explanation) {
+  ImGui::PushStyleColor(ImGuiCol_Button, 0U);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+  const bool clicked = ImGui::Button(label, {26 * context.gui.unit(), 0});
+  ImGui::PopStyleColor(2);
+  tooltip(context.gui, explanation);
+  return clicked;
+}
+
+void menu_item(const PanelContext& context, ActionId id) {
+  const ActionDescriptor& action = descriptor_of(id);
+  const std::string name(action.name);
+  const std::string key = action.keys.empty() ? std::string() : std::string(action.keys.front());
+  if (ImGui::MenuItem(name.c_str(), key.c_str(), false, context.actions.is_enabled(id))) context.actions.run(id);
+  tooltip(context.gui, std::string(action.tooltip));
+}
+
+// Whether a key or a click has asked for the next popup, it opens where the eye is.
+void place_beside_panel(const PanelContext& context) {
+  const ImVec2 panel = ImGui::GetWindowPos();
+  const float gap = 8 * context.gui.unit();
+  ImGui::SetNextWindowPos({panel.x - gap, panel.y + gap}, ImGuiCond_Always, {1.0F, 0.0F});
+}
+
+bool begin_roomy_popup(const PanelContext& context, const char* id) {
+  const float unit = context.gui.unit();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
+  const bool is_open = ImGui::BeginPopup(id);
+  if (!is_open) ImGui::PopStyleVar(2);
+  return is_open;
+}
+
+void close_on_escape() {
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+}
+
+void end_roomy_popup() {
+  ImGui::EndPopup();
+  ImGui::PopStyleVar(2);
+}
+
+/// A field for a name and a button with a verb. True: it was meant.
+bool name_field(const PanelContext& context, std::string& name, const char* verb) {
+  const float unit = context.gui.unit();
+  ImGui::SetNextItemWidth(200 * unit);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputTextWithHint("##name", "Name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine();
+  const bool is_good = checked_bundle_name(name).has_value();
+  ImGui::BeginDisabled(!is_good);
+  const bool pressed = ImGui::Button(verb, {90 * unit, 0});
+  ImGui::EndDisabled();
+  close_on_escape();
+  return is_good && (entered || pressed);
+}
+
+}  // namespace
+
+float BundlesPanel::height(const PanelContext& context, float most) const {
+  const float unit = context.gui.unit();
+  if (!context.settings.show_bundles) return std::min(most, (kHeadHeight + 8) * unit);
+  const auto rows = static_cast<float>(std::max<std::size_t>(1, context.bundles.bundles().size()));
+  const float line = context.bundles.undo_offer().empty() ? 0.0F : kRowHeight;
+  return std::min(most, (kHeadHeight + kRowHeight * rows + line + 14) * unit);
+}
+
+void BundlesPanel::draw_head(const PanelContext& context) {
+  const float unit = context.gui.unit();
+  bool& is_unfolded = context.settings.show_bundles;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  if (ImGui::InvisibleButton("fold", {100 * unit, height})) is_unfolded = !is_unfolded;
+  tooltip(context.gui, is_unfolded ? "Fold the bundles away" : "Show the bundles");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 middle(at.x + 5 * unit, at.y + 0.5F * height);
+  const float size = 4 * unit;
+  if (is_unfolded)
+    list.AddTriangleFilled({middle.x - size, middle.y - 0.5F * size}, {middle.x + size, middle.y - 0.5F * size},
+                           {middle.x, middle.y + 0.7F * size}, theme::kTextQuiet);
+  else
+    list.AddTriangleFilled({middle.x - 0.5F * size, middle.y - size}, {middle.x + 0.7F * size, middle.y},
+                           {middle.x - 0.5F * size, middle.y + size}, theme::kTextQuiet);
+  ImGui::PushFont(context.gui.bold());
+  list.AddText({at.x + 15 * unit, at.y + 0.5F * (height - ImGui::GetFontSize())}, theme::kText, "Bundles");
+  ImGui::PopFont();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 54 * unit);
+  if (head_button(context, "+", tooltip_of(ActionId::save_bundle))) asks_name_ = true;
+  ImGui::SameLine(0, 2 * unit);
+  if (head_button(context, "...", "More to do with bundles")) ImGui::OpenPopup("bundles-menu");
+  draw_menu(context);
+  draw_save_popup(context);
+}
+
+void BundlesPanel::draw_menu(const PanelContext& context) {
+  if (!begin_roomy_popup(context, "bundles-menu")) return;
+  menu_item(context, ActionId::import_bundles);
+  menu_item(context, ActionId::export_bundles);
+  ImGui::Separator();
+  if (ImGui::MenuItem("Add the starting set")) tell(context, context.bundles.add_starting_set());
+  tooltip(context.gui, "Bring back the bundles that come with the program, at the end, where they are missing");
+  menu_item(context, ActionId::undo_bundles);
+  close_on_escape();
+  end_roomy_popup();
+}
+
+void BundlesPanel::draw_save_popup(const PanelContext& context) {
+  if (std::exchange(asks_name_, false)) {
+    name_.clear();
+    ImGui::OpenPopup("save-bundle");
+  }
+  place_beside_panel(context);
+  if (!begin_roomy_popup(context, "save-bundle")) return;
+  ImGui::TextUnformatted("Save the layers as they are under a name");
+  const auto checked = checked_bundle_name(name_);
+  const bool is_taken = checked && context.bundles.has(*checked);
+  const bool is_meant = name_field(context, name_, is_taken ? "Overwrite" : "Save");
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+  ImGui::TextUnformatted(is_taken ? "There is a bundle of this name" : " ");
+  ImGui::PopStyleColor();
+  if (is_meant) {
+    tell(context, context.bundles.save(name_));
+    ImGui::CloseCurrentPopup();
+  }
+  end_roomy_popup();
+}
+
+void BundlesPanel::draw_context_menu(const PanelContext& context, std::size_t index) {
+  const float unit = context.gui.unit();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
+  if (ImGui::BeginPopupContextItem("menu")) {
+    if (ImGui::MenuItem("Rename...")) asks_rename_ = index;
+    if (ImGui::BeginMenu("Overwrite")) {
+      ImGui::TextDisabled("By the layers as they are now?");
+      if (ImGui::MenuItem("Yes, overwrite"))
+        tell(context, context.bundles.save(context.bundles.bundles()[index].name));
+      ImGui::EndMenu();
+    }
+    if (ImGui::MenuItem("Export...")) context.export_bundles(index);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Delete")) tell(context, context.bundles.remove(index));
+    close_on_escape();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+void BundlesPanel::draw_rename_popup(const PanelContext& context) {
+  const auto bundles = context.bundles.bundles();
+  if (asks_rename_ && *asks_rename_ < bundles.size()) {
+    renamed_ = *asks_rename_;
+    name_ = bundles[renamed_].name;
+    ImGui::OpenPopup("rename-bundle");
+  }
+  asks_rename_.reset();
+  place_beside_panel(context);
+  if (!begin_roomy_popup(context, "rename-bundle")) return;
+  ImGui::TextUnformatted("Rename the bundle");
+  if (renamed_ < bundles.size() && name_field(context, name_, "Rename")) {
+    tell(context, context.bundles.rename(renamed_, name_));
+    ImGui::CloseCurrentPopup();
+  }
+  end_roomy_popup();
+}
+
+void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
+  const float unit = context.gui.unit();
+  const float height = kRowHeight * unit;
+  const std::string name = context.bundles.bundles()[index].name;
+  const bool is_current = context.bundles.current() == index;
+  const bool is_changed = is_current && context.bundles.is_changed();
+  ImGui::PushID(static_cast<int>(index));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 end(at.x + ImGui::GetContentRegionAvail().x, at.y + height);
+  const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, end.x - at.x), height});
+  const bool hovered = ImGui::IsItemHovered();
+  std::string explanation = name;
+  if (index < kDigits) explanation += " (" + std::to_string(index + 1) + ")";
+  if (is_changed) explanation += "\nThe layers were changed since; click to have them back as saved";
+  tooltip(context.gui, explanation + "\nDrag to reorder, right click for more");
+  if (ImGui::BeginDragDropSource()) {
+    ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::EndDragDropSource();
+  }
+  std::optional<std::size_t> dropped;
+  if (ImGui::BeginDragDropTarget()) {
+    const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(
+        kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+    if (payload != nullptr) {
+      const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
+      const float y = from < index ? end.y : at.y;
+      list.AddLine({at.x, y}, {end.x, y}, theme::kAccent, 2 * unit);
+      if (payload->IsDelivery() && from < context.bundles.bundles().size()) dropped = from;
+    }
+    ImGui::EndDragDropTarget();
+  }
+
+  if (is_current || hovered)
+    list.AddRectFilled(at, end, is_current ? theme::kAccentSoft : IM_COL32(0, 0x72, 0xB2, 0x12), 4 * unit);
+  const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
+  if (index < kDigits)
+    list.AddText({at.x + 5 * unit, text_y}, is_current ? theme::kAccent : theme::kTextQuiet,
+                 std::to_string(index + 1).c_str());
+  list.PushClipRect(at, {end.x - 14 * unit, end.y}, true);
+  list.AddText({at.x + 22 * unit, text_y}, is_current ? theme::kAccent : theme::kText, name.c_str());
+  list.PopClipRect();
+  if (is_changed) list.AddCircleFilled({end.x - 8 * unit, at.y + 0.5F * height}, 3 * unit, theme::kAccent);
+  if (is_current && shown_current_ != index) ImGui::SetScrollHereY();
+  // The list is changed last: what was drawn was the one before.
+  if (clicked) context.bundles.choose(index);
+  if (dropped) tell(context, context.bundles.move(*dropped, index));
+  draw_context_menu(context, index);
+  ImGui::PopID();
+}
+
+void BundlesPanel::draw_rows(const PanelContext& context, float height) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  if (ImGui::BeginChild("rows", {0, height})) {
+    for (std::size_t index = 0; index < context.bundles.bundles().size(); ++index) draw_row(context, index);
+    shown_current_ = context.bundles.current();
+    if (context.bundles.bundles().empty()) ImGui::TextDisabled("None yet: + saves the layers as they are");
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+void BundlesPanel::draw_undo_line(const PanelContext& context) const {
+  ImGui::PushFont(context.gui.small());
+  ImGui::TextDisabled("%s", context.bundles.undo_offer().c_str());
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Button, 0U);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+  const bool clicked = ImGui::SmallButton("Undo");
+  ImGui::PopStyleColor(2);
+  ImGui::PopFont();
+  tooltip(context.gui, std::string(descriptor_of(ActionId::undo_bundles).tooltip));
+  if (clicked) tell(context, context.bundles.undo());
+}
+
+void BundlesPanel::draw(const PanelContext& context, const PanelArea& area) {
+  if (begin_panel("##bundles", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    draw_head(context);
+    if (context.settings.show_bundles) {
+      const bool offers_undo = !context.bundles.undo_offer().empty();
+      const float line = offers_undo ? kRowHeight * context.gui.unit() : 0.0F;
+      draw_rows(context, std::max(1.0F, ImGui::GetContentRegionAvail().y - line));
+      if (offers_undo) draw_undo_line(context);
+    }
+    draw_rename_popup(context);
+  }
+  ImGui::End();
+}
+
+}  // namespace mes

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A layer configuration that somebody found worth a name.
+#pragma once
+
+#include <string>
+
+#include "core/document/layer_configuration.h"
+
+namespace mes {
+
+struct Bundle {
+  std::string name{};  ///< UTF-8, not empty
+  LayerConfiguration layers{};
+  friend bool operator==(const Bundle&, const Bundle&) = default;
+};
+
+}  // namespace mes

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// BND, the bundles of the Mesecina of 2007 and 2009: a QDataStream of Qt 4, big endian. Read only. Private to
+// core/io.
+#pragma once
+
+#include "core/io/bundle_file.h"
+
+namespace mes {
+
+bool looks_like_bnd(std::string_view bytes);
+
+/// Layers go by their names of 2007 and 2009; those without a counterpart among `layer_ids` are left out and counted
+/// in one warning. Never takes more memory than a small multiple of the bytes, whatever lengths they announce.
+Expected<LoadedBundles> read_bnd(std::string_view bytes, const std::string& file,
+                                 std::span<const std::string_view> layer_ids);
+
+}  // namespace mes
