@@ -46,6 +46,9 @@ enum class ActionId : std::uint8_t {
   toggle_panels,
   toggle_layers,
   toggle_statistics,
+  toggle_parameters,
+  toggle_log,
+  toggle_legend,
   cancel_computation,
   resume_computation,
   precision_naive,  // the four in the order of `Precision`

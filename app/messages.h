@@ -2,25 +2,57 @@
 // What the window has to tell the user.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
+#include <deque>
 #include <string>
 #include <utility>
 
 namespace mes {
 
 /// A remark stands in the status bar until the next one; a problem stands above the canvas until it is closed or
-/// something succeeds that makes it stale.
+/// something succeeds that makes it stale. Both stay in the log, the last thousand of them.
 class Messages {
  public:
-  void remark(std::string text) { remark_ = std::move(text); }
-  void problem(std::string text) { problem_ = std::move(text); }
+  struct Entry {
+    std::chrono::system_clock::time_point when;
+    bool is_problem = false;
+    std::string text;
+    std::uint32_t times = 1;  ///< said so often in a row
+  };
+
+  void remark(std::string text) {
+    log(text, false);
+    remark_ = std::move(text);
+  }
+  void problem(std::string text) {
+    log(text, true);
+    problem_ = std::move(text);
+  }
   void clear_remark() { remark_.clear(); }
   void clear_problem() { problem_.clear(); }
   const std::string& remark() const { return remark_; }
   const std::string& problem() const { return problem_; }
 
+  const std::deque<Entry>& entries() const { return entries_; }
+  void clear_log() { entries_.clear(); }
+
  private:
+  void log(const std::string& text, bool is_problem) {
+    constexpr std::size_t kMost = 1000;
+    const auto now = std::chrono::system_clock::now();
+    if (!entries_.empty() && entries_.back().text == text && entries_.back().is_problem == is_problem) {
+      entries_.back().when = now;
+      ++entries_.back().times;
+      return;
+    }
+    entries_.push_back({now, is_problem, text});
+    if (entries_.size() > kMost) entries_.pop_front();
+  }
+
   std::string remark_;
   std::string problem_;
+  std::deque<Entry> entries_;
 };
 
 }  // namespace mes

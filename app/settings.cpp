@@ -2,6 +2,7 @@
 #include "app/settings.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -18,6 +19,9 @@ namespace fs = std::filesystem;
 constexpr int kSchema = 1;
 // A settings file is small; what is larger is not one, and is not read into memory.
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
+
+// In the order of `DetailsPage`.
+constexpr std::array<std::string_view, 4> kPages{"none", "statistics", "parameters", "log"};
 
 template <class T>
 T number_in(const json& object, const char* key, T low, T high, T otherwise) {
@@ -48,7 +52,9 @@ Settings from_json(const json& object) {
   out.window_width = number_in(object, "window_width", 320, 16384, out.window_width);
   out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
   out.show_layers = flag_in(object, "show_layers", out.show_layers);
-  out.show_statistics = flag_in(object, "show_statistics", out.show_statistics);
+  const auto page = std::ranges::find(kPages, text_in(object, "details"));
+  if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
+  out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.last_folder = text_in(object, "last_folder");
   return out;
 }
@@ -112,7 +118,8 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
                        {"window_width", settings.window_width},
                        {"window_height", settings.window_height},
                        {"show_layers", settings.show_layers},
-                       {"show_statistics", settings.show_statistics},
+                       {"details", kPages[static_cast<std::size_t>(settings.details)]},
+                       {"show_legend", settings.show_legend},
                        {"last_folder", settings.last_folder}};
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
   return write_file_atomically(path, object.dump(2, ' ', false, json::error_handler_t::replace) + '\n');

@@ -2,6 +2,7 @@
 // What the window remembers from one start to the next.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 
 namespace mes {
 
+/// What the lower right panel shows.
+enum class DetailsPage : std::uint8_t { none, statistics, parameters, log };
+
 struct Settings {
   std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
   double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
@@ -17,7 +21,8 @@ struct Settings {
   int window_width = 1280;                ///< logical pixels
   int window_height = 800;
   bool show_layers = true;
-  bool show_statistics = false;
+  DetailsPage details = DetailsPage::none;
+  bool show_legend = true;  ///< of the colour maps in use
   std::string last_folder;  ///< of the file browser
 };
 

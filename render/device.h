@@ -35,6 +35,10 @@ struct FramebufferId {
   std::uint32_t value = 0;
   friend constexpr auto operator<=>(FramebufferId, FramebufferId) = default;
 };
+struct TextureId {
+  std::uint32_t value = 0;
+  friend constexpr auto operator<=>(TextureId, TextureId) = default;
+};
 
 /// Bytes `offset .. offset + size` of a buffer.
 struct ByteRange {
@@ -56,7 +60,7 @@ using PremultipliedColor = std::array<float, 4>;
 
 enum class TargetFormat : std::uint8_t {
   color,     ///< RGBA, 8 bits a channel, premultiplied
-  coverage,  ///< one channel, 8 bits: how much of the pixel a group of primitives covers
+  coverage,  ///< one channel, 8 bits: how much of the pixel a group of primitives of one colour covers
 };
 
 struct FramebufferSpec {
@@ -82,6 +86,7 @@ struct ProgramKey {
   PrimitiveKind kind = PrimitiveKind::point;
   Reach reach = Reach::near;
   bool dashed = false;
+  bool mapped = false;  ///< each instance has the colour that a map gives its scalar
   friend constexpr auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
 };
 
@@ -108,6 +113,13 @@ struct DrawUniforms {
   float dash_period_px = 0.0F;
   float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
   float one = 1.0F;         ///< what a compiler must not know
+  // For programs with a colour map. Scalars are taken as multiples of a power of two, so that any double will do.
+  std::array<float, 3> map_low{};  ///< pieces, like the centre's, of the scalar at the map's first colour
+  float map_factor = 0.0F;         ///< from scalars above it to [0, 1]
+  float map_exponent = 0.0F;       ///< of that power of two, as doubles store it
+  float map_offset = 0.0F;         ///< added then; a range of one value has its colour in the middle
+  float map_row = 0.0F;            ///< of the texture
+  float map_categories = 0.0F;     ///< colours that whole numbers go around; 0: graded
   std::array<std::uint32_t, 4> center_bits{};
   std::array<std::uint32_t, 4> center_low_bits{};
 };
@@ -118,9 +130,22 @@ struct DrawCall {
   ProgramKey program;
   Blend blend = Blend::over;
   BufferId buffer;
+  BufferId scalars;  ///< one double an instance, for a program with a colour map
+  TextureId maps;    ///< a colour map a row
   std::uint32_t instances = 0;
   std::uint32_t every = 1;  ///< only instances 0, every, 2 every, ... are drawn
   DrawUniforms uniforms;
+};
+
+/// A picture, part of which is painted on part of a target.
+struct PictureCall {
+  FramebufferId target;
+  PixelRect area;  ///< of the target; nothing outside is touched
+  TextureId texture;
+  /// Left, bottom, right, top: pixels from the centre of the area, and from 0 at the picture's left and top to 1.
+  std::array<float, 4> place{};
+  std::array<float, 4> part{};
+  float opacity = 1.0F;
 };
 
 struct DeviceCounters {
@@ -154,12 +179,18 @@ class Device {
   /// RGBA bytes of `area`, premultiplied, bottom row first. Waits for drawing to end.
   virtual void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) = 0;
 
+  /// RGBA bytes, premultiplied, top row first. A smooth one is made for being drawn at any size.
+  virtual TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) = 0;
+  virtual void destroy_texture(TextureId texture) = 0;
+
   virtual void draw(const DrawCall& call) = 0;
-  /// Paints `color` through a coverage target, whose lower left corner comes to that of `area`.
-  virtual void composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+  virtual void draw_picture(const PictureCall& call) = 0;
+  /// Paints a target whose lower left corner comes to that of `area`, each pixel times `color`: where it holds
+  /// coverage, `color` through it.
+  virtual void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                          const PremultipliedColor& color) = 0;
 
-  /// Largest width and height of a framebuffer.
+  /// Largest width and height of a framebuffer or texture.
   virtual int max_framebuffer_size() const = 0;
   virtual const DeviceCounters& counters() const = 0;
 };

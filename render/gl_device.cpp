@@ -19,8 +19,10 @@ constexpr std::size_t kMapFrom = 512;
 
 /// Most columns of a layout.
 constexpr GLuint kColumns = 5;
+/// Where the scalar is, after all of them.
+constexpr GLuint kScalarColumn = kColumns;
 
-constexpr int kRealVectors = 5;
+constexpr int kRealVectors = 7;
 constexpr int kBitVectors = 2;
 static_assert(sizeof(DrawUniforms) == 16 * (kRealVectors + kBitVectors));
 
@@ -64,6 +66,11 @@ GlTexture make_texture(const FramebufferSpec& spec) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  if (!is_color) {
+    // Coverage reads as white that covers so much.
+    for (const auto channel : {GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B, GL_TEXTURE_SWIZZLE_A})
+      glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(channel), GL_RED);
+  }
   glBindTexture(GL_TEXTURE_2D, 0);
   throw_if_out_of_memory();
   return texture;
@@ -93,9 +100,14 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   glGenVertexArrays(1, &name);
   vertex_array_ = GlVertexArray(name);
   composite_.handle = build_composite_program();
-  composite_.coverage = glGetUniformLocation(composite_.handle.get(), "u_coverage");
+  composite_.group = glGetUniformLocation(composite_.handle.get(), "u_group");
   composite_.tint = glGetUniformLocation(composite_.handle.get(), "u_tint");
   composite_.corner = glGetUniformLocation(composite_.handle.get(), "u_corner");
+  picture_.handle = build_picture_program();
+  picture_.picture = glGetUniformLocation(picture_.handle.get(), "u_picture");
+  picture_.place = glGetUniformLocation(picture_.handle.get(), "u_place");
+  picture_.part = glGetUniformLocation(picture_.handle.get(), "u_part");
+  picture_.opacity = glGetUniformLocation(picture_.handle.get(), "u_opacity");
 }
 
 GlDevice::~GlDevice() = default;
@@ -112,12 +124,19 @@ GlDevice::Framebuffer& GlDevice::framebuffer_of(FramebufferId id) {
   return found->second;
 }
 
+GlTexture& GlDevice::texture_of(TextureId id) {
+  const auto found = textures_.find(id.value);
+  MES_ASSERT(found != textures_.end());
+  return found->second;
+}
+
 GlDevice::Program& GlDevice::program_of(const ProgramKey& key) {
   Program& program = programs_[key];
   if (program.handle.get() == 0) {
     program.handle = build_program(key, {.use_double = uses_double_, .use_precise = uses_precise_});
     program.real = glGetUniformLocation(program.handle.get(), "u_real");
     program.bits = glGetUniformLocation(program.handle.get(), "u_bits");
+    program.maps = glGetUniformLocation(program.handle.get(), "u_maps");
   }
   return program;
 }
@@ -226,6 +245,36 @@ void GlDevice::destroy_framebuffer(FramebufferId framebuffer) {
   framebuffers_.erase(framebuffer.value);
 }
 
+TextureId GlDevice::create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) {
+  MES_ASSERT(width > 0 && height > 0 && width <= max_size_ && height <= max_size_);
+  MES_ASSERT(rgba.size() == std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  GlTexture texture(name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, smooth ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
+  if (smooth)
+    glGenerateMipmap(GL_TEXTURE_2D);
+  else
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  throw_if_out_of_memory();
+  const TextureId id{next_id_++};
+  textures_.emplace(id.value, std::move(texture));
+  return id;
+}
+
+void GlDevice::destroy_texture(TextureId texture) {
+  static_cast<void>(texture_of(texture));
+  textures_.erase(texture.value);
+}
+
 void GlDevice::bind_target(FramebufferId target, const PixelRect& area) {
   glBindFramebuffer(GL_FRAMEBUFFER, target == FramebufferId{} ? 0 : framebuffer_of(target).handle.get());
   glViewport(area.left, area.bottom, area.width, area.height);
@@ -257,7 +306,7 @@ void GlDevice::read_pixels(FramebufferId source, const PixelRect& area, std::spa
   MES_ASSERT(area.width >= 0 && area.height >= 0);
   MES_ASSERT(rgba.size() ==
              std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved(source));
+  bind_for_reading(source);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
   glReadPixels(area.left, area.bottom, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
@@ -283,11 +332,21 @@ void GlDevice::draw(const DrawCall& call) {
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, call.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
 
+  GLuint scalars = 0;
+  if (call.program.mapped) {
+    const Buffer& of_scalars = buffer_of(call.scalars);
+    MES_ASSERT(call.instances * sizeof(double) <= of_scalars.bytes);
+    scalars = of_scalars.handle.get();
+    glUniform1i(program.maps, 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture_of(call.maps).get());
+  }
+
   glBindVertexArray(vertex_array_.get());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.handle.get());
-  const auto draw_from = [&](std::size_t first, std::size_t stride, std::uint32_t count) {
-    std::size_t offset = first;
-    const auto column = [&](GLuint location, GLint words) {
+  // Instances `first`, `first` + `step`, ...
+  const auto draw_from = [&](std::size_t first, std::size_t step, std::uint32_t count) {
+    std::size_t offset = first * layout.bytes();
+    const auto column = [&](GLuint location, GLint words, std::size_t stride) {
       // The only way to say "offset into the bound buffer" in this interface.
       glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, static_cast<GLsizei>(stride),
                              reinterpret_cast<const void*>(offset));
@@ -295,52 +354,79 @@ void GlDevice::draw(const DrawCall& call) {
       glEnableVertexAttribArray(location);
       offset += sizeof(std::uint32_t) * static_cast<std::size_t>(words);
     };
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.handle.get());
     GLuint location = 0;
-    for (int i = 0; i < layout.points; ++i) column(location++, 4);
-    for (int i = 0; i < layout.numbers; ++i) column(location++, 2);
-    for (GLuint unused = location; unused < kColumns; ++unused) glDisableVertexAttribArray(unused);
+    for (int i = 0; i < layout.points; ++i) column(location++, 4, step * layout.bytes());
+    for (int i = 0; i < layout.numbers; ++i) column(location++, 2, step * layout.bytes());
+    for (GLuint unused = location; unused <= kScalarColumn; ++unused) glDisableVertexAttribArray(unused);
+    if (scalars != 0) {
+      glBindBuffer(GL_ARRAY_BUFFER, scalars);
+      offset = first * sizeof(double);
+      column(kScalarColumn, 2, step * sizeof(double));
+    }
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_of(call), static_cast<GLsizei>(count));
   };
   // No driver need take a larger stride; beyond it the few instances that are left are drawn one by one.
   constexpr std::size_t kLargestStride = 2048;
-  const std::size_t stride = layout.bytes() * call.every;
   const std::uint32_t drawn = (call.instances + call.every - 1) / call.every;
-  if (stride <= kLargestStride) {
-    draw_from(0, stride, drawn);
+  if (layout.bytes() * call.every <= kLargestStride) {
+    draw_from(0, call.every, drawn);
   } else {
-    for (std::uint32_t i = 0; i < drawn; ++i) draw_from(i * stride, layout.bytes(), 1);
+    for (std::uint32_t i = 0; i < drawn; ++i) draw_from(std::size_t{i} * call.every, 1, 1);
   }
 
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
+  if (call.program.mapped) glBindTexture(GL_TEXTURE_2D, 0);
   glUseProgram(0);
   glDisable(GL_SCISSOR_TEST);
   ++counters_.draw_calls;
   counters_.instances_drawn += drawn;
 }
 
-void GlDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
-                         const PremultipliedColor& color) {
-  static_cast<void>(resolved(coverage));
-  bind_target(target, area);
-  glUseProgram(composite_.handle.get());
-  glUniform4fv(composite_.tint, 1, color.data());
-  glUniform2i(composite_.corner, area.left, area.bottom);
-  glUniform1i(composite_.coverage, 0);
+void GlDevice::draw_picture(const PictureCall& call) {
+  bind_target(call.target, call.area);
+  glUseProgram(picture_.handle.get());
+  const auto half_width = 0.5F * static_cast<float>(call.area.width);
+  const auto half_height = 0.5F * static_cast<float>(call.area.height);
+  glUniform4f(picture_.place, call.place[0] / half_width, call.place[1] / half_height, call.place[2] / half_width,
+              call.place[3] / half_height);
+  glUniform4fv(picture_.part, 1, call.part.data());
+  glUniform1f(picture_.opacity, call.opacity);
+  glUniform1i(picture_.picture, 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, framebuffer_of(coverage).texture.get());
+  glBindTexture(GL_TEXTURE_2D, texture_of(call.texture).get());
+  paint_over(GL_TRIANGLE_STRIP, 4);
+}
+
+// All that is left to do once a program without instances is set up; its state does not stay.
+void GlDevice::paint_over(unsigned shape, int vertices) {
   glDisable(GL_DEPTH_TEST);
+  glDisable(GL_STENCIL_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(vertex_array_.get());
-  for (GLuint unused = 0; unused < 3; ++unused) glDisableVertexAttribArray(unused);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  for (GLuint unused = 0; unused <= kScalarColumn; ++unused) glDisableVertexAttribArray(unused);
+  glDrawArrays(shape, 0, vertices);
   glBindVertexArray(0);
   glBindTexture(GL_TEXTURE_2D, 0);
   glUseProgram(0);
   glDisable(GL_SCISSOR_TEST);
+}
+
+void GlDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId group,
+                         const PremultipliedColor& color) {
+  static_cast<void>(resolved(group));
+  bind_target(target, area);
+  glUseProgram(composite_.handle.get());
+  glUniform4fv(composite_.tint, 1, color.data());
+  glUniform2i(composite_.corner, area.left, area.bottom);
+  glUniform1i(composite_.group, 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, framebuffer_of(group).texture.get());
+  paint_over(GL_TRIANGLES, 3);
   ++counters_.composites;
 }
 
@@ -350,6 +436,21 @@ std::string GlDevice::description() const {
     return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
   };
   return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+void GlDevice::bind_for_reading(FramebufferId source) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved(source));
+}
+
+void GlDevice::shrink(FramebufferId target, const PixelRect& to, FramebufferId source, const PixelRect& from) {
+  MES_ASSERT(from.width == 2 * to.width && from.height == 2 * to.height);
+  bind_for_reading(source);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_of(target).handle.get());
+  glDisable(GL_SCISSOR_TEST);
+  // Halfway between four pixels a linear filter gives their mean.
+  glBlitFramebuffer(from.left, from.bottom, from.left + from.width, from.bottom + from.height, to.left, to.bottom,
+                    to.left + to.width, to.bottom + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void GlDevice::finish() {

@@ -31,8 +31,11 @@ class GlDevice final : public Device {
   void destroy_framebuffer(FramebufferId framebuffer) override;
   void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) override;
   void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) override;
+  TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) override;
+  void destroy_texture(TextureId texture) override;
   void draw(const DrawCall& call) override;
-  void composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+  void draw_picture(const PictureCall& call) override;
+  void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                  const PremultipliedColor& color) override;
   int max_framebuffer_size() const override { return max_size_; }
   const DeviceCounters& counters() const override { return counters_; }
@@ -40,6 +43,10 @@ class GlDevice final : public Device {
   /// Renderer and version as the driver names them.
   std::string description() const;
   bool uses_double() const { return uses_double_; }
+  /// The next glReadPixels is of this target, multisampled or not.
+  void bind_for_reading(FramebufferId source);
+  /// `to` becomes the averages of the squares of two by two pixels of `from`, which is twice as wide and high.
+  void shrink(FramebufferId target, const PixelRect& to, FramebufferId source, const PixelRect& from);
   /// Waits until everything asked for is drawn; for measuring.
   void finish();
 
@@ -59,26 +66,39 @@ class GlDevice final : public Device {
     GlProgram handle;
     int real = -1;  ///< locations of uniforms
     int bits = -1;
+    int maps = -1;
   };
 
   struct CompositeProgram {
     GlProgram handle;
-    int coverage = -1;
+    int group = -1;
     int tint = -1;
     int corner = -1;
   };
 
+  struct PictureProgram {
+    GlProgram handle;
+    int picture = -1;
+    int place = -1;
+    int part = -1;
+    int opacity = -1;
+  };
+
   Buffer& buffer_of(BufferId id);
   Framebuffer& framebuffer_of(FramebufferId id);
+  GlTexture& texture_of(TextureId id);
   Program& program_of(const ProgramKey& key);
   void bind_target(FramebufferId target, const PixelRect& area);
+  void paint_over(unsigned shape, int vertices);
   /// Makes multisampled pixels readable; the framebuffer to read from.
   unsigned resolved(FramebufferId source);
 
   std::map<std::uint32_t, Buffer> buffers_;
   std::map<std::uint32_t, Framebuffer> framebuffers_;
   std::map<ProgramKey, Program> programs_;
+  std::map<std::uint32_t, GlTexture> textures_;
   CompositeProgram composite_;
+  PictureProgram picture_;
   GlVertexArray vertex_array_;
   std::uint32_t next_id_ = 1;
   int max_size_ = 0;

@@ -25,6 +25,7 @@ std::string preamble(const ProgramKey& key, const ProgramFeatures& features) {
   if (features.use_double) out += "#extension GL_ARB_gpu_shader_fp64 : enable\n";
   out += "#define REACH " + std::string(key.reach == Reach::near ? "0" : (features.use_double ? "2" : "1")) + "\n";
   out += "#define DASHED " + std::string(key.dashed ? "1" : "0") + "\n";
+  out += "#define MAPPED " + std::string(key.mapped ? "1" : "0") + "\n";
   for (const PrimitiveKind kind : {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}) {
     std::string name(name_of(kind));
     for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
@@ -83,25 +84,34 @@ GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) 
   const std::string head = preamble(key, features);
   switch (key.kind) {
     case PrimitiveKind::point:
-      return link(head, {uniforms_glsl, place_glsl, point_vert}, {uniforms_glsl, point_frag});
+      return link(head, {uniforms_glsl, mapped_glsl, place_glsl, point_vert},
+                  {uniforms_glsl, paint_glsl, point_frag});
     case PrimitiveKind::disk:
-      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, disk_vert},
-                  {uniforms_glsl, round_distance_glsl, disk_frag});
+      return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, round_glsl, disk_vert},
+                  {uniforms_glsl, paint_glsl, round_distance_glsl, disk_frag});
     case PrimitiveKind::circle:
-      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, ring_glsl, circle_vert},
-                  {uniforms_glsl, round_distance_glsl, dash_glsl, circle_frag});
+      return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, round_glsl, ring_glsl, circle_vert},
+                  {uniforms_glsl, paint_glsl, round_distance_glsl, dash_glsl, circle_frag});
     case PrimitiveKind::arc:
-      return link(head, {uniforms_glsl, place_glsl, wide_glsl, round_glsl, round_distance_glsl, ring_glsl, arc_vert},
-                  {uniforms_glsl, round_distance_glsl, dash_glsl, arc_frag});
+      return link(
+          head,
+          {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, round_glsl, round_distance_glsl, ring_glsl, arc_vert},
+          {uniforms_glsl, paint_glsl, round_distance_glsl, dash_glsl, arc_frag});
     case PrimitiveKind::segment:
     case PrimitiveKind::ray:
     case PrimitiveKind::line:
-      return link(head, {uniforms_glsl, place_glsl, wide_glsl, stroke_vert}, {uniforms_glsl, dash_glsl, stroke_frag});
+      return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, stroke_vert},
+                  {uniforms_glsl, paint_glsl, dash_glsl, stroke_frag});
     case PrimitiveKind::triangle:
-      return link(head, {uniforms_glsl, place_glsl, wide_glsl, triangle_vert}, {uniforms_glsl, triangle_frag});
+      return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, triangle_vert},
+                  {uniforms_glsl, paint_glsl, triangle_frag});
   }
   MES_ASSERT(false && "every kind has a program");
   return {};
+}
+
+GlProgram build_picture_program() {
+  return link("#version 330 core\n", {shaders::picture_vert}, {shaders::picture_frag});
 }
 
 GlProgram build_composite_program() {

@@ -16,5 +16,6 @@ struct ProgramFeatures {
 /// Compiles and links. Throws AssertionFailure with the compiler's words when a program is wrong.
 GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features);
 GlProgram build_composite_program();
+GlProgram build_picture_program();
 
 }  // namespace mes::render

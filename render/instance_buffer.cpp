@@ -14,45 +14,73 @@ namespace {
 
 constexpr std::size_t kSmallest = 32;
 
+/// One more instance of that many bytes; neighbours become one range.
+void append(std::vector<ByteRange>& ranges, std::size_t instance, std::size_t bytes) {
+  const std::size_t offset = instance * bytes;
+  if (!ranges.empty() && ranges.back().offset + ranges.back().size == offset) {
+    ranges.back().size += bytes;
+  } else {
+    ranges.push_back({offset, bytes});
+  }
+}
+
 }  // namespace
 
 void InstanceBuffer::swap(InstanceBuffer& other) noexcept {
   std::swap(device_, other.device_);
   std::swap(kind_, other.kind_);
+  std::swap(has_scalars_, other.has_scalars_);
   std::swap(buffer_, other.buffer_);
+  std::swap(scalars_, other.scalars_);
   std::swap(capacity_, other.capacity_);
   std::swap(count_, other.count_);
   std::swap(frame_, other.frame_);
   std::swap(extent_, other.extent_);
+  std::swap(store_, other.store_);
 }
 
 void InstanceBuffer::clear() {
   if (buffer_ != BufferId{}) device_->destroy_buffer(buffer_);
+  if (scalars_ != BufferId{}) device_->destroy_buffer(scalars_);
   buffer_ = {};
+  scalars_ = {};
   capacity_ = 0;
   count_ = 0;
   extent_ = {};
+  store_.clear();
 }
 
 void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
   const std::size_t bytes = layout_of(kind_).bytes();
   // Half as much again: between copying often and holding memory nobody uses.
   const std::size_t room = std::max({instances, kSmallest, keep == 0 ? 0 : capacity_ + capacity_ / 2});
-  if (buffer_ == BufferId{}) {
-    if (instances == 0) return;
-    buffer_ = device_->create_buffer(room * bytes);
-    capacity_ = room;
-  } else if (instances > capacity_ || (keep == 0 && instances < capacity_ / 8 && capacity_ > kSmallest)) {
-    device_->resize_buffer(buffer_, room * bytes, keep * bytes);
-    capacity_ = room;
+  try {
+    if (buffer_ == BufferId{}) {
+      if (instances == 0) return;
+      buffer_ = device_->create_buffer(room * bytes);
+      if (has_scalars_) scalars_ = device_->create_buffer(room * sizeof(double));
+      capacity_ = room;
+    } else if (instances > capacity_ || (keep == 0 && instances < capacity_ / 8 && capacity_ > kSmallest)) {
+      device_->resize_buffer(buffer_, room * bytes, keep * bytes);
+      if (has_scalars_) device_->resize_buffer(scalars_, room * sizeof(double), keep * sizeof(double));
+      capacity_ = room;
+    }
+  } catch (const std::bad_alloc&) {
+    // Later patches build on this one: nothing is better than a part.
+    clear();
+    throw;
   }
 }
 
-std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame) {
+std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame,
+                                      bool has_scalars) {
   const std::size_t stride = stride_of(kind_);
   MES_ASSERT(data.size() >= count * stride);
+  if (has_scalars != has_scalars_) clear();
+  has_scalars_ = has_scalars;
   frame_ = frame;
   extent_ = {};
+  store_.clear();
   count_ = 0;
   reserve(count, 0);
   count_ = count;
@@ -65,26 +93,31 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   }
   const ByteRange all{0, encoded.size() * sizeof(double)};
   device_->update_buffer(buffer_, std::span(&all, 1), std::as_bytes(std::span(encoded)));
-  return all.size;
+  if (!has_scalars_) return all.size;
+  store_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) store_.set(i, data[i * stride + stride - 1]);
+  store_.settle();
+  const ByteRange of_scalars{0, count * sizeof(double)};
+  return all.size + write_scalars(std::span(&of_scalars, 1), store_.values());
 }
 
-std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& frame) {
-  if (patch.reset) return replace(patch.count, patch.data, frame);
+std::uint64_t InstanceBuffer::write_scalars(std::span<const ByteRange> ranges, std::span<const double> scalars) {
+  device_->update_buffer(scalars_, ranges, std::as_bytes(scalars));
+  return scalars.size_bytes();
+}
+
+std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& frame, bool has_scalars) {
+  if (patch.reset) return replace(patch.count, patch.data, frame, has_scalars);
   if (patch.is_empty()) return 0;
   MES_ASSERT(patch.data.size() >= patch.index.size() * stride_of(kind_));
   MES_ASSERT(count_ == 0 || frame == frame_);
   frame_ = frame;
-  if (patch.count > capacity_) {
-    try {
-      reserve(patch.count, count_);
-    } catch (const std::bad_alloc&) {
-      // Later patches build on this one: nothing is better than a part.
-      clear();
-      throw;
-    }
-  }
+  if (capacity_ == 0) has_scalars_ = has_scalars;
+  MES_ASSERT(has_scalars == has_scalars_);
+  if (patch.count > capacity_) reserve(patch.count, count_);
   count_ = patch.count;
   if (count_ == 0) extent_ = {};
+  if (has_scalars_) store_.resize(count_);
   return write(patch.index, patch.data);
 }
 
@@ -101,7 +134,9 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
   }
   std::vector<double> encoded;
   encoded.reserve(order.size() * doubles);
+  std::vector<double> scalars;
   std::vector<ByteRange> ranges;
+  std::vector<ByteRange> scalar_ranges;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t instance = index[order[i]];
     // Written and then dropped within one run of the graph.
@@ -110,15 +145,17 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
     const std::size_t end = encoded.size();
     encoded.resize(end + doubles);
     encode_instance(kind_, frame_, data.subspan(order[i] * stride, stride), std::span(encoded).subspan(end), extent_);
-    const std::size_t offset = instance * bytes;
-    if (!ranges.empty() && ranges.back().offset + ranges.back().size == offset) {
-      ranges.back().size += bytes;
-    } else {
-      ranges.push_back({offset, bytes});
-    }
+    append(ranges, instance, bytes);
+    if (!has_scalars_) continue;
+    scalars.push_back(data[order[i] * stride + stride - 1]);
+    store_.set(instance, scalars.back());
+    append(scalar_ranges, instance, sizeof(double));
   }
+  store_.settle();
   if (!ranges.empty()) device_->update_buffer(buffer_, ranges, std::as_bytes(std::span(encoded)));
-  return encoded.size() * sizeof(double);
+  std::uint64_t uploaded = encoded.size() * sizeof(double);
+  if (!scalar_ranges.empty()) uploaded += write_scalars(scalar_ranges, scalars);
+  return uploaded;
 }
 
 }  // namespace mes::render

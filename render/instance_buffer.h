@@ -3,6 +3,9 @@
 //
 // What it guarantees: after `apply` the first `count()` instances are those the patches say; bytes uploaded are those
 // of instances named by the patch (a reset: all). Growth is geometric and copies on the device.
+//
+// Scalars lie in a buffer of their own, so that drawing without a colour map reads nothing of them; their range
+// follows in time proportional to the change.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +14,7 @@
 #include "core/graph/patch.h"
 #include "render/device.h"
 #include "render/instance_encoder.h"
+#include "render/scalar_store.h"
 
 namespace mes::render {
 
@@ -26,14 +30,18 @@ class InstanceBuffer {
   }
 
   /// Returns the bytes uploaded. A patch with `reset` takes over `frame`; one without must have the same.
-  std::uint64_t apply(const KindPatch& patch, const DrawingFrame& frame);
+  std::uint64_t apply(const KindPatch& patch, const DrawingFrame& frame, bool has_scalars);
   /// Replaces everything; `data` as in a patch with `reset`.
-  std::uint64_t replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame);
+  std::uint64_t replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame,
+                        bool has_scalars);
   void clear();
 
   PrimitiveKind kind() const { return kind_; }
   std::uint32_t count() const { return count_; }
   BufferId buffer() const { return buffer_; }
+  /// One double an instance; none without scalars.
+  BufferId scalars() const { return scalars_; }
+  ScalarRange scalar_range() const { return store_.range(); }
   const DrawingFrame& frame() const { return frame_; }
   const InstanceExtent& extent() const { return extent_; }
 
@@ -41,14 +49,18 @@ class InstanceBuffer {
   void swap(InstanceBuffer& other) noexcept;
   void reserve(std::size_t instances, std::size_t keep);
   std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data);
+  std::uint64_t write_scalars(std::span<const ByteRange> ranges, std::span<const double> scalars);
 
   Device* device_ = nullptr;
   PrimitiveKind kind_ = PrimitiveKind::point;
+  bool has_scalars_ = false;
   BufferId buffer_{};
+  BufferId scalars_{};
   std::size_t capacity_ = 0;
   std::uint32_t count_ = 0;
   DrawingFrame frame_;
   InstanceExtent extent_;
+  ScalarStore store_;
 };
 
 }  // namespace mes::render

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one instance looks like in a buffer: the bits of its coordinates in drawing space, as doubles.
 //
-// The scalar of a patch is left out while no style reads it. A layout is a list of columns, each a vertex attribute
+// The scalar of a patch lies in a buffer of its own. A layout is a list of columns, each a vertex attribute
 // of two or four 32-bit words: one or two doubles. Attribute locations count from 0 in this order.
 #pragma once
 

@@ -87,13 +87,17 @@ Expected<Image> draw_image(Device& device, Scene& scene, const Camera& camera, s
   }
 }
 
+Image to_image(const RawImage& raw) {
+  Image image{.width = raw.width, .height = raw.height, .rgba = std::vector<std::uint8_t>(raw.rgba.size())};
+  place_tile(raw.rgba, raw.width, raw.height, image, 0, 0);
+  return image;
+}
+
 Image read_image(Device& device, FramebufferId source, const PixelRect& area) {
   const std::size_t pixels = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
-  Image image{.width = area.width, .height = area.height, .rgba = std::vector<std::uint8_t>(4 * pixels)};
-  std::vector<std::uint8_t> bytes(4 * pixels);
-  device.read_pixels(source, area, bytes);
-  place_tile(bytes, area.width, area.height, image, 0, 0);
-  return image;
+  RawImage raw{.width = area.width, .height = area.height, .rgba = std::vector<std::uint8_t>(4 * pixels)};
+  device.read_pixels(source, area, raw.rgba);
+  return to_image(raw);
 }
 
 }  // namespace mes::render

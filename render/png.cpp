@@ -20,10 +20,13 @@ struct FreeBytes {
   void operator()(unsigned char* bytes) const { std::free(bytes); }
 };
 
+/// Of the picture this thread writes. The writer's own setting is one variable for all threads.
+thread_local int level_now = 1;
+
 /// What the PNG writer calls instead of its own compressor; the result is released with std::free.
-unsigned char* compress_with_libdeflate(unsigned char* data, int size, int* out_size, int level) {
+unsigned char* compress_with_libdeflate(unsigned char* data, int size, int* out_size, int /*its level*/) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-      libdeflate_alloc_compressor(std::clamp(level, 1, 12)));
+      libdeflate_alloc_compressor(std::clamp(level_now, 1, 12)));
   if (!compressor) return nullptr;
   const auto bytes = static_cast<std::size_t>(size);
   const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), bytes);
@@ -78,12 +81,10 @@ Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
     const int channels = opaque ? 3 : 4;
     const std::uint8_t* source = opaque ? rgb.data() : image.rgba.data();
 
-    // The writer's settings are variables of its own: one picture at a time.
-    static std::mutex writer;
-    const std::scoped_lock lock(writer);
-    stbi_write_png_compression_level = level;
     // Differences to the left suit lines on a plain ground, and cost next to nothing.
-    stbi_write_force_png_filter = 1;
+    static std::once_flag filter_chosen;
+    std::call_once(filter_chosen, [] { stbi_write_force_png_filter = 1; });
+    level_now = level;
     int size = 0;
     const std::unique_ptr<unsigned char, FreeBytes> png(
         stbi_write_png_to_mem(source, image.width * channels, image.width, image.height, channels, &size));

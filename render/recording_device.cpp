@@ -114,6 +114,19 @@ void RecordingDevice::read_pixels(FramebufferId source, const PixelRect& area, s
   std::ranges::fill(rgba, std::uint8_t{0});
 }
 
+TextureId RecordingDevice::create_texture(int width, int height, std::span<const std::uint8_t> rgba,
+                                          bool /*smooth*/) {
+  MES_ASSERT(width > 0 && height > 0 && width <= max_framebuffer_size() && height <= max_framebuffer_size());
+  MES_ASSERT(rgba.size() == std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const TextureId id{next_id_++};
+  textures_.insert(id.value);
+  return id;
+}
+
+void RecordingDevice::destroy_texture(TextureId texture) {
+  MES_ASSERT(textures_.erase(texture.value) == 1);
+}
+
 void RecordingDevice::draw(const DrawCall& call) {
   check_target(call.target, call.area);
   MES_ASSERT(call.instances > 0 && call.every > 0);
@@ -126,17 +139,31 @@ void RecordingDevice::draw(const DrawCall& call) {
   MES_ASSERT(!call.program.dashed || u.dash_period_px > 0.0F);
   MES_ASSERT(!is_ring(call.program.kind) || u.arc_pieces == 0.0F || u.arc_pieces >= 3.0F);
   MES_ASSERT(is_color(u.color));
+  if (call.program.mapped) {
+    MES_ASSERT(call.instances * sizeof(double) <= bytes_of(call.scalars).size());
+    MES_ASSERT(textures_.contains(call.maps.value));
+    MES_ASSERT(is_finite(u.map_low));
+    MES_ASSERT(is_finite(std::array{u.map_factor, u.map_exponent, u.map_offset, u.map_row, u.map_categories}));
+  }
   calls_.push_back(call);
   ++counters_.draw_calls;
   counters_.instances_drawn += (call.instances + call.every - 1) / call.every;
 }
 
-void RecordingDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+void RecordingDevice::draw_picture(const PictureCall& call) {
+  check_target(call.target, call.area);
+  MES_ASSERT(textures_.contains(call.texture.value));
+  MES_ASSERT(is_finite(call.place) && is_finite(call.part));
+  MES_ASSERT(call.opacity >= 0.0F && call.opacity <= 1.0F);
+  picture_calls_.push_back(call);
+}
+
+void RecordingDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                                 const PremultipliedColor& color) {
   check_target(target, area);
-  const auto found = framebuffers_.find(coverage.value);
-  MES_ASSERT(found != framebuffers_.end() && found->second.format == TargetFormat::coverage);
-  MES_ASSERT(target != coverage && found->second.width >= area.width && found->second.height >= area.height);
+  const auto found = framebuffers_.find(group.value);
+  MES_ASSERT(found != framebuffers_.end());
+  MES_ASSERT(target != group && found->second.width >= area.width && found->second.height >= area.height);
   MES_ASSERT(is_color(color));
   ++counters_.composites;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "render/device.h"
@@ -24,18 +25,26 @@ class RecordingDevice final : public Device {
   void destroy_framebuffer(FramebufferId framebuffer) override;
   void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) override;
   void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) override;
+  TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) override;
+  void destroy_texture(TextureId texture) override;
   void draw(const DrawCall& call) override;
-  void composite(FramebufferId target, const PixelRect& area, FramebufferId coverage,
+  void draw_picture(const PictureCall& call) override;
+  void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                  const PremultipliedColor& color) override;
   int max_framebuffer_size() const override { return 16384; }
   const DeviceCounters& counters() const override { return counters_; }
 
   /// All draw calls since the last `forget_calls`, in order.
   const std::vector<DrawCall>& calls() const { return calls_; }
-  void forget_calls() { calls_.clear(); }
+  void forget_calls() {
+    calls_.clear();
+    picture_calls_.clear();
+  }
   std::span<const std::byte> contents(BufferId buffer) const;
   std::size_t buffers_alive() const { return buffers_.size(); }
   std::size_t framebuffers_alive() const { return framebuffers_.size(); }
+  std::size_t textures_alive() const { return textures_.size(); }
+  const std::vector<PictureCall>& picture_calls() const { return picture_calls_; }
 
  private:
   std::vector<std::byte>& bytes_of(BufferId id);
@@ -43,7 +52,9 @@ class RecordingDevice final : public Device {
 
   std::map<std::uint32_t, std::vector<std::byte>> buffers_;
   std::map<std::uint32_t, FramebufferSpec> framebuffers_;
+  std::set<std::uint32_t> textures_;
   std::vector<DrawCall> calls_;
+  std::vector<PictureCall> picture_calls_;
   std::uint32_t next_id_ = 1;
   DeviceCounters counters_;
 };

@@ -5,8 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/assert.h"
+#include "render/picture_file.h"
 
 namespace mes::render {
 namespace {
@@ -17,6 +19,9 @@ constexpr double kNearReach = 0x1p17;
 // Scales at which the drawing is far below a pixel, or a pixel far below what doubles tell apart.
 constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
+
+// Colours of a map in its texture.
+constexpr std::size_t kMapWidth = 256;
 
 // Dash and gap in logical pixels, for a stroke of one pixel; they grow with wide strokes to stay recognisable.
 constexpr double kDash = 5.0;
@@ -66,6 +71,34 @@ CenterParts center_in(double center, double center_low, double origin, double sc
   return split(sum, rest - (sum - scaled));
 }
 
+/// What a program needs to find the colours of scalars.
+void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUniforms& u) {
+  constexpr int kBias = 1023;
+  u.map_row = row;
+  u.map_exponent = static_cast<float>(kBias);
+  if (map.is_categorical) {
+    u.map_low = {};
+    u.map_factor = 1.0F;
+    u.map_offset = 0.0F;
+    u.map_categories = static_cast<float>(std::min(map.colors.size(), kMapWidth));
+    return;
+  }
+  const bool is_known = !range.is_empty() && std::isfinite(range.low) && std::isfinite(range.high);
+  const ScalarRange shown = is_known ? range : ScalarRange{0.0, 1.0};
+  const double size = std::max(std::abs(shown.low), std::abs(shown.high));
+  // Smaller ones are nothing to a program.
+  const int exponent = size > 0.0 ? std::max(std::ilogb(size), 1 - kBias) : 0;
+  const double low = std::ldexp(shown.low, -exponent);
+  const double width = std::ldexp(shown.high, -exponent) - low;
+  const CenterParts parts = split(low, 0.0);
+  u.map_low = {parts.first, parts.second, parts.third};
+  u.map_exponent = static_cast<float>(exponent + kBias);
+  // A range of one value: below it the first colour, above it the last.
+  constexpr float kSteep = 1e30F;
+  u.map_factor = width > 0.0 ? static_cast<float>(1.0 / width) : kSteep;
+  u.map_offset = width > 0.0 ? 0.0F : 0.5F;
+}
+
 PremultipliedColor premultiplied(Rgb color, double opacity) {
   const double alpha = std::isfinite(opacity) ? std::clamp(opacity, 0.0, 1.0) : 1.0;
   const auto channel = [&](std::uint8_t value) { return static_cast<float>(value / 255.0 * alpha); };
@@ -92,6 +125,15 @@ float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale)
 
 }  // namespace
 
+/// How the instances of one layer are coloured.
+struct Scene::Look {
+  const LayerStyle& style;
+  bool ring = false;
+  const ColorMap* map = nullptr;
+  ScalarRange range{};
+  float map_row = 0.0F;
+};
+
 struct Scene::Pass {
   const Camera& camera;
   double content_scale;
@@ -103,7 +145,10 @@ struct Scene::Pass {
 Scene::Scene(Device& device) : device_(device) {}
 
 Scene::~Scene() {
-  if (group_ != FramebufferId{}) device_.destroy_framebuffer(group_);
+  for (const GroupTarget& group : groups_)
+    if (group.id != FramebufferId{}) device_.destroy_framebuffer(group.id);
+  if (map_texture_ != TextureId{}) device_.destroy_texture(map_texture_);
+  clear_picture();
 }
 
 void Scene::apply(const FramePatch& patch) {
@@ -118,7 +163,7 @@ void Scene::apply(const FramePatch& patch) {
     }
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
       InstanceBuffer& buffer = layers_[changes.layer].kinds[static_cast<std::size_t>(kind)];
-      bytes_uploaded_ += buffer.apply(changes[kind], patch.frame);
+      bytes_uploaded_ += buffer.apply(changes[kind], patch.frame, changes.has_scalars);
     }
   }
 }
@@ -126,6 +171,28 @@ void Scene::apply(const FramePatch& patch) {
 void Scene::forget(LayerIndex layer) {
   if (layer >= layers_.size()) return;
   for (InstanceBuffer& buffer : layers_[layer].kinds) buffer.clear();
+}
+
+void Scene::set_picture(LayerIndex layer, const Image& image) {
+  clear_picture();
+  const bool fits = std::max(image.width, image.height) <= device_.max_framebuffer_size();
+  const Image smaller = fits ? Image{} : reduced(image, device_.max_framebuffer_size());
+  const Image& shown = fits ? image : smaller;
+  std::vector<std::uint8_t> premultiplied_rgba = shown.rgba;
+  for (std::size_t i = 0; i < premultiplied_rgba.size(); i += 4) {
+    const unsigned alpha = premultiplied_rgba[i + 3];
+    for (std::size_t channel = i; channel < i + 3; ++channel)
+      premultiplied_rgba[channel] = static_cast<std::uint8_t>((premultiplied_rgba[channel] * alpha + 127) / 255);
+  }
+  picture_ = device_.create_texture(shown.width, shown.height, premultiplied_rgba, /*smooth=*/true);
+  picture_layer_ = layer;
+  picture_aspect_ = static_cast<double>(image.height) / image.width;
+}
+
+void Scene::clear_picture() {
+  if (picture_ != TextureId{}) device_.destroy_texture(picture_);
+  picture_ = {};
+  picture_layer_ = kNoSlot;
 }
 
 void Scene::set_overlay(std::uint32_t slot, const Overlay& overlay) {
@@ -137,7 +204,7 @@ void Scene::set_overlay(std::uint32_t slot, const Overlay& overlay) {
   set.style = overlay.style;
   set.ring = overlay.ring;
   const std::size_t count = overlay.data.size() / stride_of(overlay.kind);
-  bytes_uploaded_ += set.buffer.replace(static_cast<std::uint32_t>(count), overlay.data, frame_);
+  bytes_uploaded_ += set.buffer.replace(static_cast<std::uint32_t>(count), overlay.data, frame_, false);
 }
 
 void Scene::clear_overlay(std::uint32_t slot) {
@@ -146,6 +213,47 @@ void Scene::clear_overlay(std::uint32_t slot) {
 
 std::uint32_t Scene::instances(LayerIndex layer, PrimitiveKind kind) const {
   return layer < layers_.size() ? layers_[layer].kinds[static_cast<std::size_t>(kind)].count() : 0;
+}
+
+void Scene::set_color_maps(std::vector<ColorMap> maps) {
+  maps_ = std::move(maps);
+  if (map_texture_ != TextureId{}) device_.destroy_texture(map_texture_);
+  map_texture_ = {};
+}
+
+// All maps in one texture, a row each, made when the first one is used.
+TextureId Scene::map_texture() {
+  if (map_texture_ != TextureId{}) return map_texture_;
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(4 * kMapWidth * maps_.size());
+  for (const ColorMap& map : maps_) {
+    for (std::size_t i = 0; i < kMapWidth; ++i) {
+      const std::optional<Rgb> color = map.is_categorical
+                                           ? map.color_of(static_cast<double>(i), {})
+                                           : map.at(static_cast<double>(i) / static_cast<double>(kMapWidth - 1));
+      rgba.insert(rgba.end(), {color->r, color->g, color->b, 255});
+    }
+  }
+  map_texture_ =
+      device_.create_texture(static_cast<int>(kMapWidth), static_cast<int>(maps_.size()), rgba, /*smooth=*/false);
+  return map_texture_;
+}
+
+ScalarRange Scene::scalar_range(LayerIndex layer) const {
+  ScalarRange out;
+  if (layer >= layers_.size()) return out;
+  for (const InstanceBuffer& buffer : layers_[layer].kinds) out.add(buffer.scalar_range());
+  return out;
+}
+
+ShownMap Scene::shown_map(LayerIndex layer, const LayerStyle& style) const {
+  if (style.color_map.empty() || layer >= layers_.size()) return {};
+  const auto found = std::ranges::find(maps_, style.color_map, &ColorMap::name);
+  const auto has_scalars = [](const InstanceBuffer& buffer) { return buffer.scalars() != BufferId{}; };
+  if (found == maps_.end() || std::ranges::none_of(layers_[layer].kinds, has_scalars)) return {};
+  ScalarRange range = scalar_range(layer);
+  if (style.range_locked) range = {style.range_low, style.range_high};
+  return {&*found, range};
 }
 
 void Scene::draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options) {
@@ -157,18 +265,53 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
                   .target = options.target,
                   .area = {options.left, options.bottom, camera.width(), camera.height()}};
   for (const LayerView& view : views) {
+    if (view.layer == picture_layer_) draw_picture(pass, view.style);
     if (view.layer >= layers_.size()) continue;
     Pass of_view = pass;
     of_view.every = std::max(1U, view.every);
-    draw_layer(of_view, layers_[view.layer].kinds, view.style, false);
+    const ShownMap shown = shown_map(view.layer, view.style);
+    Look look{.style = view.style, .map = shown.map, .range = shown.range};
+    if (look.map != nullptr) look.map_row = static_cast<float>(look.map - maps_.data());
+    draw_layer(of_view, layers_[view.layer].kinds, look);
   }
   if (!options.overlays) return;
   for (const OverlaySet& set : overlays_) {
-    if (set.buffer.count() > 0) draw_layer(pass, std::span(&set.buffer, 1), set.style, set.ring);
+    if (set.buffer.count() > 0) draw_layer(pass, std::span(&set.buffer, 1), {.style = set.style, .ring = set.ring});
   }
 }
 
-void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring) {
+void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
+  const double opacity = static_cast<double>(premultiplied({}, style.opacity)[3]);
+  if (picture_place_.width > 0.0 && std::isfinite(picture_place_.width) && opacity > 0.0) {
+    const Camera& camera = pass.camera;
+    const double scale = 1.0 / camera.units_per_pixel();
+    const auto from_center = [scale](double value, double center, double low) {
+      return ((value - center) - low) * scale;
+    };
+    const Vec2 middle{from_center(picture_place_.center.x, camera.center().x, camera.center_low().x),
+                      from_center(picture_place_.center.y, camera.center().y, camera.center_low().y)};
+    const Vec2 half{0.5 * picture_place_.width * scale, 0.5 * picture_place_.width * picture_aspect_ * scale};
+    // Cut to a little more than the view: what is left are small numbers, whatever the zoom.
+    const Vec2 view{0.5 * camera.width() + 2.0, 0.5 * camera.height() + 2.0};
+    const Vec2 low{std::max(middle.x - half.x, -view.x), std::max(middle.y - half.y, -view.y)};
+    const Vec2 high{std::min(middle.x + half.x, view.x), std::min(middle.y + half.y, view.y)};
+    // False also for what is not a number.
+    if (!(low.x < high.x && low.y < high.y)) return;
+    const auto across = [&](double x) { return static_cast<float>(0.5 + 0.5 * (x - middle.x) / half.x); };
+    const auto down = [&](double y) { return static_cast<float>(0.5 - 0.5 * (y - middle.y) / half.y); };
+    device_.draw_picture({.target = pass.target,
+                          .area = pass.area,
+                          .texture = picture_,
+                          .place = {static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(high.x),
+                                    static_cast<float>(high.y)},
+                          .part = {across(low.x), down(low.y), across(high.x), down(high.y)},
+                          .opacity = static_cast<float>(opacity)});
+    ++draw_calls_;
+  }
+}
+
+void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look) {
+  const LayerStyle& style = look.style;
   const PremultipliedColor color = premultiplied(style.color, style.opacity);
   if (color[3] <= 0.0F) return;
   bool is_empty = true;
@@ -182,7 +325,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   // An opaque group looks the same drawn directly. Not so triangles: those that share an edge have to add up there.
   const bool as_group = has_triangles || (style.flat && color[3] < 1.0F);
   if (as_group && style.flat) {
-    draw_group(pass, kinds, style, ring);
+    draw_group(pass, kinds, look);
     return;
   }
   const auto draw_all = [&](bool triangles) {
@@ -190,9 +333,9 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
       for (const InstanceBuffer& buffer : kinds) {
         if (buffer.kind() != kind || buffer.count() == 0 || (kind == PrimitiveKind::triangle) != triangles) continue;
         if (triangles) {
-          draw_group(pass, std::span(&buffer, 1), style, ring);
+          draw_group(pass, std::span(&buffer, 1), look);
         } else {
-          draw_kind(pass, buffer, style, ring, color, Blend::over);
+          draw_kind(pass, buffer, look, color, Blend::over);
         }
       }
     }
@@ -201,8 +344,12 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   draw_all(false);
 }
 
-void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring) {
-  const FramebufferId group = group_target(pass.area.width, pass.area.height);
+void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look) {
+  // One colour is put on at the end; several have to be drawn as they are.
+  const bool has_colors = look.map != nullptr;
+  const FramebufferId group =
+      group_target(has_colors ? TargetFormat::color : TargetFormat::coverage, pass.area.width, pass.area.height);
+  constexpr PremultipliedColor kWhite{1.0F, 1.0F, 1.0F, 1.0F};
   const Pass inner{.camera = pass.camera,
                    .content_scale = pass.content_scale,
                    .target = group,
@@ -213,26 +360,29 @@ void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, 
     for (const InstanceBuffer& buffer : kinds) {
       if (buffer.kind() != kind || buffer.count() == 0) continue;
       const Blend blend = kind == PrimitiveKind::triangle ? Blend::add : Blend::over;
-      draw_kind(inner, buffer, style, ring, {1.0F, 1.0F, 1.0F, 1.0F}, blend);
+      draw_kind(inner, buffer, look, has_colors ? premultiplied(look.style.color, 1.0) : kWhite, blend);
     }
   }
-  device_.composite(pass.target, pass.area, group, premultiplied(style.color, style.opacity));
+  device_.composite(pass.target, pass.area, group,
+                    has_colors ? premultiplied(Rgb{255, 255, 255}, look.style.opacity)
+                               : premultiplied(look.style.color, look.style.opacity));
 }
 
-FramebufferId Scene::group_target(int width, int height) {
-  if (group_ == FramebufferId{} || group_width_ < width || group_height_ < height) {
-    if (group_ != FramebufferId{}) device_.destroy_framebuffer(group_);
-    group_ = {};
-    group_width_ = std::max(group_width_, width);
-    group_height_ = std::max(group_height_, height);
-    group_ = device_.create_framebuffer(
-        {.width = group_width_, .height = group_height_, .format = TargetFormat::coverage});
+FramebufferId Scene::group_target(TargetFormat format, int width, int height) {
+  GroupTarget& group = groups_[static_cast<std::size_t>(format)];
+  if (group.id == FramebufferId{} || group.width < width || group.height < height) {
+    if (group.id != FramebufferId{}) device_.destroy_framebuffer(group.id);
+    group.id = {};
+    group.width = std::max(group.width, width);
+    group.height = std::max(group.height, height);
+    group.id = device_.create_framebuffer({.width = group.width, .height = group.height, .format = format});
   }
-  return group_;
+  return group.id;
 }
 
-void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const LayerStyle& style, bool ring,
+void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look& look,
                       const PremultipliedColor& color, Blend blend) {
+  const LayerStyle& style = look.style;
   const DrawingFrame& frame = buffer.frame();
   const Camera& camera = pass.camera;
   const CenterParts x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, frame.scale);
@@ -256,7 +406,7 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Laye
   u.pixels_per_unit = static_cast<float>(scale);
   const float line_width = pixels(style.line_width_px, pass.content_scale, 0.1, 64.0);
   u.half_width_px = 0.5F * (is_point ? pixels(style.point_size_px, pass.content_scale, 0.1, 256.0) : line_width);
-  u.ring_px = is_point && ring ? 0.5F * line_width : 0.0F;
+  u.ring_px = is_point && look.ring ? 0.5F * line_width : 0.0F;
   u.half_view_px = {0.5F * static_cast<float>(camera.width()), 0.5F * static_cast<float>(camera.height())};
   u.view_radius_px = std::hypot(u.half_view_px[0], u.half_view_px[1]);
   u.color = color;
@@ -272,6 +422,12 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Laye
   call.program.dashed =
       style.dashed && (buffer.kind() == PrimitiveKind::segment || buffer.kind() == PrimitiveKind::ray ||
                        buffer.kind() == PrimitiveKind::line || is_ring(buffer.kind()));
+  if (look.map != nullptr && buffer.scalars() != BufferId{}) {
+    call.program.mapped = true;
+    call.scalars = buffer.scalars();
+    call.maps = map_texture();
+    set_map(*look.map, look.range, look.map_row, u);
+  }
   device_.draw(call);
   ++draw_calls_;
 }

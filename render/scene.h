@@ -3,9 +3,13 @@
 //
 // What it guarantees:
 //  1. `apply` uploads the changed instances of a patch and nothing else. Instances next to each other go together.
-//  2. `draw` uploads nothing: camera, style and stacking order are uniforms and order of calls.
+//  2. `draw` uploads no instances: camera, style, colour map, range and stacking order are uniforms and order of
+//  calls.
 //  3. Layers are painted in the order given, bottom first, each above all before it.
 //  4. Nothing that is finite makes garbage: coordinates of any size are clipped to where they can be seen.
+//  5. With a colour map of a known name, instances have the colours of their scalars; a scalar beyond the range, an
+//     infinite one too, has the end colour, what is not a number the plain colour. In a flat layer the later instance
+//     hides the one before it, and the whole is as opaque as its style says.
 //
 // Smallest use:
 //     Scene scene(device);
@@ -28,10 +32,18 @@
 #include "core/document/layer_style.h"
 #include "core/graph/patch.h"
 #include "render/camera.h"
+#include "render/colormap.h"
 #include "render/device.h"
+#include "render/image.h"
 #include "render/instance_buffer.h"
 
 namespace mes::render {
+
+/// What colours a layer now.
+struct ShownMap {
+  const ColorMap* map = nullptr;  ///< none: it has its plain colour
+  ScalarRange range;              ///< may be empty: no scalar is finite
+};
 
 struct LayerView {
   LayerIndex layer = 0;
@@ -47,6 +59,13 @@ struct DrawOptions {
   int left = 0;                ///< lower left corner of the view in the target; its size is the camera's
   int bottom = 0;
   bool overlays = true;
+};
+
+/// Where a picture lies, in document units: its height follows from its pixels.
+struct PicturePlace {
+  Vec2 center{};
+  double width = 0.0;  ///< not above 0: it is not drawn
+  friend bool operator==(const PicturePlace&, const PicturePlace&) = default;
 };
 
 /// A few primitives of the app above all layers: selection, hovered sample, rubber band.
@@ -70,9 +89,23 @@ class Scene {
   /// Forgets all instances of a layer and gives its memory back.
   void forget(LayerIndex layer);
 
+  /// Draws a picture in the place of a layer, with the opacity of its style; uploaded now, at most once. Its edges
+  /// lie where doubles say, at any zoom. Throws std::bad_alloc.
+  void set_picture(LayerIndex layer, const Image& image);
+  void place_picture(const PicturePlace& place) { picture_place_ = place; }
+  void clear_picture();
+
   /// Overlays are drawn in the order of their slots, a small number the app chooses. Cheap enough for every frame.
   void set_overlay(std::uint32_t slot, const Overlay& overlay);
   void clear_overlay(std::uint32_t slot);
+
+  /// Replaces the maps that styles name; those that need no file are there from the beginning. Of two with one name
+  /// the first counts.
+  void set_color_maps(std::vector<ColorMap> maps);
+  const std::vector<ColorMap>& color_maps() const { return maps_; }
+  /// Range of the finite scalars of a layer.
+  ScalarRange scalar_range(LayerIndex layer) const;
+  ShownMap shown_map(LayerIndex layer, const LayerStyle& style) const;
 
   void draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options);
 
@@ -95,20 +128,32 @@ class Scene {
     bool ring = false;
   };
   struct Pass;
+  struct Look;
+  struct GroupTarget {
+    FramebufferId id{};
+    int width = 0;
+    int height = 0;
+  };
 
-  void draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring);
-  void draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const LayerStyle& style, bool ring);
-  void draw_kind(const Pass& pass, const InstanceBuffer& buffer, const LayerStyle& style, bool ring,
-                 const PremultipliedColor& color, Blend blend);
-  FramebufferId group_target(int width, int height);
+  void draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look);
+  void draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look);
+  void draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
+                 Blend blend);
+  void draw_picture(const Pass& pass, const LayerStyle& style);
+  FramebufferId group_target(TargetFormat format, int width, int height);
+  TextureId map_texture();
 
   Device& device_;
   std::vector<Layer> layers_;
   std::vector<OverlaySet> overlays_;
   DrawingFrame frame_;
-  FramebufferId group_{};
-  int group_width_ = 0;
-  int group_height_ = 0;
+  std::vector<ColorMap> maps_ = builtin_color_maps();
+  TextureId map_texture_{};
+  TextureId picture_{};
+  LayerIndex picture_layer_ = kNoSlot;
+  double picture_aspect_ = 1.0;  // height by width
+  PicturePlace picture_place_;
+  std::array<GroupTarget, 2> groups_;  // by TargetFormat
   std::uint64_t bytes_uploaded_ = 0;
   std::uint32_t draw_calls_ = 0;
 };

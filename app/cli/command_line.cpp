@@ -14,6 +14,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/requests.h"
+#include "app/cli/style_request.h"
 #include "core/base/assert.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
@@ -116,6 +117,19 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "dots of samples shrink where they would run together")
       ->capture_default_str();
   render->add_option("--background", to.render.background, "RRGGBB or transparent")->capture_default_str();
+  render
+      ->add_option("--set-style", to.render.styles,
+                   "Change the style of a layer, LAYER:KEY=VALUE[,KEY=VALUE...]; may be repeated.\n"
+                   "Keys: " +
+                       style_keys() +
+                       ".\n"
+                       "color-map is the name of a map (mesecina list color-maps) or none,\n"
+                       "range is LOW:HIGH or fit, dashed and flat are on or off")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  render->add_flag(
+      "--legend,!--no-legend", to.render.with_legend,
+      "With a colour map: whether its colour bar is drawn, in the corner where it hides least; default: yes");
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");

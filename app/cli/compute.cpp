@@ -11,6 +11,7 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/statistics_text.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/graph/theorem_light.h"
 
@@ -22,15 +23,6 @@ using Json = nlohmann::ordered_json;
 std::size_t count_distinct(std::vector<Vec2> points) {
   std::ranges::sort(points, lexicographically_less);
   return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
-}
-
-Json json_of(const NodeReport& node, bool with_timing) {
-  Json out = Json::object();
-  // Nanoseconds are all a clock has.
-  if (with_timing) out["ms"] = std::round(node.update_ms * 1e6) / 1e6;
-  if (!node.kernel.empty()) out["kernel"] = node.kernel;
-  for (const Stat& stat : node.stats) std::visit([&](const auto& value) { out[stat.key] = value; }, stat.value);
-  return out;
 }
 
 Json json_of(const LayerSummary& summary, const LayerDescriptor& layer) {

@@ -9,6 +9,8 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/color_maps.h"
+#include "app/sample_shapes.h"
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/layer_descriptor.h"
@@ -183,6 +185,19 @@ std::vector<Entry> actions() {
   return out;
 }
 
+std::vector<Entry> color_maps() {
+  const LoadedColorMaps loaded = load_color_maps(find_assets({}), user_color_map_folder());
+  for (const Error& problem : loaded.problems) say("a colour map is left out: " + problem.message());
+  std::vector<Entry> out;
+  for (const render::ColorMap& map : loaded.maps) {
+    const std::string text = std::to_string(map.colors.size()) +
+                             (map.is_categorical ? " colours for whole numbers" : " colours, and all between them");
+    out.push_back(
+        {map.name, text, {{"id", map.name}, {"colors", map.colors.size()}, {"categorical", map.is_categorical}}});
+  }
+  return out;
+}
+
 struct Listing {
   std::string_view name;
   std::vector<Entry> (*entries)();
@@ -194,7 +209,8 @@ constexpr std::array<Listing, 7> kListings{{{"layers", layers},
                                             {"formats", formats},
                                             {"parameters", parameters},
                                             {"precisions", precisions},
-                                            {"actions", actions}}};
+                                            {"actions", actions},
+                                            {"color-maps", color_maps}}};
 
 std::string table_of(const std::vector<Entry>& entries) {
   std::size_t width = 0;

@@ -82,22 +82,25 @@ Expected<std::optional<Box2>> parse_view(const std::string& text) {
   return box;
 }
 
-Expected<std::optional<Rgb>> parse_background(const std::string& text) {
-  if (text == "transparent") return std::nullopt;
-  std::string_view digits = text;
-  if (digits.starts_with('#')) digits.remove_prefix(1);
+std::optional<Rgb> parse_rgb(std::string_view text) {
+  if (text.starts_with('#')) text.remove_prefix(1);
+  if (text.size() != 6) return std::nullopt;
   std::uint32_t value = 0;
-  bool good = digits.size() == 6;
-  for (const char c : digits) {
+  for (const char c : text) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     const std::size_t digit = kDigits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
-    good = good && digit != std::string_view::npos;
-    if (!good) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
+    if (digit == std::string_view::npos) return std::nullopt;
     value = value * 16 + static_cast<std::uint32_t>(digit);
   }
-  if (!good) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
   return Rgb{static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
              static_cast<std::uint8_t>(value)};
+}
+
+Expected<std::optional<Rgb>> parse_background(const std::string& text) {
+  if (text == "transparent") return std::nullopt;
+  const auto color = parse_rgb(text);
+  if (!color) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
+  return color;
 }
 
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/box2.h"
@@ -24,6 +25,9 @@ Expected<PictureSize> parse_size(const std::string& text);
 
 /// "X0,Y0,X1,Y1", any two opposite corners; nothing for "fit". Error: `usage`.
 Expected<std::optional<Box2>> parse_view(const std::string& text);
+
+/// "RRGGBB", with or without #; nothing for anything else.
+std::optional<Rgb> parse_rgb(std::string_view text);
 
 /// "RRGGBB", with or without #; nothing for "transparent". Error: `usage`.
 Expected<std::optional<Rgb>> parse_background(const std::string& text);

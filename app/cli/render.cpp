@@ -17,6 +17,10 @@
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/cli/style_request.h"
+#include "app/color_maps.h"
+#include "app/legend.h"
+#include "app/sample_shapes.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 #include "render/gl_device.h"
@@ -30,6 +34,7 @@ namespace {
 /// The request, understood.
 struct Picture {
   std::vector<LayerIndex> layers;
+  std::vector<LayerStyle> styles;  // of all layers
   PictureSize size;
   std::optional<Box2> view;
   std::optional<Rgb> background;
@@ -51,13 +56,18 @@ Expected<void> check_picture_name(const std::string& file) {
   return usage_error("the name of the picture must end in .png, not " + in_quotes(extension));
 }
 
-Expected<Picture> understand(const RenderRequest& request) {
+Expected<Picture> understand(const RenderRequest& request, std::span<const render::ColorMap> maps) {
   Picture picture;
   auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   picture.layers = std::move(*layers);
   // The stacking order is the registry's, whatever the order of the words.
   std::ranges::sort(picture.layers);
+  std::vector<std::string> map_names;
+  for (const render::ColorMap& map : maps) map_names.push_back(map.name);
+  auto styles = styles_of(request.styles, picture.layers, map_names);
+  if (!styles) return std::unexpected(styles.error());
+  picture.styles = std::move(*styles);
   const auto size = parse_size(request.size);
   if (!size) return std::unexpected(size.error());
   picture.size = *size;
@@ -97,8 +107,9 @@ std::vector<render::LayerView> views_of(const Picture& picture, const render::Ca
   constexpr double kSmallestDot = 1.5;
   std::vector<render::LayerView> views;
   for (const LayerIndex layer : picture.layers) {
-    LayerStyle style = layer_descriptors()[layer].style;
-    if (layer_descriptors()[layer].id == "points" && samples.size() > 1) {
+    LayerStyle style = picture.styles[layer];
+    const bool is_chosen = style.point_size_px != layer_descriptors()[layer].style.point_size_px;
+    if (!is_chosen && layer_descriptors()[layer].id == "points" && samples.size() > 1) {
       const double spacing_px = typical_spacing(samples) / camera.units_per_pixel() / picture.scale;
       const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
       style.point_size_px = std::min(style.point_size_px, limit);
@@ -106,6 +117,24 @@ std::vector<render::LayerView> views_of(const Picture& picture, const render::Ca
     views.push_back({layer, style});
   }
   return views;
+}
+
+/// Above everything else, once the picture is there.
+void add_legend(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
+                double scale) {
+  std::vector<LegendEntry> entries;
+  for (auto view = views.rbegin(); view != views.rend(); ++view) {
+    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
+    const LayerDescriptor& layer = layer_descriptors()[view->layer];
+    if (shown.map != nullptr)
+      entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+  }
+  if (entries.empty()) return;
+  const auto fonts = LegendFonts::read(find_assets({}));
+  if (fonts)
+    draw_legend(image, *fonts, entries, scale);
+  else
+    say("the legend is left out: " + fonts.error().message());
 }
 
 /// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
@@ -139,9 +168,12 @@ Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& sce
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
   const auto settings = settings_of(request.source);
   if (!settings) return std::unexpected(settings.error());
-  const auto picture = understand(request);
+  LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
+  const auto picture = understand(request, maps.maps);
   if (!picture) return std::unexpected(picture.error());
   if (auto good = check_output(request.output); !good) return good;
+  if (std::ranges::any_of(picture->styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
+    for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
   const auto input = read_input(request.source.file, request.source.from);
   if (!input) return std::unexpected(input.error());
 
@@ -149,6 +181,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   if (!context) return std::unexpected(context.error());
   render::GlDevice device;
   render::Scene scene(device);
+  scene.set_color_maps(std::move(maps.maps));
   LayerMirror mirror;
   const auto result = run_computation(
       input->data, {.layers = picture->layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {
@@ -159,9 +192,10 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
 
   const render::Camera camera = camera_for(*picture, result->document.bounding_box(), mirror);
   const std::vector<render::LayerView> views = views_of(*picture, camera, input->data.positions);
-  const auto image = draw_in_bands(device, scene, camera, views,
-                                   {.background = picture->background, .content_scale = picture->scale});
+  auto image = draw_in_bands(device, scene, camera, views,
+                             {.background = picture->background, .content_scale = picture->scale});
   if (!image) return std::unexpected(image.error());
+  if (request.with_legend) add_legend(*image, scene, views, picture->scale);
   const auto png = render::encode_png(*image, render::kPngSmall);
   if (!png) return std::unexpected(png.error());
   return write_output(request.output, {reinterpret_cast<const char*>(png->data()), png->size()}, interruption);

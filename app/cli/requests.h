@@ -41,6 +41,8 @@ struct RenderRequest {
   std::string view = "fit";
   std::string scale = "1";
   std::string background = "ffffff";
+  std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
+  bool with_legend = true;          ///< where a colour map is used
   std::string output;
 };
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption);

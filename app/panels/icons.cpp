@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "app/window/theme.h"
 
@@ -115,6 +116,18 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.line(12, 18.5F, 21, 13.5F);
       break;
     }
+    case Icon::play: {
+      const ImVec2 head[] = {pen.p(8, 5.5F), pen.p(18.5F, 12), pen.p(8, 18.5F)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::parameters:
+      for (const auto& [y, x] : {std::pair{6.5F, 15.0F}, std::pair{12.0F, 8.5F}, std::pair{17.5F, 13.0F}}) {
+        pen.line(4, y, x - 2.4F, y);
+        pen.line(x + 2.4F, y, 20, y);
+        pen.ring(x, y, 2.4F);
+      }
+      break;
     case Icon::statistics:
       pen.line(4, 20, 20.5F, 20);
       for (const auto& [x, y] : {std::pair{7.0F, 12.0F}, std::pair{12.0F, 5.0F}, std::pair{17.0F, 9.0F}}) {
@@ -142,6 +155,14 @@ bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool en
   if (look == ButtonLook::on) color = theme::kAccent;
   draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, color);
   ImGui::EndDisabled();
+  return clicked;
+}
+
+bool choice_button(const char* label, bool chosen) {
+  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentSoft : 0U);
+  ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kAccent : theme::kTextQuiet);
+  const bool clicked = ImGui::Button(label);
+  ImGui::PopStyleColor(2);
   return clicked;
 }
 

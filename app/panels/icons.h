@@ -22,7 +22,9 @@ enum class Icon : std::uint8_t {
   grip,
   help,
   layers,
-  statistics
+  statistics,
+  parameters,
+  play
 };
 
 /// Draws the icon into the square `size` wide at `at`.
@@ -36,5 +38,8 @@ enum class ButtonLook : std::uint8_t {
 
 /// A square button with an icon. True when it was clicked.
 bool icon_button(const char* id, Icon icon, float size, ButtonLook look = ButtonLook::plain, bool enabled = true);
+
+/// One of a few words, side by side; the chosen one stands out. True when it was clicked.
+bool choice_button(const char* label, bool chosen);
 
 }  // namespace mes

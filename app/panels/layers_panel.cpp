@@ -41,13 +41,31 @@ class PopupSpacing {
   PopupSpacing& operator=(const PopupSpacing&) = delete;
 };
 
-// One of a few words, side by side; the chosen one stands out.
-bool choice(const char* label, bool chosen) {
-  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentSoft : 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kAccent : theme::kTextQuiet);
-  const bool clicked = ImGui::Button(label);
-  ImGui::PopStyleColor(2);
-  return clicked;
+// From the palette, or any.
+void draw_color_choice(const PanelContext& context, LayerStyle& style) {
+  const float unit = context.gui.unit();
+  constexpr std::array<Rgb, 9> kPalette{palette::black,     palette::orange, palette::sky,
+                                        palette::green,     palette::yellow, palette::blue,
+                                        palette::vermilion, palette::purple, palette::grey};
+  for (std::size_t i = 0; i < kPalette.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, 4 * unit);
+    ImGui::PushID(static_cast<int>(i));
+    const ImVec4 color = ImGui::ColorConvertU32ToFloat4(to_imgui(kPalette[i]));
+    if (ImGui::ColorButton("##color", color, ImGuiColorEditFlags_NoTooltip, {22 * unit, 22 * unit}))
+      style.color = kPalette[i];
+    ImGui::PopID();
+  }
+  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
+  std::array<float, 3> rgb{channel(style.color.r), channel(style.color.g), channel(style.color.b)};
+  ImGui::SetNextItemWidth(230 * unit);
+  if (ImGui::ColorPicker3(
+          "##picker", rgb.data(),
+          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex)) {
+    const auto byte = [](float value) {
+      return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
+    };
+    style.color = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+  }
 }
 
 std::string milliseconds(double ms) {
@@ -81,10 +99,10 @@ void LayersPanel::draw_head(const PanelContext& context) {
   const float padding = ImGui::GetStyle().FramePadding.x;
   const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  if (choice("Subject", !by_order_)) by_order_ = false;
+  if (choice_button("Subject", !by_order_)) by_order_ = false;
   tooltip(context.gui, "List the layers by what they are about");
   ImGui::SameLine(0, 2 * unit);
-  if (choice("Order", by_order_)) by_order_ = true;
+  if (choice_button("Order", by_order_)) by_order_ = true;
   tooltip(context.gui, "List the layers as they lie on each other, top first");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##search", "Search", &search_);
@@ -105,16 +123,22 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
   const ImVec2 end(at.x + size.x, at.y + size.y);
   list.AddRectFilled(at, end, IM_COL32_WHITE, 3 * unit);
   list.PushClipRect(at, end, true);
+  const auto& maps = context.picture.scene().color_maps();
+  const auto map = std::ranges::find(maps, style.color_map, &render::ColorMap::name);
+  const bool is_mapped = map != maps.end() && !descriptor.scalar.empty();
+  if (is_mapped) draw_color_map(list, *map, at, size, style.opacity);
   const ImU32 color = to_imgui(style.color, style.opacity);
   const ImVec2 middle(0.5F * (at.x + end.x), 0.5F * (at.y + end.y));
   const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
-  if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
+  if (is_mapped) {
+    // Its colours say enough.
+  } else if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
     list.AddRectFilled(at, end, color, 3 * unit);
   else if (has_kind(descriptor, {PrimitiveKind::circle, PrimitiveKind::arc}))
     list.AddCircle(middle, 0.36F * size.y, color, 0, width);
   else if (has_strokes(descriptor))
     list.AddLine({at.x + 4 * unit, end.y - 4 * unit}, {end.x - 4 * unit, at.y + 4 * unit}, color, width);
-  if (has_points(descriptor))
+  if (has_points(descriptor) && !is_mapped)
     list.AddCircleFilled(
         middle, std::clamp(0.5F * static_cast<float>(style.point_size_px) * unit, 1.5F, 0.42F * size.y), color);
   list.PopClipRect();
@@ -131,28 +155,9 @@ void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer
   ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
   ImGui::PopFont();
 
-  constexpr std::array<Rgb, 9> kPalette{palette::black,     palette::orange, palette::sky,
-                                        palette::green,     palette::yellow, palette::blue,
-                                        palette::vermilion, palette::purple, palette::grey};
-  for (std::size_t i = 0; i < kPalette.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, 4 * unit);
-    ImGui::PushID(static_cast<int>(i));
-    const ImVec4 color = ImGui::ColorConvertU32ToFloat4(to_imgui(kPalette[i]));
-    if (ImGui::ColorButton("##color", color, ImGuiColorEditFlags_NoTooltip, {22 * unit, 22 * unit}))
-      style.color = kPalette[i];
-    ImGui::PopID();
-  }
-  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-  std::array<float, 3> rgb{channel(style.color.r), channel(style.color.g), channel(style.color.b)};
-  ImGui::SetNextItemWidth(230 * unit);
-  if (ImGui::ColorPicker3(
-          "##picker", rgb.data(),
-          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex)) {
-    const auto byte = [](float value) {
-      return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
-    };
-    style.color = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
-  }
+  color_maps_.draw(context, layer, style);
+  // The plain colour counts only without a map.
+  if (style.color_map.empty()) draw_color_choice(context, style);
   const auto slider = [&](const char* label, double& value, float low, float high, float factor, const char* format,
                           bool logarithmic) {
     auto shown = static_cast<float>(value) * factor;
@@ -175,6 +180,13 @@ void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer
   ImGui::EndPopup();
 }
 
+// A colour map goes along, but not to a layer that has nothing to show by it.
+void LayersPanel::paste_style(const PanelContext& context, LayerIndex layer) const {
+  LayerStyle style = *copied_;
+  if (context.layers.descriptor(layer).scalar.empty()) style.color_map.clear();
+  context.layers.set_style(layer, style);
+}
+
 void LayersPanel::draw_context_menu(const PanelContext& context, LayerIndex layer) {
   const PopupSpacing spacing(context.gui.unit());
   if (!ImGui::BeginPopupContextItem("menu")) return;
@@ -190,7 +202,7 @@ void LayersPanel::draw_context_menu(const PanelContext& context, LayerIndex laye
   if (ImGui::MenuItem("Send to back")) layers.move(layer, layers.order().front(), false);
   ImGui::Separator();
   if (ImGui::MenuItem("Copy style")) copied_ = layers.style(layer);
-  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value())) layers.set_style(layer, *copied_);
+  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value())) paste_style(context, layer);
   if (ImGui::MenuItem("Reset style", nullptr, false, !layers.has_default_style(layer))) layers.reset_style(layer);
   ImGui::EndPopup();
 }
@@ -211,7 +223,7 @@ void LayersPanel::draw_row(const PanelContext& context, LayerIndex layer) {
   // The swatch lies on the row and is asked first.
   ImGui::SetCursorScreenPos(swatch_at);
   if (ImGui::InvisibleButton("swatch", swatch_size)) ImGui::OpenPopup("style");
-  tooltip(context.gui, "Colour, opacity, sizes");
+  tooltip(context.gui, descriptor.scalar.empty() ? "Colour, opacity, sizes" : "Colour, colour map, opacity, sizes");
   draw_style_popup(context, layer);
 
   ImGui::SetCursorScreenPos(at);

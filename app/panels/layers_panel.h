@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/panels/color_map_controls.h"
 #include "app/panels/panel_context.h"
 
 namespace mes {
@@ -19,6 +20,7 @@ class LayersPanel {
   void draw_row(const PanelContext& context, LayerIndex layer);
   void draw_swatch(const PanelContext& context, LayerIndex layer, ImVec2 at, ImVec2 size) const;
   void draw_style_popup(const PanelContext& context, LayerIndex layer);
+  void paste_style(const PanelContext& context, LayerIndex layer) const;
   void draw_context_menu(const PanelContext& context, LayerIndex layer);
   bool is_listed(const PanelContext& context, LayerIndex layer) const;
 
@@ -26,6 +28,7 @@ class LayersPanel {
   bool only_visible_ = false;
   bool by_order_ = false;
   std::optional<LayerStyle> copied_;
+  ColorMapControls color_maps_;
 };
 
 }  // namespace mes

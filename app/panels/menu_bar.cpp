@@ -60,7 +60,8 @@ void view_menu(const PanelContext& context) {
        {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
     action_item(context, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_panels})
+  for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters,
+                            ActionId::toggle_log, ActionId::toggle_legend, ActionId::toggle_panels})
     action_item(context, id);
   ImGui::Separator();
   if (ImGui::BeginMenu("Interface size")) {

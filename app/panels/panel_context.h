@@ -11,6 +11,7 @@
 #include "app/editor.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
+#include "app/parameter_animation.h"
 #include "app/sample_shapes.h"
 #include "app/settings.h"
 #include "app/window/file_desk.h"
@@ -32,8 +33,10 @@ struct PanelContext {
   FileDesk& files;
   Settings& settings;
   const ComputationSettings& computation;
+  ParameterAnimation& animation;
   Messages& messages;
   std::span<const SampleShape> shapes;
+  std::function<void(const ComputationSettings&)> set_computation;
   std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost
   std::function<void(const SampleShape&)> open_shape;  ///< the same
 };

@@ -2,30 +2,13 @@
 #include "app/panels/statistics_panel.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 
+#include "app/statistics_text.h"
 #include "app/window/theme.h"
 
 namespace mes {
 namespace {
-
-std::string to_text(const StatValue& value) {
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* real = std::get_if<double>(&value)) {
-    if (!std::isfinite(*real)) return "-";
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", *real);
-    return text.data();
-  }
-  std::string out;
-  for (const std::int64_t number : std::get<std::vector<std::int64_t>>(value)) {
-    if (!out.empty()) out += ", ";
-    out += std::to_string(number);
-  }
-  return out;
-}
 
 std::string readable(std::string key) {
   for (char& c : key)
@@ -99,22 +82,23 @@ void draw_node(const PanelContext& context, const NodeReport& node) {
 
 }  // namespace
 
-void draw_statistics_panel(const PanelContext& context, const PanelArea& area) {
-  if (begin_panel("##statistics", area)) {
-    ImGui::PushFont(context.gui.bold());
-    ImGui::TextUnformatted("Statistics");
-    ImGui::PopFont();
-    ImGui::Separator();
-    ImGui::BeginChild("nodes");
-    for (const NodeReport& node : context.picture.nodes()) {
-      if (node.state == NodeState::inactive) continue;
-      ImGui::PushID(node.structure.c_str());
-      draw_node(context, node);
-      ImGui::PopID();
-    }
-    ImGui::EndChild();
+void draw_statistics(const PanelContext& context) {
+  const float unit = context.gui.unit();
+  const auto& nodes = context.picture.nodes();
+  if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(statistics_as_tsv(nodes).c_str());
+  tooltip(context.gui, "Copy all numbers as lines with tabs, for a spreadsheet");
+  ImGui::SameLine(0, 6 * unit);
+  if (ImGui::SmallButton("Copy JSON")) ImGui::SetClipboardText(statistics_as_json(nodes).c_str());
+  tooltip(context.gui, "Copy all numbers as JSON, for a program");
+  ImGui::Dummy({1, 2 * unit});
+  ImGui::BeginChild("nodes");
+  for (const NodeReport& node : nodes) {
+    if (node.state == NodeState::inactive) continue;
+    ImGui::PushID(node.structure.c_str());
+    draw_node(context, node);
+    ImGui::PopID();
   }
-  ImGui::End();
+  ImGui::EndChild();
 }
 
 }  // namespace mes

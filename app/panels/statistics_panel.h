@@ -6,6 +6,6 @@
 
 namespace mes {
 
-void draw_statistics_panel(const PanelContext& context, const PanelArea& area);
+void draw_statistics(const PanelContext& context);
 
 }  // namespace mes

@@ -42,6 +42,7 @@ float draw_toolbar(const PanelContext& context, ImVec2 at) {
   action_button(context, ActionId::fit, Icon::fit, size);
   action_button(context, ActionId::toggle_layers, Icon::layers, size);
   action_button(context, ActionId::toggle_statistics, Icon::statistics, size);
+  action_button(context, ActionId::toggle_parameters, Icon::parameters, size);
   action_button(context, ActionId::help, Icon::help, size);
   const float width = ImGui::GetWindowWidth();
   ImGui::End();

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/color_maps.h"
+#include "app/panels/canvas_legend.h"
 #include "app/panels/help.h"
 #include "app/panels/menu_bar.h"
-#include "app/panels/statistics_panel.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/toolbar.h"
 #include "app/window/theme.h"
@@ -40,6 +41,9 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       canvas_(tool_context_),
       autosave_(default_autosave_folder(), [] { GlfwWindow::wake(); }) {
   if (!loaded.message.empty()) messages_.problem(loaded.message);
+  LoadedColorMaps maps = load_color_maps(assets_, user_color_map_folder());
+  picture_.set_color_maps(std::move(maps.maps));
+  if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
   bind_actions();
   window_->set_listener(this);
   open_first(options);
@@ -52,6 +56,7 @@ App::~App() {
 
 double App::next_wait() const {
   const EngineStatus status = engine_.status();
+  if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (status.busy || files_.is_reading() || gui_.is_about_to_rest()) return kProgressInterval;
   return 0.0;
 }
@@ -89,8 +94,10 @@ PanelContext App::panel_context() {
           files_,
           settings_,
           computation_,
+          animation_,
           messages_,
           shapes_,
+          [this](const ComputationSettings& settings) { set_computation(settings); },
           [this](const std::string& file) { open_files({file}); },
           [this](const SampleShape& shape) { open_shape(shape); }};
 }
@@ -130,8 +137,9 @@ void App::frame() {
   draw_panels();
   show_first_ball();
   follow_demand();
+  advance_animation();
   engine_.set_want_findings(show_panels_);
-  engine_.set_want_statistics(settings_.show_statistics && show_panels_);
+  engine_.set_want_statistics(settings_.details == DetailsPage::statistics && show_panels_);
   fit_if_wanted();
   canvas_.advance(seconds);
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
@@ -160,13 +168,14 @@ void App::draw_panels() {
     draw_status_bar(context, {{0, screen.y - bottom}, {screen.x, bottom}});
     const float height = screen.y - top - bottom;
     const float width = std::min(286 * unit, 0.45F * screen.x);
-    const bool both = settings_.show_layers && settings_.show_statistics;
-    if (settings_.show_layers || settings_.show_statistics) right = width;
+    const bool has_details = settings_.details != DetailsPage::none;
+    const bool both = settings_.show_layers && has_details;
+    if (settings_.show_layers || has_details) right = width;
     const float upper = both ? 0.55F * height : height;
     if (settings_.show_layers) layers_panel_.draw(context, {{screen.x - width, top}, {width, upper}});
-    if (settings_.show_statistics) {
+    if (has_details) {
       const float from = both ? top + upper : top;
-      draw_statistics_panel(context, {{screen.x - width, from}, {width, top + height - from}});
+      details_panel_.draw(context, {{screen.x - width, from}, {width, top + height - from}});
     }
     const float margin = 10 * unit;
     left = margin + draw_toolbar(context, {margin, top + margin});
@@ -174,6 +183,9 @@ void App::draw_panels() {
   const float card_margin = 10 * unit;
   provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
+  if (settings_.show_legend)
+    draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
+                       screen.y - top - bottom - 2 * card_margin);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
   draw_help(context, &show_help_);

@@ -17,6 +17,7 @@
 #include "app/messages.h"
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
+#include "app/panels/details_panel.h"
 #include "app/panels/file_browser.h"
 #include "app/panels/layers_panel.h"
 #include "app/panels/panel_context.h"
@@ -72,6 +73,8 @@ class App final : private WindowListener {
   void bind_edit_actions();
   void bind_view_actions();
   void choose_precision(Precision precision);
+  void set_computation(const ComputationSettings& settings);
+  void advance_animation();
   void nudge(double x_px, double y_px);
   void report(const Error& error);
   Box2 fit_box() const;
@@ -127,6 +130,9 @@ class App final : private WindowListener {
   Canvas canvas_;
   ActionBindings actions_;
   LayersPanel layers_panel_;
+  DetailsPanel details_panel_;
+  ParameterAnimation animation_;
+  double next_animation_step_ = 0.0;  // seconds
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;
   AskRecover ask_recover_;

@@ -106,7 +106,15 @@ void App::bind_view_actions() {
   };
   bind_toggle(ActionId::toggle_panels, show_panels_);
   bind_toggle(ActionId::toggle_layers, settings_.show_layers);
-  bind_toggle(ActionId::toggle_statistics, settings_.show_statistics);
+  const auto bind_page = [&](ActionId id, DetailsPage page) {
+    actions_.bind(id, {[this, page] { settings_.details = settings_.details == page ? DetailsPage::none : page; },
+                       {},
+                       [this, page] { return settings_.details == page; }});
+  };
+  bind_page(ActionId::toggle_statistics, DetailsPage::statistics);
+  bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
+  bind_page(ActionId::toggle_log, DetailsPage::log);
+  bind_toggle(ActionId::toggle_legend, settings_.show_legend);
   actions_.bind(ActionId::cancel_computation,
                 {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
   actions_.bind(ActionId::resume_computation,
@@ -121,8 +129,9 @@ void App::bind_view_actions() {
   }
   const auto bind_switch = [&](ActionId id, Parameter parameter) {
     actions_.bind(id, {[this, parameter] {
-                         computation_[parameter] = computation_.is_on(parameter) ? 0.0 : 1.0;
-                         engine_.set_settings(computation_);
+                         ComputationSettings settings = computation_;
+                         settings[parameter] = settings.is_on(parameter) ? 0.0 : 1.0;
+                         set_computation(settings);
                        },
                        {},
                        [this, parameter] { return computation_.is_on(parameter); }});
@@ -132,8 +141,29 @@ void App::bind_view_actions() {
 }
 
 void App::choose_precision(Precision precision) {
-  computation_.precision = precision;
+  ComputationSettings settings = computation_;
+  settings.precision = precision;
+  set_computation(settings);
+}
+
+void App::set_computation(const ComputationSettings& settings) {
+  computation_ = settings;
   engine_.set_settings(computation_);
+}
+
+// A step is taken when the picture of the one before has been seen.
+void App::advance_animation() {
+  if (!animation_.is_running() || engine_.status().busy) return;
+  const double now = ImGui::GetTime();
+  if (animation_.position() > 0 || computation_[animation_.parameter] == animation_.value()) {
+    if (now < next_animation_step_) return;
+    if (!animation_.advance()) return;
+  }
+  next_animation_step_ = now + 1.0 / animation_.steps_per_second;
+  ComputationSettings settings = computation_;
+  settings[animation_.parameter] = animation_.value();
+  set_computation(settings);
+  on_anything();
 }
 
 void App::nudge(double x_px, double y_px) {

@@ -49,8 +49,9 @@ void App::take_read_file() {
   }
   if (outcome->session) show_as_in(*outcome->session);
   fit_wanted_ = had_first_file_ ? Fit::glide : Fit::at_once;
+  // What is to be told at the start stays to be read.
+  if (had_first_file_) messages_.clear_problem();
   had_first_file_ = true;
-  messages_.clear_problem();
   if (!outcome->is_shape)
     for (const fs::path& file : outcome->files) remember_file(settings_, file);
   if (outcome->left_out != 0) {

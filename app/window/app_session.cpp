@@ -19,8 +19,7 @@ Session App::session_now() const {
 
 void App::show_as_in(const Session& session) {
   if (!session.layers.layers.empty()) layers_.set_configuration(session.layers);
-  computation_ = session.settings;
-  engine_.set_settings(computation_);
+  set_computation(session.settings);
   if (!session.view.is_empty()) fit_to_ = session.view;
   notes_.take_as_noted(editor_, {layers_, computation_, session.view});
 }

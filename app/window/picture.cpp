@@ -16,6 +16,7 @@ LayerStyle greyed(LayerStyle style) {
   const auto luma = static_cast<std::uint8_t>((2 * style.color.r + 3 * style.color.g + style.color.b) / 6);
   const auto pale = static_cast<std::uint8_t>((luma + 2 * 0x99) / 3);
   style.color = {pale, pale, pale};
+  style.color_map.clear();
   style.opacity *= kFailedOpacity;
   return style;
 }

@@ -27,6 +27,7 @@ class Picture {
  public:
   Picture();
 
+  void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
   /// Takes what is finished; true when something was.
   bool take_from(Engine& engine);
   /// Frees the graphics memory of layers that are shown no more.

@@ -185,6 +185,7 @@ LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
   if (out.layers.size() <= out.layer_count) out.layers.emplace_back();
   LayerPatch& patch = out.layers[out.layer_count++];
   patch.layer = index;
+  patch.has_scalars = !layers_[index].descriptor.scalar.empty();
   for (KindPatch& kind : patch.kinds) {
     kind.clear();
     kind.count = 0;

@@ -18,5 +18,5 @@ void main() {
 #if DASHED
   cover *= dash_cover(v_dash.x + s, v_dash.y);
 #endif
-  color = u_color * (cover * stroke_alpha());
+  color = v_color * (cover * stroke_alpha());
 }

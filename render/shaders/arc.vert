@@ -17,6 +17,7 @@ flat out vec2 v_dash;
 const float kFar = 1e7;
 
 void main() {
+  paint();
   Rim rim = rim_of(a_center, a_radius);
   float r = min(rim.radius, 1e15);
   float h = shown_half_width() + 1.0;

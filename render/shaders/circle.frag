@@ -11,5 +11,5 @@ void main() {
 #if DASHED
   cover *= dash_cover(v_dash.x + v_rim.z * rim_angle(v_offset, v_rim.xy, v_rim.z), v_dash.y);
 #endif
-  color = u_color * (cover * stroke_alpha());
+  color = v_color * (cover * stroke_alpha());
 }

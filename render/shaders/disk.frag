@@ -4,5 +4,5 @@ out vec4 color;
 
 void main() {
   float sd = rim_distance(v_offset, v_rim.xy, v_rim.z);
-  color = u_color * (clamp(0.5 - sd, 0.0, 1.0) * v_rim.w);
+  color = v_color * (clamp(0.5 - sd, 0.0, 1.0) * v_rim.w);
 }

@@ -5,6 +5,7 @@ out vec2 v_offset;
 flat out vec4 v_rim;  // outward normal, radius, alpha
 
 void main() {
+  paint();
   Rim rim = rim_of(a_center, a_radius);
   float r = rim.radius;
   float q = soft_radius(r);

@@ -6,8 +6,8 @@ void main() {
   float from_center = length(v_offset);
   if (u_ring > 0.0) {
     float sd = abs(from_center - r) - max(u_ring, 0.5);
-    color = u_color * (clamp(0.5 - sd, 0.0, 1.0) * min(2.0 * u_ring, 1.0));
+    color = v_color * (clamp(0.5 - sd, 0.0, 1.0) * min(2.0 * u_ring, 1.0));
   } else {
-    color = u_color * (clamp(0.5 - from_center + soft_radius(r), 0.0, 1.0) * soft_alpha(r));
+    color = v_color * (clamp(0.5 - from_center + soft_radius(r), 0.0, 1.0) * soft_alpha(r));
   }
 }

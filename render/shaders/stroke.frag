@@ -12,5 +12,5 @@ void main() {
 #if DASHED
   cover *= dash_cover(v_place.x + v_phase, u_dash_period);
 #endif
-  color = u_color * (cover * stroke_alpha());
+  color = v_color * (cover * stroke_alpha());
 }

@@ -12,6 +12,7 @@ flat out float v_phase;
 const float kFar = 1e7;
 
 void main() {
+  paint();
   WideVec2 first = wide_offset(a_first);
 #if KIND_SEGMENT
   // Measured from the nearer end, which is the one whose float is good.

@@ -19,5 +19,5 @@ void main() {
   } else {
     cover = corner_cover(c.z, c.x, v_corners.z) * c.y;
   }
-  color = u_color * cover;
+  color = v_color * cover;
 }

@@ -23,6 +23,7 @@ float weight(vec3 a, vec3 b) {
 }
 
 void main() {
+  paint();
   WideVec2 a = wide_offset(a_first);
   WideVec2 b = wide_offset(a_second);
   WideVec2 c = wide_offset(a_third);

@@ -1,6 +1,6 @@
 // What a draw call tells its programs; filled from `DrawUniforms`, in the same order.
 
-uniform vec4 u_real[5];
+uniform vec4 u_real[7];
 uniform uvec4 u_bits[2];
 
 #define u_center_1 u_real[0].xy
@@ -15,6 +15,12 @@ uniform uvec4 u_bits[2];
 #define u_dash u_real[4].x
 #define u_dash_period u_real[4].y
 #define u_arc_pieces u_real[4].z
+#define u_map_low u_real[5].xyz
+#define u_map_factor u_real[5].w
+#define u_map_exponent u_real[6].x
+#define u_map_offset u_real[6].y
+#define u_map_row u_real[6].z
+#define u_map_categories u_real[6].w
 #define u_nothing (floatBitsToUint(u_real[4].w) & 1u)
 
 // Strokes thinner than a pixel keep that width and fade instead.

@@ -98,3 +98,23 @@ TEST_CASE("help and version are results") {
     CHECK_THAT(help.out, Catch::Contains("Usage:"));
   }
 }
+
+TEST_CASE("a style that makes no sense is refused with what there is") {
+  const auto refused = [](const std::string& style, const std::vector<std::string>& says) {
+    require_usage_error(
+        {"render", kDude, "--layers", "curve,curve-normals,points", "--set-style", style, "-o", "a.png"}, says);
+  };
+  refused("curve:color-map=virdis", {"unknown colour map \"virdis\"", "viridis"});
+  refused("curve-normals:color-map=viridis", {"curve-normals has no scalar"});
+  refused("curve", {"LAYER:KEY=VALUE"});
+  refused("curve:", {"KEY=VALUE"});
+  refused("curve:flat", {"KEY=VALUE"});
+  refused("curve:opacity=2", {"from 0 to 1"});
+  refused("curve:opacity=nan", {"from 0 to 1"});
+  refused("curve:color=red", {"RRGGBB"});
+  refused("curve:flat=yes", {"on or off"});
+  refused("curve:colr=000000", {"unknown style key", "color"});
+  refused("curve:range=3:1", {"LOW:HIGH"});
+  refused("curv:flat=on", {"unknown layer", "curve"});
+  refused("voronoi:flat=on", {"voronoi, which is not drawn"});
+}

@@ -116,3 +116,28 @@ TEST_CASE("without OpenGL pictures end with code 4, and the other commands work"
   CHECK(folder.file_count() == 0);
   CHECK(run({"compute", kDude}, options).exit_code == 0);
 }
+
+TEST_CASE("styles, colour maps, their range and the legend change a picture") {
+  const std::vector<std::string> plain{kDude, "--size", "300x250", "--layers", "interior-voronoi-disks"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = plain;
+    all.insert(all.end(), more.begin(), more.end());
+    return picture(all);
+  };
+  const std::string id = "interior-voronoi-disks:";
+  std::vector<std::string> seen{with({})};
+  // Without a map there is nothing to explain.
+  CHECK(with({"--no-legend"}) == seen.front());
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"--set-style", id + "color=ff0000"},
+           {"--set-style", id + "opacity=0.9"},
+           {"--set-style", id + "color-map=viridis"},
+           {"--set-style", id + "color-map=viridis", "--no-legend"},
+           {"--set-style", id + "color-map=inferno", "--no-legend"},
+           {"--set-style", id + "color-map=viridis,flat=on,opacity=0.4", "--no-legend"},
+           {"--set-style", id + "color-map=viridis,range=0:1000", "--no-legend"}}) {
+    seen.push_back(with(more));
+    CHECK(std::ranges::count(seen, seen.back()) == 1);
+  }
+  CHECK(with({"--set-style", id + "color-map=viridis", "--set-style", id + "color-map=none"}) == seen.front());
+}

@@ -34,7 +34,7 @@ TEST_CASE("what is saved is loaded") {
   Settings settings;
   settings.spray_spacing_px = 17.5;
   settings.window_width = 1000;
-  settings.show_statistics = true;
+  settings.details = DetailsPage::log;
   remember_file(settings, "/tmp/a.poff");
   remember_file(settings, "/tmp/b.poff");
   remember_file(settings, "/tmp/a.poff");
@@ -44,7 +44,7 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.recent_files == std::vector<std::string>{"/tmp/a.poff", "/tmp/b.poff"});
   CHECK(loaded.settings.spray_spacing_px == 17.5);
   CHECK(loaded.settings.window_width == 1000);
-  CHECK(loaded.settings.show_statistics);
+  CHECK(loaded.settings.details == DetailsPage::log);
 }
 
 TEST_CASE("the list of recent files does not grow for ever") {

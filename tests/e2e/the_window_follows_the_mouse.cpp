@@ -49,19 +49,20 @@ std::vector<Vec2> saved_samples(const fs::path& file) {
 }
 
 /// The program on a screen, with the circle open, panels hidden and the view fitted.
-struct Session {
+struct Visit {
   Folder folder;
   VirtualScreen screen;
   fs::path file = folder.path / "circle.poff";
   Environment environment{{"DISPLAY", screen.display()},
                           {"WAYLAND_DISPLAY", ""},
                           {"XDG_CONFIG_HOME", folder.path.string()},
+                          {"XDG_DATA_HOME", folder.path.string()},
                           {"LIBGL_ALWAYS_SOFTWARE", "1"},
                           // Under a sanitizer: what the graphics driver forgets is not ours to find.
                           {"ASAN_OPTIONS", "detect_leaks=0"}};
   Child program;
 
-  Session() {
+  Visit() {
     std::ofstream out(file);
     out << std::setprecision(17) << "POFF " << kSamples << " 0 0\n";
     for (int i = 0; i < kSamples; ++i) out << sample(i).x << ' ' << sample(i).y << '\n';
@@ -99,7 +100,7 @@ struct Session {
 }  // namespace
 
 TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
-  Session session;
+  Visit session;
   const VirtualScreen& screen = session.screen;
   session.show_only_the_drawing();
   const std::string untouched = session.save();
@@ -178,7 +179,7 @@ TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
 }
 
 TEST_CASE("unsaved work is asked for, and the window sleeps when nothing happens") {
-  Session session;
+  Visit session;
   session.show_only_the_drawing();
   session.press("ctrl+a");
   session.press("Right");
@@ -207,7 +208,7 @@ TEST_CASE("unsaved work is asked for, and the window sleeps when nothing happens
 }
 
 TEST_CASE("a ball is drawn, resized with the wheel, and saved to a file of its own") {
-  Session session;
+  Visit session;
   const VirtualScreen& screen = session.screen;
   session.show_only_the_drawing();
   // In the corner, where no ball of the circle is.
@@ -256,7 +257,7 @@ TEST_CASE("a ball is drawn, resized with the wheel, and saved to a file of its o
 }
 
 TEST_CASE("what is clicked says where it comes from, until Esc or an edit") {
-  Session session;
+  Visit session;
   session.show_only_the_drawing();
   const VirtualScreen& screen = session.screen;
   const auto is_card = [](Color c) { return c.r == 0xF7 && c.g == 0xF8 && c.b == 0xF9; };
@@ -284,7 +285,7 @@ TEST_CASE("what is clicked says where it comes from, until Esc or an edit") {
 }
 
 TEST_CASE("a file that cannot be read is a message, and the document stays") {
-  Session session;
+  Visit session;
   session.show_only_the_drawing();
   session.program = Child();
   std::ofstream(session.folder.path / "bad.poff") << "POFF 3 0 0\n1 2\n3 x\n5 6\n";
@@ -299,7 +300,10 @@ TEST_CASE("a file that cannot be read is a message, and the document stays") {
 TEST_CASE("without a display there is one line that names the way without, and exit code 4") {
   const Folder folder;
   Child program({MESECINA_BINARY},
-                {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_CONFIG_HOME", folder.path.string()}},
+                {{"DISPLAY", ""},
+                 {"WAYLAND_DISPLAY", ""},
+                 {"XDG_CONFIG_HOME", folder.path.string()},
+                 {"XDG_DATA_HOME", folder.path.string()}},
                 folder.path / "errors");
   CHECK(program.wait() == 4);
   const std::string errors = bytes_of(folder.path / "errors");

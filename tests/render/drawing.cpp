@@ -6,13 +6,14 @@
 namespace mes::test {
 namespace {
 
-std::vector<double> with_scalars(PrimitiveKind kind, const std::vector<double>& coordinates) {
+std::vector<double> with_scalars(PrimitiveKind kind, const std::vector<double>& coordinates,
+                                 const std::vector<double>& scalars) {
   const std::size_t step = doubles_per(kind);
   std::vector<double> out;
   for (std::size_t i = 0; i < coordinates.size(); i += step) {
     out.insert(out.end(), coordinates.begin() + static_cast<std::ptrdiff_t>(i),
                coordinates.begin() + static_cast<std::ptrdiff_t>(i + step));
-    out.push_back(0.0);
+    out.push_back(scalars.empty() ? 0.0 : scalars.at(i / step));
   }
   return out;
 }
@@ -26,21 +27,23 @@ render::EglContext context_or_throw() {
 }  // namespace
 
 FramePatch instances(LayerIndex layer, PrimitiveKind kind, const std::vector<double>& coordinates,
-                     const DrawingFrame& frame) {
+                     const DrawingFrame& frame, const std::vector<double>& scalars) {
   FramePatch patch;
   patch.frame = frame;
   patch.layer_count = 1;
   LayerPatch& out = patch.layers.emplace_back();
   out.layer = layer;
+  out.has_scalars = !scalars.empty();
   out[kind].reset = true;
   out[kind].count = static_cast<std::uint32_t>(coordinates.size() / doubles_per(kind));
-  out[kind].data = with_scalars(kind, coordinates);
+  out[kind].data = with_scalars(kind, coordinates, scalars);
   return patch;
 }
 
 FramePatch changes(LayerIndex layer, PrimitiveKind kind, std::uint32_t count, const std::vector<std::uint32_t>& index,
-                   const std::vector<double>& coordinates, const DrawingFrame& frame) {
-  FramePatch patch = instances(layer, kind, coordinates, frame);
+                   const std::vector<double>& coordinates, const DrawingFrame& frame,
+                   const std::vector<double>& scalars) {
+  FramePatch patch = instances(layer, kind, coordinates, frame, scalars);
   KindPatch& out = patch.layers.front()[kind];
   out.reset = false;
   out.count_changed = true;
@@ -62,8 +65,8 @@ Drawing::Drawing(const render::GlDeviceOptions& options)
       scene_(std::make_unique<render::Scene>(*device_)) {}
 
 void Drawing::set(LayerIndex layer, PrimitiveKind kind, const std::vector<double>& coordinates,
-                  const DrawingFrame& frame) {
-  scene_->apply(instances(layer, kind, coordinates, frame));
+                  const DrawingFrame& frame, const std::vector<double>& scalars) {
+  scene_->apply(instances(layer, kind, coordinates, frame, scalars));
 }
 
 render::Image Drawing::draw(const render::Camera& camera, const std::vector<render::LayerView>& views,

@@ -17,12 +17,13 @@ namespace mes::test {
 
 inline constexpr Rgb kWhite{255, 255, 255};
 
-/// A patch that sets all instances of one kind; `coordinates` without scalars.
+/// A patch that sets all instances of one kind; `coordinates` without scalars, of a layer that has none unless given.
 FramePatch instances(LayerIndex layer, PrimitiveKind kind, const std::vector<double>& coordinates,
-                     const DrawingFrame& frame = {});
+                     const DrawingFrame& frame = {}, const std::vector<double>& scalars = {});
 /// A patch that overwrites some instances.
 FramePatch changes(LayerIndex layer, PrimitiveKind kind, std::uint32_t count, const std::vector<std::uint32_t>& index,
-                   const std::vector<double>& coordinates, const DrawingFrame& frame = {});
+                   const std::vector<double>& coordinates, const DrawingFrame& frame = {},
+                   const std::vector<double>& scalars = {});
 
 /// One world unit is one pixel and the world's origin the lower left corner.
 render::Camera pixel_camera(int width, int height);
@@ -32,7 +33,7 @@ class Drawing {
   explicit Drawing(const render::GlDeviceOptions& options = {});
 
   void set(LayerIndex layer, PrimitiveKind kind, const std::vector<double>& coordinates,
-           const DrawingFrame& frame = {});
+           const DrawingFrame& frame = {}, const std::vector<double>& scalars = {});
   /// Draws all of `views` on white, or on nothing.
   render::Image draw(const render::Camera& camera, const std::vector<render::LayerView>& views,
                      const render::ImageOptions& options = {.background = kWhite});

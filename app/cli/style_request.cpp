@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/style_request.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/picture.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::array<std::string_view, 8> kKeys{"color",  "opacity", "point-size", "line-width",
+                                                "dashed", "flat",    "color-map",  "range"};
+
+/// One KEY=VALUE of one layer.
+class Setting {
+ public:
+  Setting(std::string_view key, std::string_view value, std::span<const std::string> maps)
+      : key_(key), value_(value), maps_(maps) {}
+
+  Expected<void> apply(const LayerDescriptor& layer, LayerStyle& style) const {
+    if (key_ == "color") return color(style);
+    if (key_ == "opacity") return number(style.opacity, 0.0, 1.0);
+    if (key_ == "point-size") return number(style.point_size_px, 0.5, 64.0);
+    if (key_ == "line-width") return number(style.line_width_px, 0.1, 64.0);
+    if (key_ == "dashed") return flag(style.dashed);
+    if (key_ == "flat") return flag(style.flat);
+    if (key_ == "color-map") return color_map(layer, style);
+    if (key_ == "range") return range(style);
+    return usage_error("unknown style key " + in_quotes(key_) + "; did you mean " +
+                       one_of(nearest_names(key_, kKeys)) + '?');
+  }
+
+ private:
+  std::unexpected<Error> fail(const std::string& expected) const {
+    return usage_error(std::string(key_) + " expects " + expected + ", not " + in_quotes(value_));
+  }
+  Expected<void> color(LayerStyle& style) const {
+    const auto value = parse_rgb(value_);
+    if (!value) return fail("RRGGBB");
+    style.color = *value;
+    return {};
+  }
+  Expected<void> number(double& out, double low, double high) const {
+    const auto value = parse_number(value_);
+    if (!value || *value < low || *value > high) {
+      std::string text = "a number from ";
+      append_number(text, low);
+      text += " to ";
+      append_number(text, high);
+      return fail(text);
+    }
+    out = *value;
+    return {};
+  }
+  Expected<void> flag(bool& out) const {
+    if (value_ != "on" && value_ != "off") return fail("on or off");
+    out = value_ == "on";
+    return {};
+  }
+  Expected<void> color_map(const LayerDescriptor& layer, LayerStyle& style) const {
+    if (value_ != "none" && layer.scalar.empty())
+      return usage_error("layer " + std::string(layer.id) + " has no scalar that a colour map could show");
+    if (value_ != "none" && std::ranges::find(maps_, value_) == maps_.end()) {
+      const std::vector<std::string_view> names(maps_.begin(), maps_.end());
+      return usage_error("unknown colour map " + in_quotes(value_) + "; did you mean " +
+                         one_of(nearest_names(value_, names)) + '?');
+    }
+    style.color_map = value_ == "none" ? std::string() : std::string(value_);
+    return {};
+  }
+  Expected<void> range(LayerStyle& style) const {
+    style.range_locked = value_ != "fit";
+    if (!style.range_locked) return {};
+    const std::size_t colon = value_.find(':');
+    if (colon == std::string_view::npos) return fail("LOW:HIGH or fit");
+    const auto low = parse_number(value_.substr(0, colon));
+    const auto high = parse_number(value_.substr(colon + 1));
+    if (!low || !high || *low > *high) return fail("LOW:HIGH, two numbers in this order, or fit");
+    style.range_low = *low;
+    style.range_high = *high;
+    return {};
+  }
+
+  std::string_view key_;
+  std::string_view value_;
+  std::span<const std::string> maps_;
+};
+
+}  // namespace
+
+std::string style_keys() {
+  std::string out;
+  for (const std::string_view key : kKeys) out += (out.empty() ? "" : ", ") + std::string(key);
+  return out;
+}
+
+Expected<std::vector<LayerStyle>> styles_of(std::span<const std::string> requests, std::span<const LayerIndex> drawn,
+                                            std::span<const std::string> color_maps) {
+  std::vector<LayerStyle> styles;
+  for (const LayerDescriptor& layer : layer_descriptors()) styles.push_back(layer.style);
+  for (const std::string& request : requests) {
+    const std::size_t colon = request.find(':');
+    if (colon == std::string::npos)
+      return usage_error("--set-style expects LAYER:KEY=VALUE[,KEY=VALUE...], not " + in_quotes(request));
+    const auto layer = select_layer(request.substr(0, colon));
+    if (!layer) return std::unexpected(layer.error());
+    const LayerDescriptor& descriptor = layer_descriptors()[*layer];
+    if (std::ranges::find(drawn, *layer) == drawn.end())
+      return usage_error("--set-style is given for " + std::string(descriptor.id) +
+                         ", which is not drawn; name it in --layers");
+    std::string_view rest = std::string_view(request).substr(colon + 1);
+    while (true) {
+      const std::string_view setting = rest.substr(0, rest.find(','));
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string_view::npos)
+        return usage_error("--set-style expects KEY=VALUE, not " + in_quotes(setting));
+      const auto good = Setting(setting.substr(0, equals), setting.substr(equals + 1), color_maps)
+                            .apply(descriptor, styles[*layer]);
+      if (!good) return std::unexpected(good.error());
+      if (setting.size() == rest.size()) break;
+      rest.remove_prefix(setting.size() + 1);
+    }
+  }
+  return styles;
+}
+
+}  // namespace mes::cli

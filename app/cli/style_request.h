@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Styles of layers as the command line gives them: "medial-axis:color-map=viridis,line-width=4".
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/slot.h"
+#include "core/document/layer_style.h"
+
+namespace mes::cli {
+
+/// The styles of all layers, by layer: those they have by themselves, changed as `requests` say, one after the other.
+/// Error: `usage`, naming the nearest words there are; also for a layer that is not among `drawn`.
+Expected<std::vector<LayerStyle>> styles_of(std::span<const std::string> requests, std::span<const LayerIndex> drawn,
+                                            std::span<const std::string> color_maps);
+
+/// The keys of a request, for the help page.
+std::string style_keys();
+
+}  // namespace mes::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/canvas_legend.h"
+
+#include <cfloat>
+
+#include "app/legend.h"
+#include "app/window/theme.h"
+
+namespace mes {
+
+void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
+  std::vector<LegendEntry> entries;
+  const std::vector<LayerIndex> visible = context.layers.visible_layers();
+  for (auto layer = visible.rbegin(); layer != visible.rend(); ++layer) {
+    const render::ShownMap shown = context.picture.scene().shown_map(*layer, context.layers.style(*layer));
+    const LayerDescriptor& descriptor = context.layers.descriptor(*layer);
+    if (shown.map != nullptr)
+      entries.push_back({std::string(descriptor.name), std::string(descriptor.scalar), shown.map, shown.range});
+  }
+  if (entries.empty()) return;
+  const float unit = context.gui.unit();
+  const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };
+  const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
+    const ImVec2 extent = font(is_bold)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
+    return static_cast<double>(extent.x / unit);
+  };
+  const LegendDrawing legend = layout_legend(entries, measure, static_cast<double>(room / unit));
+  const ImVec2 at(std::floor(corner.x - static_cast<float>(legend.width) * unit),
+                  std::floor(corner.y - static_cast<float>(legend.height) * unit));
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (const LegendDrawing::Box& box : legend.boxes) {
+    const ImVec2 from(at.x + static_cast<float>(box.left) * unit, at.y + static_cast<float>(box.top) * unit);
+    list.AddRectFilled(
+        from, {from.x + static_cast<float>(box.width) * unit, from.y + static_cast<float>(box.height) * unit},
+        to_imgui(box.color, box.opacity));
+  }
+  for (const LegendDrawing::Line& line : legend.lines)
+    list.AddText(font(line.is_bold), static_cast<float>(line.size) * unit,
+                 {at.x + static_cast<float>(line.x) * unit, at.y + static_cast<float>(line.top) * unit},
+                 to_imgui(line.color), line.text.c_str());
+}
+
+}  // namespace mes

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The colour bars of visible layers, above the canvas.
+#pragma once
+
+#include "app/panels/panel_context.h"
+
+namespace mes {
+
+/// With its lower right corner at `corner`, no higher than `room`; nothing while no visible layer has a colour map.
+void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room);
+
+}  // namespace mes

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/color_map_controls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/theme.h"
+
+namespace mes {
+namespace {
+
+constexpr float kPreviewWidth = 90.0F;
+constexpr float kFieldWidth = 78.0F;
+constexpr std::size_t kCategoriesShown = 9;
+
+void set_range(LayerStyle& style, const render::ScalarRange& range) {
+  style.range_locked = true;
+  style.range_low = range.low;
+  style.range_high = std::max(range.low, range.high);
+}
+
+}  // namespace
+
+void draw_color_map(ImDrawList& list, const render::ColorMap& map, ImVec2 at, ImVec2 size, double opacity) {
+  const std::size_t steps = map.is_categorical ? std::min(kCategoriesShown, map.colors.size()) : 32;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const auto place = [&](std::size_t k) {
+      return at.x + size.x * static_cast<float>(k) / static_cast<float>(steps);
+    };
+    const ImVec2 from(place(i), at.y);
+    const ImVec2 to(place(i + 1), at.y + size.y);
+    if (map.is_categorical) {
+      list.AddRectFilled(from, to, to_imgui(*map.color_of(static_cast<double>(i), {}), opacity));
+      continue;
+    }
+    const auto color = [&](std::size_t k) {
+      return to_imgui(map.at(static_cast<double>(k) / static_cast<double>(steps)), opacity);
+    };
+    list.AddRectFilledMultiColor(from, to, color(i), color(i + 1), color(i + 1), color(i));
+  }
+}
+
+void ColorMapControls::draw_choice(const PanelContext& context, LayerStyle& style) const {
+  const float unit = context.gui.unit();
+  const std::string shown = style.color_map.empty() ? "One colour" : style.color_map;
+  ImGui::SetNextItemWidth(150 * unit);
+  if (ImGui::BeginCombo("Colour map", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (ImGui::Selectable("One colour", style.color_map.empty())) style.color_map.clear();
+    for (const render::ColorMap& map : context.picture.scene().color_maps()) {
+      ImGui::PushID(map.name.c_str());
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const float height = ImGui::GetTextLineHeight();
+      const ImVec2 row(kPreviewWidth * unit + 12 * unit + ImGui::CalcTextSize(map.name.c_str()).x, height);
+      if (ImGui::Selectable("##map", style.color_map == map.name, 0, row)) style.color_map = map.name;
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      draw_color_map(list, map, at, {kPreviewWidth * unit, height});
+      list.AddText({at.x + kPreviewWidth * unit + 8 * unit, at.y}, theme::kText, map.name.c_str());
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+}
+
+void ColorMapControls::draw_range(const PanelContext& context, LayerIndex layer, LayerStyle& style) {
+  const float unit = context.gui.unit();
+  const render::ScalarRange now = context.picture.scene().scalar_range(layer);
+  render::ScalarRange range = style.range_locked ? render::ScalarRange{style.range_low, style.range_high} : now;
+  if (range.is_empty()) range = {0.0, 1.0};
+  const auto field = [&](const char* label, double& value) {
+    ImGui::SetNextItemWidth(kFieldWidth * unit);
+    ImGui::InputDouble(label, &value, 0.0, 0.0, "%.5g");
+    return ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(value);
+  };
+  double low = range.low;
+  double high = range.high;
+  if (field("##low", low)) set_range(style, {low, std::max(low, range.high)});
+  tooltip(context.gui, "What has the first colour of the map; a number typed here locks the range");
+  ImGui::SameLine(0, 4 * unit);
+  if (field("##high", high)) set_range(style, {std::min(range.low, high), high});
+  tooltip(context.gui, "What has the last colour of the map; a number typed here locks the range");
+  ImGui::SameLine(0, 6 * unit);
+  bool locked = style.range_locked;
+  if (ImGui::Checkbox("Lock", &locked)) {
+    if (locked)
+      set_range(style, range);
+    else
+      style.range_locked = false;
+  }
+  tooltip(context.gui, "Keep this range; otherwise it is always that of what is shown");
+  ImGui::BeginDisabled(now.is_empty());
+  if (ImGui::Button("Fit now")) set_range(style, now);
+  ImGui::EndDisabled();
+  tooltip(context.gui, "Take the range of what is shown now, and keep it");
+  ImGui::SameLine(0, 4 * unit);
+  if (ImGui::Button("Copy range")) copied_ = range;
+  tooltip(context.gui, "Remember this range, to give it to another layer");
+  ImGui::SameLine(0, 4 * unit);
+  ImGui::BeginDisabled(!copied_.has_value());
+  if (ImGui::Button("Paste range") && copied_) set_range(style, *copied_);
+  ImGui::EndDisabled();
+  tooltip(context.gui, "Give this layer the range that was copied");
+}
+
+void ColorMapControls::draw(const PanelContext& context, LayerIndex layer, LayerStyle& style) {
+  const std::string_view scalar = context.layers.descriptor(layer).scalar;
+  if (scalar.empty()) return;
+  draw_choice(context, style);
+  tooltip(context.gui, "Colours by " + std::string(scalar));
+  if (!style.color_map.empty()) draw_range(context, layer, style);
+}
+
+}  // namespace mes

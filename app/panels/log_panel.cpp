@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/log_panel.h"
+
+#include <array>
+#include <ctime>
+
+#include "app/window/theme.h"
+
+namespace mes {
+namespace {
+
+std::string clock_text(std::chrono::system_clock::time_point when) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(when);
+  std::tm parts{};
+  ::localtime_r(&seconds, &parts);
+  std::array<char, 16> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), "%H:%M:%S", &parts);
+  return {text.data(), length};
+}
+
+std::string line_of(const Messages::Entry& entry) {
+  return entry.times == 1 ? entry.text : entry.text + " (" + std::to_string(entry.times) + " times)";
+}
+
+}  // namespace
+
+void draw_log(const PanelContext& context) {
+  const float unit = context.gui.unit();
+  const auto& entries = context.messages.entries();
+  ImGui::BeginDisabled(entries.empty());
+  if (ImGui::SmallButton("Copy")) {
+    std::string text;
+    for (const Messages::Entry& entry : entries)
+      text += clock_text(entry.when) + (entry.is_problem ? "\tproblem\t" : "\tremark\t") + line_of(entry) + '\n';
+    ImGui::SetClipboardText(text.c_str());
+  }
+  tooltip(context.gui, "Copy all lines");
+  ImGui::SameLine(0, 6 * unit);
+  if (ImGui::SmallButton("Clear")) context.messages.clear_log();
+  tooltip(context.gui, "Forget all lines");
+  ImGui::EndDisabled();
+  ImGui::BeginChild("lines");
+  if (entries.empty()) ImGui::TextDisabled("Nothing has been said yet");
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+    ImGui::PushFont(context.gui.small());
+    ImGui::TextDisabled("%s", clock_text(entry->when).c_str());
+    ImGui::PopFont();
+    ImGui::SameLine(0, 6 * unit);
+    if (entry->is_problem) ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(line_of(*entry).c_str());
+    ImGui::PopTextWrapPos();
+    if (entry->is_problem) ImGui::PopStyleColor();
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace mes

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/parameters_panel.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/panels/icons.h"
+#include "app/window/theme.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+bool is_switch(const ParameterDescriptor& descriptor) {
+  return descriptor.is_whole && descriptor.low == 0.0 && descriptor.high == 1.0;
+}
+
+bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
+  const auto lower = [](std::string_view text) {
+    std::string out(text);
+    std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return out;
+  };
+  return lower(std::string(descriptor.id) + ' ' + std::string(descriptor.explanation)).find(lower(search)) !=
+         std::string::npos;
+}
+
+// "medial-sampling-angle" -> "Medial sampling angle".
+std::string title_of(const ParameterDescriptor& descriptor) {
+  std::string out(descriptor.id);
+  std::ranges::replace(out, '-', ' ');
+  if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+  return out;
+}
+
+std::string explanation(const ParameterDescriptor& descriptor) {
+  std::array<char, 160> range{};
+  std::snprintf(range.data(), range.size(), "\n\n%.6g to %.6g%s%.*s, %.6g by default. On the command line: --set ",
+                descriptor.low, descriptor.high, descriptor.unit.empty() ? "" : " ",
+                static_cast<int>(descriptor.unit.size()), descriptor.unit.data(), descriptor.default_value);
+  return std::string(descriptor.explanation) + range.data() + std::string(descriptor.id) + "=VALUE";
+}
+
+}  // namespace
+
+void ParametersPanel::draw_animation(const PanelContext& context, Parameter parameter) {
+  ParameterAnimation& animation = context.animation;
+  const ParameterDescriptor& descriptor = descriptor_of(parameter);
+  const float unit = context.gui.unit();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
+  if (ImGui::BeginPopup("animate")) {
+    if (ImGui::IsWindowAppearing() && !animation.is_running() && animation.parameter != parameter) {
+      animation.parameter = parameter;
+      animation.from = descriptor.low;
+      animation.to = descriptor.high;
+    }
+    ImGui::PushFont(context.gui.bold());
+    ImGui::TextUnformatted(("Let it run: " + title_of(descriptor)).c_str());
+    ImGui::PopFont();
+    ImGui::BeginDisabled(animation.is_running());
+    const auto bound = [&](const char* label, double& value, const char* meaning) {
+      ImGui::SetNextItemWidth(130 * unit);
+      if (ImGui::InputDouble(label, &value, 0.0, 0.0, "%.6g"))
+        value = std::clamp(value, descriptor.low, descriptor.high);
+      tooltip(context.gui, meaning);
+    };
+    bound("From", animation.from, "Value of the first picture");
+    bound("To", animation.to, "Value of the last picture");
+    ImGui::SetNextItemWidth(130 * unit);
+    if (ImGui::InputInt("Steps", &animation.steps))
+      animation.steps = std::clamp(animation.steps, 1, ParameterAnimation::kMostSteps);
+    tooltip(context.gui, "From the first picture to the last");
+    ImGui::EndDisabled();
+    auto speed = static_cast<float>(animation.steps_per_second);
+    ImGui::SetNextItemWidth(130 * unit);
+    if (ImGui::SliderFloat("Speed", &speed, 0.5F, 60.0F, "%.1f a second",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+      animation.steps_per_second = static_cast<double>(speed);
+    tooltip(context.gui, "At most; each step waits until its picture is complete");
+    if (animation.is_running()) {
+      if (ImGui::Button("Stop", {130 * unit, 0})) animation.stop();
+      ImGui::SameLine();
+      ImGui::TextDisabled("%d of %d", animation.position(), animation.steps);
+    } else if (ImGui::Button("Play", {130 * unit, 0})) {
+      animation.parameter = parameter;
+      animation.start();
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+void ParametersPanel::draw_parameter(const PanelContext& context, Parameter parameter) {
+  const ParameterDescriptor& descriptor = descriptor_of(parameter);
+  const float unit = context.gui.unit();
+  ComputationSettings settings = context.computation;
+  double& value = settings[parameter];
+  ImGui::PushID(descriptor.id.data());
+  const std::string title = title_of(descriptor);
+  const float button = ImGui::GetFrameHeight();
+  const float buttons_at = ImGui::GetContentRegionMax().x - 2 * button - 2 * unit;
+  if (is_switch(descriptor)) {
+    bool on = value != 0.0;
+    if (ImGui::Checkbox(title.c_str(), &on)) value = on ? 1.0 : 0.0;
+    tooltip(context.gui, explanation(descriptor));
+  } else {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(title.c_str());
+    tooltip(context.gui, explanation(descriptor));
+  }
+  ImGui::SameLine(buttons_at);
+  const bool runs = context.animation.is_running() && context.animation.parameter == parameter;
+  if (is_switch(descriptor)) {
+    ImGui::Dummy({button, button});
+  } else {
+    if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain)) ImGui::OpenPopup("animate");
+    tooltip(context.gui, "Let it run from one value to another");
+  }
+  ImGui::SameLine(0, 2 * unit);
+  if (icon_button("reset", Icon::undo, button, ButtonLook::plain, value != descriptor.default_value))
+    value = descriptor.default_value;
+  tooltip(context.gui, "Back to the default");
+  draw_animation(context, parameter);
+  if (!is_switch(descriptor)) {
+    auto shown = static_cast<float>(value);
+    ImGui::SetNextItemWidth(-1);
+    const std::string format = (descriptor.is_whole ? "%.0f " : "%.5g ") +
+                               (descriptor.unit == "%" ? std::string("%%") : std::string(descriptor.unit));
+    if (ImGui::SliderFloat("##value", &shown, static_cast<float>(descriptor.low), static_cast<float>(descriptor.high),
+                           format.c_str(), ImGuiSliderFlags_AlwaysClamp))
+      value = std::clamp(static_cast<double>(shown), descriptor.low, descriptor.high);
+    tooltip(context.gui, explanation(descriptor) + "\n\nCtrl+click to type a number");
+  }
+  ImGui::PopID();
+  if (settings != context.computation) {
+    if (runs) context.animation.stop();
+    context.set_computation(settings);
+  }
+}
+
+void ParametersPanel::draw(const PanelContext& context) {
+  const float unit = context.gui.unit();
+  const ComputationSettings defaults;
+  const float reset = ImGui::CalcTextSize("Reset all").x + 16 * unit;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - reset - 6 * unit);
+  ImGui::InputTextWithHint("##search", "Search", &search_);
+  ImGui::SameLine(0, 6 * unit);
+  ImGui::BeginDisabled(context.computation.values == defaults.values);
+  if (ImGui::Button("Reset all", {reset, 0})) {
+    ComputationSettings settings = context.computation;
+    settings.values = defaults.values;
+    context.animation.stop();
+    context.set_computation(settings);
+  }
+  ImGui::EndDisabled();
+  tooltip(context.gui, "Give every parameter its default");
+  ImGui::BeginChild("list");
+  bool any = false;
+  for (std::size_t i = 0; i < kParameters; ++i) {
+    if (!matches(parameter_descriptors()[i], search_)) continue;
+    any = true;
+    draw_parameter(context, static_cast<Parameter>(i));
+  }
+  if (!any) ImGui::TextDisabled("No parameter matches");
+  ImGui::EndChild();
+}
+
+}  // namespace mes

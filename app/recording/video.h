@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A video of a take, made by the program ffmpeg if there is one.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+/// Whether ffmpeg is on the PATH.
+bool has_video_maker();
+
+/// Frames 1, 2, ... of the folder as an MP4 (H.264), or a WebM (VP9) if the name says so; what is transparent becomes
+/// white. The file appears complete or not at all, and replaces one of the same name. Waits for the child process,
+/// which is ended when a stop is requested (error `cancelled`). Any thread.
+Expected<void> make_video(const std::filesystem::path& take, double fps, const std::filesystem::path& output,
+                          const std::stop_token& stop = {});
+
+/// The same beside the window. Threads: one; `wake` is called from another when it is done.
+class VideoJob {
+ public:
+  explicit VideoJob(std::function<void()> wake) : wake_(std::move(wake)) {}
+  ~VideoJob() { cancel(); }
+  VideoJob(const VideoJob&) = delete;
+  VideoJob& operator=(const VideoJob&) = delete;
+
+  /// Not while one is being made.
+  void start(std::filesystem::path take, double fps, std::filesystem::path output);
+  void cancel() { stop_.request_stop(); }
+  bool is_running() const { return result_.valid(); }
+  const std::filesystem::path& output() const { return output_; }
+  /// The result, once, when there is one.
+  std::optional<Expected<void>> take_result();
+
+ private:
+  std::function<void()> wake_;
+  std::filesystem::path output_;
+  std::stop_source stop_;
+  std::future<Expected<void>> result_;
+};
+
+}  // namespace mes

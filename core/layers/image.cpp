@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/helpers.h"
+
+namespace mes {
+
+// The picture is no geometry: whoever draws layers puts it in this one's place.
+Layer make_image_layer(const StructureSet& /*set*/) {
+  return make_layer({.id = "image",
+                     .name = "Image",
+                     .tooltip = "A picture below the drawing, for tracing shapes",
+                     .group = LayerGroup::samples,
+                     .in_paper = true,
+                     .in_fit_box = false},
+                    {});
+}
+
+}  // namespace mes

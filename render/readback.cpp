@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/readback.h"
+
+#include <cstring>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace mes::render {
+
+Readback::~Readback() {
+  for (const Place& place : ring_)
+    if (place.fence != nullptr) glDeleteSync(place.fence);
+}
+
+void Readback::ask(FramebufferId source, const PixelRect& area) {
+  if (used_ == kPlaces) come_.push_back(take_oldest());
+  Place& place = ring_[(first_ + used_) % kPlaces];
+  const std::size_t bytes =
+      std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
+  if (place.buffer.get() == 0) {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    place.buffer = GlBuffer(name);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, place.buffer.get());
+  if (place.bytes != bytes) {
+    glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
+    place.bytes = bytes;
+  }
+  place.width = area.width;
+  place.height = area.height;
+  device_.bind_for_reading(source);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  glReadPixels(area.left, area.bottom, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  place.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  // Otherwise the fence might stay in the driver's queue until somebody waits for it.
+  glFlush();
+  ++used_;
+}
+
+RawImage Readback::take_oldest() {
+  Place& place = oldest();
+  glClientWaitSync(place.fence, GL_SYNC_FLUSH_COMMANDS_BIT, std::numeric_limits<GLuint64>::max());
+  glDeleteSync(std::exchange(place.fence, nullptr));
+  RawImage out{place.width, place.height, std::vector<std::uint8_t>(place.bytes)};
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, place.buffer.get());
+  const void* pixels =
+      glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(place.bytes), GL_MAP_READ_BIT);
+  if (pixels != nullptr) {
+    std::memcpy(out.rgba.data(), pixels, place.bytes);
+    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  first_ = (first_ + 1) % kPlaces;
+  --used_;
+  if (pixels == nullptr) throw std::bad_alloc();
+  return out;
+}
+
+std::optional<RawImage> Readback::poll() {
+  if (come_.empty() && used_ != 0) {
+    const GLenum state = glClientWaitSync(oldest().fence, 0, 0);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
+  }
+  return wait();
+}
+
+std::optional<RawImage> Readback::wait() {
+  if (!come_.empty()) {
+    RawImage out = std::move(come_.front());
+    come_.pop_front();
+    return out;
+  }
+  if (used_ == 0) return std::nullopt;
+  return take_oldest();
+}
+
+}  // namespace mes::render

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pixels come back from the graphics card while it goes on drawing.
+//
+// What it guarantees:
+//  1. `ask` notes what the target shows at that moment; whatever is drawn into it later does not matter.
+//  2. Pictures come out in the order they were asked for, each once.
+//  3. `ask` waits only when as many pictures are under way as the ring has places; nothing is dropped.
+//
+// Smallest use:
+//     Readback readback(device);
+//     readback.ask(target, {0, 0, 1920, 1080});
+//     ... in a later frame: while (auto raw = readback.poll()) use(*raw);
+//
+// Cost: `ask` starts a copy on the card; a picture that has come is copied once more, 4 bytes a pixel.
+// Threads: the one that owns the context, which has to be current for the object's life.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <optional>
+
+#include "render/gl_device.h"
+#include "render/gl_handles.h"
+#include "render/image.h"
+
+namespace mes::render {
+
+class Readback {
+ public:
+  static constexpr std::size_t kPlaces = 3;
+
+  explicit Readback(GlDevice& device) : device_(device) {}
+  ~Readback();
+  Readback(const Readback&) = delete;
+  Readback& operator=(const Readback&) = delete;
+
+  void ask(FramebufferId source, const PixelRect& area);
+  /// The oldest picture if it has come.
+  std::optional<RawImage> poll();
+  /// The oldest picture, waiting for it; none when none is under way.
+  std::optional<RawImage> wait();
+  std::size_t pending() const { return come_.size() + used_; }
+
+ private:
+  struct Place {
+    GlBuffer buffer;
+    std::size_t bytes = 0;
+    int width = 0;
+    int height = 0;
+    GLsync fence = nullptr;
+  };
+  Place& oldest() { return ring_[first_]; }
+  RawImage take_oldest();
+
+  GlDevice& device_;
+  std::array<Place, kPlaces> ring_{};
+  std::size_t first_ = 0;  // the oldest one under way
+  std::size_t used_ = 0;
+  std::deque<RawImage> come_;  // taken early to make room
+};
+
+}  // namespace mes::render

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scalars of a set of instances, and the range of those that are finite.
+//
+// What it guarantees: after `settle` the range is that of the values stored. Cost: `set` O(1), `settle` O(k log n)
+// for k changed values (blocks of 32, and blocks of blocks), `range` O(1). Threads: none.
+//
+// Smallest use:
+//     store.resize(count);
+//     for (...) store.set(instance, scalar);
+//     store.settle();
+//     use(store.range());
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/colormap.h"
+
+namespace mes::render {
+
+class ScalarStore {
+ public:
+  std::size_t size() const { return values_.size(); }
+  std::span<const double> values() const { return values_; }
+  /// New values are not numbers until they are set.
+  void resize(std::size_t size);
+  void set(std::size_t index, double value);
+  void settle();
+  ScalarRange range() const { return levels_.empty() || levels_.back().empty() ? ScalarRange{} : levels_.back()[0]; }
+  void clear();
+
+ private:
+  void mark(std::size_t block);
+  ScalarRange of_block(std::size_t level, std::size_t block) const;
+
+  std::vector<double> values_;
+  std::vector<std::vector<ScalarRange>> levels_;  // [0]: of blocks of values; the last holds one range
+  std::vector<std::size_t> changed_;              // blocks of values
+};
+
+}  // namespace mes::render

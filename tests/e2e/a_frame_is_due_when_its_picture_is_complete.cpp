@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "app/recording/record_settings.h"
+#include "app/recording/recorder.h"
+
+using namespace mes;
+
+TEST_CASE("each change gets one frame, once its picture is complete") {
+  ShownState now;
+  Recorder recorder(now, false);
+  recorder.note_complete(now);
+  CHECK_FALSE(recorder.is_due(now, {}));
+  CHECK_FALSE(recorder.holds_input(now, {}, false));
+
+  now.document = 1;
+  CHECK_FALSE(recorder.is_due(now, {}));  // the results of the old state were complete
+  CHECK(recorder.holds_input(now, {}, false));
+  recorder.note_complete(std::nullopt);
+  CHECK_FALSE(recorder.is_due(now, {}));
+  recorder.note_complete(now);
+  REQUIRE(recorder.is_due(now, {}));
+  CHECK(recorder.change(now) == Change::document);
+  recorder.note_captured(now);
+  CHECK_FALSE(recorder.is_due(now, {}));
+  CHECK_FALSE(recorder.holds_input(now, {}, false));
+
+  // Undo goes back to an earlier revision: that is a change as well.
+  now.document = 0;
+  recorder.note_complete(now);
+  CHECK(recorder.is_due(now, {}));
+}
+
+TEST_CASE("what was cancelled holds nobody up and is no frame") {
+  ShownState now;
+  Recorder recorder(now, false);
+  now.document = 1;
+  recorder.note_complete(std::nullopt);
+  CHECK_FALSE(recorder.holds_input(now, {}, true));
+  CHECK_FALSE(recorder.is_due(now, {}));
+}
+
+TEST_CASE("a view is a frame at rest, or at each step if that is asked for") {
+  ShownState now;
+  Recorder at_rest(now, false);
+  Recorder each(now, true);
+  now.view.pan({3, 4});
+  at_rest.note_complete(now);
+  each.note_complete(now);
+  const AtRest moving{.view = false};
+  CHECK_FALSE(at_rest.is_due(now, moving));
+  CHECK_FALSE(at_rest.holds_input(now, moving, false));
+  CHECK(at_rest.is_due(now, {}));
+  CHECK(at_rest.holds_input(now, {}, false));
+  CHECK(each.is_due(now, moving));
+  CHECK(each.holds_input(now, moving, false));
+  CHECK(each.change(now) == Change::view);
+  // An edit while the view glides is a frame at once.
+  now.document = 1;
+  at_rest.note_complete(now);
+  CHECK(at_rest.is_due(now, moving));
+}
+
+TEST_CASE("a slider is a frame when it is let go") {
+  ShownState now;
+  Recorder recorder(now, false);
+  now.layers = 5;
+  recorder.note_complete(now);
+  CHECK_FALSE(recorder.is_due(now, {.controls = false}));
+  CHECK(recorder.is_due(now, {}));
+  CHECK(recorder.change(now) == Change::layers);
+  now.settings.precision = Precision::exact;
+  CHECK(recorder.change(now) == Change::settings);
+  CHECK(name_of(Change::document, "Move") == "Move");
+  CHECK(name_of(Change::document, "") == "Edit");
+  CHECK(name_of(Change::settings, "Move") == "Computation");
+}
+
+TEST_CASE("impossible frames are refused in one line") {
+  RecordSettings settings;
+  CHECK(check(settings));
+  settings.width = 1920;
+  CHECK_THAT(check(settings).error().message(), Catch::Contains("1920x0"));
+  settings.height = 1080;
+  CHECK(check(settings));
+  settings.width = 20'000;
+  CHECK_THAT(check(settings).error().message(), Catch::Contains("at most 16384"));
+  settings.width = settings.height = 16'384;
+  CHECK_THAT(check(settings).error().message(), Catch::Contains("million"));
+  settings.width = -1;
+  CHECK_FALSE(check(settings));
+  settings = {.supersampling = 3};
+  CHECK_FALSE(check(settings));
+  settings = {.fps = 0.0};
+  CHECK_FALSE(check(settings));
+}
+
+TEST_CASE("a frame of another size shows all that the window shows, to scale") {
+  render::Camera window;
+  window.set_viewport(800, 600);
+  window.look_at({3, 4}, 0.01);
+  const FrameView wide = frame_view(window, 2.0, {.width = 1920, .height = 1200});
+  CHECK(wide.camera.width() == 1920);
+  CHECK(wide.camera.center() == Vec2{3, 4});
+  CHECK(wide.camera.units_per_pixel() == Approx(0.005));
+  CHECK(wide.content_scale == Approx(4.0));
+  CHECK(frame_view(window, 2.0, {}).camera == window);
+  // Deep zoom: the low bits of the centre stay.
+  window.look_at({1e6, 0}, 1e-12);
+  window.pan({5, 7});
+  const FrameView same = frame_view(window, 1.0, {.width = 800, .height = 600});
+  CHECK(same.camera == window);
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// With a program in the place of ffmpeg, which is not there on every machine.
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "app/recording/frame_writer.h"
+#include "app/recording/video.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes;
+using namespace mes::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Path {
+ public:
+  explicit Path(const std::string& value) : before_(std::getenv("PATH")) { setenv("PATH", value.c_str(), 1); }
+  ~Path() { setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+struct Studio {
+  TemporaryFolder folder;
+  Take take = *begin_take(folder.path(), {2, 2, 30.0});
+  Studio() {
+    FrameWriter writer(take);
+    for (int i = 0; i < 3; ++i) writer.push({render::Image{2, 2, std::vector<std::uint8_t>(16, 200)}, {}});
+    REQUIRE(writer.finish());
+  }
+  void program(const std::string& script) const {
+    const fs::path file = folder.write("ffmpeg", "#!/bin/sh\n" + script);
+    ::chmod(file.c_str(), 0755);
+  }
+};
+
+// The last argument without "file:".
+const std::string kOutput = "for last; do :; done; out=\"${last#file:}\"\n";
+
+}  // namespace
+
+TEST_CASE("the program gets the frames, the rate and a place to write, and the video appears whole") {
+  const Studio studio;
+  studio.program(kOutput + "[ -f 00003.png ] || exit 2\necho \"$@\" > \"$out\"\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  REQUIRE(has_video_maker());
+  const fs::path video = studio.folder / "a film.mp4";
+  REQUIRE(make_video(studio.take.folder, 24.0, video));
+  const std::string words = contents_of(video);
+  CHECK_THAT(words,
+             Catch::Contains("-framerate 24 ") && Catch::Contains("-frames:v 3 ") && Catch::Contains("libx264"));
+  REQUIRE(make_video(studio.take.folder, 24.0, studio.folder / "film.webm"));
+  CHECK_THAT(contents_of(studio.folder / "film.webm"), Catch::Contains("libvpx-vp9"));
+}
+
+TEST_CASE("what the program complains of is told in one line, and nothing is left behind") {
+  const Studio studio;
+  studio.program(kOutput + "echo half > \"$out\"\necho first >&2\necho 'No such encoder' >&2\nexit 1\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  const std::size_t before = studio.folder.file_count();
+  const auto done = make_video(studio.take.folder, 30.0, studio.folder / "film.mp4");
+  REQUIRE_FALSE(done);
+  CHECK_THAT(done.error().message(), Catch::Contains("film.mp4: ffmpeg could not make the video: No such encoder"));
+  CHECK(studio.folder.file_count() == before);
+  CHECK_FALSE(make_video(studio.folder / "nowhere", 30.0, studio.folder / "film.mp4"));
+}
+
+TEST_CASE("without the program there is one line") {
+  const Studio studio;
+  const Path path(studio.folder.path().string());
+  CHECK_FALSE(has_video_maker());
+  const auto done = make_video(studio.take.folder, 30.0, studio.folder / "film.mp4");
+  REQUIRE_FALSE(done);
+  CHECK(done.error().code == ErrorCode::cannot_write);
+  CHECK_THAT(done.error().message(), Catch::Contains("ffmpeg"));
+}
+
+TEST_CASE("a video being made can be cancelled") {
+  const Studio studio;
+  studio.program(kOutput + "echo half > \"$out\"\nexec sleep 1000\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  const std::size_t before = studio.folder.file_count();
+  VideoJob job([] {});
+  job.start(studio.take.folder, 30.0, studio.folder / "film.mp4");
+  while (studio.folder.file_count() == before) std::this_thread::yield();
+  CHECK_FALSE(job.take_result().has_value());
+  job.cancel();
+  std::optional<Expected<void>> result;
+  while (!(result = job.take_result())) std::this_thread::yield();
+  REQUIRE_FALSE(result->has_value());
+  CHECK(result->error().code == ErrorCode::cancelled);
+  CHECK_FALSE(job.is_running());
+  CHECK(studio.folder.file_count() == before);
+}
