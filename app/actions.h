@@ -49,6 +49,7 @@ enum class ActionId : std::uint8_t {
   toggle_parameters,
   toggle_log,
   toggle_legend,
+  toggle_evolution,
   cancel_computation,
   resume_computation,
   precision_naive,  // the four in the order of `Precision`
@@ -57,6 +58,14 @@ enum class ActionId : std::uint8_t {
   precision_exact_roots,
   toggle_union_shortcut,
   toggle_pole_propagation,
+  evolution_first,
+  evolution_play_back,
+  evolution_back,
+  evolution_stop,
+  evolution_forward,
+  evolution_play,
+  evolution_previous,
+  evolution_next,
   help,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;

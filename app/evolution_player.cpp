@@ -81,6 +81,7 @@ void EvolutionPlayer::step_to(std::uint64_t k) {
 }
 
 void EvolutionPlayer::play(Direction direction) {
+  if (direction != Direction::none && !has_beginning()) begin();
   direction_ = direction;
 }
 
@@ -114,7 +115,8 @@ void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
 
 void EvolutionPlayer::follow(bool picture_is_complete, double now) {
   if (editor_.in_gesture()) return;
-  if (wanted_ && !has_beginning()) cancel();  // edited meanwhile
+  // Edited meanwhile: what goes on was meant for what was there before.
+  if ((wanted_ || direction_ != Direction::none) && !has_beginning()) cancel();
   if (auto answer = run_.poll(); answer && wanted_ == answer->k) {
     wanted_.reset();
     if (answer->state) {

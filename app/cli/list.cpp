@@ -203,7 +203,7 @@ struct Listing {
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 7> kListings{{{"layers", layers},
+constexpr std::array<Listing, 8> kListings{{{"layers", layers},
                                             {"structures", structures},
                                             {"evolutions", evolution_entries},
                                             {"formats", formats},

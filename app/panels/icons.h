@@ -24,7 +24,13 @@ enum class Icon : std::uint8_t {
   layers,
   statistics,
   parameters,
-  play
+  play,
+  play_back,
+  step_forward,
+  step_back,
+  to_start,
+  stop,
+  evolution
 };
 
 /// Draws the icon into the square `size` wide at `at`.

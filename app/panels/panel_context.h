@@ -9,6 +9,7 @@
 #include "app/action_bindings.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
+#include "app/evolution_player.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/parameter_animation.h"
@@ -26,6 +27,7 @@ struct PanelContext {
   const Gui& gui;
   const ActionBindings& actions;
   Editor& editor;
+  EvolutionPlayer& evolution;
   Engine& engine;
   LayerStack& layers;
   Canvas& canvas;
