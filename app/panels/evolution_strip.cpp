@@ -122,7 +122,10 @@ void parameter_field(const PanelContext& context, const ParameterDescriptor& par
   const std::string id(parameter.id);
   double value = player.choice().values[parameter.id];
   ImGui::SetNextItemWidth(140 * context.gui.unit());
-  if (parameter.is_whole) {
+  if (parameter.is_whole && parameter.high == 1.0) {
+    bool is_on = value != 0.0;
+    if (ImGui::Checkbox(id.c_str(), &is_on)) player.set_value(parameter.id, is_on ? 1.0 : 0.0);
+  } else if (parameter.is_whole) {
     auto whole = static_cast<int>(value);
     if (ImGui::SliderInt(id.c_str(), &whole, static_cast<int>(parameter.low), static_cast<int>(parameter.high), "%d",
                          ImGuiSliderFlags_AlwaysClamp))
@@ -139,10 +142,10 @@ void parameter_field(const PanelContext& context, const ParameterDescriptor& par
   ImGui::Spacing();
 }
 
-void parameters(const PanelContext& context) {
+void parameters(const PanelContext& context, float size) {
   EvolutionPlayer& player = context.evolution;
-  if (ImGui::Button("Parameters...")) ImGui::OpenPopup("##evolution-parameters");
-  tooltip(context.gui, "What steers this evolution; a change shows the present step anew");
+  if (icon_button("parameters", Icon::parameters, size)) ImGui::OpenPopup("##evolution-parameters");
+  tooltip(context.gui, "Parameters\nWhat steers this evolution; a change shows the present step anew");
   if (!ImGui::BeginPopup("##evolution-parameters")) return;
   const std::vector<ParameterDescriptor> all = parameters_of(player.choice().evolution);
   for (const ParameterDescriptor& parameter : all) parameter_field(context, parameter);
@@ -180,12 +183,12 @@ float draw_evolution_strip(const PanelContext& context, ImVec2 at, float width) 
   slider(context, row);
   row.next(100 * unit);
   speed(context);
+  row.next(size);
+  parameters(context, size);
   if (context.evolution.descriptor().is_random) {
     row.next(190 * unit);
     seed(context);
   }
-  row.next(110 * unit);
-  parameters(context);
   progress(context, ImGui::GetWindowWidth());
   const float height = ImGui::GetWindowHeight();
   ImGui::End();

@@ -47,5 +47,6 @@ void register_scratch(RatioTable& table);
 void register_edits(RatioTable& table);
 void register_drawing(RatioTable& table);
 void register_unions(RatioTable& table);
+void register_evolving(RatioTable& table);
 
 }  // namespace mes::bench
