@@ -27,10 +27,11 @@ std::vector<PlayStep> steps_of(std::span<const TimelineEntry> entries) {
   std::size_t at = 0;
   while (at < entries.size() && !changes_document(entries[at]) && !std::holds_alternative<GestureBegun>(entries[at]))
     ++at;
-  std::vector<PlayStep> out{{0, at, "open"}};
+  std::vector<PlayStep> out{{.first_entry = 0, .end_entry = at, .what = "open"}};
   for (std::size_t first = at; at < entries.size(); ++at) {
     if (!is_visible(entries[at])) continue;
-    out.push_back({first, at + 1, std::string(name_of(entries[at]))});
+    const auto* caption = std::get_if<Captioned>(&entries[at]);
+    out.push_back({first, at + 1, std::string(name_of(entries[at])), caption == nullptr ? 0.0 : caption->seconds});
     first = at + 1;
   }
   return out;

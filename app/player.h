@@ -17,6 +17,7 @@ struct PlayStep {
   std::size_t first_entry = 0;
   std::size_t end_entry = 0;  ///< one past the last
   std::string what;           ///< of the entry that made the picture: "edit", "undo", "layers", ...
+  double seconds = 0.0;       ///< how long it stays in a video; 0: as long as any
 };
 
 /// Everything before the first change of the document is the first step, then each entry that can be seen is one.

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -32,9 +31,6 @@ constexpr const char* kExamples = R"(Examples:
 
 Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output impossible (or no display), 130 interrupted.)";
 
-/// Commands that are spoken for, so that nobody takes them for names of files.
-constexpr std::array<std::string_view, 1> kLaterCommands{"demo"};
-
 /// Everything the parser fills in.
 struct Arguments {
   std::vector<std::string> files;
@@ -42,6 +38,7 @@ struct Arguments {
   ExportRequest exported;
   RenderRequest render;
   PlayRequest play;
+  DemoRequest demo;
   EvolveRequest evolve;
   ListRequest list;
 };
@@ -66,6 +63,15 @@ void add_source(CLI::App& command, Source& source) {
                   "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_film(CLI::App& command, FilmRequest& film) {
+  command.add_option("--frames", film.frames, "Folder for the pictures 00001.png ... and manifest.json");
+  command.add_option("--video", film.video, "A video, .mp4 or .webm; needs ffmpeg");
+  command.add_option("--size", film.size, "Width and height in pixels, WxH")->capture_default_str();
+  command.add_option("--fps", film.fps, "Pictures a second, 1 to 120")->capture_default_str();
+  command.add_option("--shard", film.shard,
+                     "I/N: only every Nth picture, beginning with the Ith, under the same names");
 }
 
 void describe_commands(CLI::App& app, Arguments& to) {
@@ -134,6 +140,12 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
   play->add_option("SESSION", to.play.session, "A saved session, .json")->required();
+  add_film(*play, to.play.film);
+  play->footer("Without --frames and --video: one line of JSON a step, with digests of document and layers.");
+
+  CLI::App* const demo = app.add_subcommand(
+      "demo", "The paper's video: the one-step axis, the general pipeline, smoothing; needs no display");
+  add_film(*demo, to.demo.film);
 
   CLI::App* const evolve = app.add_subcommand("evolve", "Samples after some steps of an evolution, as POFF");
   evolve->add_option("FILE", to.evolve.file, "Samples to read, or - for standard input")->required();
@@ -156,7 +168,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   list->add_option("WHAT", to.list.what, things)->required();
   list->add_flag("--json", to.list.as_json, "As JSON");
 
-  for (CLI::App* const command : {compute, exported, render, play, evolve, list})
+  for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list})
     command->set_help_flag("-h,--help", "Print this help and exit");
 }
 
@@ -169,6 +181,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
+  if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
   return run_list(arguments.list, interruption);
@@ -189,9 +202,6 @@ std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std
   if (files.empty() || files.front().find_first_of("./") != std::string::npos) return std::nullopt;
   const std::string& word = files.front();
   if (std::filesystem::exists(word)) return std::nullopt;
-  if (std::ranges::find(kLaterCommands, word) != kLaterCommands.end())
-    return Error{
-        ErrorCode::usage, "command \"" + word + "\" is not available in this build; see mesecina --help", {}, 0, 0};
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   const std::vector<std::string_view> names(commands.begin(), commands.end());

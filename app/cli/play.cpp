@@ -37,8 +37,11 @@ Expected<std::shared_ptr<const Session>> read(const std::string& file) {
 }  // namespace
 
 Expected<void> run_play(const PlayRequest& request, Interruption& interruption) {
+  if (auto good = check(request.film); !good) return good;
   const auto session = read(request.session);
   if (!session) return std::unexpected(session.error());
+  if (!request.film.frames.empty() || !request.film.video.empty())
+    return make_film(**session, request.session, request.film, interruption);
   LayerMirror mirror;
   Player player(**session, [&mirror](const FramePatch& patch) { mirror.apply(patch); });
   Progress progress;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/film.h"
 #include "app/cli/interruption.h"
 #include "core/base/error.h"
 
@@ -49,8 +50,14 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
 
 struct PlayRequest {
   std::string session;
+  FilmRequest film;
 };
 Expected<void> run_play(const PlayRequest& request, Interruption& interruption);
+
+struct DemoRequest {
+  FilmRequest film;
+};
+Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
 
 struct EvolveRequest {
   std::string file;

@@ -63,7 +63,7 @@ Expected<void> FrameWriter::write(Work& work) const {
       work.frame.picture = render::to_image(*raw);
     const auto png = render::encode_png(std::get<render::Image>(work.frame.picture));
     if (!png) return std::unexpected(png.error());
-    return options_.write(take_.folder / frame_name(work.index + 1), text_of(*png));
+    return options_.write(take_.folder / frame_name(options_.first + work.index * options_.stride), text_of(*png));
   } catch (const std::bad_alloc&) {
     return std::unexpected(Error{ErrorCode::out_of_memory, "not enough memory to write a frame"});
   }
@@ -113,7 +113,7 @@ void FrameWriter::write_manifest_now_and_then(std::unique_lock<std::mutex>& lock
   is_writing_manifest_ = true;
   const Manifest known = manifest();
   lock.unlock();
-  auto done = options_.write(take_.folder / kManifestName, manifest_text(known));
+  auto done = options_.write(take_.folder / options_.manifest, manifest_text(known));
   lock.lock();
   is_writing_manifest_ = false;
   manifest_time_ = std::chrono::steady_clock::now();
@@ -133,7 +133,7 @@ Expected<void> FrameWriter::finish() {
     Manifest known = manifest();
     known.complete = !problem_;
     if (problem_) known.problem = problem_->message();
-    auto done = options_.write(take_.folder / kManifestName, manifest_text(known));
+    auto done = options_.write(take_.folder / options_.manifest, manifest_text(known));
     if (!done && !problem_) problem_ = std::move(done.error());
   }
   if (problem_) return std::unexpected(*problem_);

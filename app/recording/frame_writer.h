@@ -43,7 +43,10 @@ struct Frame {
 struct FrameWriterOptions {
   std::size_t most_frames = 64;
   std::size_t most_bytes = std::size_t{256} << 20U;
-  unsigned threads = 0;  ///< 0: half the processors, from 1 to 4
+  std::uint64_t first = 1;               ///< number of the first frame
+  std::uint64_t stride = 1;              ///< from one frame to the next; others write those between
+  std::string manifest = kManifestName;  ///< file name
+  unsigned threads = 0;                  ///< 0: half the processors, from 1 to 4
   std::chrono::milliseconds manifest_interval{5000};
   std::function<void()> wake = [] {};  ///< a frame was written, or there is a problem
   std::function<Expected<void>(const std::filesystem::path&, std::string_view)> write = write_file_atomically;

@@ -94,6 +94,7 @@ struct ViewChanged {
 /// Words for whoever watches, until others come; empty: none.
 struct Captioned {
   std::string text{};
+  double seconds = 0.0;  ///< how long this picture stays in a video; 0: as long as any
   friend bool operator==(const Captioned&, const Captioned&) = default;
 };
 

@@ -119,7 +119,9 @@ json to_json(const ViewChanged& change) {
   return {{"view", to_json(change.visible)}};
 }
 json to_json(const Captioned& caption) {
-  return {{"caption", caption.text}};
+  json out = {{"caption", caption.text}};
+  if (caption.seconds > 0.0) out["seconds"] = caption.seconds;
+  return out;
 }
 json to_json(const TimelineEntry& entry) {
   return std::visit([](const auto& kind) { return to_json(kind); }, entry);
@@ -315,7 +317,12 @@ std::optional<TimelineEntry> entry_from(const json& object) {
   if (const json* layers = find(object, "layers")) return layers_changed_from(*layers);
   if (const json* settings = find(object, "settings")) return SettingsChanged{settings_from(*settings)};
   if (const json* view = find(object, "view")) return ViewChanged{view_from(*view)};
-  if (find(object, "caption") != nullptr) return Captioned{text_at(object, "caption", "caption")};
+  if (find(object, "caption") != nullptr) {
+    constexpr double kLongest = 600.0;
+    const json* seconds = find(object, "seconds");
+    const double shown = seconds == nullptr ? 0.0 : number_of(*seconds, "caption");
+    return Captioned{text_at(object, "caption", "caption"), std::clamp(shown, 0.0, kLongest)};
+  }
   return std::nullopt;
 }
 

@@ -48,8 +48,9 @@ void smoothing(benchmark::State& state, RatioTable& table, const std::vector<Vec
 }  // namespace
 
 void register_evolving(RatioTable& table) {
-  benchmark::RegisterBenchmark("evolution/smooth/10000",
-                               [&table](benchmark::State& state) { smoothing(state, table, benchmark_curve(10000)); })
+  benchmark::RegisterBenchmark(
+      "evolution/smooth/10000",
+      [&table](benchmark::State& state) { smoothing(state, table, test::benchmark_curve(10000)); })
       ->Iterations(1)
       ->Unit(benchmark::kMillisecond);
 }

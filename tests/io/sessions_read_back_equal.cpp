@@ -41,7 +41,8 @@ Session sample_session() {
       LayersChanged{{{"curve", true, {}}}, {}, BackgroundImage{}},
       SettingsChanged{session.settings},
       ViewChanged{session.view},
-      Captioned{"Now \xc3\xa4 the axis"}};
+      Captioned{"Now \xc3\xa4 the axis"},
+                     Captioned{"", 2.5}};
   return session;
 }
 

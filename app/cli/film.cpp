@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/film.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "app/cli/messages.h"
+#include "app/cli/picture.h"
+#include "app/cli/progress.h"
+#include "app/color_maps.h"
+#include "app/legend.h"
+#include "app/player.h"
+#include "app/recording/frame_writer.h"
+#include "app/recording/video.h"
+#include "app/sample_shapes.h"
+#include "core/io/text_numbers.h"
+#include "render/egl_context.h"
+#include "render/gl_device.h"
+#include "render/offscreen.h"
+#include "render/scene.h"
+
+namespace mes::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Shard {
+  std::uint64_t index = 1;  // from 1
+  std::uint64_t count = 1;
+  bool has(std::uint64_t frame) const { return frame % count == index % count; }
+};
+
+/// The request, understood.
+struct Film {
+  PictureSize size;
+  double fps = 12.0;
+  Shard shard;
+};
+
+Expected<Shard> parse_shard(const std::string& text) {
+  if (text.empty()) return Shard{};
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const auto index = parse_count(std::string_view(text).substr(0, slash));
+    const auto count = parse_count(std::string_view(text).substr(slash + 1));
+    if (index && count && *index >= 1 && *index <= *count) return Shard{*index, *count};
+  }
+  return usage_error("--shard expects I/N with I from 1 to N, not " + in_quotes(text));
+}
+
+Expected<Film> understand(const FilmRequest& request) {
+  Film film;
+  const auto size = parse_size(request.size);
+  if (!size) return std::unexpected(size.error());
+  film.size = *size;
+  const auto fps = parse_number(request.fps);
+  if (!fps || *fps < 1.0 || *fps > 120.0)
+    return usage_error("--fps expects a number from 1 to 120, not " + in_quotes(request.fps));
+  film.fps = *fps;
+  const auto shard = parse_shard(request.shard);
+  if (!shard) return std::unexpected(shard.error());
+  film.shard = *shard;
+  if (!request.video.empty()) {
+    const std::string extension = fs::path(request.video).extension().string();
+    if (extension != ".mp4" && extension != ".webm")
+      return usage_error("the name of the video must end in .mp4 or .webm");
+    if (film.shard.count > 1) return usage_error("a shard is not a video; make it of the frames of all shards");
+    if (!has_video_maker())
+      return std::unexpected(
+          Error{ErrorCode::cannot_write, "a video needs the program ffmpeg, which is not installed"});
+  }
+  return film;
+}
+
+std::unexpected<Error> cannot_write(const std::string& text, const fs::path& file) {
+  return std::unexpected(Error{ErrorCode::cannot_write, text, file.string()});
+}
+
+/// Where frames go when only the video is wanted.
+class TemporaryFolder {
+ public:
+  static Expected<TemporaryFolder> make() {
+    std::error_code error;
+    std::string pattern = (fs::temp_directory_path(error) / "mesecina-film-XXXXXX").string();
+    if (error || ::mkdtemp(pattern.data()) == nullptr) return cannot_write("no folder for the frames", pattern);
+    return TemporaryFolder(pattern);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {}
+  fs::path path_;
+};
+
+Expected<void> prepare(const fs::path& folder, const Shard& shard) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return cannot_write("cannot be made: " + error.message(), folder);
+  if (fs::exists(folder / frame_name(shard.index), error))
+    return cannot_write("there are frames already; name another folder", folder);
+  return {};
+}
+
+std::uint64_t frames_of(const PlayStep& step, double fps) {
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(step.seconds * fps)));
+}
+
+/// Draws what a player shows.
+
+class Studio {
+ public:
+  Studio(render::GlDevice& device, const Film& film) : device_(device), scene_(device), film_(film) {
+    scene_.set_color_maps(load_color_maps(find_assets({}), user_color_map_folder()).maps);
+    if (auto fonts = LegendFonts::read(find_assets({})))
+      fonts_ = std::move(*fonts);
+    else
+      say("captions are left out: " + fonts.error().message());
+  }
+
+  void apply(const FramePatch& patch) { scene_.apply(patch); }
+
+  Expected<render::Image> draw(const Player& player) {
+    constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
+    const double scale = std::max(1.0, film_.size.height / kReference);
+    render::Camera camera;
+    camera.set_viewport(film_.size.width, film_.size.height);
+    if (player.view().is_empty())
+      camera.fit(player.document().bounding_box(), 0.06 * film_.size.height);
+    else
+      camera.fit(player.view(), 0.0);
+    const LayerStack& layers = player.layers();
+    std::vector<render::LayerView> views;
+    for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
+    auto image = render::draw_image(device_, scene_, camera, views,
+                                    {.background = Rgb{255, 255, 255}, .content_scale = scale});
+    if (!image || !fonts_) return image;
+    add_legend(*image, layers, views, scale);
+    add_caption(*image, player.caption());
+    return image;
+  }
+
+ private:
+  void add_legend(render::Image& image, const LayerStack& layers, std::span<const render::LayerView> views,
+                  double scale) const {
+    std::vector<LegendEntry> entries;
+    for (auto view = views.rbegin(); view != views.rend(); ++view) {
+      const render::ShownMap shown = scene_.shown_map(view->layer, view->style);
+      const LayerDescriptor& layer = layers.descriptor(view->layer);
+      if (shown.map != nullptr)
+        entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+    }
+    if (!entries.empty()) draw_legend(image, *fonts_, entries, scale);
+  }
+
+  void add_caption(render::Image& image, const std::string& text) const {
+    if (text.empty()) return;
+    const double height = image.height;
+    double size = std::max(11.0, 0.034 * height);
+    const double room = 0.94 * image.width;
+    const double width = render::text_width(fonts_->bold, size, text);
+    if (width > room) size *= room / width;
+    const double band = 2.2 * size;
+    render::fill_rectangle(image, 0, height - band, image.width, band, Rgb{255, 255, 255}, 0.9);
+    const double x = 0.5 * (image.width - std::min(width, room));
+    render::draw_text(image, fonts_->bold, size, x, height - 0.85 * size, Rgb{0x22, 0x26, 0x2B}, text);
+  }
+
+  render::GlDevice& device_;
+  render::Scene scene_;
+  Film film_;
+  std::optional<LegendFonts> fonts_;
+};
+
+}  // namespace
+
+Expected<void> check(const FilmRequest& request) {
+  const auto film = understand(request);
+  if (!film) return std::unexpected(film.error());
+  return {};
+}
+
+Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request,
+                         Interruption& interruption) {
+  const auto film = understand(request);
+  if (!film) return std::unexpected(film.error());
+  std::optional<TemporaryFolder> temporary;
+  if (request.frames.empty()) {
+    auto made = TemporaryFolder::make();
+    if (!made) return std::unexpected(made.error());
+    temporary.emplace(std::move(*made));
+  }
+  const fs::path folder = temporary ? temporary->path() : fs::path(request.frames);
+  if (auto ready = prepare(folder, film->shard); !ready) return ready;
+
+  const auto context = render::EglContext::create();
+  if (!context) return std::unexpected(context.error());
+  render::GlDevice device;
+  Studio studio(device, *film);
+  Player player(session, [&studio](const FramePatch& patch) { studio.apply(patch); });
+
+  FrameWriterOptions options{.first = film->shard.index, .stride = film->shard.count};
+  if (film->shard.count > 1)
+    options.manifest =
+        "manifest-" + std::to_string(film->shard.index) + "-of-" + std::to_string(film->shard.count) + ".json";
+  FrameWriter writer({folder, {film->size.width, film->size.height, film->fps}}, options);
+  Progress progress;
+  std::uint64_t frame = 0;
+  std::uint64_t total = 0;
+  for (const PlayStep& step : player.steps()) total += frames_of(step, film->fps);
+  for (const PlayStep& step : player.steps()) {
+    progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(total),
+                  static_cast<double>(frame) / static_cast<double>(total));
+    if (auto done = player.apply(step); !done) {
+      done.error().file = name;
+      return done;
+    }
+    std::optional<render::Image> image;
+    for (std::uint64_t end = frame + frames_of(step, film->fps); frame < end;) {
+      ++frame;
+      if (!film->shard.has(frame)) continue;
+      if (!image) {
+        if (const std::string failure = player.complete(); !failure.empty())
+          say("frame " + std::to_string(frame) + ": " + failure);
+        auto drawn = studio.draw(player);
+        if (!drawn) return std::unexpected(drawn.error());
+        image = std::move(*drawn);
+      }
+      if (!writer.push({*image, {step.what, player.document().digest()}})) return writer.finish();
+    }
+  }
+  if (auto done = writer.finish(); !done || request.video.empty()) return done;
+  progress.show("making the video", 1.0);
+  return interruption.uninterrupted([&] { return make_video(folder, film->fps, request.video); });
+}
+
+}  // namespace mes::cli

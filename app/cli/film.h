@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session as frames and as a video.
+#pragma once
+
+#include <string>
+
+#include "app/cli/interruption.h"
+#include "core/base/error.h"
+#include "core/io/session.h"
+
+namespace mes::cli {
+
+struct FilmRequest {
+  std::string frames;  ///< folder; empty: only the video
+  std::string video;   ///< .mp4 or .webm; empty: only the frames
+  std::string size = "1280x720";
+  std::string fps = "12";
+  std::string shard;  ///< "3/16": every 16th frame beginning with the 3rd; empty: all
+};
+
+/// Words that make no sense, before any work is done.
+Expected<void> check(const FilmRequest& request);
+
+/// Error: `cannot_write` also when the folder has such frames already. `name` stands for the session in messages.
+Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request,
+                         Interruption& interruption);
+
+}  // namespace mes::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The video of the 2007 paper as a session: one-step axis, general pipeline, smoothing.
+#pragma once
+
+#include "core/document/commands.h"
+#include "core/io/session.h"
+
+namespace mes {
+
+/// Everything it shows is computed when it is played; nothing of it is a picture made beforehand. `shape` needs one
+/// closed contour at least. Error: the shape makes no document, or a step of an evolution fails.
+///
+/// Source: B. Miklos, J. Giesen, M. Pauly, "Medial axis approximation from inner Voronoi balls: a demo of the
+/// Mesecina tool", SoCG 2007 (multimedia session).
+Expected<Session> demo_session(const SampleData& shape);
+
+}  // namespace mes

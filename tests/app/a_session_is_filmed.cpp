@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes::test;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* kSession = "tests/data/edited_bean.json";
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) out.insert(entry.path().filename().string());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("each step of a session is a picture, the same in every run, and shards are those of the whole") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name, const std::vector<std::string>& extra = {}) {
+    std::vector<std::string> arguments{"play", kSession, "--frames", (folder / name).string(), "--size", "320x200"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    return run(arguments);
+  };
+  REQUIRE(film("whole").exit_code == 0);
+  REQUIRE(film("again").exit_code == 0);
+  REQUIRE(film("parts", {"--shard", "1/3"}).exit_code == 0);
+  REQUIRE(film("parts", {"--shard", "3/3"}).exit_code == 0);
+  REQUIRE(film("parts", {"--shard", "2/3"}).exit_code == 0);
+
+  const json manifest = json::parse(contents_of(folder / "whole" / "manifest.json"));
+  CHECK(manifest["complete"] == true);
+  REQUIRE(manifest["frames"].size() == 12);
+  CHECK(manifest["width"] == 320);
+  std::set<std::string> pictures;
+  for (int i = 1; i <= 12; ++i) {
+    const std::string name = (i < 10 ? "0000" : "000") + std::to_string(i) + ".png";
+    const std::string picture = contents_of(folder / "whole" / name);
+    REQUIRE_FALSE(picture.empty());
+    CHECK(contents_of(folder / "again" / name) == picture);
+    CHECK(contents_of(folder / "parts" / name) == picture);
+    pictures.insert(picture);
+  }
+  // Undoing the drag of six moves leads back to a picture that was there.
+  CHECK(pictures.size() == 11);
+  CHECK(names_in(folder / "parts").contains("manifest-2-of-3.json"));
+
+  const RunResult refused = film("whole");
+  CHECK(refused.exit_code == 4);
+  CHECK(refused.err.find("frames already") != std::string::npos);
+}
+
+TEST_CASE("films that make no sense are refused before any work") {
+  const TemporaryFolder folder;
+  const std::string frames = (folder / "f").string();
+  for (const std::vector<std::string>& extra : std::vector<std::vector<std::string>>{{"--size", "0x10"},
+                                                                                     {"--fps", "0"},
+                                                                                     {"--fps", "fast"},
+                                                                                     {"--shard", "0/3"},
+                                                                                     {"--shard", "4/3"},
+                                                                                     {"--shard", "1"},
+                                                                                     {"--video", "x.avi"}}) {
+    std::vector<std::string> arguments{"play", kSession, "--frames", frames};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const RunResult result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(std::ranges::count(result.err, '\n') == 1);
+  }
+  CHECK(folder.file_count() == 0);
+  CHECK(run({"play", kSession, "--frames", "/proc/no/such"}).exit_code == 4);
+}
+
+TEST_CASE("the demo is computed without a display, with captions and every scene") {
+  const TemporaryFolder folder;
+  const RunResult result = run({"demo", "--frames", (folder / "demo").string(), "--size", "160x90", "--fps", "1"},
+                               {.environment = {"DISPLAY="}});
+  REQUIRE(result.err.empty());
+  REQUIRE(result.exit_code == 0);
+  const json manifest = json::parse(contents_of(folder / "demo" / "manifest.json"));
+  CHECK(manifest["complete"] == true);
+  const std::size_t frames = manifest["frames"].size();
+  CHECK(frames > 150);
+  CHECK(names_in(folder / "demo").size() == frames + 1);
+  std::set<std::string> documents;
+  std::set<std::string> pictures;
+  for (const json& frame : manifest["frames"]) {
+    documents.insert(frame["document"].get<std::string>());
+    pictures.insert(contents_of(folder / "demo" / frame["file"].get<std::string>()));
+  }
+  // Nothing, 24 strokes, the noise, 40 steps of smoothing.
+  CHECK(documents.size() == 66);
+  CHECK(pictures.size() > 100);
+}
