@@ -53,6 +53,7 @@ enum class ActionId : std::uint8_t {
   toggle_parameters,
   toggle_log,
   toggle_legend,
+  toggle_evolution,
   bundle_1,  // the nine in a row
   bundle_2,
   bundle_3,
@@ -74,6 +75,14 @@ enum class ActionId : std::uint8_t {
   precision_exact_roots,
   toggle_union_shortcut,
   toggle_pole_propagation,
+  evolution_first,
+  evolution_play_back,
+  evolution_back,
+  evolution_stop,
+  evolution_forward,
+  evolution_play,
+  evolution_previous,
+  evolution_next,
   demo,
   help,
 };

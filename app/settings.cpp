@@ -92,6 +92,7 @@ Settings from_json(const json& object) {
   const auto page = std::ranges::find(kPages, text_in(object, "details"));
   if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
+  out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.last_folder = text_in(object, "last_folder");
   if (const auto record = object.find("record"); record != object.end() && record->is_object())
     out.record = record_from_json(*record);
@@ -160,6 +161,7 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
                        {"show_layers", settings.show_layers},
                        {"details", kPages[static_cast<std::size_t>(settings.details)]},
                        {"show_legend", settings.show_legend},
+                       {"show_evolution", settings.show_evolution},
                        {"last_folder", settings.last_folder},
                        {"record", to_json(settings.record)}};
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.

@@ -25,6 +25,7 @@ struct Settings {
   bool show_bundles = true;  ///< unfolded, above the layers
   DetailsPage details = DetailsPage::none;
   bool show_legend = true;  ///< of the colour maps in use
+  bool show_evolution = false;
   std::string last_folder;  ///< of the file browser
   RecordSettings record;
 };

@@ -148,6 +148,41 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
         pen.ring(x, y, 2.4F);
       }
       break;
+    case Icon::play_back: {
+      const ImVec2 head[] = {pen.p(18, 5), pen.p(18, 19), pen.p(6, 12)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::step_forward: {
+      pen.line(17.5F, 6, 17.5F, 18);
+      const ImVec2 head[] = {pen.p(7, 6), pen.p(15, 12), pen.p(7, 18)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::step_back: {
+      pen.line(6.5F, 6, 6.5F, 18);
+      const ImVec2 head[] = {pen.p(17, 18), pen.p(9, 12), pen.p(17, 6)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::to_start: {
+      pen.line(4.5F, 6, 4.5F, 18);
+      const ImVec2 first[] = {pen.p(12.5F, 18), pen.p(6, 12), pen.p(12.5F, 6)};
+      const ImVec2 second[] = {pen.p(20, 18), pen.p(13.5F, 12), pen.p(20, 6)};
+      pen.fill(first);
+      pen.fill(second);
+      break;
+    }
+    case Icon::stop: {
+      const ImVec2 square[] = {pen.p(7, 7), pen.p(17, 7), pen.p(17, 17), pen.p(7, 17)};
+      pen.fill(square);
+      break;
+    }
+    case Icon::evolution:
+      pen.ring(12, 12, 8.5F);
+      pen.ring(12, 12, 5);
+      pen.dot(12, 12, 1.6F);
+      break;
     case Icon::statistics:
       pen.line(4, 20, 20.5F, 20);
       for (const auto& [x, y] : {std::pair{7.0F, 12.0F}, std::pair{12.0F, 5.0F}, std::pair{17.0F, 9.0F}}) {

@@ -28,7 +28,13 @@ enum class Icon : std::uint8_t {
   pause,
   record,
   snapshot,
-  more
+  more,
+  play_back,
+  step_forward,
+  step_back,
+  to_start,
+  stop,
+  evolution
 };
 
 /// Draws the icon into the square `size` wide at `at`.

@@ -11,6 +11,7 @@
 #include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
+#include "app/evolution_player.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/parameter_animation.h"
@@ -29,6 +30,7 @@ struct PanelContext {
   const Gui& gui;
   const ActionBindings& actions;
   Editor& editor;
+  EvolutionPlayer& evolution;
   Engine& engine;
   LayerStack& layers;
   BundleDesk& bundles;

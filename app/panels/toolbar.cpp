@@ -41,6 +41,7 @@ float draw_toolbar(const PanelContext& context, ImVec2 at) {
   action_button(context, ActionId::redo, Icon::redo, size);
   gap();
   action_button(context, ActionId::fit, Icon::fit, size);
+  action_button(context, ActionId::toggle_evolution, Icon::evolution, size);
   action_button(context, ActionId::toggle_layers, Icon::layers, size);
   action_button(context, ActionId::toggle_statistics, Icon::statistics, size);
   action_button(context, ActionId::toggle_parameters, Icon::parameters, size);

@@ -6,6 +6,7 @@
 
 #include "app/color_maps.h"
 #include "app/panels/canvas_legend.h"
+#include "app/panels/evolution_strip.h"
 #include "app/panels/help.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/status_bar.h"
@@ -37,6 +38,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets_, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
+      evolution_(editor_, [] { GlfwWindow::wake(); }),
       files_(
           editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
       tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); },
@@ -64,7 +66,9 @@ double App::next_wait() const {
   const EngineStatus status = engine_.status();
   if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
-  if (status.busy || files_.is_reading() || background_.is_reading() || gui_.is_about_to_rest())
+  if (const auto due = evolution_.next_due(ImGui::GetTime())) return std::clamp(*due, 1e-3, kProgressInterval);
+  if (status.busy || evolution_.is_waiting() || files_.is_reading() || background_.is_reading() ||
+      gui_.is_about_to_rest())
     return kProgressInterval;
   return 0.0;
 }
@@ -81,6 +85,7 @@ void App::run() {
     note_if_complete();
     picture_.take_from(engine_);
     provenance_.take(picture_.take_provenance());
+    follow_evolution();
     const bool was_about_to_rest = gui_.is_about_to_rest();
     frame();
     frames_wanted_ = std::max(0, frames_wanted_ - 1);
@@ -97,6 +102,7 @@ PanelContext App::panel_context() {
   return {gui_,
           actions_,
           editor_,
+          evolution_,
           engine_,
           layers_,
           bundles_,
@@ -132,6 +138,12 @@ void App::show_first_ball() {
   if (layers_.soloed() != kNoSlot) return;
   if (std::ranges::any_of(layers, [this](LayerIndex layer) { return layers_.is_visible(layer); })) return;
   for (const LayerIndex layer : layers) layers_.set_visible(layer, true);
+}
+
+void App::follow_evolution() {
+  const bool is_complete = picture_.document_revision() == editor_.document().revision() && !engine_.status().busy;
+  evolution_.follow(is_complete, ImGui::GetTime());
+  if (const auto problem = evolution_.take_problem()) report(*problem);
 }
 
 void App::update_title() {
@@ -203,6 +215,9 @@ void App::draw_panels() {
     left = margin + draw_toolbar(context, {margin, top + margin});
   }
   const float card_margin = 10 * unit;
+  if (show_panels_ && settings_.show_evolution)
+    bottom += card_margin + draw_evolution_strip(context, {left + card_margin, screen.y - bottom - card_margin},
+                                                 screen.x - left - right - 2 * card_margin);
   provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
   if (settings_.show_legend)

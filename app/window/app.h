@@ -15,6 +15,7 @@
 #include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
+#include "app/evolution_player.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/panels/ask_recover.h"
@@ -92,6 +93,7 @@ class App final : private WindowListener {
   void bind_file_actions();
   void bind_edit_actions();
   void bind_view_actions();
+  void bind_evolution_actions();
   void choose_precision(Precision precision);
   void set_computation(const ComputationSettings& settings);
   void advance_animation();
@@ -153,6 +155,7 @@ class App final : private WindowListener {
   void draw_pointer_marks();
   void follow_demand();
   void show_first_ball();
+  void follow_evolution();
   void update_title();
   double next_wait() const;
   PanelContext panel_context();
@@ -173,6 +176,7 @@ class App final : private WindowListener {
   LayerStack layers_;
   BundleDesk bundles_;
   Editor editor_;
+  EvolutionPlayer evolution_;
   FileDesk files_;
   ToolContext tool_context_;
   Canvas canvas_;

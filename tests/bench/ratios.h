@@ -48,5 +48,6 @@ void register_edits(RatioTable& table);
 void register_drawing(RatioTable& table);
 void register_recording(RatioTable& table);
 void register_unions(RatioTable& table);
+void register_evolving(RatioTable& table);
 
 }  // namespace mes::bench
