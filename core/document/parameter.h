@@ -10,8 +10,15 @@
 namespace mes {
 
 /// Position in `parameter_descriptors()`.
-enum class Parameter : std::uint8_t { union_shortcut, pole_propagation, medial_sampling_angle };
-inline constexpr std::size_t kParameters = 3;
+enum class Parameter : std::uint8_t {
+  union_shortcut,
+  pole_propagation,
+  medial_sampling_angle,
+  a_scale,
+  p_scale,
+  b_scale
+};
+inline constexpr std::size_t kParameters = 6;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -32,7 +39,13 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       "", 0.0, 1.0, 0.0, true},
      {"medial-sampling-angle",
       "Sampled balls are added until neighbouring circles cross at this angle or more; nearer to 180 is denser",
-      "degrees", 90.0, 179.9, 175.0}}};
+      "degrees", 90.0, 179.9, 175.0},
+     {"a-scale", "The radii of the inner Voronoi balls are multiplied by it, exactly, before their union is taken",
+      "", 0.01, 100.0, 1.0},
+     {"p-scale", "The radii of the inner polar balls are multiplied by it, exactly, before their union is taken", "",
+      0.01, 100.0, 1.0},
+     {"b-scale", "The radii of your own balls are multiplied by it, exactly, before their union is taken", "", 0.01,
+      100.0, 1.0}}};
 
 /// Every parameter.
 constexpr std::span<const ParameterDescriptor> parameter_descriptors() {

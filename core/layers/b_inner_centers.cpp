@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/helpers.h"
-#include "core/structures/user_balls.h"
+#include "core/structures/scaled_user_balls.h"
 
 namespace mes {
 
 Layer make_b_inner_centers_layer(const StructureSet& set) {
-  const auto& balls = set.get<UserBalls>();
+  const auto& balls = set.get<ScaledUserBalls>();
   return make_layer(
       {.id = "b-inner-centers",
        .name = "B inner centers",
@@ -20,7 +20,7 @@ Layer make_b_inner_centers_layer(const StructureSet& set) {
           {PrimitiveKind::point}, [&balls] { return balls.row_count(); }, balls.changes(),
           [&balls](Slot row, Instance& out) {
             if (!balls.is_alive(row)) return;
-            const Disk& disk = balls.disk(row);
+            const Disk disk = balls.disk(row);
             out.point(disk.center, disk.radius);
           },
           ElementType{ElementKind::own_ball}));

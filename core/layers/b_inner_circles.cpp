@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/helpers.h"
-#include "core/structures/user_balls.h"
+#include "core/structures/scaled_user_balls.h"
 
 namespace mes {
 
 Layer make_b_inner_circles_layer(const StructureSet& set) {
-  const auto& balls = set.get<UserBalls>();
+  const auto& balls = set.get<ScaledUserBalls>();
   return make_layer({.id = "b-inner-circles",
                      .name = "B inner circles",
                      .tooltip = "Circles of your own balls",
@@ -19,7 +19,7 @@ Layer make_b_inner_circles_layer(const StructureSet& set) {
                         {PrimitiveKind::circle}, [&balls] { return balls.row_count(); }, balls.changes(),
                         [&balls](Slot row, Instance& out) {
                           if (!balls.is_alive(row)) return;
-                          const Disk& disk = balls.disk(row);
+                          const Disk disk = balls.disk(row);
                           if (disk.radius > 0.0) out.circle(disk.center, disk.radius, disk.radius);
                         },
                         ElementType{ElementKind::own_ball}));

@@ -9,11 +9,12 @@
 namespace mes {
 
 PowerDiagram::PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-                           std::unique_ptr<BallFamily> family)
-    : Structure(id, std::move(inputs)), settings_(settings), family_(std::move(family)) {}
+                           std::unique_ptr<BallFamily> family, std::optional<Parameter> scale)
+    : Structure(id, std::move(inputs)), settings_(settings), family_(std::move(family)), scale_(scale) {}
 
 void PowerDiagram::rebuild(JobControl& job) {
   made_with_ = settings_.precision();
+  family_->set_scale(scale());
   const ScaledBalls balls = scaled_balls(*family_);
   const PipelineInput input{balls.balls, balls.rows};
   switch (made_with_) {
@@ -44,7 +45,7 @@ void PowerDiagram::rebuild(JobControl& job) {
 }
 
 bool PowerDiagram::update(JobControl&) {
-  return made_with_ == settings_.precision() && family_->changes().is_empty();
+  return made_with_ == settings_.precision() && family_->scale() == scale() && family_->changes().is_empty();
 }
 
 StatList PowerDiagram::statistics() const {
@@ -104,14 +105,14 @@ StatList VDiagram::statistics() const {
 
 APowerDiagram::APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls)
     : PowerDiagram("a-power-diagram", {&settings, &delaunay, &labels, &balls}, settings,
-                   inner_voronoi_balls(delaunay, balls)) {}
+                   inner_voronoi_balls(delaunay, balls), Parameter::a_scale) {}
 
 VoronoiBallDiagram::VoronoiBallDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices)
     : PowerDiagram("voronoi-ball-diagram", {&settings, &delaunay, &vertices}, settings,
                    std::make_unique<VoronoiBalls>(delaunay, vertices)) {}
 
 BPowerDiagram::BPowerDiagram(SettingsSource& settings, UserBalls& balls)
-    : PowerDiagram("b-power-diagram", {&settings, &balls}, settings, user_ball_family(balls)) {}
+    : PowerDiagram("b-power-diagram", {&settings, &balls}, settings, user_ball_family(balls), Parameter::b_scale) {}
 
 BVDiagram::BVDiagram(BUnion& b_union) : VDiagram("b-v-diagram", {&b_union}, b_union) {}
 

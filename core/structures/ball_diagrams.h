@@ -3,6 +3,7 @@
 // diagram of the balls, and the Voronoi diagram of the v-points.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/structures/ball_union.h"
@@ -26,13 +27,17 @@ class PowerDiagram : public Structure {
   std::string_view kernel() const override;
 
  protected:
+  /// Without `scale` the balls are taken as they are.
   PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-               std::unique_ptr<BallFamily> family);
+               std::unique_ptr<BallFamily> family, std::optional<Parameter> scale = std::nullopt);
   BallFamily& own_family() { return *family_; }
 
  private:
+  double scale() const { return scale_ ? settings_.current()[*scale_] : 1.0; }
+
   const SettingsSource& settings_;
   std::unique_ptr<BallFamily> family_;
+  std::optional<Parameter> scale_;
   Precision made_with_ = Precision::fast;
   std::vector<PowerEdge> edges_;
   ChangeSet changes_;

@@ -90,7 +90,7 @@ class OwnBalls final : public BallFamily {
   explicit OwnBalls(const UserBalls& balls) : balls_(balls) {}
   std::size_t rows() const override { return balls_.row_count(); }
   bool is_ball(Slot row) const override { return balls_.is_alive(row); }
-  Disk disk(Slot row) const override { return balls_.disk(row); }
+  Disk plain_disk(Slot row) const override { return balls_.disk(row); }
   bool is_from_samples() const override { return false; }
   std::array<Vec2, 3> corners(Slot) const override { return {}; }
   void touched_samples(Slot, std::vector<TouchedSample>&) const override {}
@@ -187,34 +187,39 @@ std::string_view name_of(UnionRung rung) {
 }
 
 BallUnion::BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-                     std::unique_ptr<BallFamily> family, const AxisCertificate* certificate,
+                     Parameter scale, std::unique_ptr<BallFamily> family, const AxisCertificate* certificate,
                      std::unique_ptr<SampleUnion> shortcut)
     : Structure(id, std::move(inputs)),
       settings_(settings),
+      scale_(scale),
       family_(std::move(family)),
       certificate_(certificate),
       shortcut_(std::move(shortcut)) {}
 
 BallUnion::Choice BallUnion::choice() const {
-  return {settings_.precision(), settings_.current().is_on(Parameter::union_shortcut)};
+  const ComputationSettings& settings = settings_.current();
+  return {settings.precision, settings.is_on(Parameter::union_shortcut), settings[scale_]};
 }
 
 bool BallUnion::is_shortcut_valid() const {
   const Choice now = choice();
   const bool may = now.precision == Precision::fast || now.precision == Precision::exact;
-  return may && now.use_shortcut && shortcut_ && certificate_->is_certified();
+  return may && now.use_shortcut && now.scale == 1.0 && shortcut_ && certificate_->is_certified();
 }
 
 void BallUnion::rebuild(JobControl& job) {
   changes_.clear();
   made_with_ = choice();
+  family_->set_scale(made_with_.scale);
   if (is_shortcut_valid()) {
     rung_ = UnionRung::shortcut;
     why_ = "certified";
     shortcut_->rebuild(tables_, job);
     return;
   }
-  if (!shortcut_) {
+  if (made_with_.scale != 1.0) {
+    why_ = "scaled balls";
+  } else if (!shortcut_) {
     why_ = family_->is_from_samples() ? "no certificate for these balls" : "no samples to follow";
   } else if (!made_with_.use_shortcut || made_with_.precision == Precision::naive ||
              made_with_.precision == Precision::exact_roots) {
@@ -270,19 +275,21 @@ ScaledBalls scaled_balls(const BallFamily& family) {
   for (const Slot row : rows_by_place(family)) {
     PipelineBall ball;
     ball.row = row;
-    ball.disk = family.disk(row);
+    ball.disk = family.plain_disk(row);
+    ball.scale = family.scale();
     ball.origin = family.origin(row);
     if (ball.origin == BallOrigin::circumdisk) std::ranges::copy(family.corners(row), ball.corner);
     // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
-    if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + ball.disk.radius) || !(ball.disk.radius > 0.0)) {
+    const double radius = ball.radius();
+    if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + radius) || !(radius > 0.0)) {
       ++out.ignored;
       continue;
     }
     note_size(ball.disk.center);
-    note_size({ball.disk.radius, 0.0});
+    note_size({radius, 0.0});
     for (const Vec2 corner : ball.corner) note_size(corner);
     first_sample.push_back(out.samples.size());
-    family.touched_samples(row, out.samples);
+    if (family.touch_samples()) family.touched_samples(row, out.samples);
     if (ball.origin == BallOrigin::through_sample) ball.corner[0] = out.samples.back().position;
     out.balls.push_back(ball);
   }
@@ -310,7 +317,7 @@ UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& in
     case Precision::naive: rung_ = UnionRung::naive; return isolated(run_union_naive, input, kNaive, job);
     case Precision::fast: rung_ = UnionRung::doubles; return run_union_doubles(input, job);
     case Precision::exact:
-      if (family_->is_from_samples()) {
+      if (family_->touch_samples()) {
         try {
           rung_ = UnionRung::rational;
           return run_union_rational(input, job);
@@ -327,7 +334,7 @@ UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& in
 
 UnionTables BallUnion::exact_dual_complex(JobControl& job) const {
   if (is_exact()) return tables_;
-  if (shortcut_ && certificate_->is_certified()) {
+  if (shortcut_ && made_with_.scale == 1.0 && certificate_->is_certified()) {
     SampleUnion fresh = *shortcut_;
     UnionTables tables;
     fresh.rebuild(tables, job);
@@ -401,7 +408,7 @@ StatList BallUnion::statistics() const {
                {"length", axis.length},
                {"area", measures.area},
                {"perimeter", measures.perimeter}};
-  if (family_->is_from_samples()) out.push_back({"foreign_v_points", foreign});
+  if (family_->touch_samples()) out.push_back({"foreign_v_points", foreign});
   if (rung_ == UnionRung::shortcut) return out;
   const UnionCounts& c = t.counts;
   out.insert(out.end(), {{"raw_v_points", c.raw_v_points},
@@ -452,7 +459,7 @@ void BallUnion::find(std::vector<Finding>& out) const {
     ++foreign;
     if (foreign_places.size() < kMostPlaces) foreign_places.push_back(v.position);
   }
-  if (family_->is_from_samples() && foreign != 0)
+  if (family_->touch_samples() && foreign != 0)
     say(rounded ? FindingLevel::wrong : FindingLevel::doubt, foreign,
         rounded ? "v-points that are no samples, by rounding or in truth" : "v-points that are no samples") =
         std::move(foreign_places);
@@ -476,7 +483,7 @@ std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const 
 AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
                MedialAxis& axis, AxisCertificate& certificate)
     : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,
-                inner_voronoi_balls(delaunay, balls), &certificate,
+                Parameter::a_scale, inner_voronoi_balls(delaunay, balls), &certificate,
                 std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
 
 std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls) {
@@ -484,6 +491,6 @@ std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls) {
 }
 
 BUnion::BUnion(SettingsSource& settings, UserBalls& balls)
-    : BallUnion("b-union", {&settings, &balls}, settings, user_ball_family(balls)) {}
+    : BallUnion("b-union", {&settings, &balls}, settings, Parameter::b_scale, user_ball_family(balls)) {}
 
 }  // namespace mes

@@ -44,6 +44,8 @@ ScaledBalls scaled_balls(const BallFamily& family);
 ///     of the rounded balls, which may differ in kind, and `findings` says so where it shows.
 ///  3. `naive` may give anything or fail, but ends.
 ///  4. Closed convention: balls that touch are joined. Balls of radius zero take no part.
+///  5. Balls are scaled about their centres before all else: with `exact` and `exact_roots` by the double that the
+///     parameter holds, exactly. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
 ///
 /// Cost: the shortcut O(n), updates O(changes), no arithmetic; `doubles` some three times the regular triangulation;
 /// rationals some thirty times as much for Voronoi balls, all of whose dual triangles are degenerate.
@@ -70,7 +72,7 @@ class BallUnion : public Structure {
 
  protected:
   /// `certificate` and `shortcut` only for the inner Voronoi balls.
-  BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+  BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings, Parameter scale,
             std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
             std::unique_ptr<SampleUnion> shortcut = nullptr);
 
@@ -78,6 +80,7 @@ class BallUnion : public Structure {
   struct Choice {
     Precision precision = Precision::fast;
     bool use_shortcut = true;
+    double scale = 1.0;
     friend bool operator==(const Choice&, const Choice&) = default;
   };
   Choice choice() const;
@@ -86,6 +89,7 @@ class BallUnion : public Structure {
   UnionTables run_pipeline(Precision precision, const PipelineInput& input, JobControl& job);
 
   const SettingsSource& settings_;
+  Parameter scale_;
   std::unique_ptr<BallFamily> family_;
   const AxisCertificate* certificate_;
   std::unique_ptr<SampleUnion> shortcut_;

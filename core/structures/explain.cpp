@@ -73,6 +73,7 @@ class Explanation {
   void about_voronoi_vertex(Slot face);
   void about_edge(Slot edge);
   void about_own_ball(Slot row);
+  void about_scaled_ball(const BallFamily& family, Slot row);
   void about_ball(const BallUnion& balls, Slot row);
   void about_place_in_union(const BallUnion& balls, Slot row);
   void about_dual_edge(const BallUnion& balls, Slot row);
@@ -261,14 +262,26 @@ void Explanation::about_own_ball(Slot row) {
   itself.circle(own->disk(row));
   itself.point(own->disk(row).center);
   say(Role::itself, "Ball at " + place(own->disk(row).center) + ", radius " + number(own->disk(row).radius), itself);
-  if (const auto* b = current<BUnion>()) about_place_in_union(*b, row);
+  if (const auto* b = current<BUnion>()) {
+    about_scaled_ball(b->family(), row);
+    about_place_in_union(*b, row);
+  }
   if (const auto* diagram = current<BPowerDiagram>()) power_cell(*diagram, row);
+}
+
+void Explanation::about_scaled_ball(const BallFamily& family, Slot row) {
+  if (family.scale() == 1.0) return;
+  Shapes circle;
+  circle.circle(family.disk(row));
+  say(Role::product,
+      "Scaled by " + number(family.scale()) + " for its union: radius " + number(family.disk(row).radius), circle);
 }
 
 void Explanation::about_ball(const BallUnion& balls, Slot row) {
   if (!balls.family().is_ball(row)) return;
   if (!balls.family().is_from_samples()) return about_own_ball(row);
   about_voronoi_vertex(row);
+  about_scaled_ball(balls.family(), row);
   if (&balls != static_cast<const BallUnion*>(&set_.get<AUnion>())) about_place_in_union(balls, row);
 }
 
@@ -301,7 +314,7 @@ void Explanation::about_dual_edge(const BallUnion& balls, Slot row) {
   circles.circle(b);
   say(Role::origin,
       std::string("2 balls that meet within their power cells") +
-          (balls.family().is_from_samples() && edge.shares_sample != 0 ? ", and share a sample" : ""),
+          (balls.family().touch_samples() && edge.shares_sample != 0 ? ", and share a sample" : ""),
       circles);
   for (const VOrigin& origin : t.v_origins)
     if (origin.is_alive() && origin.edge == row) points.point(t.v_points[origin.v].position);
@@ -324,7 +337,7 @@ void Explanation::about_dual_face(const BallUnion& balls, Slot row) {
   for (std::size_t i = 0; i < 3; ++i) {
     circles.circle(balls.family().disk(face.ball[i]));
     std::vector<TouchedSample> touched;
-    balls.family().touched_samples(face.ball[i], touched);
+    if (balls.family().touch_samples()) balls.family().touched_samples(face.ball[i], touched);
     if (i == 0) {
       shared = touched;
     } else {
@@ -344,7 +357,7 @@ void Explanation::about_v_point(const BallUnion& balls, Slot row) {
   const VPoint& v = t.v_points[row];
   Shapes itself, edges, circles, pieces;
   itself.point(v.position);
-  const bool is_foreign = balls.family().is_from_samples() && v.site == kNoSlot;
+  const bool is_foreign = balls.family().touch_samples() && v.site == kNoSlot;
   say(Role::itself,
       "V-point at " + place(v.position) + (v.site != kNoSlot ? ", a sample" : (is_foreign ? ", no sample" : "")),
       itself);

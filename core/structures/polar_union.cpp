@@ -21,12 +21,12 @@ class InteriorPolarBalls final : public VoronoiBalls {
 
 PUnion::PUnion(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
                PoleLabels& labels)
-    : BallUnion("p-union", {&settings, &delaunay, &vertices, &poles, &labels}, settings,
+    : BallUnion("p-union", {&settings, &delaunay, &vertices, &poles, &labels}, settings, Parameter::p_scale,
                 std::make_unique<InteriorPolarBalls>(delaunay, vertices, labels)) {}
 
 PPowerDiagram::PPowerDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
                              PoleLabels& labels)
     : PowerDiagram("p-power-diagram", {&settings, &delaunay, &vertices, &poles, &labels}, settings,
-                   std::make_unique<InteriorPolarBalls>(delaunay, vertices, labels)) {}
+                   std::make_unique<InteriorPolarBalls>(delaunay, vertices, labels), Parameter::p_scale) {}
 
 }  // namespace mes

@@ -63,7 +63,7 @@ void PrecisionDifference::compare_edges(const UnionTables& exact) {
 
 // The least sample that all three touch; kNoSlot = none.
 Slot PrecisionDifference::common_sample_of(const Slot (&ball)[3]) const {
-  if (!union_.family().is_from_samples()) return kNoSlot;
+  if (!union_.family().touch_samples()) return kNoSlot;
   std::vector<TouchedSample> touched[3];
   for (std::size_t i = 0; i < 3; ++i) union_.family().touched_samples(ball[i], touched[i]);
   Slot least = kNoSlot;

@@ -18,7 +18,7 @@ struct TouchedSample {
   Vec2 position{};
 };
 
-/// What exactly a ball is; `BallFamily::disk` may be rounded.
+/// What exactly a ball is before scaling; `BallFamily::plain_disk` may be rounded.
 enum class BallOrigin : std::uint8_t {
   disk,            ///< the disk as it stands
   circumdisk,      ///< of three samples
@@ -31,16 +31,30 @@ class BallFamily {
   virtual std::size_t rows() const = 0;
   /// Each real ball has one row of which this holds, or several that are equal as doubles.
   virtual bool is_ball(Slot row) const = 0;
-  /// Rounded to doubles.
-  virtual Disk disk(Slot row) const = 0;
-  /// Every ball touches samples: its circle and its crossings with others are to be had from them.
+  /// Before scaling, rounded to doubles.
+  virtual Disk plain_disk(Slot row) const = 0;
+  /// Scaled, rounded to doubles.
+  Disk disk(Slot row) const {
+    const Disk plain = plain_disk(row);
+    return {plain.center, plain.radius * scale_};
+  }
   virtual bool is_from_samples() const = 0;
+  /// Every ball touches samples: its circle and its crossings with others are to be had from them. Scaled balls do
+  /// not.
+  bool touch_samples() const { return is_from_samples() && scale_ == 1.0; }
   virtual BallOrigin origin(Slot) const { return is_from_samples() ? BallOrigin::circumdisk : BallOrigin::disk; }
   /// The samples of a circumdisk, counter-clockwise.
   virtual std::array<Vec2, 3> corners(Slot row) const = 0;
-  /// Appends every sample on the circle: more than three when samples are cocircular.
+  /// Appends every sample on the circle before scaling: more than three when samples are cocircular.
   virtual void touched_samples(Slot row, std::vector<TouchedSample>& out) const = 0;
   virtual const ChangeSet& changes() const = 0;
+
+  /// What radii are multiplied by.
+  double scale() const { return scale_; }
+  void set_scale(double scale) { scale_ = scale; }
+
+ private:
+  double scale_ = 1.0;
 };
 
 }  // namespace mes

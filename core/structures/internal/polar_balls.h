@@ -37,8 +37,8 @@ class PolarBalls final : public VoronoiBalls {
     if (!is_at_infinity(row)) return delaunay_.face(row).is_alive() && poles_.is_pole(row);
     return delaunay_.is_site(site_of(row)) && poles_.plus(site_of(row)) == kInfinitePole;
   }
-  Disk disk(Slot row) const override {
-    if (!is_at_infinity(row)) return VoronoiBalls::disk(row);
+  Disk plain_disk(Slot row) const override {
+    if (!is_at_infinity(row)) return VoronoiBalls::plain_disk(row);
     const Vec2 p = delaunay_.site_position(site_of(row));
     const Vec2 center = p + reach_ * poles_.direction_to_infinity(site_of(row));
     return {center, distance(center, p)};

@@ -77,12 +77,12 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
       row.to = left ? -perpendicular(along) : perpendicular(along);
     } else {
       const bool in_order = comes_before(edge.v[0], edge.v[1]);
-      const Disk& from = in_order ? a.disk : b.disk;
-      const Disk& to = in_order ? b.disk : a.disk;
-      const Vec2 way = to.center - from.center;
-      const double t = 0.5 * (1.0 + (from.radius * from.radius - to.radius * to.radius) / dot(way, way));
+      const PipelineBall& from = in_order ? a : b;
+      const PipelineBall& to = in_order ? b : a;
+      const Vec2 way = to.disk.center - from.disk.center;
+      const double t = 0.5 * (1.0 + (from.radius() * from.radius() - to.radius() * to.radius()) / dot(way, way));
       row.kind = PowerEdge::Kind::line;
-      row.from = from.center + t * way;
+      row.from = from.disk.center + t * way;
       row.to = perpendicular(way);
     }
     out.push_back(row);

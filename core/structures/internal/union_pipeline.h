@@ -14,6 +14,7 @@
 // decision is exact for the doubles at hand, and the v-points are rounded; for `naive` nothing is exact.
 #pragma once
 
+#include <CGAL/CORE_BigRat.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -41,9 +42,8 @@
 
 namespace mes {
 
-/// Squared radius, and centre, in the field of the kernel: from samples exactly when the field is exact.
 template <class Number>
-BallOf<Number> ball_in(const PipelineBall& ball) {
+BallOf<Number> plain_ball_in(const PipelineBall& ball) {
   if constexpr (std::is_same_v<Number, double>) {
     const Vec2 c = ball.disk.center;
     if (ball.origin == BallOrigin::disk) return {c.x, c.y, ball.disk.radius * ball.disk.radius};
@@ -71,6 +71,28 @@ BallOf<Number> ball_in(const PipelineBall& ball) {
     const Number dx = (vy * uu - uy * vv) / twice;
     const Number dy = (ux * vv - vx * uu) / twice;
     return {ax + dx, ay + dy, dx * dx + dy * dy};
+  }
+}
+
+/// Squared radius, and centre, in the field of the kernel: from samples exactly when the field is exact.
+template <class Number>
+BallOf<Number> ball_in(const PipelineBall& ball) {
+  if constexpr (std::is_same_v<Number, RootsKernel::FT>) {
+    // Signs cost by the depth of an expression, so those of roots begin at numbers, not at how these came about.
+    const BallOf<CORE::BigRat> exact = ball_in<CORE::BigRat>(ball);
+    const auto number = [](const CORE::BigRat& x) { return Number(CORE::Expr(x)); };
+    return {number(exact.x), number(exact.y), number(exact.w)};
+  } else {
+    BallOf<Number> out = plain_ball_in<Number>(ball);
+    if (ball.scale == 1.0) return out;
+    if constexpr (std::is_same_v<Number, double>) {
+      // The square of the radius that is drawn: a disk of that radius is the same ball.
+      out.w = ball.origin == BallOrigin::disk ? ball.radius() * ball.radius() : out.w * (ball.scale * ball.scale);
+    } else {
+      const Number scale(ball.scale);
+      out.w = out.w * (scale * scale);
+    }
+    return out;
   }
 }
 
@@ -247,7 +269,7 @@ void UnionPipeline<Balls, Points>::triangulate() {
 
 // A ball in another one that it touches from inside has a power cell and a dual edge, but no part in the union:
 // without it the tables are those of a set in which no such thing happens. Circumdisks of Delaunay triangles never
-// hold each other.
+// hold each other before they are scaled.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::leave_out_covered() {
   std::vector<bool> left_out;
@@ -256,7 +278,8 @@ void UnionPipeline<Balls, Points>::leave_out_covered() {
     for (const auto& edge : rt_.edges) {
       const Slot a = edge.v[0];
       const Slot b = edge.v[1];
-      if (input_[a].origin != BallOrigin::disk || sign_of_edge_radius<Balls>(ball_[a], ball_[b]) != 0) continue;
+      const bool may_hold = input_[a].origin == BallOrigin::disk || input_[a].scale != 1.0;
+      if (!may_hold || sign_of_edge_radius<Balls>(ball_[a], ball_[b]) != 0) continue;
       if (!touch_from_inside<Balls>(ball_[a], ball_[b])) continue;
       left_out.resize(input_.size(), false);
       left_out[ball_[a].w < ball_[b].w ? a : b] = true;
@@ -854,7 +877,7 @@ void UnionPipeline<Balls, Points>::cut_edges() {
     VFace& face = t_.v_faces[slot];
     if (face.ball != kNoSlot) {
       face.center = input_[face.ball].disk.center;
-      face.radius = input_[face.ball].disk.radius;
+      face.radius = input_[face.ball].radius();
     } else {
       const Circle circle = circle_of(v_handle_[slot]);
       face.center = circle.center;
@@ -869,7 +892,7 @@ void UnionPipeline<Balls, Points>::cut_edges() {
   const auto end_of = [&](const Cut& cut, std::size_t i) -> std::optional<End> {
     if (cut.end[i] != kNoSlot) {
       const PipelineBall& ball = input_[cut.end[i]];
-      return End{ball.row, ball.disk.center, ball.disk.radius};
+      return End{ball.row, ball.disk.center, ball.radius()};
     }
     const Slot face = t_.v_edges[cut.edge].f[i];
     if (face == kNoSlot) return std::nullopt;
@@ -899,8 +922,8 @@ void UnionPipeline<Balls, Points>::cut_edges() {
     const PipelineBall& b = input_[rt_.edges[e].v[1]];
     t_.axis.push_back({a.disk.center,
                        b.disk.center,
-                       a.disk.radius,
-                       b.disk.radius,
+                       a.radius(),
+                       b.radius(),
                        {a.row, b.row},
                        {crossing_[row][0], crossing_[row][1]},
                        1});

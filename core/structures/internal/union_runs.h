@@ -14,11 +14,14 @@ namespace mes {
 /// A ball as the pipeline takes it.
 struct PipelineBall {
   Slot row = kNoSlot;  ///< of its family
-  Disk disk{};         ///< may be rounded
+  Disk disk{};         ///< before scaling; may be rounded
   BallOrigin origin = BallOrigin::disk;
   Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
   std::span<const TouchedSample> samples{};  ///< all on the circle
+  double scale = 1.0;                        ///< what the radius is multiplied by, exactly
 
+  /// Of the scaled ball, rounded.
+  double radius() const { return disk.radius * scale; }
   const TouchedSample* find(Slot site) const {
     for (const TouchedSample& sample : samples)
       if (sample.site == site) return &sample;

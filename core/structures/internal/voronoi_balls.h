@@ -15,7 +15,7 @@ class VoronoiBalls : public BallFamily {
       : delaunay_(delaunay), vertices_(vertices) {}
   std::size_t rows() const override { return delaunay_.face_rows(); }
   bool is_ball(Slot row) const override { return vertices_.is_vertex(row); }
-  Disk disk(Slot row) const override { return {delaunay_.circumcenter(row), delaunay_.circumradius(row)}; }
+  Disk plain_disk(Slot row) const override { return {delaunay_.circumcenter(row), delaunay_.circumradius(row)}; }
   bool is_from_samples() const override { return true; }
   std::array<Vec2, 3> corners(Slot row) const override {
     const FaceRow& face = delaunay_.face(row);
