@@ -6,15 +6,18 @@
 
 namespace mes {
 
-EvolutionPlayer::EvolutionPlayer(Editor& editor, std::function<void()> wake)
-    : editor_(editor), run_({.wake = std::move(wake)}) {}
+EvolutionPlayer::EvolutionPlayer(Editor& editor, Settings settings, std::function<void()> wake)
+    : editor_(editor), settings_(std::move(settings)), run_({.wake = std::move(wake)}) {}
 
 bool EvolutionPlayer::has_beginning() const {
+  if (evolution().moved_parameter() != nullptr) return true;
   const std::uint64_t revision = editor_.document().revision();
   return revision == beginning_revision_ || revision == shown_revision_;
 }
 
 std::uint64_t EvolutionPlayer::position() const {
+  if (const ParameterMove* move = evolution().moved_parameter())
+    return moved_.k != 0 && settings_.value(move->parameter) == moved_.value ? moved_.k : 0;
   return editor_.document().revision() == shown_revision_ ? shown_ : 0;
 }
 
@@ -26,7 +29,7 @@ void EvolutionPlayer::begin() {
 }
 
 void EvolutionPlayer::restart_from_beginning() {
-  if (has_beginning()) run_.begin(beginning_, choice_);
+  if (evolution().moved_parameter() == nullptr && has_beginning()) run_.begin(beginning_, choice_);
   wanted_.reset();
 }
 
@@ -35,6 +38,7 @@ void EvolutionPlayer::choose(EvolutionIndex evolution) {
   play(Direction::none);
   step_to(0);
   choice_.evolution = evolution;
+  moved_ = {};
   restart_from_beginning();
 }
 
@@ -66,6 +70,7 @@ void EvolutionPlayer::set_end(std::uint64_t end) {
 
 void EvolutionPlayer::step_to(std::uint64_t k) {
   if (editor_.in_gesture()) return;
+  if (const ParameterMove* move = evolution().moved_parameter()) return move_parameter(*move, k);
   end_ = std::max(end_, k);
   if (k == 0) {
     wanted_.reset();
@@ -78,6 +83,19 @@ void EvolutionPlayer::step_to(std::uint64_t k) {
   wanted_from_ = position();
   wanted_ = k;
   run_.want(k);
+}
+
+void EvolutionPlayer::move_parameter(const ParameterMove& move, std::uint64_t k) {
+  const double before = position() == 0 ? settings_.value(move.parameter) : moved_.before;
+  const auto value = k == 0 ? Expected<double>(before) : moved_value(move, before, k, choice_.values);
+  if (!value) {
+    problem_ = value.error();
+    direction_ = Direction::none;
+    return;
+  }
+  end_ = std::max(end_, k);
+  moved_ = {k, before, *value};
+  settings_.set(move.parameter, *value);
 }
 
 void EvolutionPlayer::play(Direction direction) {

@@ -17,11 +17,13 @@ namespace mes {
 ///     exactly. Another evolution begins at the same state 0.
 ///  2. All states shown are one step of undo (`Editor::evolve`). An edit at state k makes that the state 0 of what
 ///     follows; undo takes the edit back first and then the evolution.
+///     Where a parameter moves instead of samples, state 0 gives its value back, and setting it at state k makes that
+///     the state 0 of what follows.
 ///  3. A step is asked for and shown later, when it is computed; nothing waits. Playing takes a step when the picture
 ///     of the one before is complete and the speed allows it.
 ///
 /// Smallest use:
-///     EvolutionPlayer player(editor, wake);
+///     EvolutionPlayer player(editor, settings, wake);
 ///     player.step_to(12);
 ///     ... each frame: player.follow(picture_is_complete, seconds_since_start);
 ///
@@ -31,10 +33,15 @@ class EvolutionPlayer {
   static constexpr std::uint64_t kFirstEnd = 100;
   static constexpr double kFastest = 60.0;  ///< steps a second; as fast as pictures come
 
-  EvolutionPlayer(Editor& editor, std::function<void()> wake);
+  /// The settings of the computation, which some evolutions move.
+  struct Settings {
+    std::function<double(Parameter)> value;
+    std::function<void(Parameter, double)> set;
+  };
+  EvolutionPlayer(Editor& editor, Settings settings, std::function<void()> wake);
 
   const EvolutionChoice& choice() const { return choice_; }
-  const EvolutionDescriptor& descriptor() const { return evolutions()[choice_.evolution].descriptor; }
+  const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
   /// Goes back to state 0.
   void choose(EvolutionIndex evolution);
   /// The one so many places after the present one, around the list.
@@ -43,7 +50,7 @@ class EvolutionPlayer {
   void set_seed(std::uint64_t seed);
   void set_value(std::string_view parameter, double value);
 
-  /// State that the document is in.
+  /// State that the document, or the parameter, is in.
   std::uint64_t position() const;
   /// State that is being computed, or else `position`.
   std::uint64_t target() const { return wanted_.value_or(position()); }
@@ -75,18 +82,28 @@ class EvolutionPlayer {
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
 
  private:
+  /// A value that the player gave to a parameter.
+  struct MovedParameter {
+    std::uint64_t k = 0;
+    double before = 0.0;
+    double value = 0.0;
+  };
+  const Evolution& evolution() const { return evolutions()[choice_.evolution]; }
   bool has_beginning() const;
   void begin();
   void restart_from_beginning();
   void show(std::uint64_t k, const EvolutionState& state);
+  void move_parameter(const ParameterMove& move, std::uint64_t k);
 
   Editor& editor_;
+  Settings settings_;
   EvolutionRun run_;
   EvolutionChoice choice_;
   EvolutionState beginning_;
   std::uint64_t beginning_revision_ = ~std::uint64_t{0};
   std::uint64_t shown_revision_ = ~std::uint64_t{0};
   std::uint64_t shown_ = 0;
+  MovedParameter moved_;
   std::uint64_t end_ = kFirstEnd;
   std::optional<std::uint64_t> wanted_;
   std::uint64_t wanted_from_ = 0;

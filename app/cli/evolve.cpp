@@ -53,6 +53,10 @@ Expected<EvolutionState> evolved(EvolutionState state, const EvolutionChoice& ch
 Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption) {
   const auto choice = choice_of(request);
   if (!choice) return std::unexpected(choice.error());
+  if (const ParameterMove* move = evolutions()[choice->evolution].moved_parameter())
+    return usage_error(in_quotes(request.evolution) + " moves no samples but the parameter " +
+                       std::string(descriptor_of(move->parameter).id) +
+                       "; give that to compute, render or export by --set");
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;

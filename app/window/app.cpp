@@ -38,7 +38,14 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets_, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
-      evolution_(editor_, [] { GlfwWindow::wake(); }),
+      evolution_(editor_,
+                 {[this](Parameter parameter) { return computation_[parameter]; },
+                  [this](Parameter parameter, double value) {
+                    ComputationSettings settings = computation_;
+                    settings[parameter] = value;
+                    set_computation(settings);
+                  }},
+                 [] { GlfwWindow::wake(); }),
       files_(
           editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
       tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); },

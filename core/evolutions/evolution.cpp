@@ -68,7 +68,8 @@ std::span<const ParameterDescriptor> evolution_parameters() {
   static const std::vector<ParameterDescriptor> all = [] {
     std::vector<ParameterDescriptor> out{kFreezeChains};
     for (const Evolution& evolution : evolutions())
-      out.insert(out.end(), evolution.descriptor.parameters.begin(), evolution.descriptor.parameters.end());
+      for (const ParameterDescriptor& parameter : evolution.descriptor.parameters)
+        if (std::ranges::find(out, parameter.id, &ParameterDescriptor::id) == out.end()) out.push_back(parameter);
     return out;
   }();
   return all;
@@ -76,7 +77,7 @@ std::span<const ParameterDescriptor> evolution_parameters() {
 
 std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution) {
   std::vector<ParameterDescriptor> out = evolutions()[evolution].descriptor.parameters;
-  out.push_back(kFreezeChains);
+  if (evolutions()[evolution].moved_parameter() == nullptr) out.push_back(kFreezeChains);
   return out;
 }
 
@@ -121,13 +122,21 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
     curve = std::move(*found);
   }
   job.checkpoint();
-  auto next = evolutions()[choice.evolution].step(state, {k, choice, *curve});
+  auto next = std::get<SampleMove>(evolutions()[choice.evolution].move)(state, {k, choice, *curve});
   if (!next) return next;
   // Equal points have equal bits; see core/document/commands.cpp.
   for (Vec2& p : next->positions) p = {p.x + 0.0, p.y + 0.0};
   if (!std::ranges::all_of(next->positions, [](Vec2 p) { return is_finite(p); }))
     return failure("step " + std::to_string(k + 1) + " leaves the range of numbers");
   return next;
+}
+
+Expected<double> moved_value(const ParameterMove& move, double first, std::uint64_t k,
+                             const EvolutionValues& values) {
+  const double value = move.value(first, k, values);
+  const ParameterDescriptor& parameter = descriptor_of(move.parameter);
+  if (parameter.low <= value && value <= parameter.high) return value;
+  return failure("step " + std::to_string(k) + " takes " + std::string(parameter.id) + " out of its range");
 }
 
 std::vector<SampleData::Contour> contours_of(const EvolutionState& state) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Evolutions: deterministic maps from one state of the samples to the next, shown on a slider.
+// Evolutions: deterministic maps from one state to the next, shown on a slider. An evolution moves the samples, or it
+// moves a parameter of the computation.
 //
 // What an evolution promises:
 //  1. A step is a pure function of the state, the step's number, the seed and the parameters: the same on any number
@@ -7,12 +8,13 @@
 //  2. Samples keep their places in the state's lists; new ones follow at the end. None disappears.
 //  3. Samples that are not inner samples of one chain, or on one loop, stay where they are.
 //  4. All numbers are doubles at every step, whatever the number type of the structures.
+//  5. Where a parameter moves, its value follows from that of state 0 and the step's number; samples stay.
 //
 // Smallest use:
 //     EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
 //     const auto state = states.at(12, job);
 //
-// A new one: a file `name.cpp` with `Evolution name_evolution()` and a line in core/evolutions/CMakeLists.txt.
+// A new one: a file with `Evolution name_evolution()` and a line in core/evolutions/CMakeLists.txt.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +22,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/base/error.h"
@@ -79,10 +82,20 @@ struct EvolutionDescriptor {
   std::vector<ParameterDescriptor> parameters;
 };
 
+/// The next state. Error: the step would make more than can be handled.
+using SampleMove = Expected<EvolutionState> (*)(const EvolutionState& state, const EvolutionStep& step);
+
+struct ParameterMove {
+  Parameter parameter;
+  double (*value)(double first, std::uint64_t k, const EvolutionValues& values);  ///< in state k; may leave the range
+};
+
 struct Evolution {
   EvolutionDescriptor descriptor;
-  /// The next state. Error: the step would make more than can be handled.
-  Expected<EvolutionState> (*step)(const EvolutionState& state, const EvolutionStep& step);
+  std::variant<SampleMove, ParameterMove> move;
+
+  /// Null: it moves samples.
+  const ParameterMove* moved_parameter() const { return std::get_if<ParameterMove>(&move); }
 };
 
 /// In the order of core/evolutions/CMakeLists.txt.
@@ -97,12 +110,15 @@ std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution);
 /// The document as an evolution sees it; its known loops are the curve.
 EvolutionState state_of(const Document& document);
 /// State 0: where no loops are known, the chains of now are frozen if the choice says so. Throws `Cancelled`. Error:
-/// a structure fails.
+/// a structure fails. From here on, for evolutions that move samples.
 Expected<EvolutionState> begin_evolution(EvolutionState state, const EvolutionChoice& choice, JobControl& job);
 /// State `k + 1` from state `k`. Throws `Cancelled`. Error: the step is refused, a structure fails, or a coordinate
 /// leaves the range of doubles.
 Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k, const EvolutionChoice& choice,
                                     JobControl& job);
+
+/// Value of the parameter in state k, from that in state 0. Error: beyond the parameter's range.
+Expected<double> moved_value(const ParameterMove& move, double first, std::uint64_t k, const EvolutionValues& values);
 
 /// The known loops of a state, by places; none where its curve did not come from the document.
 std::vector<SampleData::Contour> contours_of(const EvolutionState& state);

@@ -53,12 +53,13 @@ TEST_CASE("an evolution that makes no sense is refused in one line that names wh
     CHECK(std::ranges::count(result.err, '\n') == 1);
     return result.err;
   };
-  CHECK_THAT(fault({"--evolution", "smoth", "--steps", "1"}), Catch::Contains("smooth, subdivide or noise"));
+  CHECK_THAT(fault({"--evolution", "smoth", "--steps", "1"}), Catch::Contains("smooth, subdivide, noise,"));
   CHECK_THAT(fault({"--evolution", "smooth", "--steps", "-1"}), Catch::Contains("not a whole number"));
   CHECK_THAT(fault({"--evolution", "smooth", "--steps", "1", "--set", "smooth-mu=2"}),
              Catch::Contains("not between 0.001 and 1"));
   CHECK_THAT(fault({"--evolution", "smooth", "--steps", "1", "--set", "noise-factor=2"}),
              Catch::Contains("unknown parameter"));
+  CHECK_THAT(fault({"--evolution", "a-growing", "--steps", "1"}), Catch::Contains("the parameter a-scale"));
 }
 
 TEST_CASE("steps that cannot be done leave no output") {

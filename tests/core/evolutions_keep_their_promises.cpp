@@ -89,6 +89,12 @@ void check_close(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double 
   CHECK(largest <= tolerance);
 }
 
+std::vector<Evolution> sample_evolutions() {
+  std::vector<Evolution> out(evolutions().begin(), evolutions().end());
+  std::erase_if(out, [](const Evolution& evolution) { return evolution.moved_parameter() != nullptr; });
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("smoothing shrinks a regular polygon by the factor of the formula and keeps its middle") {
@@ -239,7 +245,7 @@ TEST_CASE("noise stays within its bound, and another seed, step or sample gives 
 
 TEST_CASE("states are the same in whatever order they are asked for and however little is kept") {
   const SampleData data = polygon(80, false, [](double t) { return 2.0 + 0.3 * std::cos(5.0 * t); });
-  for (const Evolution& evolution : evolutions()) {
+  for (const Evolution& evolution : sample_evolutions()) {
     const auto choice = choice_of(evolution.descriptor.id);
     const std::uint64_t last = evolution.descriptor.id == "subdivide" ? 6 : 200;
     JobControl job;
@@ -281,7 +287,7 @@ TEST_CASE("samples off the curve, ends of chains and samples on several loops st
   SampleData data;
   for (int i = 0; i < 20; ++i) data.positions.push_back({0.1 * i, 0.02 * (i % 3)});
   data.positions.push_back({1.0, 5.0});
-  for (const Evolution& evolution : evolutions()) {
+  for (const Evolution& evolution : sample_evolutions()) {
     const auto after = state_at(data, choice_of(evolution.descriptor.id), 3).positions;
     CHECK(after[0] == data.positions[0]);
     CHECK(after[19] == data.positions[19]);
@@ -290,7 +296,7 @@ TEST_CASE("samples off the curve, ends of chains and samples on several loops st
   }
   SampleData eight{.positions = {{0, 0}, {2, 1}, {2, -1}, {-2, 1}, {-2, -1}},
                    .contours = {{true, {0, 1, 2}}, {true, {0, 3, 4}}}};
-  for (const Evolution& evolution : evolutions()) {
+  for (const Evolution& evolution : sample_evolutions()) {
     const auto after = state_at(eight, choice_of(evolution.descriptor.id), 1).positions;
     CHECK(after[0] == eight.positions[0]);
     CHECK(after[1] != eight.positions[1]);
@@ -301,7 +307,7 @@ TEST_CASE("samples at one place stay together") {
   SampleData data = regular_polygon(30, false);
   data.positions.push_back(data.positions[4]);
   data.positions.insert(data.positions.begin(), data.positions[9]);
-  for (const Evolution& evolution : evolutions()) {
+  for (const Evolution& evolution : sample_evolutions()) {
     for (const double frozen : {0.0, 1.0}) {
       const auto after = state_at(data, choice_of(evolution.descriptor.id, {{"freeze-chains", frozen}}), 3).positions;
       CHECK(after[0] == after[10]);
@@ -314,7 +320,7 @@ TEST_CASE("samples at one place stay together") {
 TEST_CASE("no samples, one, two and many at one place make no trouble") {
   for (const std::vector<Vec2>& positions :
        {std::vector<Vec2>{}, {{1, 2}}, {{0, 0}, {1, 1}}, {{1, 1}, {1, 1}, {1, 1}}, {{0, 0}, {1, 0}, {2, 0}}}) {
-    for (const Evolution& evolution : evolutions()) {
+    for (const Evolution& evolution : sample_evolutions()) {
       for (const bool known : {false, true}) {
         SampleData data{.positions = positions};
         if (known) data.contours = {{true, counting(positions.size())}};
@@ -360,4 +366,24 @@ TEST_CASE("a run answers the last wish, on a thread of its own, and can be cance
   run.want(3);
   CHECK(answer().k == 3);
   run.want(1'000'000'000);  // is left behind when the run ends
+}
+
+TEST_CASE("balls grow by equal steps, shrink by the inverse, and stay within the parameter's range") {
+  const EvolutionValues values;
+  const auto value = [&values](std::string_view id, double first, std::uint64_t k) {
+    return moved_value(*evolutions()[*find_evolution(id)].moved_parameter(), first, k, values);
+  };
+  for (const std::string family : {"a", "p", "b"}) {
+    const ParameterMove* move = evolutions()[*find_evolution(family + "-growing")].moved_parameter();
+    REQUIRE(move != nullptr);
+    CHECK(descriptor_of(move->parameter).id == family + "-scale");
+    CHECK(value(family + "-growing", 1.0, 0) == 1.0);
+    CHECK(value(family + "-growing", 1.0, 1) == 1.03);
+    CHECK(value(family + "-growing", 1.0, 100) == 4.0);
+    CHECK(value(family + "-shrinking", 1.0, 0) == 1.0);
+    CHECK(value(family + "-shrinking", 1.0, 100) == 0.25);
+    CHECK(value(family + "-growing", 1.0, 3300) == 100.0);
+    CHECK_FALSE(value(family + "-growing", 1.0, 3301));
+    CHECK_FALSE(value(family + "-shrinking", 0.01, 1));
+  }
 }

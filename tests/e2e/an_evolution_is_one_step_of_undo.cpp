@@ -38,7 +38,11 @@ struct Desk {
     heard.apply(*delta);
     ++changes;
   }};
-  EvolutionPlayer player{editor, [] {}};
+  ComputationSettings computation;
+  EvolutionPlayer player{editor,
+                         {[this](Parameter parameter) { return computation[parameter]; },
+                          [this](Parameter parameter, double value) { computation[parameter] = value; }},
+                         [] {}};
   double now = 0.0;
 
   explicit Desk(bool known = false) { REQUIRE(editor.load(wavy_loop(known))); }
@@ -227,4 +231,47 @@ TEST_CASE("a timeline keeps each state of a small evolution and the last of a la
   REQUIRE(replay.begin(*desk.editor.timeline().data()));
   for (const TimelineEntry& entry : desk.editor.timeline().entries()) REQUIRE(replay.apply(entry));
   CHECK(replay.document().digest() == desk.editor.document().digest());
+}
+
+TEST_CASE("growing moves the scale of a family and nothing else, and goes back exactly") {
+  Desk desk;
+  desk.computation[Parameter::b_scale] = 1.7;
+  const ComputationSettings before = desk.computation;
+  const auto samples = places(desk.editor.document());
+  desk.player.choose(*find_evolution("b-growing"));
+  CHECK(desk.at(10) == samples);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(1.7 * 1.3));
+  CHECK(desk.computation[Parameter::a_scale] == 1.0);
+  CHECK_FALSE(desk.editor.can_undo());
+  desk.player.set_value("growing-step", 10.0);
+  CHECK(desk.player.position() == 10);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(3.4));
+  desk.at(0);
+  CHECK(desk.computation == before);
+  desk.at(4);
+  desk.player.choose(*find_evolution("b-shrinking"));
+  CHECK(desk.computation == before);
+  desk.at(10);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(0.85));
+  // By hand: that is where the next step starts from.
+  desk.computation[Parameter::b_scale] = 3.0;
+  CHECK(desk.player.position() == 0);
+  desk.at(10);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(1.5));
+  desk.player.choose(*find_evolution("smooth"));
+  CHECK(desk.computation[Parameter::b_scale] == 3.0);
+  CHECK(desk.at(1) != samples);
+}
+
+TEST_CASE("growing ends where the parameter does") {
+  Desk desk;
+  desk.player.choose(*find_evolution("a-growing"));
+  desk.at(3300);
+  desk.player.play(EvolutionPlayer::Direction::forward);
+  desk.settle();
+  CHECK(desk.player.position() == 3300);
+  CHECK(desk.player.direction() == EvolutionPlayer::Direction::none);
+  const auto problem = desk.player.take_problem();
+  REQUIRE(problem);
+  CHECK_THAT(problem->text, Catch::Contains("a-scale"));
 }

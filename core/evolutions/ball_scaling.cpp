@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Growing and shrinking: the balls of a family are scaled about their centres, step by step.
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+namespace {
+
+constexpr ParameterDescriptor kStep{
+    "growing-step", "What a step adds to the factor that radii are multiplied or divided by", "%", 0.01, 100.0, 3.0};
+
+double factor(std::uint64_t k, const EvolutionValues& values) {
+  return 1.0 + static_cast<double>(k) * (values[kStep.id] / 100.0);
+}
+double grown(double first, std::uint64_t k, const EvolutionValues& values) {
+  return first * factor(k, values);
+}
+double shrunk(double first, std::uint64_t k, const EvolutionValues& values) {
+  return first / factor(k, values);
+}
+
+Evolution growing(std::string_view id, std::string_view name, std::string_view tooltip, Parameter scale) {
+  return {{id, name, tooltip, false, {kStep}}, ParameterMove{scale, grown}};
+}
+Evolution shrinking(std::string_view id, std::string_view name, std::string_view tooltip, Parameter scale) {
+  return {{id, name, tooltip, false, {kStep}}, ParameterMove{scale, shrunk}};
+}
+
+}  // namespace
+
+Evolution a_growing_evolution() {
+  return growing("a-growing", "A growing", "The inner Voronoi balls grow, and their union with them",
+                 Parameter::a_scale);
+}
+Evolution a_shrinking_evolution() {
+  return shrinking("a-shrinking", "A shrinking", "The inner Voronoi balls shrink, and their union with them",
+                   Parameter::a_scale);
+}
+Evolution p_growing_evolution() {
+  return growing("p-growing", "P growing", "The inner polar balls grow, and their union with them",
+                 Parameter::p_scale);
+}
+Evolution p_shrinking_evolution() {
+  return shrinking("p-shrinking", "P shrinking", "The inner polar balls shrink, and their union with them",
+                   Parameter::p_scale);
+}
+Evolution b_growing_evolution() {
+  return growing("b-growing", "B growing", "Your own balls grow, and their union with them", Parameter::b_scale);
+}
+Evolution b_shrinking_evolution() {
+  return shrinking("b-shrinking", "B shrinking", "Your own balls shrink, and their union with them",
+                   Parameter::b_scale);
+}
+
+}  // namespace mes
