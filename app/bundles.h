@@ -34,7 +34,7 @@ class BundleList {
   /// At the end; a name that is taken gets a number, a bundle that is here already is skipped. The names under which
   /// they are here now, in their order.
   std::vector<std::string> import(std::span<const Bundle> bundles);
-  /// Without undo: what another window did to the file.
+  /// Without undo: what another window did to the file. Undoing what was done here does not undo that either.
   void replace(std::vector<Bundle> bundles);
 
   /// What the last change did, "Deleted \"Crust\""; empty: nothing to undo.
@@ -58,8 +58,8 @@ class BundleList {
 /// "the bundle", without the blanks around it. Error: empty, or longer than 200 bytes.
 Expected<std::string> checked_bundle_name(std::string_view name);
 
-/// What both made of `base`: additions, changes and removals of either; where they contradict each other, `mine`
-/// wins, and so does its order.
+/// What both made of `base`: additions, changes and removals of either, in the order of `mine`. What one changed and
+/// the other removed stays; of two different bundles of one name, mine keeps it and the other gets a number.
 std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const Bundle> mine,
                                   std::span<const Bundle> theirs);
 

@@ -74,8 +74,13 @@ TEST_CASE("what two windows made of the bundles is put together") {
   const std::vector<Bundle> theirs{{"kept"}, {"mine"}, {"theirs", look("y")}, {"mine gone"}, {"both", look("y")},
                                    {"newer"}};
   const std::vector<Bundle> merged = merge_bundles(base, mine, theirs);
-  CHECK(names(merged) == "kept mine! theirs! both! new newer ");
+  CHECK(names(merged) == "kept mine! theirs! both! new both (2)! newer ");
   CHECK(merged[3].layers == look("x"));
+  CHECK(merged[5].layers == look("y"));
+  // Changed alike, or changed by one and removed by the other.
+  CHECK(names(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {{{"a", look("x")}}})) == "a! ");
+  CHECK(names(merge_bundles({{{"a"}}}, {}, {{{"a", look("y")}}})) == "a! ");
+  CHECK(names(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {})) == "a! ");
   CHECK(merge_bundles(base, base, theirs) != base);
   CHECK(merge_bundles(base, mine, base) == mine);
 }
@@ -101,6 +106,26 @@ TEST_CASE("bundles outlive the window, and two windows lose nothing") {
   second.replace({});
   REQUIRE(two.write(second.bundles()));
   CHECK(BundleStore(file).load(starting).bundles.empty());
+}
+
+TEST_CASE("undo takes back what was done here and nothing that another window did") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}};
+  LayerStack layers(descriptors);
+  BundleDesk one(file, {}, layers);
+  REQUIRE(one.save("a"));
+  REQUIRE(one.save("b"));
+  BundleDesk other(file, {}, layers);
+  REQUIRE(other.save("other's"));
+  REQUIRE(one.remove(0));
+  CHECK(names(one.bundles()) == "b! other's! ");
+  CHECK(one.undo_offer() == "Deleted \"a\"");
+  REQUIRE(one.undo());
+  CHECK(names(one.bundles()) == "a! b! other's! ");
+  REQUIRE(one.undo());
+  CHECK(names(one.bundles()) == "a! other's! ");
+  CHECK(names(BundleStore(file).load({}).bundles) == "a! other's! ");
 }
 
 TEST_CASE("a file of bundles that cannot be used is set aside") {
