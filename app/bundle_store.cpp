@@ -10,8 +10,8 @@
 
 #include "app/bundles.h"
 #include "app/data_folder.h"
+#include "core/graph/layer_descriptor.h"
 #include "core/io/atomic_file.h"
-#include "core/io/bundle_file.h"
 
 namespace mes {
 namespace {
@@ -56,6 +56,12 @@ fs::path default_bundles_path() {
   return folder.empty() ? folder : folder / "bundles.json";
 }
 
+std::vector<KnownLayer> known_layers() {
+  std::vector<KnownLayer> out;
+  for (const LayerDescriptor& layer : layer_descriptors()) out.push_back({layer.id, layer.style});
+  return out;
+}
+
 std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -64,7 +70,7 @@ std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
   std::ranges::sort(files);
   std::vector<Bundle> out;
   for (const fs::path& file : files) {
-    auto loaded = read_bundle_file(file, {});
+    auto loaded = read_bundle_file(file, known_layers());
     if (loaded) std::ranges::move(loaded->bundles, std::back_inserter(out));
   }
   return out;
@@ -73,7 +79,7 @@ std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
 std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
   std::error_code error;
   if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
-  auto loaded = read_bundle_file(path_, {});
+  auto loaded = read_bundle_file(path_, known_layers());
   if (loaded) return std::move(loaded->bundles);
   // A list that was emptied on purpose is no fault.
   if (bytes_of(path_) == write_bundles({})) return std::vector<Bundle>{};

@@ -12,6 +12,7 @@
 #include "app/layer_stack.h"
 #include "core/base/error.h"
 #include "core/document/bundle.h"
+#include "core/io/bundle_file.h"
 
 namespace mes {
 
@@ -65,6 +66,9 @@ std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const 
 
 /// $XDG_DATA_HOME/mesecina/bundles.json; empty when there is no home.
 std::filesystem::path default_bundles_path();
+
+/// Every layer of the program, for reading bundles.
+std::vector<KnownLayer> known_layers();
 
 /// Those that come with the program, in the order of their file names.
 std::vector<Bundle> read_starting_bundles(const std::filesystem::path& assets);

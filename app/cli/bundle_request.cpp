@@ -24,9 +24,7 @@ std::string lower(std::string text) {
 }
 
 Expected<Bundle> bundle_of_file(const std::string& file) {
-  std::vector<std::string_view> ids;
-  for (const LayerDescriptor& layer : layer_descriptors()) ids.push_back(layer.id);
-  auto loaded = read_bundle_file(file, ids);
+  auto loaded = read_bundle_file(file, known_layers());
   if (!loaded) return std::unexpected(loaded.error());
   for (const std::string& warning : loaded->warnings) say(warning);
   if (loaded->bundles.size() > 1)
@@ -42,7 +40,7 @@ std::vector<AvailableBundle> available_bundles() {
   const fs::path own = default_bundles_path();
   std::error_code error;
   if (!own.empty() && fs::exists(own, error)) {
-    auto loaded = read_bundle_file(own, {});
+    auto loaded = read_bundle_file(own, known_layers());
     if (!loaded) say(loaded.error().message());
     if (loaded)
       for (Bundle& bundle : loaded->bundles) out.push_back({std::move(bundle), false});
