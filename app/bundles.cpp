@@ -54,7 +54,8 @@ Expected<void> BundleList::save(const std::string& name, LayerConfiguration laye
   if (found == bundles_.end())
     bundles_.push_back({std::move(*checked), std::move(layers)});
   else
-    found->layers = std::move(layers);
+    // What it was said to show may not be what it shows now.
+    *found = {std::move(*checked), std::move(layers)};
   return {};
 }
 

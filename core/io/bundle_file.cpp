@@ -20,6 +20,7 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 16U << 20U;
 constexpr std::size_t kMostBundles = 1000;
 constexpr std::size_t kLongestName = 1000;
+constexpr std::size_t kLongestDescription = 1000;
 
 std::unexpected<Error> refuse(std::string text, const std::string& file) {
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file});
@@ -45,6 +46,11 @@ Expected<Bundle> bundle_from(const json& object, std::size_t number, const std::
   auto layers = layer_configuration_from(object, style_of);
   if (!layers) return refuse(where + ": " + layers.error().text, file);
   out.layers = std::move(*layers);
+  if (const auto description = object.find("description"); description != object.end()) {
+    if (!description->is_string() || description->get_ref<const std::string&>().size() > kLongestDescription)
+      return refuse(where + ": \"description\" is not a short text", file);
+    out.description = description->get<std::string>();
+  }
   return out;
 }
 
@@ -80,6 +86,7 @@ std::string write_bundles(std::span<const Bundle> bundles) {
   for (const Bundle& bundle : bundles) {
     json object = to_json(bundle.layers);
     object["name"] = bundle.name;
+    if (!bundle.description.empty()) object["description"] = bundle.description;
     list.push_back(std::move(object));
   }
   // The key that tells what it is comes first, where it is looked for.

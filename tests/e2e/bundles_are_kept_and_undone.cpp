@@ -44,6 +44,16 @@ TEST_CASE("every change of the list of bundles can be undone") {
   CHECK(list.undo_name().empty());
 }
 
+TEST_CASE("an overwritten bundle is not described as what it was") {
+  BundleList list({{"a", look("curve"), "the curve"}});
+  REQUIRE(list.rename(0, "b"));
+  CHECK(list.bundles()[0].description == "the curve");
+  REQUIRE(list.save("b", look("points")));
+  CHECK(list.bundles()[0].description.empty());
+  list.undo();
+  CHECK(list.bundles()[0].description == "the curve");
+}
+
 TEST_CASE("names of bundles are any text but nothing, and one bundle's only") {
   BundleList list({{"a"}, {"b"}});
   CHECK(list.save(" \n", {}).error().text == "a bundle needs a name");
@@ -184,6 +194,7 @@ TEST_CASE("the starting bundles name layers that exist") {
   for (const Bundle& bundle : bundles) {
     INFO(bundle.name);
     CHECK_FALSE(bundle.layers.layers.empty());
+    CHECK_FALSE(bundle.description.empty());
     for (const LayerConfiguration::Entry& entry : bundle.layers.layers) {
       INFO(entry.layer);
       CHECK(find_layer(entry.layer) != kNoSlot);

@@ -96,7 +96,7 @@ TEST_CASE("JSON bundles read back equal") {
   const std::vector<Bundle> bundles{{"Fl\xc3\xa4"
                                      "che \"\\\n",
                                      {{{"points", true, odd_style()}, {"a layer of tomorrow", false, {}}}, {}}},
-                                    {"empty", {}},
+                                    {"empty", {}, "Nothing to see"},
                                     {"traced", {{{"curve", true, {}}}, {"a b.png", {0.1, -2}, 3}}}};
   const std::string bytes = write_bundles(bundles);
   CHECK(looks_like_bundles(bytes));
@@ -124,6 +124,7 @@ TEST_CASE("JSON that is no file of bundles is refused in one line") {
   CHECK(complaint(begin + "[7]}") == "x.json: bundle 1 has no name");
   CHECK(complaint(begin + "[{\"name\":\"\"}]}") == "x.json: bundle 1 has no name");
   CHECK(complaint(begin + "[{\"name\":\"a\",\"layers\":7}]}").starts_with("x.json: bundle 1: "));
+  CHECK(complaint(begin + "[{\"name\":\"a\",\"description\":7}]}").starts_with("x.json: bundle 1: "));
   CHECK(complaint(begin + "[{\"name\":\"a\",\"note\":7}],\"note\":8}").empty());
   const std::string future = "{\"mesecina\":\"bundles\",\"schema\":2,\"bundles\":[]}";
   CHECK(complaint(future) == "x.json: these bundles are of a later version of the program");
