@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "app/bundles.h"
 #include "app/data_folder.h"
@@ -18,12 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Between reading and writing nobody else writes. A lock that cannot be had is done without: the file is replaced
-/// whole in any case.
+/// Between reading and writing nobody else writes. A lock that cannot be had soon is done without: the file is
+/// replaced whole in any case, and the window must not wait for a program that was stopped while it had the lock.
 class FileLock {
  public:
   explicit FileLock(const fs::path& path) : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    if (file_ >= 0) static_cast<void>(::flock(file_, LOCK_EX));
+    constexpr int kAttempts = 20;
+    constexpr std::chrono::milliseconds kPause(5);
+    for (int i = 0; file_ >= 0 && i < kAttempts && ::flock(file_, LOCK_EX | LOCK_NB) != 0; ++i)
+      std::this_thread::sleep_for(kPause);
   }
   ~FileLock() {
     if (file_ >= 0) ::close(file_);

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include "app/bundle_desk.h"
@@ -136,6 +140,18 @@ TEST_CASE("undo takes back what was done here and nothing that another window di
   REQUIRE(one.undo());
   CHECK(names(one.bundles()) == "a! other's! ");
   CHECK(names(BundleStore(file).load({}).bundles) == "a! other's! ");
+}
+
+TEST_CASE("a program that has the lock and goes no further stops no other") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  BundleStore store(file);
+  static_cast<void>(store.load({}));
+  const int held = ::open((file.string() + ".lock").c_str(), O_RDWR | O_CREAT, 0600);
+  REQUIRE(::flock(held, LOCK_EX) == 0);
+  CHECK(store.write(std::vector<Bundle>{{"a"}}));
+  ::close(held);
+  CHECK(names(BundleStore(file).load({}).bundles) == "a ");
 }
 
 TEST_CASE("a file of bundles that cannot be used is set aside") {
