@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor.h"
 
+#include "core/base/assert.h"
+
 namespace mes {
 
 Editor::Editor(Listener listener) : index_(document_), listener_(std::move(listener)) {}
@@ -127,6 +129,33 @@ Expected<void> Editor::scale_selected_balls(double factor, double least, bool co
     balls.emplace_back(document_.ball_id(slot), Disk{disk.center, radius * factor});
   }
   return perform(change_balls(document_, balls), balls.size() == 1 ? "Change radius" : "Change radii", continues);
+}
+
+Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
+                              const std::string& name) {
+  MES_ASSERT(!in_gesture());
+  std::vector<DocumentDelta> changes;
+  if (document_.revision() == evolved_revision_) changes = history_.undo();
+  for (const DocumentDelta& back : changes) document_.apply(back);
+  const bool replaces = !changes.empty();
+  const auto delta = arrange_samples(document_, positions, contours);
+  if (!delta) {
+    if (replaces)
+      for (const DocumentDelta& again : history_.redo()) document_.apply(again);
+    return std::unexpected(delta.error());
+  }
+  if (!delta->is_empty()) {
+    document_.apply(*delta);
+    history_.record(*delta, name);
+    changes.push_back(*delta);
+    timeline_.note_evolved(document_, *delta, name, replaces);
+    evolved_revision_ = document_.revision();
+  } else if (replaces) {
+    timeline_.note(Undone{});
+  }
+  // Whoever follows the document sees one change.
+  if (!changes.empty()) tell(one_after_the_other(changes));
+  return {};
 }
 
 void Editor::cancel_gesture() {

@@ -72,6 +72,12 @@ class Editor {
   /// step as the call before if nothing else happened since.
   Expected<void> scale_selected_balls(double factor, double least, bool continues);
 
+  /// Shows another state of an evolution, the samples in input order and then new ones; see `arrange_samples`. All
+  /// states of one evolution are one step of undo: as long as nothing else happened, each takes the place of the one
+  /// before, and `name` that of its name. Not within a gesture.
+  Expected<void> evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
+                        const std::string& name);
+
   void begin_gesture(std::string name);
   void end_gesture();
   /// Ends the gesture and takes back what it did.
@@ -104,6 +110,7 @@ class Editor {
   SampleIndex index_;
   Listener listener_;
   std::uint64_t saved_revision_ = 0;
+  std::uint64_t evolved_revision_ = ~std::uint64_t{0};  // the last state of an evolution
 };
 
 }  // namespace mes

@@ -41,6 +41,42 @@ std::string text_in(const json& object, const char* key) {
   return entry != object.end() && entry->is_string() ? entry->get<std::string>() : std::string();
 }
 
+RecordSettings record_from_json(const json& object) {
+  RecordSettings out;
+  out.width = number_in(object, "width", 0, kLargestFrameSide, out.width);
+  out.height = number_in(object, "height", 0, kLargestFrameSide, out.height);
+  out.supersampling = number_in(object, "supersampling", 1, 4, out.supersampling);
+  out.transparent = flag_in(object, "transparent", out.transparent);
+  const auto background = number_in(object, "background", 0U, 0xFFFFFFU, 0xFFFFFFU);
+  out.background = {static_cast<std::uint8_t>(background >> 16U), static_cast<std::uint8_t>(background >> 8U),
+                    static_cast<std::uint8_t>(background)};
+  out.with_panels = flag_in(object, "with_panels", out.with_panels);
+  out.each_motion = flag_in(object, "each_motion", out.each_motion);
+  out.fps = number_in(object, "fps", 1.0, 120.0, out.fps);
+  out.folder = text_in(object, "folder");
+  // What fits each range may still not go together.
+  if (!check(out)) {
+    out.width = out.height = 0;
+    out.supersampling = 1;
+  }
+  return out;
+}
+
+json to_json(const RecordSettings& record) {
+  const auto background = static_cast<unsigned>(record.background.r) << 16U |
+                          static_cast<unsigned>(record.background.g) << 8U |
+                          static_cast<unsigned>(record.background.b);
+  return {{"width", record.width},
+          {"height", record.height},
+          {"supersampling", record.supersampling},
+          {"transparent", record.transparent},
+          {"background", background},
+          {"with_panels", record.with_panels},
+          {"each_motion", record.each_motion},
+          {"fps", record.fps},
+          {"folder", record.folder}};
+}
+
 Settings from_json(const json& object) {
   Settings out;
   if (const auto recent = object.find("recent_files"); recent != object.end() && recent->is_array()) {
@@ -56,7 +92,10 @@ Settings from_json(const json& object) {
   const auto page = std::ranges::find(kPages, text_in(object, "details"));
   if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
+  out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.last_folder = text_in(object, "last_folder");
+  if (const auto record = object.find("record"); record != object.end() && record->is_object())
+    out.record = record_from_json(*record);
   return out;
 }
 
@@ -122,7 +161,9 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
                        {"show_layers", settings.show_layers},
                        {"details", kPages[static_cast<std::size_t>(settings.details)]},
                        {"show_legend", settings.show_legend},
-                       {"last_folder", settings.last_folder}};
+                       {"show_evolution", settings.show_evolution},
+                       {"last_folder", settings.last_folder},
+                       {"record", to_json(settings.record)}};
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
   return write_file_atomically(path, object.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }

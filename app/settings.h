@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/recording/record_settings.h"
 #include "core/base/error.h"
 
 namespace mes {
@@ -24,7 +25,9 @@ struct Settings {
   bool show_bundles = true;  ///< unfolded, above the layers
   DetailsPage details = DetailsPage::none;
   bool show_legend = true;  ///< of the colour maps in use
+  bool show_evolution = false;
   std::string last_folder;  ///< of the file browser
+  RecordSettings record;
 };
 
 inline constexpr std::size_t kRecentFiles = 12;

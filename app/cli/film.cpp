@@ -144,24 +144,12 @@ class Studio {
     auto image = render::draw_image(device_, scene_, camera, views,
                                     {.background = Rgb{255, 255, 255}, .content_scale = scale});
     if (!image || !fonts_) return image;
-    add_legend(*image, layers, views, scale);
+    if (const auto entries = legend_of(scene_, views); !entries.empty()) draw_legend(*image, *fonts_, entries, scale);
     add_caption(*image, player.caption());
     return image;
   }
 
  private:
-  void add_legend(render::Image& image, const LayerStack& layers, std::span<const render::LayerView> views,
-                  double scale) const {
-    std::vector<LegendEntry> entries;
-    for (auto view = views.rbegin(); view != views.rend(); ++view) {
-      const render::ShownMap shown = scene_.shown_map(view->layer, view->style);
-      const LayerDescriptor& layer = layers.descriptor(view->layer);
-      if (shown.map != nullptr)
-        entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
-    }
-    if (!entries.empty()) draw_legend(image, *fonts_, entries, scale);
-  }
-
   void add_caption(render::Image& image, const std::string& text) const {
     if (text.empty()) return;
     const double height = image.height;
@@ -224,13 +212,14 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
       done.error().file = name;
       return done;
     }
+    // Also where another shard draws the frame: what is drawn in which order depends on every step before.
+    if (const std::string failure = player.complete(); !failure.empty())
+      say("frame " + std::to_string(frame + 1) + ": " + failure);
     std::optional<render::Image> image;
     for (std::uint64_t end = frame + frames_of(step, film->fps); frame < end;) {
       ++frame;
       if (!film->shard.has(frame)) continue;
       if (!image) {
-        if (const std::string failure = player.complete(); !failure.empty())
-          say("frame " + std::to_string(frame) + ": " + failure);
         auto drawn = studio.draw(player);
         if (!drawn) return std::unexpected(drawn.error());
         image = std::move(*drawn);

@@ -13,6 +13,7 @@
 #include "app/color_maps.h"
 #include "app/sample_shapes.h"
 #include "core/document/parameter.h"
+#include "core/evolutions/evolution.h"
 #include "core/graph/layer_descriptor.h"
 #include "core/graph/structure.h"
 #include "core/io/format.h"
@@ -105,21 +106,53 @@ std::vector<Entry> formats() {
   return out;
 }
 
+Entry entry_of(const ParameterDescriptor& parameter, const Json& evolutions) {
+  std::string range;
+  append_number(range, parameter.low);
+  range += " to ";
+  append_number(range, parameter.high);
+  return {std::string(parameter.id),
+          std::string(parameter.explanation) + " (" + range + ")",
+          {{"id", parameter.id},
+           {"explanation", parameter.explanation},
+           {"unit", parameter.unit},
+           {"low", parameter.low},
+           {"high", parameter.high},
+           {"default", parameter.default_value},
+           {"evolutions", evolutions}}};
+}
+
+Json readers_of(const ParameterDescriptor& parameter) {
+  Json out = Json::array();
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i)
+    if (const auto own = parameters_of(i);
+        std::ranges::find(own, parameter.id, &ParameterDescriptor::id) != own.end())
+      out.push_back(evolutions()[i].descriptor.id);
+  return out;
+}
+
 std::vector<Entry> parameters() {
   std::vector<Entry> out;
-  for (const ParameterDescriptor& parameter : parameter_descriptors()) {
-    std::string range;
-    append_number(range, parameter.low);
-    range += " to ";
-    append_number(range, parameter.high);
-    out.push_back({std::string(parameter.id),
-                   std::string(parameter.explanation) + " (" + range + ")",
-                   {{"id", parameter.id},
-                    {"explanation", parameter.explanation},
-                    {"unit", parameter.unit},
-                    {"low", parameter.low},
-                    {"high", parameter.high},
-                    {"default", parameter.default_value}}});
+  for (const ParameterDescriptor& parameter : parameter_descriptors())
+    out.push_back(entry_of(parameter, Json::array()));
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    out.push_back(entry_of(parameter, readers_of(parameter)));
+  return out;
+}
+
+std::vector<Entry> evolution_entries() {
+  std::vector<Entry> out;
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
+    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+    Json parameters = Json::array();
+    for (const ParameterDescriptor& parameter : parameters_of(i)) parameters.push_back(parameter.id);
+    out.push_back({std::string(evolution.id),
+                   std::string(evolution.tooltip),
+                   {{"id", evolution.id},
+                    {"name", evolution.name},
+                    {"tooltip", evolution.tooltip},
+                    {"random", evolution.is_random},
+                    {"parameters", parameters}}});
   }
   return out;
 }
@@ -189,8 +222,9 @@ struct Listing {
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 8> kListings{{{"layers", layers},
+constexpr std::array<Listing, 9> kListings{{{"layers", layers},
                                             {"structures", structures},
+                                            {"evolutions", evolution_entries},
                                             {"formats", formats},
                                             {"parameters", parameters},
                                             {"precisions", precisions},

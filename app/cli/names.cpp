@@ -113,19 +113,21 @@ Expected<Precision> precision_of(const std::string& id) {
   return usage_error("unknown precision " + in_quotes(id) + "; it is one of " + one_of(ids));
 }
 
-/// NAME=VALUE.
-Expected<void> set_parameter(ComputationSettings& settings, const std::string& setting) {
+}  // namespace
+
+Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
+                                                       std::span<const ParameterDescriptor> parameters) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || equals == 0)
     return usage_error("--set expects NAME=VALUE, not " + in_quotes(setting));
   const std::string_view name = std::string_view(setting).substr(0, equals);
   const std::string_view text = std::string_view(setting).substr(equals + 1);
   std::vector<std::string_view> names;
-  for (const ParameterDescriptor& parameter : parameter_descriptors()) names.push_back(parameter.id);
+  for (const ParameterDescriptor& parameter : parameters) names.push_back(parameter.id);
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) return usage_error(unknown("parameter", name, names) + " (mesecina list parameters)");
   const auto index = static_cast<std::size_t>(found - names.begin());
-  const ParameterDescriptor& parameter = parameter_descriptors()[index];
+  const ParameterDescriptor& parameter = parameters[index];
   const auto value = parse_number(text);
   if (!value) return usage_error("--set " + printable(name) + ": " + describe(value.error(), text));
   if (parameter.is_whole && *value != std::floor(*value))
@@ -137,19 +139,26 @@ Expected<void> set_parameter(ComputationSettings& settings, const std::string& s
     append_number(range, parameter.high);
     return usage_error(std::move(range));
   }
-  settings.values[index] = *value;
-  return {};
+  return std::pair{index, *value};
 }
 
-}  // namespace
+Expected<EvolutionIndex> select_evolution(const std::string& id) {
+  if (const auto found = find_evolution(id)) return *found;
+  std::vector<std::string_view> ids;
+  for (const Evolution& evolution : evolutions()) ids.push_back(evolution.descriptor.id);
+  return usage_error("unknown evolution " + in_quotes(id) + "; it is one of " + one_of(ids));
+}
 
 Expected<ComputationSettings> settings_of(const Source& source) {
   const auto precision = precision_of(source.precision);
   if (!precision) return std::unexpected(precision.error());
   ComputationSettings settings;
   settings.precision = *precision;
-  for (const std::string& setting : source.settings)
-    if (auto good = set_parameter(settings, setting); !good) return std::unexpected(good.error());
+  for (const std::string& setting : source.settings) {
+    const auto parsed = parse_setting(setting, parameter_descriptors());
+    if (!parsed) return std::unexpected(parsed.error());
+    settings.values[parsed->first] = parsed->second;
+  }
   return settings;
 }
 

@@ -5,12 +5,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/cli/requests.h"
 #include "core/base/error.h"
 #include "core/base/slot.h"
 #include "core/document/computation_settings.h"
+#include "core/evolutions/evolution.h"
 
 namespace mes::cli {
 
@@ -28,6 +30,13 @@ std::string one_of(std::span<const std::string_view> names);
 /// order of the list ("all" and none: bottom first). Error: `usage`, naming the nearest ids.
 Expected<std::vector<LayerIndex>> select_layers(const std::string& ids);
 Expected<LayerIndex> select_layer(const std::string& id);
+
+/// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the nearest parameters or the
+/// range.
+Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
+                                                       std::span<const ParameterDescriptor> parameters);
+
+Expected<EvolutionIndex> select_evolution(const std::string& id);
 
 /// Number type and parameters as asked for. Error: `usage`, naming what there is.
 Expected<ComputationSettings> settings_of(const Source& source);

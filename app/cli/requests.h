@@ -61,6 +61,17 @@ struct DemoRequest {
 };
 Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
 
+struct EvolveRequest {
+  std::string file;
+  std::string from;
+  std::string evolution;
+  std::string steps;
+  std::string seed = "1";
+  std::vector<std::string> settings;  ///< NAME=VALUE
+  std::string output;
+};
+Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption);
+
 struct ListRequest {
   std::string what;
   bool as_json = false;

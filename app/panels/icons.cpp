@@ -127,12 +127,61 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
         pen.fill(bar);
       }
       break;
+    case Icon::record:
+      pen.ring(12, 12, 8.5F);
+      pen.dot(12, 12, 4.6F);
+      break;
+    case Icon::snapshot: {
+      const ImVec2 body[] = {pen.p(3.5F, 7.5F), pen.p(8, 7.5F),     pen.p(9.5F, 5),   pen.p(14.5F, 5),
+                             pen.p(16, 7.5F),   pen.p(20.5F, 7.5F), pen.p(20.5F, 19), pen.p(3.5F, 19)};
+      pen.outline(body);
+      pen.ring(12, 13, 3.4F);
+      break;
+    }
+    case Icon::more:
+      for (const float x : {6.0F, 12.0F, 18.0F}) pen.dot(x, 12, 1.7F);
+      break;
     case Icon::parameters:
       for (const auto& [y, x] : {std::pair{6.5F, 15.0F}, std::pair{12.0F, 8.5F}, std::pair{17.5F, 13.0F}}) {
         pen.line(4, y, x - 2.4F, y);
         pen.line(x + 2.4F, y, 20, y);
         pen.ring(x, y, 2.4F);
       }
+      break;
+    case Icon::play_back: {
+      const ImVec2 head[] = {pen.p(18, 5), pen.p(18, 19), pen.p(6, 12)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::step_forward: {
+      pen.line(17.5F, 6, 17.5F, 18);
+      const ImVec2 head[] = {pen.p(7, 6), pen.p(15, 12), pen.p(7, 18)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::step_back: {
+      pen.line(6.5F, 6, 6.5F, 18);
+      const ImVec2 head[] = {pen.p(17, 18), pen.p(9, 12), pen.p(17, 6)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::to_start: {
+      pen.line(4.5F, 6, 4.5F, 18);
+      const ImVec2 first[] = {pen.p(12.5F, 18), pen.p(6, 12), pen.p(12.5F, 6)};
+      const ImVec2 second[] = {pen.p(20, 18), pen.p(13.5F, 12), pen.p(20, 6)};
+      pen.fill(first);
+      pen.fill(second);
+      break;
+    }
+    case Icon::stop: {
+      const ImVec2 square[] = {pen.p(7, 7), pen.p(17, 7), pen.p(17, 17), pen.p(7, 17)};
+      pen.fill(square);
+      break;
+    }
+    case Icon::evolution:
+      pen.ring(12, 12, 8.5F);
+      pen.ring(12, 12, 5);
+      pen.dot(12, 12, 1.6F);
       break;
     case Icon::statistics:
       pen.line(4, 20, 20.5F, 20);

@@ -25,7 +25,16 @@ enum class Icon : std::uint8_t {
   statistics,
   parameters,
   play,
-  pause
+  pause,
+  record,
+  snapshot,
+  more,
+  play_back,
+  step_forward,
+  step_back,
+  to_start,
+  stop,
+  evolution
 };
 
 /// Draws the icon into the square `size` wide at `at`.

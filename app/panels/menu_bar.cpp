@@ -40,6 +40,7 @@ void file_menu(const PanelContext& context) {
   action_item(context, ActionId::save_as);
   ImGui::Separator();
   action_item(context, ActionId::trace_picture);
+  for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(context, id);
   ImGui::Separator();
   action_item(context, ActionId::quit);
 }
@@ -85,6 +86,23 @@ void view_menu(const PanelContext& context) {
   tooltip(context.gui, "Give every layer its first place, visibility and style back");
 }
 
+void evolution_menu(const PanelContext& context) {
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
+    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+    if (ImGui::MenuItem(evolution.name.data(), nullptr, context.evolution.choice().evolution == i)) {
+      context.settings.show_evolution = true;
+      context.evolution.choose(i);
+    }
+    tooltip(context.gui, std::string(evolution.tooltip));
+  }
+  ImGui::Separator();
+  for (const ActionId id : {ActionId::evolution_forward, ActionId::evolution_back, ActionId::evolution_play,
+                            ActionId::evolution_play_back, ActionId::evolution_stop, ActionId::evolution_first})
+    action_item(context, id);
+  ImGui::Separator();
+  action_item(context, ActionId::toggle_evolution);
+}
+
 void shapes_menu(const PanelContext& context) {
   for (const SampleShape& shape : context.shapes) {
     if (ImGui::MenuItem(shape.name.c_str())) context.open_shape(shape);
@@ -107,6 +125,10 @@ float draw_menu_bar(const PanelContext& context) {
   }
   if (ImGui::BeginMenu("View")) {
     view_menu(context);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Evolution")) {
+    evolution_menu(context);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Tools")) {

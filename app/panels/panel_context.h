@@ -11,6 +11,7 @@
 #include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
+#include "app/evolution_player.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/parameter_animation.h"
@@ -19,6 +20,7 @@
 #include "app/window/file_desk.h"
 #include "app/window/gui.h"
 #include "app/window/picture.h"
+#include "app/window/record_desk.h"
 #include "core/document/computation_settings.h"
 #include "core/engine/engine.h"
 
@@ -28,6 +30,7 @@ struct PanelContext {
   const Gui& gui;
   const ActionBindings& actions;
   Editor& editor;
+  EvolutionPlayer& evolution;
   Engine& engine;
   LayerStack& layers;
   BundleDesk& bundles;
@@ -38,6 +41,7 @@ struct PanelContext {
   const ComputationSettings& computation;
   ParameterAnimation& animation;
   Messages& messages;
+  RecordDesk& record;
   std::span<const SampleShape> shapes;
   std::function<void(const ComputationSettings&)> set_computation;
   std::function<void(const std::string&)> open_file;               ///< asks before unsaved work is lost

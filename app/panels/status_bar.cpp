@@ -85,12 +85,38 @@ void progress(const PanelContext& context, const std::string& what, double fract
   ImGui::SameLine();
 }
 
+// A red dot and how many frames there are, while recording.
+void draw_recording(const PanelContext& context) {
+  const RecordDesk& record = context.record;
+  if (!record.is_recording()) return;
+  const float unit = context.gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * height}, 5 * unit, theme::kRecording);
+  ImGui::Dummy({14 * unit, height});
+  ImGui::SameLine(0, 0);
+  std::string text = grouped(record.frames()) + (record.frames() == 1 ? " frame" : " frames");
+  if (record.is_waiting_for_disk())
+    text += ", waiting for the disk";
+  else if (const std::size_t unwritten = record.unwritten(); unwritten > 1)
+    text += ", " + grouped(unwritten) + " being written";
+  ImGui::TextUnformatted(text.c_str());
+  tooltip(context.gui, "Recording: a frame after each change");
+  ImGui::SameLine(0, 16 * unit);
+}
+
 // What is being done, with a way to stop it; false when nothing is.
 bool draw_work(const PanelContext& context) {
   if (context.files.is_reading()) {
     progress(context, "Reading " + context.files.reading_name(), 0.0);
     if (ImGui::SmallButton("Cancel")) context.files.cancel_reading();
     tooltip(context.gui, "Keep the present samples");
+    return true;
+  }
+  if (context.record.is_making_video()) {
+    progress(context, "Making a video", 0.0);
+    if (ImGui::SmallButton("Cancel")) context.record.cancel_video();
+    tooltip(context.gui, "Make no video; the frames stay");
     return true;
   }
   const EngineStatus status = context.engine.status();
@@ -131,6 +157,7 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     const float counts_at = verdict_at - 14 * unit - right_width - count_width;
     const ImVec2 clip_from = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(clip_from, {clip_from.x + counts_at - 16 * unit, area.at.y + area.size.y}, true);
+    draw_recording(context);
     if (!draw_work(context)) {
       const std::string& remark = context.messages.remark();
       if (!remark.empty()) {

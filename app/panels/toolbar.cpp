@@ -2,6 +2,7 @@
 #include "app/panels/toolbar.h"
 
 #include "app/panels/icons.h"
+#include "app/panels/record_popup.h"
 
 namespace mes {
 namespace {
@@ -40,10 +41,15 @@ float draw_toolbar(const PanelContext& context, ImVec2 at) {
   action_button(context, ActionId::redo, Icon::redo, size);
   gap();
   action_button(context, ActionId::fit, Icon::fit, size);
+  action_button(context, ActionId::toggle_evolution, Icon::evolution, size);
   action_button(context, ActionId::toggle_layers, Icon::layers, size);
   action_button(context, ActionId::toggle_statistics, Icon::statistics, size);
   action_button(context, ActionId::toggle_parameters, Icon::parameters, size);
   action_button(context, ActionId::help, Icon::help, size);
+  gap();
+  action_button(context, ActionId::snapshot, Icon::snapshot, size);
+  action_button(context, ActionId::record, Icon::record, size);
+  draw_record_popup(context, size);
   const float width = ImGui::GetWindowWidth();
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -21,6 +21,7 @@ struct RecordSettings {
   bool each_motion = false;  ///< a frame of each step of a pan or zoom, not only where it ends
   double fps = 30.0;         ///< of the video, [1, 120]
   std::string folder{};      ///< where takes go; empty: `takes_folder`
+  friend bool operator==(const RecordSettings&, const RecordSettings&) = default;
 };
 
 inline constexpr int kLargestFrameSide = 16384;

@@ -2,6 +2,21 @@
 #include "app/recording/recorder.h"
 
 namespace mes {
+namespace {
+
+// Edits within a gesture have no name of their own.
+std::string name_of_last_edit(std::span<const TimelineEntry> timeline) {
+  for (auto entry = timeline.rbegin(); entry != timeline.rend(); ++entry) {
+    if (std::holds_alternative<Undone>(*entry)) return "Undo";
+    if (std::holds_alternative<Redone>(*entry)) return "Redo";
+    if (const auto* edit = std::get_if<TimelineEdit>(&*entry); edit != nullptr && !edit->name.empty())
+      return edit->name;
+    if (const auto* gesture = std::get_if<GestureBegun>(&*entry)) return gesture->name;
+  }
+  return "Open";
+}
+
+}  // namespace
 
 Change Recorder::change(const ShownState& now) const {
   if (now.document != captured_.document) return Change::document;
@@ -31,7 +46,7 @@ bool Recorder::holds_input(const ShownState& now, const AtRest& rest, bool is_ca
   return !is_cancelled && wants_frame(now, rest);
 }
 
-std::string name_of(Change change, const std::string& undo_name) {
+std::string name_of(Change change, std::span<const TimelineEntry> timeline) {
   switch (change) {
     case Change::none: return "Nothing";
     case Change::view: return "View";
@@ -40,7 +55,7 @@ std::string name_of(Change change, const std::string& undo_name) {
     case Change::settings: return "Computation";
     case Change::document: break;
   }
-  return undo_name.empty() ? "Edit" : undo_name;
+  return name_of_last_edit(timeline);
 }
 
 }  // namespace mes

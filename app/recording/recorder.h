@@ -19,9 +19,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/document/computation_settings.h"
+#include "core/document/timeline.h"
 #include "core/graph/layer_descriptor.h"
 #include "render/camera.h"
 
@@ -68,7 +70,7 @@ class Recorder {
   bool each_motion_ = false;
 };
 
-/// What a manifest says of it; a change of the document has the name of its step of undo.
-std::string name_of(Change change, const std::string& undo_name);
+/// What a manifest says of it; a change of the document has the name that the timeline gives to its last one.
+std::string name_of(Change change, std::span<const TimelineEntry> timeline);
 
 }  // namespace mes

@@ -6,6 +6,7 @@
 
 #include "app/color_maps.h"
 #include "app/panels/canvas_legend.h"
+#include "app/panels/evolution_strip.h"
 #include "app/panels/help.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/status_bar.h"
@@ -23,17 +24,21 @@ constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes o
 
 }  // namespace
 
-App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded)
-    : settings_(std::move(loaded.settings)),
+App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded,
+         const Termination& termination)
+    : termination_(termination),
+      settings_(std::move(loaded.settings)),
       settings_path_(default_settings_path()),
       window_(std::move(window)),
       assets_(find_assets(options.executable)),
       shapes_(read_sample_shapes(assets_)),
       gui_(*window_, assets_),
+      record_(picture_, messages_, [] { GlfwWindow::wake(); }),
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets_, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
+      evolution_(editor_, [] { GlfwWindow::wake(); }),
       files_(
           editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
       tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); },
@@ -61,13 +66,15 @@ double App::next_wait() const {
   const EngineStatus status = engine_.status();
   if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
-  if (status.busy || files_.is_reading() || background_.is_reading() || gui_.is_about_to_rest())
+  if (const auto due = evolution_.next_due(ImGui::GetTime())) return std::clamp(*due, 1e-3, kProgressInterval);
+  if (status.busy || evolution_.is_waiting() || files_.is_reading() || background_.is_reading() ||
+      gui_.is_about_to_rest())
     return kProgressInterval;
   return 0.0;
 }
 
 void App::run() {
-  while (!is_closing_) {
+  while (!is_closing_ && termination_.signal() == 0) {
     if (frames_wanted_ > 0 || canvas_.view().is_moving())
       window_->poll();
     else
@@ -75,16 +82,19 @@ void App::run() {
     deliver_events();
     take_read_file();
     offer_left_work();
+    note_if_complete();
     picture_.take_from(engine_);
     provenance_.take(picture_.take_provenance());
+    follow_evolution();
     const bool was_about_to_rest = gui_.is_about_to_rest();
     frame();
     frames_wanted_ = std::max(0, frames_wanted_ - 1);
     // A tooltip that comes up now is measured in its first frame and seen in its second.
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
   }
-  // In order: whoever was asked has saved or given up what there was.
-  autosave_.discard();
+  record_.end();
+  // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays.
+  if (is_closing_) autosave_.discard();
   remember_settings();
 }
 
@@ -92,6 +102,7 @@ PanelContext App::panel_context() {
   return {gui_,
           actions_,
           editor_,
+          evolution_,
           engine_,
           layers_,
           bundles_,
@@ -102,6 +113,7 @@ PanelContext App::panel_context() {
           computation_,
           animation_,
           messages_,
+          record_,
           shapes_,
           [this](const ComputationSettings& settings) { set_computation(settings); },
           [this](const std::string& file) { open_files({file}); },
@@ -128,6 +140,12 @@ void App::show_first_ball() {
   for (const LayerIndex layer : layers) layers_.set_visible(layer, true);
 }
 
+void App::follow_evolution() {
+  const bool is_complete = picture_.document_revision() == editor_.document().revision() && !engine_.status().busy;
+  evolution_.follow(is_complete, ImGui::GetTime());
+  if (const auto problem = evolution_.take_problem()) report(*problem);
+}
+
 void App::update_title() {
   window_->set_title((editor_.is_modified() ? "* " : "") + files_.title() + " - Mesecina");
 }
@@ -150,7 +168,7 @@ void App::frame() {
   engine_.set_want_findings(show_panels_);
   engine_.set_want_statistics(settings_.details == DetailsPage::statistics && show_panels_);
   fit_if_wanted();
-  canvas_.advance(seconds);
+  if (!record_.holds_motion(shown_state())) canvas_.advance(seconds);
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
   const std::uint32_t share = picture_.every();
@@ -158,9 +176,12 @@ void App::frame() {
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   keep_timeline();
+  record_.picture_drawn(drawn_now());
   gui_.end_frame();
+  record_.panels_drawn(drawn_now());
   window_->swap();
   update_title();
+  follow_recording();
 }
 
 void App::draw_panels() {
@@ -194,6 +215,9 @@ void App::draw_panels() {
     left = margin + draw_toolbar(context, {margin, top + margin});
   }
   const float card_margin = 10 * unit;
+  if (show_panels_ && settings_.show_evolution)
+    bottom += card_margin + draw_evolution_strip(context, {left + card_margin, screen.y - bottom - card_margin},
+                                                 screen.x - left - right - 2 * card_margin);
   provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
   if (settings_.show_legend)

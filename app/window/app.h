@@ -15,6 +15,7 @@
 #include "app/bundle_desk.h"
 #include "app/canvas/canvas.h"
 #include "app/editor.h"
+#include "app/evolution_player.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
 #include "app/panels/ask_recover.h"
@@ -33,7 +34,9 @@
 #include "app/window/glfw_window.h"
 #include "app/window/gui.h"
 #include "app/window/picture.h"
+#include "app/window/record_desk.h"
 #include "app/window/run_window.h"
+#include "app/window/termination.h"
 #include "core/engine/engine.h"
 
 namespace mes {
@@ -61,7 +64,8 @@ struct LiveDemo {
 /// thread, then what needs OpenGL, the window last.
 class App final : private WindowListener {
  public:
-  App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded);
+  App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded,
+      const Termination& termination);
   ~App() override;
 
   void run();
@@ -89,6 +93,7 @@ class App final : private WindowListener {
   void bind_file_actions();
   void bind_edit_actions();
   void bind_view_actions();
+  void bind_evolution_actions();
   void choose_precision(Precision precision);
   void set_computation(const ComputationSettings& settings);
   void advance_animation();
@@ -135,6 +140,14 @@ class App final : private WindowListener {
   void ask_picture();
   void trace_picture(const std::filesystem::path& file);
   void follow_picture();
+  // app_record.cpp
+  void bind_record_actions();
+  ShownState shown_state() const;
+  AtRest at_rest() const;
+  bool holds_input() const;
+  void note_if_complete();
+  RecordDesk::Drawn drawn_now() const;
+  void follow_recording();
 
   // app.cpp
   void frame();
@@ -142,10 +155,12 @@ class App final : private WindowListener {
   void draw_pointer_marks();
   void follow_demand();
   void show_first_ball();
+  void follow_evolution();
   void update_title();
   double next_wait() const;
   PanelContext panel_context();
 
+  const Termination& termination_;
   Settings settings_;
   ComputationSettings computation_;
   std::filesystem::path settings_path_;
@@ -155,11 +170,13 @@ class App final : private WindowListener {
   std::vector<SampleShape> shapes_;
   Gui gui_;
   Picture picture_;
+  RecordDesk record_;
   ProvenanceCard provenance_;
   Engine engine_;
   LayerStack layers_;
   BundleDesk bundles_;
   Editor editor_;
+  EvolutionPlayer evolution_;
   FileDesk files_;
   ToolContext tool_context_;
   Canvas canvas_;

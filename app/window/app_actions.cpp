@@ -15,6 +15,8 @@ void App::bind_actions() {
   bind_edit_actions();
   bind_view_actions();
   bind_bundle_actions();
+  bind_record_actions();
+  bind_evolution_actions();
 }
 
 void App::bind_file_actions() {
@@ -111,6 +113,7 @@ void App::bind_view_actions() {
   const auto bind_toggle = [&](ActionId id, bool& value) {
     actions_.bind(id, {[&value] { value = !value; }, {}, [&value] { return value; }});
   };
+  bind_toggle(ActionId::toggle_evolution, settings_.show_evolution);
   bind_toggle(ActionId::toggle_panels, show_panels_);
   bind_toggle(ActionId::toggle_layers, settings_.show_layers);
   const auto bind_page = [&](ActionId id, DetailsPage page) {
@@ -147,6 +150,31 @@ void App::bind_view_actions() {
   bind_switch(ActionId::toggle_pole_propagation, Parameter::pole_propagation);
 }
 
+void App::bind_evolution_actions() {
+  using Direction = EvolutionPlayer::Direction;
+  // Whoever steps by a key wants to see where the slider is.
+  const auto bind = [this](ActionId id, auto act) {
+    actions_.bind(id, {[this, act] {
+                         settings_.show_evolution = true;
+                         act();
+                       },
+                       [this] { return !editor_.in_gesture() && editor_.document().sample_count() != 0; }});
+  };
+  bind(ActionId::evolution_first, [this] {
+    evolution_.play(Direction::none);
+    evolution_.step_to(0);
+  });
+  bind(ActionId::evolution_back, [this] { evolution_.step_back(); });
+  bind(ActionId::evolution_forward, [this] { evolution_.step_forward(); });
+  bind(ActionId::evolution_previous, [this] { evolution_.choose_next(-1); });
+  bind(ActionId::evolution_next, [this] { evolution_.choose_next(1); });
+  bind(ActionId::evolution_play, [this] { evolution_.play(Direction::forward); });
+  bind(ActionId::evolution_play_back, [this] { evolution_.play(Direction::backward); });
+  actions_.bind(ActionId::evolution_stop,
+                {[this] { evolution_.cancel(); },
+                 [this] { return evolution_.is_waiting() || evolution_.direction() != Direction::none; }});
+}
+
 void App::choose_precision(Precision precision) {
   ComputationSettings settings = computation_;
   settings.precision = precision;
@@ -160,7 +188,7 @@ void App::set_computation(const ComputationSettings& settings) {
 
 // A step is taken when the picture of the one before has been seen.
 void App::advance_animation() {
-  if (!animation_.is_running() || engine_.status().busy) return;
+  if (!animation_.is_running() || engine_.status().busy || holds_input()) return;
   const double now = ImGui::GetTime();
   if (animation_.position() > 0 || computation_[animation_.parameter] == animation_.value()) {
     if (now < next_animation_step_) return;

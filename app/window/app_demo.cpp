@@ -75,7 +75,7 @@ void App::advance_demo() {
     return;
   }
   const double now = ImGui::GetTime();
-  if (demo_->is_paused || now < demo_->not_before || engine_.status().busy) return;
+  if (demo_->is_paused || now < demo_->not_before || engine_.status().busy || holds_input()) return;
   if (demo_->next == demo_->steps.size()) {
     end_demo(true);
     messages_.remark("The demo has ended");

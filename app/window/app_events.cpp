@@ -39,15 +39,15 @@ int App::dialog() const {
 // meant for.
 void App::deliver_events() {
   const int before = dialog();
-  while (!events_.empty() && dialog() == before) {
+  while (!events_.empty() && dialog() == before && !holds_input()) {
     const Event event = std::move(events_.front());
     events_.pop_front();
-    // Of many moves in a row the last one says all, but to a stroke being drawn.
-    const bool is_stroke = canvas_.tool_id() == ToolId::spray && canvas_.has_pointer();
+    // Of many moves in a row the last one says all, but to a stroke being drawn and to a recording.
+    const bool is_stroke = (canvas_.tool_id() == ToolId::spray || record_.is_recording()) && canvas_.has_pointer();
     if (event.is_move && !is_stroke && !events_.empty() && events_.front().is_move) continue;
     event.run();
   }
-  if (!events_.empty()) frames_wanted_ = std::max(frames_wanted_, 2);
+  if (!events_.empty() && !holds_input()) frames_wanted_ = std::max(frames_wanted_, 2);
 }
 
 void App::on_pointer_left() {
@@ -110,6 +110,11 @@ void App::run_by_key(const KeyChord& chord, bool repeated) {
 }
 
 void App::on_key(const KeyChord& chord, bool repeated) {
+  // What a recording waits for may be what is to be cancelled.
+  if (holds_input() && find_action(chord, false) == ActionId::cancel_computation) {
+    run_by_key(chord, repeated);
+    return;
+  }
   events_.push_back({false, [this, chord, repeated] { run_by_key(chord, repeated); }});
 }
 

@@ -157,15 +157,27 @@ std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
   return out;
 }
 
-void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
-                   double content_scale) {
-  mark_selection(editor);
-  ShownState now{camera, content_scale, patches_, background_revision_, marked_, {}};
+std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const LayerStack& layers) const {
+  std::vector<std::pair<LayerIndex, LayerStyle>> out;
   for (const LayerIndex layer : layers.visible_layers()) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    now.layers.emplace_back(layer, failed ? greyed(layers.style(layer)) : layers.style(layer));
+    out.emplace_back(layer, failed ? greyed(layers.style(layer)) : layers.style(layer));
   }
+  return out;
+}
+
+Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
+                                const render::CaptureOptions& options) {
+  std::vector<render::LayerView> views;
+  for (const auto& [layer, style] : shown_layers(layers)) views.push_back({layer, style});
+  return capture.draw(scene_, camera, views, options);
+}
+
+void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
+                   double content_scale) {
+  mark_selection(editor);
+  ShownState now{camera, content_scale, patches_, background_revision_, marked_, shown_layers(layers)};
   const bool is_same = now == shown_;
   if (is_same && !detail_.is_refining()) {
     show_kept(camera.width(), camera.height());

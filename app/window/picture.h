@@ -9,6 +9,7 @@
 #include "app/layer_stack.h"
 #include "app/window/detail.h"
 #include "core/engine/engine.h"
+#include "render/frame_capture.h"
 #include "render/gl_device.h"
 #include "render/gl_handles.h"
 #include "render/scene.h"
@@ -25,6 +26,8 @@ namespace mes {
 /// Needs a current OpenGL context for its life. Threads: the window's.
 class Picture {
  public:
+  static constexpr Rgb kBackground{0xFF, 0xFF, 0xFF};
+
   Picture();
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
@@ -42,6 +45,11 @@ class Picture {
   void forget_hidden(const LayerStack& layers);
   /// Fills the window.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale);
+
+  /// The layers as they are now, with the marks of the selection as last drawn, whole and without the window.
+  Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
+                         const render::CaptureOptions& options);
+  render::GlDevice& device() { return device_; }
 
   /// The picture at rest can be painted in more detail: draw again soon.
   bool is_refining() const { return detail_.is_refining(); }
@@ -75,6 +83,7 @@ class Picture {
     std::vector<std::pair<LayerIndex, LayerStyle>> layers;
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
+  std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers) const;
   void mark_selection(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_disk_layer(const LayerStack& layers) const;

@@ -10,6 +10,7 @@ namespace mes {
 
 int run_window(const WindowOptions& options) {
   constexpr int kNoDisplay = 4;
+  const Termination termination([] { GlfwWindow::wake(); });
   LoadedSettings loaded = load_settings(default_settings_path());
   const auto scale_free = [](int size) { return size > 0 ? size : 1; };
   auto window = GlfwWindow::create({.title = "Mesecina",
@@ -19,9 +20,9 @@ int run_window(const WindowOptions& options) {
     std::fprintf(stderr, "mesecina: %s\n", window.error().message().c_str());
     return kNoDisplay;
   }
-  App app(std::move(*window), options, std::move(loaded));
+  App app(std::move(*window), options, std::move(loaded), termination);
   app.run();
-  return 0;
+  return termination.signal() == 0 ? 0 : 128 + termination.signal();
 }
 
 }  // namespace mes

@@ -163,6 +163,37 @@ Expected<DocumentDelta> together(Expected<DocumentDelta> samples, const Expected
   return samples;
 }
 
+Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
+                                        std::span<const SampleData::Contour> contours) {
+  if (positions.size() < document.sample_count()) return refuse("there are fewer places than samples");
+  std::vector<SampleId> ids;
+  ids.reserve(positions.size());
+  std::vector<std::pair<SampleId, Vec2>> targets;
+  targets.reserve(document.sample_count());
+  for (const Slot slot : document.slots_in_input_order()) {
+    targets.emplace_back(document.id(slot), positions[targets.size()]);
+    ids.push_back(document.id(slot));
+  }
+  auto delta = move_samples(document, targets);
+  if (!delta) return delta;
+  const auto inserted = insert_samples(document, positions.subspan(targets.size()));
+  if (!inserted) return inserted;
+  delta->edits.insert(delta->edits.end(), inserted->edits.begin(), inserted->edits.end());
+  if (contours.empty()) return delta;
+  for (const SampleEdit& edit : inserted->edits) ids.push_back(edit.id);
+  auto curve = std::make_shared<CurveOrder>();
+  for (const SampleData::Contour& contour : contours) {
+    CurveOrder::Contour& out = curve->contours.emplace_back(CurveOrder::Contour{contour.closed, {}});
+    out.samples.reserve(contour.points.size());
+    for (const std::uint32_t place : contour.points) {
+      if (place >= ids.size()) return refuse("a contour names a point that does not exist");
+      out.samples.push_back(ids[place]);
+    }
+  }
+  if (*curve != *document.curve_order()) delta->curve_after = std::move(curve);
+  return delta;
+}
+
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data) {
   DocumentDelta delta = delta_from(document);
   auto after = std::make_shared<SampleSnapshot>();

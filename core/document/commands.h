@@ -48,6 +48,12 @@ struct SampleData {
   std::vector<Disk> balls{};
 };
 
+/// Moves the live samples, in input order, to the first of `positions`, and adds samples at the others. `contours`,
+/// if any, become the curve order; they name samples by their place in `positions`. Error: fewer positions than
+/// samples, otherwise as when samples are moved, inserted and replaced.
+Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
+                                        std::span<const SampleData::Contour> contours);
+
 /// Replaces all samples, the curve order and all balls. New ids. Error: as when samples and balls are inserted, an
 /// index out of range.
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/delta.h"
 
+#include "core/base/assert.h"
+
 #include <utility>
 
 namespace mes {
@@ -28,6 +30,18 @@ DocumentDelta DocumentDelta::inverted() const {
     } else if (edit.kind == BallEdit::Kind::remove) {
       edit.kind = BallEdit::Kind::insert;
     }
+  }
+  return out;
+}
+
+DocumentDelta one_after_the_other(std::span<const DocumentDelta> deltas) {
+  DocumentDelta out = deltas.front();
+  for (const DocumentDelta& delta : deltas.subspan(1)) {
+    MES_ASSERT(!delta.replaces_all() && delta.from_revision == out.to_revision);
+    out.edits.insert(out.edits.end(), delta.edits.begin(), delta.edits.end());
+    out.ball_edits.insert(out.ball_edits.end(), delta.ball_edits.begin(), delta.ball_edits.end());
+    out.to_revision = delta.to_revision;
+    out.curve_after = delta.curve_after;
   }
   return out;
 }

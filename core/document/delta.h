@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/disk.h"
@@ -80,5 +81,9 @@ struct DocumentDelta {
   /// The delta that undoes this one.
   DocumentDelta inverted() const;
 };
+
+/// What several deltas do one after the other, as one. None replaces everything, and each begins where the one before
+/// ends; there is at least one.
+DocumentDelta one_after_the_other(std::span<const DocumentDelta> deltas);
 
 }  // namespace mes

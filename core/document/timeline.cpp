@@ -8,6 +8,8 @@ namespace {
 
 // Dragging fewer than this many things leaves each move of the pointer on record.
 constexpr std::size_t kLargeEdit = 4096;
+// So many moves of an evolution stay on record, state by state; some 24 bytes each.
+constexpr std::size_t kMostEvolutionEdits = 1U << 20U;
 
 std::unexpected<Error> refuse(std::string text) {
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text)});
@@ -58,6 +60,28 @@ std::vector<std::pair<SomeId, Place>> places_of(const std::vector<std::pair<std:
   std::vector<std::pair<SomeId, Place>> out;
   out.reserve(numbers.size());
   for (const auto& [number, place] : numbers) out.emplace_back(SomeId{first.value + number}, place);
+  return out;
+}
+
+TimelineEdit edit_of(const Document& document, const DocumentDelta& delta) {
+  TimelineEdit out;
+  const std::uint32_t first = document.first_id().value;
+  for (const SampleEdit& edit : delta.edits) {
+    switch (edit.kind) {
+      case SampleEdit::Kind::insert: out.inserted.push_back(edit.to); break;
+      case SampleEdit::Kind::remove: out.removed.push_back(edit.id.value - first); break;
+      case SampleEdit::Kind::move: out.moved.emplace_back(edit.id.value - first, edit.to); break;
+    }
+  }
+  const std::uint32_t first_ball = document.first_ball_id().value;
+  for (const BallEdit& edit : delta.ball_edits) {
+    switch (edit.kind) {
+      case BallEdit::Kind::insert: out.inserted_balls.push_back(edit.to); break;
+      case BallEdit::Kind::remove: out.removed_balls.push_back(edit.id.value - first_ball); break;
+      case BallEdit::Kind::change: out.changed_balls.emplace_back(edit.id.value - first_ball, edit.to); break;
+    }
+  }
+  if (delta.curve_after != delta.curve_before) out.curve = numbered(*delta.curve_after, document.first_id());
   return out;
 }
 
@@ -116,30 +140,16 @@ void Timeline::restart(std::shared_ptr<const SampleData> data, std::vector<Timel
   data_ = std::move(data);
   entries_ = std::move(entries);
   gesture_at_.reset();
+  evolution_at_.reset();
   ++generation_;
 }
 
 void Timeline::note_edit(const Document& document, const DocumentDelta& delta, const std::string& name,
                          bool continues) {
-  TimelineEdit out{.name = gesture_at_ ? std::string() : name, .continues = continues};
-  const std::uint32_t first = document.first_id().value;
-  for (const SampleEdit& edit : delta.edits) {
-    switch (edit.kind) {
-      case SampleEdit::Kind::insert: out.inserted.push_back(edit.to); break;
-      case SampleEdit::Kind::remove: out.removed.push_back(edit.id.value - first); break;
-      case SampleEdit::Kind::move: out.moved.emplace_back(edit.id.value - first, edit.to); break;
-    }
-  }
-  const std::uint32_t first_ball = document.first_ball_id().value;
-  for (const BallEdit& edit : delta.ball_edits) {
-    switch (edit.kind) {
-      case BallEdit::Kind::insert: out.inserted_balls.push_back(edit.to); break;
-      case BallEdit::Kind::remove: out.removed_balls.push_back(edit.id.value - first_ball); break;
-      case BallEdit::Kind::change: out.changed_balls.emplace_back(edit.id.value - first_ball, edit.to); break;
-    }
-  }
-  if (delta.curve_after != delta.curve_before) out.curve = numbered(*delta.curve_after, document.first_id());
-
+  evolution_at_.reset();
+  TimelineEdit out = edit_of(document, delta);
+  if (!gesture_at_) out.name = name;
+  out.continues = continues;
   const bool is_large = delta.edits.size() + delta.ball_edits.size() > kLargeEdit;
   if (is_large && gesture_at_ && entries_.size() > *gesture_at_ + 1) {
     if (auto* last = std::get_if<TimelineEdit>(&entries_.back());
@@ -152,7 +162,28 @@ void Timeline::note_edit(const Document& document, const DocumentDelta& delta, c
   entries_.push_back(std::move(out));
 }
 
+void Timeline::note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name,
+                            bool replaces) {
+  TimelineEdit out = edit_of(document, delta);
+  out.name = name;
+  out.replaces = replaces;
+  if (!replaces) evolution_edits_ = 0;
+  evolution_edits_ += delta.edits.size();
+  if (replaces && evolution_at_) {
+    TimelineEdit& last = std::get<TimelineEdit>(entries_[*evolution_at_]);
+    if (is_motion(last) && is_motion(out)) {
+      out.replaces = last.replaces;
+      last = std::move(out);
+      return;
+    }
+  }
+  entries_.emplace_back(std::move(out));
+  evolution_at_.reset();
+  if (delta.edits.size() > kLargeEdit || evolution_edits_ > kMostEvolutionEdits) evolution_at_ = entries_.size() - 1;
+}
+
 void Timeline::note_gesture_begun(const std::string& name) {
+  evolution_at_.reset();
   gesture_at_ = entries_.size();
   entries_.push_back(GestureBegun{name});
 }
@@ -216,7 +247,24 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
   return out;
 }
 
+Expected<void> DocumentReplay::apply_replacement(const TimelineEdit& edit) {
+  if (!history_.can_undo()) return refuse("there is no step to take the place of");
+  std::vector<DocumentDelta> changes = history_.undo();
+  for (const DocumentDelta& back : changes) document_.apply(back);
+  const auto delta = delta_of(document_, edit);
+  if (!delta) {
+    for (const DocumentDelta& again : history_.redo()) document_.apply(again);
+    return std::unexpected(delta.error());
+  }
+  document_.apply(*delta);
+  history_.record(*delta, edit.name);
+  if (!delta->is_empty()) changes.push_back(*delta);
+  if (listener_) listener_(one_after_the_other(changes));
+  return {};
+}
+
 Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
+  if (edit.replaces) return apply_replacement(edit);
   const auto delta = delta_of(document_, edit);
   if (!delta) return std::unexpected(delta.error());
   if (delta->is_empty()) return {};

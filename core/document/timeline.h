@@ -6,7 +6,8 @@
 //  1. The data and the entries determine the document, its free rows, and everything that can be undone and redone.
 //  2. Samples and balls are named by the number of their kind: 0 is the first one since the data were opened. So the
 //     same work has the same timeline, whatever was open before.
-//  3. Entries once `settled` stay as they are; others may still be merged or dropped until their gesture ends.
+//  3. Entries once `settled` stay as they are; others may still be merged or dropped until their gesture ends, or
+//     their evolution has gone where it was to go.
 //
 // Smallest use:
 //     Timeline timeline;
@@ -42,6 +43,7 @@ namespace mes {
 struct TimelineEdit {
   std::string name{};      ///< of the step of undo, outside a gesture
   bool continues = false;  ///< belongs to the step before, if that has the same name and moved the same things
+  bool replaces = false;   ///< the step before is taken back first, and its place taken
   std::vector<std::uint32_t> removed{};
   std::vector<std::pair<std::uint32_t, Vec2>> moved{};
   std::vector<Vec2> inserted{};
@@ -118,22 +120,29 @@ class Timeline {
   const std::shared_ptr<const SampleData>& data() const { return data_; }
   std::span<const TimelineEntry> entries() const { return entries_; }
   /// So many entries, from the first, will not change any more.
-  std::size_t settled() const { return gesture_at_ ? *gesture_at_ : entries_.size(); }
+  std::size_t settled() const { return gesture_at_ ? *gesture_at_ : evolution_at_.value_or(entries_.size()); }
   /// Grows with each `restart`.
   std::uint64_t generation() const { return generation_; }
 
   /// `document` is the one the delta was applied to. Large edits that continue the one before within a gesture are
   /// merged with it, so that dragging a million samples does not fill the memory.
   void note_edit(const Document& document, const DocumentDelta& delta, const std::string& name, bool continues);
+  /// An evolution went on to another state; `replaces` the one before. Large ones keep the last state only.
+  void note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name, bool replaces);
   void note_gesture_begun(const std::string& name);
   /// A gesture without edits leaves no trace.
   void note_gesture_ended();
-  void note(TimelineEntry entry) { entries_.push_back(std::move(entry)); }
+  void note(TimelineEntry entry) {
+    evolution_at_.reset();
+    entries_.push_back(std::move(entry));
+  }
 
  private:
   std::shared_ptr<const SampleData> data_;
   std::vector<TimelineEntry> entries_;
-  std::optional<std::size_t> gesture_at_;  // where the open gesture began
+  std::optional<std::size_t> gesture_at_;    // where the open gesture began
+  std::optional<std::size_t> evolution_at_;  // a last entry that the next state takes the place of
+  std::size_t evolution_edits_ = 0;          // on record since the evolution began
   std::uint64_t generation_ = 0;
 };
 
@@ -159,6 +168,7 @@ class DocumentReplay {
 
  private:
   Expected<void> apply_edit(const TimelineEdit& edit);
+  Expected<void> apply_replacement(const TimelineEdit& edit);
   void change(const DocumentDelta& delta);
 
   Document document_;

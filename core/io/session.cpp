@@ -82,6 +82,7 @@ json to_json(const TimelineEdit& edit) {
   };
   if (!edit.name.empty()) out["name"] = edit.name;
   if (edit.continues) out["continues"] = true;
+  if (edit.replaces) out["replaces"] = true;
   add("remove", edit.removed);
   add("move", edit.moved);
   add("insert", edit.inserted);
@@ -280,6 +281,8 @@ TimelineEdit edit_from(const json& object) {
   out.name = text_at(object, "name", where);
   if (const json* continues = find(object, "continues"); continues != nullptr && continues->is_boolean())
     out.continues = continues->get<bool>();
+  if (const json* replaces = find(object, "replaces"); replaces != nullptr && replaces->is_boolean())
+    out.replaces = replaces->get<bool>();
   read_flat(object, "remove", out.removed, where);
   read_flat(object, "move", out.moved, where);
   read_flat(object, "insert", out.inserted, where);

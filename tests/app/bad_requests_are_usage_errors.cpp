@@ -43,10 +43,6 @@ TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"export", kDude, "--layer", "medial-axis", "--format", "wpoff"}, {"no disks"});
   require_usage_error({"render", kDude, "-o", "a.svg"}, {"not available in this build"});
   require_usage_error({"render", kDude, "-o", "a.jpeg"}, {".png"});
-  for (const char* command : {"evolve"}) {
-    require_usage_error({command}, {"not available"});
-    require_usage_error({command, kDude, "--steps", "5"}, {"not available"});
-  }
 }
 
 TEST_CASE("sizes, views, scales and colours are checked") {

@@ -46,6 +46,8 @@ inline double median(std::vector<double> values) {
 void register_scratch(RatioTable& table);
 void register_edits(RatioTable& table);
 void register_drawing(RatioTable& table);
+void register_recording(RatioTable& table);
 void register_unions(RatioTable& table);
+void register_evolving(RatioTable& table);
 
 }  // namespace mes::bench

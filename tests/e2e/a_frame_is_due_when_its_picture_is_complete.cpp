@@ -71,9 +71,21 @@ TEST_CASE("a slider is a frame when it is let go") {
   CHECK(recorder.change(now) == Change::layers);
   now.settings.precision = Precision::exact;
   CHECK(recorder.change(now) == Change::settings);
-  CHECK(name_of(Change::document, "Move") == "Move");
-  CHECK(name_of(Change::document, "") == "Edit");
-  CHECK(name_of(Change::settings, "Move") == "Computation");
+}
+
+TEST_CASE("a frame is named after what was done") {
+  std::vector<TimelineEntry> timeline;
+  CHECK(name_of(Change::document, timeline) == "Open");
+  timeline.emplace_back(TimelineEdit{.name = "Insert sample"});
+  CHECK(name_of(Change::document, timeline) == "Insert sample");
+  timeline.emplace_back(GestureBegun{"Spray"});
+  timeline.emplace_back(TimelineEdit{});
+  timeline.emplace_back(TimelineEdit{});
+  timeline.emplace_back(LayersChanged{});
+  CHECK(name_of(Change::document, timeline) == "Spray");
+  CHECK(name_of(Change::settings, timeline) == "Computation");
+  timeline.emplace_back(Undone{});
+  CHECK(name_of(Change::document, timeline) == "Undo");
 }
 
 TEST_CASE("impossible frames are refused in one line") {

@@ -23,7 +23,7 @@ class RandomEditing {
 
   void step(Editor& editor) {
     const Document& document = editor.document();
-    switch (random_.below(12)) {
+    switch (random_.below(14)) {
       case 0:
         if (!editor.in_gesture()) editor.begin_gesture("Gesture");
         break;
@@ -45,6 +45,10 @@ class RandomEditing {
         break;
       case 9: choose(editor); [[fallthrough]];
       case 10: static_cast<void>(editor.nudge_selection(place())); break;
+      case 11:
+      case 12:
+        if (!editor.in_gesture()) evolve(editor);
+        break;
       default:
         if (document.slot_count() > 0 && document.is_alive(0))
           static_cast<void>(editor.move(std::array{std::pair{document.id(0), place()}}, "Move"));
@@ -53,6 +57,19 @@ class RandomEditing {
 
  private:
   Vec2 place() { return {random_.uniform(), random_.uniform()}; }
+  void evolve(Editor& editor) {
+    std::vector<Vec2> positions;
+    for (const Slot slot : editor.document().slots_in_input_order())
+      positions.push_back(editor.document().position(slot) + 0.1 * place());
+    std::vector<SampleData::Contour> contours;
+    // New samples in a curve.
+    if (random_.below(2) == 0 && positions.size() < 40) {
+      positions.push_back(place());
+      contours = {{random_.below(2) == 0, {0, static_cast<std::uint32_t>(positions.size() - 1)}}};
+    }
+    // Of a step that is replaced, all samples it made come back as new ones; there are never too few places.
+    static_cast<void>(editor.evolve(positions, contours, "Evolve"));
+  }
   void choose(Editor& editor) {
     editor.selection().clear();
     const Document& document = editor.document();

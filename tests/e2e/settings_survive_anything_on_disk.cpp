@@ -35,6 +35,7 @@ TEST_CASE("what is saved is loaded") {
   settings.spray_spacing_px = 17.5;
   settings.window_width = 1000;
   settings.details = DetailsPage::log;
+  settings.record = {.width = 1920, .height = 1080, .supersampling = 2, .transparent = true, .fps = 24.0};
   remember_file(settings, "/tmp/a.poff");
   remember_file(settings, "/tmp/b.poff");
   remember_file(settings, "/tmp/a.poff");
@@ -45,6 +46,20 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.spray_spacing_px == 17.5);
   CHECK(loaded.settings.window_width == 1000);
   CHECK(loaded.settings.details == DetailsPage::log);
+  CHECK(loaded.settings.record == settings.record);
+}
+
+TEST_CASE("frames that cannot be are as large as the window") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  for (const char* record : {"3", R"({"width": 1920})", R"({"width": 99999, "height": 99999})",
+                             R"({"supersampling": 3})", R"({"width": -5, "height": 4, "fps": "fast"})"}) {
+    write(path, std::string(R"({"schema": 1, "record": )") + record + "}");
+    CAPTURE(record);
+    const LoadedSettings loaded = load_settings(path);
+    CHECK(loaded.message.empty());
+    CHECK(loaded.settings.record == RecordSettings{});
+  }
 }
 
 TEST_CASE("the list of recent files does not grow for ever") {

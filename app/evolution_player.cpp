@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/evolution_player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mes {
+
+EvolutionPlayer::EvolutionPlayer(Editor& editor, std::function<void()> wake)
+    : editor_(editor), run_({.wake = std::move(wake)}) {}
+
+bool EvolutionPlayer::has_beginning() const {
+  const std::uint64_t revision = editor_.document().revision();
+  return revision == beginning_revision_ || revision == shown_revision_;
+}
+
+std::uint64_t EvolutionPlayer::position() const {
+  return editor_.document().revision() == shown_revision_ ? shown_ : 0;
+}
+
+void EvolutionPlayer::begin() {
+  beginning_ = state_of(editor_.document());
+  beginning_revision_ = editor_.document().revision();
+  shown_revision_ = ~std::uint64_t{0};
+  run_.begin(beginning_, choice_);
+}
+
+void EvolutionPlayer::restart_from_beginning() {
+  if (has_beginning()) run_.begin(beginning_, choice_);
+  wanted_.reset();
+}
+
+void EvolutionPlayer::choose(EvolutionIndex evolution) {
+  if (evolution == choice_.evolution) return;
+  play(Direction::none);
+  step_to(0);
+  choice_.evolution = evolution;
+  restart_from_beginning();
+}
+
+void EvolutionPlayer::choose_next(int places) {
+  const auto count = static_cast<int>(evolutions().size());
+  const int next = (static_cast<int>(choice_.evolution) + places) % count;
+  choose(static_cast<EvolutionIndex>(next < 0 ? next + count : next));
+}
+
+void EvolutionPlayer::set_seed(std::uint64_t seed) {
+  if (seed == choice_.seed) return;
+  const std::uint64_t k = target();
+  choice_.seed = seed;
+  restart_from_beginning();
+  if (k != 0) step_to(k);
+}
+
+void EvolutionPlayer::set_value(std::string_view parameter, double value) {
+  if (value == choice_.values[parameter]) return;
+  const std::uint64_t k = target();
+  choice_.values.set(parameter, value);
+  restart_from_beginning();
+  if (k != 0) step_to(k);
+}
+
+void EvolutionPlayer::set_end(std::uint64_t end) {
+  end_ = std::max({std::uint64_t{1}, end, target()});
+}
+
+void EvolutionPlayer::step_to(std::uint64_t k) {
+  if (editor_.in_gesture()) return;
+  end_ = std::max(end_, k);
+  if (k == 0) {
+    wanted_.reset();
+    run_.cancel();
+    // The step of undo is the evolution: back to its beginning.
+    if (position() != 0) editor_.undo();
+    return;
+  }
+  if (!has_beginning()) begin();
+  wanted_from_ = position();
+  wanted_ = k;
+  run_.want(k);
+}
+
+void EvolutionPlayer::play(Direction direction) {
+  if (direction != Direction::none && !has_beginning()) begin();
+  direction_ = direction;
+}
+
+double EvolutionPlayer::progress() const {
+  if (!wanted_ || *wanted_ <= wanted_from_) return 0.0;
+  const auto whole = static_cast<double>(*wanted_ - wanted_from_);
+  const auto done = static_cast<double>(std::max(run_.reached(), wanted_from_) - wanted_from_);
+  return std::min(1.0, done / whole);
+}
+
+void EvolutionPlayer::cancel() {
+  direction_ = Direction::none;
+  wanted_.reset();
+  run_.cancel();
+}
+
+void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
+  const std::string name = std::string(descriptor().name) + ", " + std::to_string(k) + (k == 1 ? " step" : " steps");
+  // Contours change only where samples were added; all states of the others share those of the document.
+  const bool has_new_loops = state.curve != beginning_.curve;
+  if (auto done = editor_.evolve(state.positions,
+                                 has_new_loops ? contours_of(state) : std::vector<SampleData::Contour>(), name);
+      !done) {
+    problem_ = done.error();
+    direction_ = Direction::none;
+    return;
+  }
+  shown_revision_ = editor_.document().revision();
+  shown_ = k;
+}
+
+void EvolutionPlayer::follow(bool picture_is_complete, double now) {
+  if (editor_.in_gesture()) return;
+  // Edited meanwhile: what goes on was meant for what was there before.
+  if ((wanted_ || direction_ != Direction::none) && !has_beginning()) cancel();
+  if (auto answer = run_.poll(); answer && wanted_ == answer->k) {
+    wanted_.reset();
+    if (answer->state) {
+      show(answer->k, **answer->state);
+      picture_is_complete = false;
+    } else {
+      problem_ = answer->state.error();
+      direction_ = Direction::none;
+    }
+  }
+  if (direction_ == Direction::none || wanted_ || !picture_is_complete || next_due(now) > 0.0) return;
+  last_step_ = now;
+  if (direction_ == Direction::forward)
+    step_forward();
+  else
+    step_back();
+  if (direction_ == Direction::backward && target() == 0) direction_ = Direction::none;
+}
+
+std::optional<double> EvolutionPlayer::next_due(double now) const {
+  if (direction_ == Direction::none || wanted_) return std::nullopt;
+  return speed_ >= kFastest ? 0.0 : std::max(0.0, last_step_ + 1.0 / speed_ - now);
+}
+
+}  // namespace mes

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/record_popup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/panels/icons.h"
+#include "app/recording/record_settings.h"
+#include "app/window/theme.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+constexpr RecordSettings kFirstSize{.width = 1920, .height = 1080};
+
+void title(const char* text, float column) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(column);
+}
+
+void draw_size(const Gui& gui, RecordSettings& record, float column) {
+  title("Size", column);
+  const bool is_window = record.width == 0 && record.height == 0;
+  if (choice_button("Window", is_window)) record.width = record.height = 0;
+  tooltip(gui, "As large as the window is when the recording begins");
+  ImGui::SameLine();
+  if (choice_button("Set", !is_window) && is_window) {
+    record.width = kFirstSize.width;
+    record.height = kFirstSize.height;
+  }
+  tooltip(gui, "Any size, whatever the window's; the frame shows all that the window shows");
+  if (is_window) return;
+  ImGui::Dummy({1, 1});
+  ImGui::SameLine(column);
+  ImGui::SetNextItemWidth(70 * gui.unit());
+  ImGui::InputInt("##width", &record.width, 0);
+  tooltip(gui, "Width in pixels");
+  ImGui::SameLine();
+  ImGui::TextUnformatted("x");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(70 * gui.unit());
+  ImGui::InputInt("##height", &record.height, 0);
+  tooltip(gui, "Height in pixels");
+}
+
+void draw_supersampling(const Gui& gui, RecordSettings& record, float column) {
+  title("Supersampling", column);
+  for (const int factor : {1, 2, 4}) {
+    if (choice_button((std::to_string(factor) + "x").c_str(), record.supersampling == factor))
+      record.supersampling = factor;
+    tooltip(gui, factor == 1 ? "As on screen; edges are smooth already"
+                             : "Drawn larger and averaged: finer edges, slower");
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+}
+
+void draw_background(const Gui& gui, RecordSettings& record, float column) {
+  title("Background", column);
+  std::array<float, 3> color{};
+  const std::array<std::uint8_t*, 3> channels{&record.background.r, &record.background.g, &record.background.b};
+  for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(*channels[i]) / 255.0F;
+  ImGui::BeginDisabled(record.transparent);
+  if (ImGui::ColorEdit3("##background", color.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip))
+    for (std::size_t i = 0; i < 3; ++i) *channels[i] = static_cast<std::uint8_t>(std::lround(255.0F * color[i]));
+  ImGui::EndDisabled();
+  tooltip(gui, "Colour behind the drawing");
+  ImGui::SameLine();
+  ImGui::Checkbox("Transparent", &record.transparent);
+  tooltip(gui, "Nothing behind the drawing");
+}
+
+void draw_contents(const PanelContext& context) {
+  const Gui& gui = context.gui;
+  const float unit = gui.unit();
+  const float column = 118 * unit;
+  RecordSettings& record = context.settings.record;
+  ImGui::BeginDisabled(context.record.is_recording());
+  title("Show", column);
+  if (choice_button("Drawing", !record.with_panels)) record.with_panels = false;
+  tooltip(gui, "The drawing alone");
+  ImGui::SameLine();
+  if (choice_button("Whole window", record.with_panels)) record.with_panels = true;
+  tooltip(gui, "The window with its panels, as it is");
+  ImGui::BeginDisabled(record.with_panels);
+  draw_size(gui, record, column);
+  draw_supersampling(gui, record, column);
+  draw_background(gui, record, column);
+  ImGui::EndDisabled();
+  title("Pan and zoom", column);
+  if (choice_button("At rest", !record.each_motion)) record.each_motion = false;
+  tooltip(gui, "One frame where a motion ends");
+  ImGui::SameLine();
+  if (choice_button("Each step", record.each_motion)) record.each_motion = true;
+  tooltip(gui, "A frame of each step of a motion");
+  title("Folder", column);
+  ImGui::SetNextItemWidth(230 * unit);
+  ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
+  tooltip(gui, "Each recording makes a folder of its own in it. Snapshots go to " + pictures_folder().string());
+  ImGui::EndDisabled();
+  title("Video", column);
+  auto fps = static_cast<float>(record.fps);
+  ImGui::SetNextItemWidth(100 * unit);
+  if (ImGui::SliderFloat("##fps", &fps, 1.0F, 60.0F, "%.0f per second", ImGuiSliderFlags_AlwaysClamp))
+    record.fps = std::round(static_cast<double>(fps));
+  tooltip(gui, "Frames per second");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!context.actions.is_enabled(ActionId::make_video));
+  if (ImGui::Button("Make video")) context.actions.run(ActionId::make_video);
+  ImGui::EndDisabled();
+  tooltip(gui, tooltip_of(ActionId::make_video));
+  if (const auto good = check(record); !good) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushTextWrapPos(column + 230 * unit);
+    ImGui::TextUnformatted(good.error().message().c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+}
+
+}  // namespace
+
+void draw_record_popup(const PanelContext& context, float size) {
+  const float unit = context.gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (icon_button("record-options", Icon::more, size)) ImGui::OpenPopup("##record");
+  tooltip(context.gui, "How frames and snapshots are made");
+  ImGui::SetNextWindowPos({at.x + size + 10 * unit, at.y + size}, ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
+  if (ImGui::BeginPopup("##record")) {
+    draw_contents(context);
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace mes

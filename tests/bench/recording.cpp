@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What recording costs: a 1080p frame as PNG against the library's own way, and the time of the thread that draws
+// with and without reading each frame back. Without OpenGL it is left out.
+#include <benchmark/benchmark.h>
+
+#include "render/egl_context.h"
+#include "render/frame_capture.h"
+#include "render/offscreen.h"
+#include "render/png.h"
+#include "tests/bench/ratios.h"
+#include "tests/bench/setup.h"
+#include "tests/support/shapes_benchmark.h"
+
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+
+namespace mes::bench {
+namespace {
+
+constexpr int kWidth = 1920;
+constexpr int kHeight = 1080;
+constexpr std::size_t kSamples = 400;
+constexpr Rgb kWhite{255, 255, 255};
+
+/// A drawing as the window first shows it.
+class Stage {
+ public:
+  Stage() : scene_(device_) {
+    Graph graph;
+    const auto layers = layers_named({"interior-voronoi-disks", "curve", "medial-axis", "points"});
+    graph.set_demand(layers);
+    FramePatch patch;
+    JobControl job;
+    graph.post(replace_with(Document(), test::benchmark_curve(kSamples)));
+    graph.run(patch, job);
+    scene_.apply(patch);
+    for (const LayerIndex layer : layers) views_.push_back({layer, layer_descriptors()[layer].style});
+    camera_.set_viewport(kWidth, kHeight);
+    camera_.fit(graph.structures().get<Samples>().extent(), 20.0);
+    target_ = device_.create_framebuffer({.width = kWidth, .height = kHeight});
+  }
+  void draw() {
+    device_.clear(target_, {0, 0, kWidth, kHeight}, {1.0F, 1.0F, 1.0F, 1.0F});
+    scene_.draw(camera_, views_, {.target = target_});
+    device_.finish();
+  }
+  render::Image image() { return *render::draw_image(device_, scene_, camera_, views_, {.background = kWhite}); }
+  render::GlDevice& device() { return device_; }
+  render::FramebufferId target() const { return target_; }
+
+ private:
+  render::GlDevice device_;
+  render::Scene scene_;
+  render::Camera camera_;
+  std::vector<render::LayerView> views_;
+  render::FramebufferId target_{};
+};
+
+void encode(benchmark::State& state, RatioTable& table) {
+  const auto context = render::EglContext::create();
+  if (!context) {
+    state.SkipWithError(context.error().text.c_str());
+    return;
+  }
+  const render::Image image = Stage().image();
+  std::vector<double> ours;
+  std::vector<double> raw;
+  for (auto _ : state) {
+    const double start = now_us();
+    benchmark::DoNotOptimize(render::encode_png(image));
+    const double middle = now_us();
+    int size = 0;
+    unsigned char* png = stbi_write_png_to_mem(image.rgba.data(), 4 * kWidth, kWidth, kHeight, 4, &size);
+    benchmark::DoNotOptimize(png);
+    raw.push_back(now_us() - middle);
+    ours.push_back(middle - start);
+    STBIW_FREE(png);
+  }
+  table.add({"PNG of a 1080p frame", kSamples, median(ours), median(raw), 0.3, "stb_image_write as it comes"});
+}
+
+void capture(benchmark::State& state, RatioTable& table) {
+  const auto context = render::EglContext::create();
+  if (!context) {
+    state.SkipWithError(context.error().text.c_str());
+    return;
+  }
+  Stage stage;
+  render::FrameCapture frames(stage.device());
+  std::vector<double> ours;
+  std::vector<double> raw;
+  stage.draw();
+  for (auto _ : state) {
+    const double start = now_us();
+    stage.draw();
+    const double middle = now_us();
+    stage.draw();
+    frames.take(stage.target(), {0, 0, kWidth, kHeight});
+    while (auto picture = frames.poll()) benchmark::DoNotOptimize(picture->rgba.data());
+    ours.push_back(now_us() - middle);
+    raw.push_back(middle - start);
+  }
+  table.add({"1080p frame, recorded", kSamples, median(ours), median(raw), 1.2, "the same frame, not recorded"});
+}
+
+}  // namespace
+
+void register_recording(RatioTable& table) {
+  benchmark::RegisterBenchmark("recording/png", [&table](benchmark::State& state) { encode(state, table); })
+      ->Iterations(15)
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("recording/capture", [&table](benchmark::State& state) { capture(state, table); })
+      ->Iterations(40)
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace mes::bench
