@@ -43,7 +43,7 @@ Session sample_session() {
       SettingsChanged{session.settings},
       ViewChanged{session.view},
       Captioned{"Now \xc3\xa4 the axis"},
-                     Captioned{"", 2.5}};
+      Captioned{"", 2.5}};
   return session;
 }
 
@@ -170,4 +170,18 @@ TEST_CASE("no bytes make the reader of sessions crash or hang") {
     DocumentReplay replay;
     static_cast<void>(replay_session(*session, replay, "fuzz"));
   }
+}
+
+TEST_CASE("depth is bounded, brackets in texts do not count, and long lists take no longer than their length") {
+  const std::string deep(100'000, '[');
+  const auto refused = read_session(deep, "deep.json");
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message() == "deep.json:1:65: this JSON is nested too deeply");
+  Session session;
+  session.title = std::string(500, '[') + "\\\"{{";
+  for (int i = 0; i < 200'000; ++i) session.entries.emplace_back(Captioned{});
+  const auto read = read_session(write_session(session), "long.json");
+  REQUIRE(read);
+  CHECK(read->title == session.title);
+  CHECK(read->entries.size() == 200'000);
 }
