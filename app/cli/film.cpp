@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/background_loader.h"
 #include "app/cli/messages.h"
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
@@ -139,6 +140,7 @@ class Studio {
     else
       camera.fit(player.view(), 0.0);
     const LayerStack& layers = player.layers();
+    follow_picture(layers.image());
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
     auto image = render::draw_image(device_, scene_, camera, views,
@@ -150,6 +152,22 @@ class Studio {
   }
 
  private:
+  // A picture that is not there any more is told once; the film goes on without it.
+  void follow_picture(const BackgroundImage& image) {
+    const LayerIndex layer = find_layer("image");
+    if (image.file != picture_file_) {
+      picture_file_ = image.file;
+      scene_.clear_picture();
+      if (!image.file.empty()) {
+        if (const auto read = read_background(image.file))
+          scene_.set_picture(layer, *read);
+        else
+          say("the picture to trace is left out: " + read.error().message());
+      }
+    }
+    scene_.place_picture({image.center, image.width});
+  }
+
   void add_caption(render::Image& image, const std::string& text) const {
     if (text.empty()) return;
     const double height = image.height;
@@ -166,6 +184,7 @@ class Studio {
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
+  std::string picture_file_;  // in the scene, or not readable
   std::optional<LegendFonts> fonts_;
 };
 
