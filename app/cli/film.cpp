@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/canvas_look.h"
 #include "app/cli/messages.h"
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
@@ -141,8 +142,8 @@ class Studio {
     const LayerStack& layers = player.layers();
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-    auto image = render::draw_image(device_, scene_, camera, views,
-                                    {.background = Rgb{255, 255, 255}, .content_scale = scale});
+    auto image =
+        render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image || !fonts_) return image;
     add_legend(*image, layers, views, scale);
     add_caption(*image, player.caption());
@@ -159,7 +160,7 @@ class Studio {
       if (shown.map != nullptr)
         entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
     }
-    if (!entries.empty()) draw_legend(image, *fonts_, entries, scale);
+    if (!entries.empty()) draw_legend(image, *fonts_, entries, scale, kWhiteCanvas);
   }
 
   void add_caption(render::Image& image, const std::string& text) const {

@@ -134,7 +134,7 @@ void parameter_field(const PanelContext& context, const ParameterDescriptor& par
                                  ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
     player.set_value(parameter.id, value);
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
   ImGui::PushTextWrapPos(330 * context.gui.unit());
   ImGui::TextUnformatted(parameter.explanation.data());
   ImGui::PopTextWrapPos();
@@ -162,7 +162,8 @@ void progress(const PanelContext& context, float width) {
   const ImVec2 at = ImGui::GetWindowPos();
   if (!is_far) return;
   ImGui::GetWindowDrawList()->AddRectFilled(
-      at, {at.x + width * static_cast<float>(player.progress()), at.y + 3 * context.gui.unit()}, theme::kAccent);
+      at, {at.x + width * static_cast<float>(player.progress()), at.y + 3 * context.gui.unit()},
+      context.gui.colors().accent);
 }
 
 }  // namespace

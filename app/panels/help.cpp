@@ -17,9 +17,9 @@ void key_cap(const PanelContext& context, std::string_view text) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 end(at.x + size.x + 10 * unit, at.y + size.y + 4 * unit);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, end, IM_COL32(0xF1, 0xF3, 0xF5, 0xFF), 4 * unit);
-  list.AddRect(at, end, theme::kBorder, 4 * unit);
-  list.AddText({at.x + 5 * unit, at.y + 2 * unit}, theme::kText, text.data(), text.data() + text.size());
+  list.AddRectFilled(at, end, context.gui.colors().field, 4 * unit);
+  list.AddRect(at, end, context.gui.colors().border, 4 * unit);
+  list.AddText({at.x + 5 * unit, at.y + 2 * unit}, context.gui.colors().text, text.data(), text.data() + text.size());
   ImGui::Dummy({end.x - at.x, end.y - at.y});
 }
 
@@ -38,7 +38,7 @@ void row(const PanelContext& context, std::span<const std::string_view> keys, st
     key_cap(context, keys[i]);
   }
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddText({start.x + text_at, start.y + 2 * unit}, theme::kText, text.data(),
+  ImGui::GetWindowDrawList()->AddText({start.x + text_at, start.y + 2 * unit}, context.gui.colors().text, text.data(),
                                       text.data() + text.size());
   ImGui::SetCursorScreenPos(after);
 }
@@ -57,7 +57,7 @@ void draw_help(const PanelContext& context, bool* open) {
   const ImVec2 size(std::min(1000 * unit, screen.x - 24 * unit), std::min(600 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32_WHITE);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.gui.colors().raised);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 4 * unit});
   if (Gui::begin_dialog("##help", *open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
@@ -81,7 +81,7 @@ void draw_help(const PanelContext& context, bool* open) {
       heading(context, "With the mouse");
       for (const GestureDescriptor& gesture : gesture_descriptors()) {
         key_cap(context, gesture.input);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+        ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
         ImGui::TextWrapped("%.*s", static_cast<int>(gesture.meaning.size()), gesture.meaning.data());
         ImGui::PopStyleColor();
         ImGui::Dummy({0, 2 * unit});

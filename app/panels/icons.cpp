@@ -201,21 +201,22 @@ bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool en
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   if (look == ButtonLook::chosen)
-    list.AddRectFilled(at, {at.x + size, at.y + size}, theme::kAccent, rounding);
+    list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_CheckMark), rounding);
   else if (look == ButtonLook::on || ImGui::IsItemHovered())
-    list.AddRectFilled(at, {at.x + size, at.y + size}, theme::kAccentSoft, rounding);
+    list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_Header), rounding);
   const float inset = 0.16F * size;
-  ImU32 color = enabled ? theme::kText : IM_COL32(0xB4, 0xBA, 0xC1, 0xFF);
-  if (look == ButtonLook::chosen) color = IM_COL32_WHITE;
-  if (look == ButtonLook::on) color = theme::kAccent;
-  draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, color);
+  ImGuiCol color = ImGuiCol_Text;
+  if (look == ButtonLook::chosen) color = ImGuiCol_WindowBg;
+  if (look == ButtonLook::on) color = ImGuiCol_CheckMark;
+  draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, ImGui::GetColorU32(color));
   ImGui::EndDisabled();
   return clicked;
 }
 
 bool choice_button(const char* label, bool chosen) {
-  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentSoft : 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kAccent : theme::kTextQuiet);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? style.Colors[ImGuiCol_Header] : ImVec4());
+  ImGui::PushStyleColor(ImGuiCol_Text, style.Colors[chosen ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled]);
   const bool clicked = ImGui::Button(label);
   ImGui::PopStyleColor(2);
   return clicked;

@@ -71,15 +71,15 @@ void progress(const PanelContext& context, const std::string& what, double fract
   const float width = 110 * unit;
   const float y = at.y + 0.5F * (ImGui::GetTextLineHeight() - height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, theme::kBorder, 3 * unit);
+  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, context.gui.colors().border, 3 * unit);
   if (fraction > 0.0) {
     list.AddRectFilled({at.x, y}, {at.x + width * static_cast<float>(std::min(fraction, 1.0)), y + height},
-                       theme::kAccent, 3 * unit);
+                       context.gui.colors().accent, 3 * unit);
   } else {
     // Unknown: a piece that wanders.
     const float phase = static_cast<float>(0.5 - 0.5 * std::cos(3.0 * ImGui::GetTime()));
     list.AddRectFilled({at.x + 0.7F * width * phase, y}, {at.x + width * (0.7F * phase + 0.3F), y + height},
-                       theme::kAccent, 3 * unit);
+                       context.gui.colors().accent, 3 * unit);
   }
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
   ImGui::SameLine();
@@ -92,7 +92,8 @@ void draw_recording(const PanelContext& context) {
   const float unit = context.gui.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
-  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * height}, 5 * unit, theme::kRecording);
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * height}, 5 * unit,
+                                              context.gui.colors().recording);
   ImGui::Dummy({14 * unit, height});
   ImGui::SameLine(0, 0);
   std::string text = grouped(record.frames()) + (record.frames() == 1 ? " frame" : " frames");
@@ -121,7 +122,7 @@ bool draw_work(const PanelContext& context) {
   }
   const EngineStatus status = context.engine.status();
   if (status.cancelled) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
     ImGui::TextUnformatted("Computation cancelled");
     ImGui::PopStyleColor();
     ImGui::SameLine();
@@ -170,7 +171,7 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     }
     if (const std::uint32_t every = context.picture.every(); every > 1) {
       ImGui::SameLine(0, 16 * unit);
-      ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+      ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
       ImGui::Text("1 of %u disks shown", every);
       ImGui::PopStyleColor();
       tooltip(context.gui,
@@ -196,14 +197,14 @@ void draw_problem(const PanelContext& context, ImVec2 at, float width) {
   const float wanted = std::min(width, ImGui::CalcTextSize(problem.c_str()).x + 76 * unit);
   ImGui::SetNextWindowPos({at.x + 0.5F * (width - wanted), at.y});
   ImGui::SetNextWindowSize({wanted, 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kWarningSoft);
-  ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(0xE9, 0xB4, 0x8C, 0xFF));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.gui.colors().warning_soft);
+  ImGui::PushStyleColor(ImGuiCol_Border, context.gui.colors().warning_border);
   ImGui::Begin("##problem", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
   const float size = ImGui::GetTextLineHeight();
   const float start = ImGui::GetCursorPosY();
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
   ImGui::PushTextWrapPos(wanted - 34 * unit);
   ImGui::TextUnformatted(problem.c_str());
   ImGui::PopTextWrapPos();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/canvas_look.h"
 #include "app/color_maps.h"
 #include "app/panels/canvas_legend.h"
 #include "app/panels/evolution_strip.h"
@@ -155,7 +156,8 @@ void App::frame() {
   if (window_->is_minimized()) return;
   const auto size = window_->framebuffer_size();
   if (size.width < 1 || size.height < 1) return;
-  gui_.begin_frame(settings_.interface_scale);
+  gui_.begin_frame(settings_);
+  picture_.set_canvas(canvas_background(settings_));
   const double seconds = std::clamp(ImGui::GetTime() - now, 0.0, kLongestStep);
   canvas_.set_content_scale(static_cast<double>(gui_.unit()) * window_->pixel_ratio());
   canvas_.view().set_viewport(size.width, size.height);
@@ -243,6 +245,8 @@ void App::draw_pointer_marks() {
   if (!over_canvas) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float unit = gui_.unit();
+  const Rgb color = mark_color(picture_.canvas());
+  const ImU32 mark = to_imgui(color);
   const Slot hovered = feedback.hovered;
   const auto at = [unit](Vec2 px) {
     return ImVec2(static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit);
@@ -250,35 +254,34 @@ void App::draw_pointer_marks() {
   if (hovered != kNoSlot && editor_.document().is_alive(hovered)) {
     const Vec2 px =
         (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(editor_.document().position(hovered));
-    list.AddCircle(at(px), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+    list.AddCircle(at(px), 9.0F * unit, mark, 0, 2.0F * unit);
   }
   const auto to_px = [this](Vec2 world) {
     return (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(world);
   };
-  const auto circle = [&](const Disk& disk, ImU32 color, float width) {
+  const auto circle = [&](const Disk& disk, float width) {
     const double radius = disk.radius / (canvas_.content_scale() * canvas_.view().camera().units_per_pixel());
     // ImGui draws circles as polygons of corners all around; a far too large one is left to its layer.
     if (radius < kLargestCirclePx)
-      list.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit, color, 0, width);
+      list.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit, mark, 0, width);
   };
   if (editor_.document().is_ball_alive(feedback.hovered_ball)) {
     const Disk& disk = editor_.document().disk(feedback.hovered_ball);
-    circle(disk, theme::kAccent, 2.0F * unit);
-    list.AddCircle(at(to_px(disk.center)), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+    circle(disk, 2.0F * unit);
+    list.AddCircle(at(to_px(disk.center)), 9.0F * unit, mark, 0, 2.0F * unit);
   }
   if (feedback.ball) {
-    circle(*feedback.ball, theme::kAccent, 1.5F * unit);
-    list.AddCircleFilled(at(to_px(feedback.ball->center)), 3.0F * unit, theme::kAccent);
-    if (feedback.marker_px)
-      list.AddLine(at(to_px(feedback.ball->center)), at(*feedback.marker_px), theme::kAccent, unit);
+    circle(*feedback.ball, 1.5F * unit);
+    list.AddCircleFilled(at(to_px(feedback.ball->center)), 3.0F * unit, mark);
+    if (feedback.marker_px) list.AddLine(at(to_px(feedback.ball->center)), at(*feedback.marker_px), mark, unit);
   }
   if (feedback.box_px) {
-    list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccentSoft);
-    list.AddRect(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccent, 0.0F, 0, unit);
+    list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), to_imgui(color, 0.13));
+    list.AddRect(at(feedback.box_px->low), at(feedback.box_px->high), mark, 0.0F, 0, unit);
   }
   if (feedback.marker_px && feedback.ring_px > 0.0)
-    list.AddCircle(at(*feedback.marker_px), static_cast<float>(feedback.ring_px) * unit,
-                   IM_COL32(0, 0x72, 0xB2, 0x90), 0, 1.2F * unit);
+    list.AddCircle(at(*feedback.marker_px), static_cast<float>(feedback.ring_px) * unit, to_imgui(color, 0.56), 0,
+                   1.2F * unit);
 }
 
 }  // namespace mes
