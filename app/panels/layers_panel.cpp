@@ -102,11 +102,12 @@ void LayersPanel::draw_head(const PanelContext& context) {
   ImGui::SameLine(0, 2 * unit);
   if (choice_button("Order", by_order_)) by_order_ = true;
   tooltip(context.gui, "List the layers as they lie on each other, top first");
-  ImGui::SetNextItemWidth(-1);
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Only visible").x - ImGui::GetFrameHeight() - 14 * unit);
   ImGui::InputTextWithHint("##search", "Search", &search_);
+  ImGui::SameLine();
   ImGui::Checkbox("Only visible", &only_visible_);
+  tooltip(context.gui, "List only the layers that are shown");
   if (context.layers.soloed() != kNoSlot) {
-    ImGui::SameLine();
     if (ImGui::SmallButton("End solo")) context.layers.end_solo();
     tooltip(context.gui, "Show the other layers again");
   }

@@ -15,6 +15,8 @@ namespace {
 
 // Shorter work would only flicker.
 constexpr double kShownAfterMs = 100.0;
+constexpr float kCoordinatesWidth = 190.0F;  // logical pixels
+constexpr float kLeastRemark = 120.0F;
 
 // As many digits as one pixel of the view can tell apart.
 std::string coordinate(double value, double units_per_px) {
@@ -151,11 +153,13 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
   if (begin_panel("##status", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     const std::string right_text = coordinates(context.canvas);
     const std::string count_text = counts(context.editor, context.canvas.view().camera().units_per_pixel());
-    const float right_width = 190 * unit;
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;
     const float verdict_at = end - verdict_width(context);
-    const float counts_at = verdict_at - 14 * unit - right_width - count_width;
+    const float before_verdict = verdict_at - 14 * unit - count_width;
+    // Where all has no room, what is being done or can be done says more than where the pointer is.
+    const bool has_room = before_verdict > (kCoordinatesWidth + kLeastRemark) * unit;
+    const float counts_at = std::max(0.0F, before_verdict - (has_room ? kCoordinatesWidth * unit : 0.0F));
     const ImVec2 clip_from = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(clip_from, {clip_from.x + counts_at - 16 * unit, area.at.y + area.size.y}, true);
     draw_recording(context);
@@ -181,8 +185,10 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     ImGui::PopClipRect();
     ImGui::SameLine(counts_at);
     ImGui::TextUnformatted(count_text.c_str());
-    ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
-    ImGui::TextDisabled("%s", right_text.c_str());
+    if (has_room) {
+      ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
+      ImGui::TextDisabled("%s", right_text.c_str());
+    }
     ImGui::SameLine(verdict_at);
     draw_verdict(context);
   }

@@ -19,7 +19,9 @@ namespace {
 
 constexpr int kSettlingFrames = 2;
 constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
-constexpr float kMostOfBundles = 0.4F;      // of the height that bundles and layers share
+constexpr float kMostOfBundles = 0.35F;     // of the height that bundles and layers share
+constexpr float kLeastOfBundles = 62.0F;    // logical pixels: the head and a row
+constexpr float kLeastOfLayers = 190.0F;
 constexpr double kLargestCirclePx = 10'000.0;
 constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
 
@@ -174,7 +176,7 @@ void App::frame() {
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
   const std::uint32_t share = picture_.every();
-  picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.content_scale());
+  picture_.draw(canvas_.view().camera(), layers_, editor_, gui_.drawing_scale());
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   keep_timeline();
@@ -203,10 +205,12 @@ void App::draw_panels() {
     const bool has_details = settings_.details != DetailsPage::none;
     const bool both = settings_.show_layers && has_details;
     if (settings_.show_layers || has_details) right = width;
-    const float upper = both ? 0.55F * height : height;
+    const float upper = both ? 0.6F * height : height;
     if (settings_.show_layers) {
-      const float bundles = bundles_panel_.height(context, kMostOfBundles * upper);
-      bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
+      // In a low window the layers need the room, and bundles have their keys and their menu.
+      const float most = std::min(kMostOfBundles * upper, upper - kLeastOfLayers * unit);
+      const float bundles = most < kLeastOfBundles * unit ? 0.0F : bundles_panel_.height(context, most);
+      if (bundles > 0.0F) bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
       layers_panel_.draw(context, {{screen.x - width, top + bundles}, {width, upper - bundles}});
     }
     if (has_details) {
@@ -214,7 +218,7 @@ void App::draw_panels() {
       details_panel_.draw(context, {{screen.x - width, from}, {width, top + height - from}});
     }
     const float margin = 10 * unit;
-    left = margin + draw_toolbar(context, {margin, top + margin});
+    left = margin + draw_toolbar(context, {margin, top + margin}, height - 2 * margin);
   }
   const float card_margin = 10 * unit;
   if (show_panels_ && settings_.show_evolution)

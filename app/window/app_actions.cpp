@@ -220,7 +220,8 @@ Box2 App::fit_box() const {
 }
 
 void App::fit_if_wanted() {
-  if (fit_wanted_ == Fit::none) return;
+  // Panels know their size when they have been drawn once.
+  if (fit_wanted_ == Fit::none || ImGui::GetFrameCount() < 3) return;
   if (fit_to_)
     canvas_.view().fit(*fit_to_, 0.0, fit_wanted_ == Fit::at_once);
   else

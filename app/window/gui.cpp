@@ -95,6 +95,10 @@ void Gui::begin_frame(const Settings& settings) {
   ImGui::NewFrame();
 }
 
+double Gui::drawing_scale() const {
+  return std::clamp(window_.content_scale() * (for_projector_ ? kProjectorScale : 1.0), 0.5, 8.0);
+}
+
 void Gui::end_frame() {
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -25,6 +25,9 @@ class Gui {
   void end_frame();
 
   float unit() const { return unit_; }
+  /// Framebuffer pixels per logical pixel of the drawing: the size of the panels is no matter of the drawing, but for
+  /// a projector both are larger.
+  double drawing_scale() const;
   const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
   ImFont* small() const { return small_; }
