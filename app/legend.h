@@ -7,12 +7,13 @@
 //
 // Smallest use:
 //     const std::vector<LegendEntry> entries = ...;
-//     draw_legend(image, fonts, entries, 1.0);
+//     draw_legend(image, fonts, entries, 1.0, kWhiteCanvas);
 //
 // Cost: some hundred rectangles a layer. Threads: none.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -74,8 +75,10 @@ struct LegendDrawing {
 /// Width of a text in logical pixels, at a size in logical pixels.
 using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
 
-/// One below the other; those that do not fit into `room` are counted in a last line. Nothing without entries.
-LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room);
+/// Light writing on a dark background. One below the other; those that do not fit into `room` are counted in a last
+/// line. Nothing without entries.
+LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
+                            const std::optional<Rgb>& background);
 
 struct LegendFonts {
   render::Font plain;
@@ -86,6 +89,7 @@ struct LegendFonts {
 
 /// Into the corner where it hides least, the lower right one if all are alike; `scale` pixels to a logical one,
 /// somewhat fewer on a small picture.
-void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale);
+void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale,
+                 const std::optional<Rgb>& background);
 
 }  // namespace mes

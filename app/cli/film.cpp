@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/background_loader.h"
+#include "app/canvas_look.h"
 #include "app/cli/messages.h"
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
@@ -143,10 +144,11 @@ class Studio {
     follow_picture(layers.image());
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-    auto image = render::draw_image(device_, scene_, camera, views,
-                                    {.background = Rgb{255, 255, 255}, .content_scale = scale});
+    auto image =
+        render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image || !fonts_) return image;
-    if (const auto entries = legend_of(scene_, views); !entries.empty()) draw_legend(*image, *fonts_, entries, scale);
+    if (const auto entries = legend_of(scene_, views); !entries.empty())
+      draw_legend(*image, *fonts_, entries, scale, kWhiteCanvas);
     add_caption(*image, player.caption());
     return image;
   }

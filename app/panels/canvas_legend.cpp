@@ -20,7 +20,8 @@ void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) 
     const ImVec2 extent = font(is_bold)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
     return static_cast<double>(extent.x / unit);
   };
-  const LegendDrawing legend = layout_legend(entries, measure, static_cast<double>(room / unit));
+  const LegendDrawing legend =
+      layout_legend(entries, measure, static_cast<double>(room / unit), context.picture.canvas());
   const ImVec2 at(std::floor(corner.x - static_cast<float>(legend.width) * unit),
                   std::floor(corner.y - static_cast<float>(legend.height) * unit));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -168,7 +168,7 @@ void FileBrowser::draw_path(const Gui& gui) {
 void FileBrowser::draw_entries(const Gui& gui, float height) {
   const float unit = gui.unit();
   fs::path target;
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32_WHITE);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, gui.colors().raised);
   const bool shown =
       ImGui::BeginTable("entries", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuter, {0, height});
   ImGui::PopStyleColor();
@@ -201,7 +201,7 @@ void FileBrowser::draw_entries(const Gui& gui, float height) {
 }
 
 bool FileBrowser::draw_overwrite_question(const Gui& gui) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
   ImGui::TextWrapped("%s exists already.", overwrite_.filename().c_str());
   ImGui::PopStyleColor();
   const bool yes = ImGui::Button("Replace it");
@@ -227,7 +227,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
                      2 * ImGui::GetFrameHeightWithSpacing() + 6 * unit;
   draw_entries(gui, ImGui::GetContentRegionAvail().y - foot);
   if (!trouble_.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     ImGui::TextUnformatted(trouble_.c_str());
     ImGui::PopStyleColor();
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/gui.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "app/window/theme.h"
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
 #include "imgui_internal.h"
@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kTextPx = 15.0F;
 constexpr float kSmallTextPx = 12.5F;
+constexpr double kProjectorScale = 1.35;
 constexpr float kRestSeconds = 0.4F;  // before a tooltip comes; shorter is a nuisance while passing by
 
 // Latin, Greek, and the few symbols that messages and panels use.
@@ -71,20 +72,31 @@ void Gui::load_fonts(double scale) {
   atlas.Build();
 }
 
-void Gui::begin_frame(double interface_scale) {
+void Gui::begin_frame(const Settings& settings) {
   const double ratio = window_.pixel_ratio();
-  const double scale = std::clamp(window_.content_scale() * interface_scale, 0.5, 8.0);
-  if (scale != font_scale_) {
+  const double enlarged = settings.interface_scale * (settings.for_projector ? kProjectorScale : 1.0);
+  const double scale = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
+  const bool is_new_scale = scale != font_scale_;
+  if (is_new_scale) {
     font_scale_ = scale;
     unit_ = static_cast<float>(scale / ratio);
     load_fonts(scale);
-    apply_theme(ImGui::GetStyle(), unit_);
     ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  }
+  if (is_new_scale || settings.theme != theme_ || settings.for_projector != for_projector_) {
+    theme_ = settings.theme;
+    for_projector_ = settings.for_projector;
+    colors_ = theme_colors(theme_, for_projector_);
+    apply_theme(ImGui::GetStyle(), colors_, unit_);
   }
   ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / ratio);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+}
+
+double Gui::drawing_scale() const {
+  return std::clamp(window_.content_scale() * (for_projector_ ? kProjectorScale : 1.0), 0.5, 8.0);
 }
 
 void Gui::end_frame() {

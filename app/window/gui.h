@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/window/glfw_window.h"
+#include "app/window/theme.h"
 #include "imgui.h"
 
 namespace mes {
@@ -19,11 +20,15 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// `interface_scale` enlarges the panels beyond what the desktop asks for.
-  void begin_frame(double interface_scale);
+  /// Theme, contrast and size are those of the settings.
+  void begin_frame(const Settings& settings);
   void end_frame();
 
   float unit() const { return unit_; }
+  /// Framebuffer pixels per logical pixel of the drawing: the size of the panels is no matter of the drawing, but for
+  /// a projector both are larger.
+  double drawing_scale() const;
+  const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
   ImFont* small() const { return small_; }
 
@@ -47,6 +52,9 @@ class Gui {
   GlfwWindow& window_;
   std::filesystem::path assets_;
   double font_scale_ = 0.0;
+  Theme theme_ = Theme::light;
+  bool for_projector_ = false;
+  ThemeColors colors_;
   float unit_ = 1.0F;
   ImFont* bold_ = nullptr;
   ImFont* small_ = nullptr;

@@ -35,7 +35,15 @@ TEST_CASE("what is saved is loaded") {
   settings.spray_spacing_px = 17.5;
   settings.window_width = 1000;
   settings.details = DetailsPage::log;
-  settings.record = {.width = 1920, .height = 1080, .supersampling = 2, .transparent = true, .fps = 24.0};
+  settings.theme = Theme::dark;
+  settings.for_projector = true;
+  settings.canvas_background = Rgb{1, 2, 3};
+  settings.record = {.width = 1920,
+                     .height = 1080,
+                     .supersampling = 2,
+                     .transparent = true,
+                     .background = Rgb{255, 0, 9},
+                     .fps = 24.0};
   remember_file(settings, "/tmp/a.poff");
   remember_file(settings, "/tmp/b.poff");
   remember_file(settings, "/tmp/a.poff");
@@ -46,6 +54,9 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.spray_spacing_px == 17.5);
   CHECK(loaded.settings.window_width == 1000);
   CHECK(loaded.settings.details == DetailsPage::log);
+  CHECK(loaded.settings.theme == Theme::dark);
+  CHECK(loaded.settings.for_projector);
+  CHECK(loaded.settings.canvas_background == Rgb{1, 2, 3});
   CHECK(loaded.settings.record == settings.record);
 }
 
@@ -103,6 +114,22 @@ TEST_CASE("values of a wrong kind or out of range do no harm") {
   CHECK(loaded.settings.spray_spacing_px == Settings{}.spray_spacing_px);
   CHECK(loaded.settings.recent_files == std::vector<std::string>{"/x.poff"});
   CHECK(loaded.settings.show_layers);
+}
+
+TEST_CASE("a theme or canvas that cannot be is the usual one") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  for (const char* look : {R"("theme": "pink", "canvas_background": "white")", R"("theme": 1)",
+                           R"("canvas_background": -1, "for_projector": "yes")", R"("canvas_background": 16777216)",
+                           R"("canvas_background": 1.5)"}) {
+    write(path, std::string(R"({"schema": 1, )") + look + "}");
+    CAPTURE(look);
+    const LoadedSettings loaded = load_settings(path);
+    CHECK(loaded.message.empty());
+    CHECK(loaded.settings.theme == Theme::light);
+    CHECK_FALSE(loaded.settings.for_projector);
+    CHECK_FALSE(loaded.settings.canvas_background);
+  }
 }
 
 TEST_CASE("an unwritable place is an error, not a crash") {
