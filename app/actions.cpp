@@ -15,11 +15,11 @@ using Id = ActionId;
 std::vector<ActionDescriptor> make_table() {
   return {
       {Id::new_document, "new", "New", "Start with an empty plane", file, always, false, {"Ctrl+N"}},
-      {Id::open, "open", "Open...", "Open a file of samples or balls", file, always, false, {"Ctrl+O"}},
+      {Id::open, "open", "Open...", "Open a session, samples, balls or bundles", file, always, false, {"Ctrl+O"}},
       {Id::save,
        "save",
        "Save",
-       "Write samples to their POFF file and balls to their WPOFF file",
+       "Write the session, or samples and balls, to the file they have",
        file,
        always,
        false,
@@ -27,7 +27,7 @@ std::vector<ActionDescriptor> make_table() {
       {Id::save_as,
        "save-as",
        "Save as...",
-       "Write the samples to another file, or the balls if its name ends in .wpoff",
+       "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls",
        file,
        always,
        false,

@@ -202,6 +202,17 @@ PixelPlace emptiest_corner(const render::Image& image, double width, double heig
 
 }  // namespace
 
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views) {
+  std::vector<LegendEntry> out;
+  for (auto view = views.rbegin(); view != views.rend(); ++view) {
+    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
+    const LayerDescriptor& layer = layer_descriptors()[view->layer];
+    if (shown.map != nullptr)
+      out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+  }
+  return out;
+}
+
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   if (range.is_empty() || !std::isfinite(range.low) || !std::isfinite(range.high)) return {};
   constexpr int kAlone = 6;

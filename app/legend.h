@@ -19,6 +19,7 @@
 
 #include "core/graph/layer_descriptor.h"
 #include "render/colormap.h"
+#include "render/scene.h"
 #include "render/text.h"
 
 namespace mes {
@@ -37,6 +38,10 @@ struct LegendEntry {
   render::ScalarRange range;
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
+
+/// Of the layers with a map that has something to colour, topmost first; `views` are bottom first. Their maps live as
+/// long as the scene.
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views);
 
 /// The ends of a range and a few round numbers between, the shortest way that tells them apart. Of a range of one
 /// value that value, of an empty one nothing.

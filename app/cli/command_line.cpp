@@ -115,7 +115,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render
       ->add_option("--bundle", to.render.bundle,
                    "Layers, their order and their styles as in a bundle: its name\n"
-                   "(mesecina list bundles) or a file of bundles, .json or .bnd")
+                   "(mesecina list bundles) or a file of bundles, .json or .bnd, of which\n"
+                   "the first is taken, or that of FILE:NAME")
       ->excludes("--layers");
   render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
   render

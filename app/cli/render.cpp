@@ -180,13 +180,7 @@ std::vector<render::LayerView> views_of(const Picture& picture, const render::Ca
 /// Above everything else, once the picture is there.
 void add_legend(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
                 double scale) {
-  std::vector<LegendEntry> entries;
-  for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
-    const LayerDescriptor& layer = layer_descriptors()[view->layer];
-    if (shown.map != nullptr)
-      entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
-  }
+  const std::vector<LegendEntry> entries = legend_of(scene, views);
   if (entries.empty()) return;
   const auto fonts = LegendFonts::read(find_assets({}));
   if (fonts)

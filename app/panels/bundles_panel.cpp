@@ -194,6 +194,7 @@ void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
   const float unit = context.gui.unit();
   const float height = kRowHeight * unit;
   const std::string name = context.bundles.bundles()[index].name;
+  const std::string description = context.bundles.bundles()[index].description;
   const bool is_current = context.bundles.current() == index;
   const bool is_changed = is_current && context.bundles.is_changed();
   ImGui::PushID(static_cast<int>(index));
@@ -204,8 +205,9 @@ void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
   const bool hovered = ImGui::IsItemHovered();
   std::string explanation = name;
   if (index < kDigits) explanation += " (" + std::to_string(index + 1) + ")";
-  if (is_changed) explanation += "\nThe layers were changed since; click to have them back as saved";
-  tooltip(context.gui, explanation + "\nDrag to reorder, right click for more");
+  if (!description.empty()) explanation += "\n" + description;
+  if (is_changed) explanation += "\n\nThe layers were changed since; click to have them back as saved";
+  tooltip(context.gui, explanation + "\n\nDrag to reorder, right click for more");
   if (ImGui::BeginDragDropSource()) {
     ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
     ImGui::TextUnformatted(name.c_str());
@@ -255,7 +257,17 @@ void BundlesPanel::draw_rows(const PanelContext& context, float height) {
 
 void BundlesPanel::draw_undo_line(const PanelContext& context) const {
   ImGui::PushFont(context.gui.small());
-  ImGui::TextDisabled("%s", context.bundles.undo_offer().c_str());
+  const std::string offer = context.bundles.undo_offer();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  // A long name must not push the button out of the panel.
+  const float button = ImGui::CalcTextSize("Undo").x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+  const float width = std::min(ImGui::CalcTextSize(offer.c_str()).x, ImGui::GetContentRegionAvail().x - button);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec4 clip(at.x, at.y, at.x + width, at.y + ImGui::GetFontSize());
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, theme::kTextQuiet, offer.c_str(),
+                                      nullptr, 0.0F, &clip);
+  ImGui::Dummy({std::max(1.0F, width), ImGui::GetFontSize()});
+  tooltip(context.gui, offer);
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, 0U);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);

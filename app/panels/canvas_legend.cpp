@@ -9,14 +9,10 @@
 namespace mes {
 
 void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
-  std::vector<LegendEntry> entries;
-  const std::vector<LayerIndex> visible = context.layers.visible_layers();
-  for (auto layer = visible.rbegin(); layer != visible.rend(); ++layer) {
-    const render::ShownMap shown = context.picture.scene().shown_map(*layer, context.layers.style(*layer));
-    const LayerDescriptor& descriptor = context.layers.descriptor(*layer);
-    if (shown.map != nullptr)
-      entries.push_back({std::string(descriptor.name), std::string(descriptor.scalar), shown.map, shown.range});
-  }
+  std::vector<render::LayerView> views;
+  for (const LayerIndex layer : context.layers.visible_layers())
+    views.push_back({layer, context.layers.style(layer)});
+  const std::vector<LegendEntry> entries = legend_of(context.picture.scene(), views);
   if (entries.empty()) return;
   const float unit = context.gui.unit();
   const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };

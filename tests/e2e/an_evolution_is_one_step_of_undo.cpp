@@ -228,3 +228,35 @@ TEST_CASE("a timeline keeps each state of a small evolution and the last of a la
   for (const TimelineEntry& entry : desk.editor.timeline().entries()) REQUIRE(replay.apply(entry));
   CHECK(replay.document().digest() == desk.editor.document().digest());
 }
+
+TEST_CASE("an evolution goes on where a session left it") {
+  for (const bool known : {false, true}) {
+    Desk before(known);
+    before.insert();
+    EvolutionChoice choice{.evolution = *find_evolution("noise"), .seed = 7};
+    before.player.resume(choice, 0);
+    const auto start = before.at(0);
+    const auto second = before.at(2);
+    const auto fifth = before.at(5);
+
+    Desk after(known);
+    DocumentReplay replay(after.editor.document());
+    REQUIRE(replay.begin(*before.editor.timeline().data()));
+    const auto entries = before.editor.timeline().entries();
+    for (const TimelineEntry& entry : entries) REQUIRE(replay.apply(entry));
+    after.editor.restore(std::move(replay), before.editor.timeline().data(), {entries.begin(), entries.end()});
+    after.player.resume(choice, 5);
+    CHECK(after.player.position() == 5);
+    CHECK(places(after.editor.document()) == fifth);
+    CHECK(after.at(2) == second);
+    CHECK(after.at(0) == start);
+    CHECK(after.at(5) == fifth);
+    // Still one step, with the insertion below it.
+    after.editor.undo();
+    after.editor.undo();
+    CHECK_FALSE(after.editor.can_undo());
+    // With nothing to undo there is no state to take up.
+    after.player.resume(choice, 3);
+    CHECK(after.player.position() == 0);
+  }
+}
