@@ -86,9 +86,11 @@ std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
   if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
   auto loaded = read_bundle_file(path_, known_layers());
   if (loaded) return std::move(loaded->bundles);
+  // Reading a pipe would wait for somebody who writes to it.
+  const std::string bytes = fs::is_regular_file(path_, error) ? bytes_of(path_) : std::string();
   // A list that was emptied on purpose is no fault.
-  if (bytes_of(path_) == write_bundles({})) return std::vector<Bundle>{};
-  const bool is_later = fs::is_regular_file(path_, error) && are_bundles_of_the_future(bytes_of(path_));
+  if (bytes == write_bundles({})) return std::vector<Bundle>{};
+  const bool is_later = are_bundles_of_the_future(bytes);
   const fs::path aside = free_name(path_, is_later ? ".later" : ".broken");
   fs::rename(path_, aside, error);
   message = "the bundles could not be read (" + loaded.error().text + "); ";

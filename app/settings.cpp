@@ -168,6 +168,9 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   if (error)
     return std::unexpected(
         Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path.parent_path().string()});
+  // A pipe would wait for somebody who reads it.
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+    return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
   const json object = {{"schema", kSchema},
                        {"recent_files", settings.recent_files},
                        {"spray_spacing_px", settings.spray_spacing_px},

@@ -150,7 +150,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
-  play->add_option("SESSION", to.play.session, "A saved session, .json")->required();
+  play->add_option("SESSION", to.play.session, "A saved session, .json, or - for standard input")->required();
   add_film(*play, to.play.film);
   play->footer("Without --frames and --video: one line of JSON a step, with digests of document and layers.");
 
@@ -185,6 +185,11 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list, manual})
     command->set_help_flag("-h,--help", "Print this help and exit");
+  // A variable of a script that is not set: hardly what was meant, and never the same as no option.
+  const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
+  for (CLI::App* const command : app.get_subcommands({}))
+    for (CLI::Option* const option : command->get_options())
+      if (option->get_expected_max() > 0) option->check(is_not_empty);
   // At the end, or each command would have it too.
   app.footer(kExamples);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -176,6 +177,16 @@ TEST_CASE("a file of bundles that cannot be used is set aside") {
   REQUIRE(written);
   CHECK(contents_of(folder / "bundles.json.later-2") == future);
   CHECK(names(BundleStore(file).load({}).bundles) == "a ");
+}
+
+TEST_CASE("a pipe in the place of the bundles is set aside") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  REQUIRE(mkfifo(file.c_str(), 0600) == 0);
+  const auto loaded = BundleStore(file).load({{"start"}});
+  CHECK(names(loaded.bundles) == "start ");
+  CHECK(loaded.message.find("this is not a file") != std::string::npos);
+  CHECK(std::filesystem::is_fifo(folder / "bundles.json.broken"));
 }
 
 TEST_CASE("without a home bundles live as long as the window") {

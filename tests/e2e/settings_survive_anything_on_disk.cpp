@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -78,6 +80,16 @@ TEST_CASE("the list of recent files does not grow for ever") {
   for (int i = 0; i < 50; ++i) remember_file(settings, "/tmp/" + std::to_string(i) + ".poff");
   CHECK(settings.recent_files.size() == kRecentFiles);
   CHECK(settings.recent_files.front() == "/tmp/49.poff");
+}
+
+TEST_CASE("nobody waits at a pipe") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+  CHECK_THAT(load_settings(path).message, Catch::Contains("is not a file"));
+  const auto saved = save_settings({}, path);
+  REQUIRE_FALSE(saved);
+  CHECK(saved.error().message() == path.string() + ": this is not a file");
 }
 
 TEST_CASE("a missing file gives the defaults without a word") {
