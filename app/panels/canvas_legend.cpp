@@ -8,7 +8,7 @@
 
 namespace mes {
 
-void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
+ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
   std::vector<LegendEntry> entries;
   const std::vector<LayerIndex> visible = context.layers.visible_layers();
   for (auto layer = visible.rbegin(); layer != visible.rend(); ++layer) {
@@ -17,7 +17,7 @@ void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) 
     if (shown.map != nullptr)
       entries.push_back({std::string(descriptor.name), std::string(descriptor.scalar), shown.map, shown.range});
   }
-  if (entries.empty()) return;
+  if (entries.empty()) return {};
   const float unit = context.gui.unit();
   const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
@@ -39,6 +39,7 @@ void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) 
     list.AddText(font(line.is_bold), static_cast<float>(line.size) * unit,
                  {at.x + static_cast<float>(line.x) * unit, at.y + static_cast<float>(line.top) * unit},
                  to_imgui(line.color), line.text.c_str());
+  return {static_cast<float>(legend.width) * unit, static_cast<float>(legend.height) * unit};
 }
 
 }  // namespace mes
