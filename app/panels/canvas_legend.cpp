@@ -8,12 +8,12 @@
 
 namespace mes {
 
-void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
+ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
   std::vector<render::LayerView> views;
   for (const LayerIndex layer : context.layers.visible_layers())
     views.push_back({layer, context.layers.style(layer)});
   const std::vector<LegendEntry> entries = legend_of(context.picture.scene(), views);
-  if (entries.empty()) return;
+  if (entries.empty()) return {};
   const float unit = context.gui.unit();
   const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
@@ -35,6 +35,7 @@ void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) 
     list.AddText(font(line.is_bold), static_cast<float>(line.size) * unit,
                  {at.x + static_cast<float>(line.x) * unit, at.y + static_cast<float>(line.top) * unit},
                  to_imgui(line.color), line.text.c_str());
+  return {static_cast<float>(legend.width) * unit, static_cast<float>(legend.height) * unit};
 }
 
 }  // namespace mes

@@ -57,7 +57,8 @@ void draw_color_choice(const PanelContext& context, LayerStyle& style) {
     ImGui::PopID();
   }
   std::array<float, 3> rgb = to_floats(style.color);
-  ImGui::SetNextItemWidth(230 * unit);
+  // In a low window the sliders below it shall have room, too.
+  ImGui::SetNextItemWidth(std::min(230 * unit, 0.3F * ImGui::GetIO().DisplaySize.y));
   if (ImGui::ColorPicker3(
           "##picker", rgb.data(),
           ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))

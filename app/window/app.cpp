@@ -226,9 +226,16 @@ void App::draw_panels() {
                                                  screen.x - left - right - 2 * card_margin);
   provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
-  if (settings_.show_legend)
-    draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
-                       screen.y - top - bottom - 2 * card_margin);
+  legend_size_ = {};
+  if (settings_.show_legend) {
+    const ImVec2 legend =
+        draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
+                           screen.y - top - bottom - 2 * card_margin);
+    const double ratio = window_->pixel_ratio();
+    if (legend.x > 0.0F)
+      legend_size_ = {ratio * static_cast<double>(legend.x + card_margin),
+                      ratio * static_cast<double>(legend.y + card_margin)};
+  }
   draw_caption({left + 0.5F * (screen.x - left - right), screen.y - bottom}, screen.x - left - right);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();

@@ -222,10 +222,13 @@ Box2 App::fit_box() const {
 void App::fit_if_wanted() {
   // Panels know their size when they have been drawn once.
   if (fit_wanted_ == Fit::none || ImGui::GetFrameCount() < 3) return;
-  if (fit_to_)
-    canvas_.view().fit(*fit_to_, 0.0, fit_wanted_ == Fit::at_once);
-  else
-    canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
+  ViewMotion& view = canvas_.view();
+  const Box2 box = fit_to_.value_or(fit_box());
+  if (!box.is_empty())
+    view.set_insets(clear_of_corner(
+        view.insets(), {static_cast<double>(view.camera().width()), static_cast<double>(view.camera().height())},
+        legend_size_, {box.width(), box.height()}));
+  view.fit(box, fit_to_ ? 0.0 : kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
   fit_to_.reset();
   fit_wanted_ = Fit::none;
 }

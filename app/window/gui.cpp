@@ -142,6 +142,12 @@ bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
   return false;
 }
 
+bool Gui::close_popup() {
+  if (!has_popup()) return false;
+  ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
+  return true;
+}
+
 bool Gui::has_popup() const {
   return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
 }

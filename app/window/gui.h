@@ -42,6 +42,8 @@ class Gui {
   bool wants_text() const;
   /// A popup, menu or dialog is open.
   bool has_popup() const;
+  /// Closes the topmost popup or menu; false when there was none.
+  bool close_popup();
   /// For dialogs that are shown while a flag of ours is set: opens the popup with the flag, closes it without. True:
   /// fill it, then ImGui::EndPopup().
   static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags);
