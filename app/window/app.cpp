@@ -94,6 +94,7 @@ void App::run() {
     frames_wanted_ = std::max(0, frames_wanted_ - 1);
     // A tooltip that comes up now is measured in its first frame and seen in its second.
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
+    if (gui_.is_fading()) frames_wanted_ = std::max(frames_wanted_, 1);
   }
   record_.end();
   // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays.

@@ -8,6 +8,7 @@
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
 #include "imgui_internal.h"
+#include "render/text.h"
 
 namespace mes {
 namespace {
@@ -23,7 +24,8 @@ constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010
 
 ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return nullptr;
+  // The library ends the program when it meets a broken file.
+  if (!std::filesystem::is_regular_file(file, error) || !render::Font::read(file)) return nullptr;
   ImFontConfig config;
   config.OversampleH = 2;
   config.OversampleV = 1;
@@ -125,6 +127,11 @@ bool Gui::is_resting() const {
 
 bool Gui::is_about_to_rest() const {
   return ImGui::GetCurrentContext()->HoveredIdPreviousFrame != 0 && !is_resting();
+}
+
+bool Gui::is_fading() const {
+  const float dim = ImGui::GetCurrentContext()->DimBgRatio;
+  return dim > 0.0F && dim < 1.0F;
 }
 
 bool Gui::wants_text() const {

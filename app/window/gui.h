@@ -38,6 +38,8 @@ class Gui {
   bool is_resting() const;
   /// It lies on something, but not yet so long: the next frame must come by itself.
   bool is_about_to_rest() const;
+  /// The darkening behind a dialog comes or goes: the next frame must come by itself.
+  bool is_fading() const;
   /// Text is being typed.
   bool wants_text() const;
   /// A popup, menu or dialog is open.
