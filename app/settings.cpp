@@ -161,6 +161,45 @@ LoadedSettings load_settings(const fs::path& path) {
   return {from_json(parsed), {}};
 }
 
+namespace {
+
+json to_json(const Settings& settings) {
+  return {{"schema", kSchema},
+          {"recent_files", settings.recent_files},
+          {"spray_spacing_px", settings.spray_spacing_px},
+          {"interface_scale", settings.interface_scale},
+          {"theme", settings.theme == Theme::dark ? kDark : kLight},
+          {"for_projector", settings.for_projector},
+          {"canvas_background", to_json(settings.canvas_background)},
+          {"window_width", settings.window_width},
+          {"window_height", settings.window_height},
+          {"show_bundles", settings.show_bundles},
+          {"show_layers", settings.show_layers},
+          {"details", kPages[static_cast<std::size_t>(settings.details)]},
+          {"show_legend", settings.show_legend},
+          {"show_evolution", settings.show_evolution},
+          {"last_folder", settings.last_folder},
+          {"record", to_json(settings.record)}};
+}
+
+}  // namespace
+
+Settings merged(const Settings& ours, const Settings& at_start, const Settings& now) {
+  const json mine = to_json(ours);
+  const json before = to_json(at_start);
+  json out = to_json(now);
+  for (const auto& [key, value] : mine.items())
+    if (value != before[key]) out[key] = value;
+  Settings result = from_json(out);
+  // Files are remembered by both.
+  result.recent_files = ours.recent_files;
+  for (const std::string& file : now.recent_files)
+    if (std::ranges::count(at_start.recent_files, file) == 0 && std::ranges::count(result.recent_files, file) == 0)
+      result.recent_files.push_back(file);
+  if (result.recent_files.size() > kRecentFiles) result.recent_files.resize(kRecentFiles);
+  return result;
+}
+
 Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   if (path.empty()) return {};
   std::error_code error;
@@ -171,24 +210,8 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   // A pipe would wait for somebody who reads it.
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
     return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
-  const json object = {{"schema", kSchema},
-                       {"recent_files", settings.recent_files},
-                       {"spray_spacing_px", settings.spray_spacing_px},
-                       {"interface_scale", settings.interface_scale},
-                       {"theme", settings.theme == Theme::dark ? kDark : kLight},
-                       {"for_projector", settings.for_projector},
-                       {"canvas_background", to_json(settings.canvas_background)},
-                       {"window_width", settings.window_width},
-                       {"window_height", settings.window_height},
-                       {"show_bundles", settings.show_bundles},
-                       {"show_layers", settings.show_layers},
-                       {"details", kPages[static_cast<std::size_t>(settings.details)]},
-                       {"show_legend", settings.show_legend},
-                       {"show_evolution", settings.show_evolution},
-                       {"last_folder", settings.last_folder},
-                       {"record", to_json(settings.record)}};
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
-  return write_file_atomically(path, object.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
+  return write_file_atomically(path, to_json(settings).dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace mes

@@ -54,6 +54,10 @@ struct LoadedSettings {
 /// message; unknown keys are ignored and values out of range are brought into it.
 LoadedSettings load_settings(const std::filesystem::path& path);
 
+/// What to save when another window has saved `now` since this one began with `at_start`: of each setting what was
+/// changed here, or else what stands there; recent files of both.
+Settings merged(const Settings& ours, const Settings& at_start, const Settings& now);
+
 /// Atomic; makes the folder if need be.
 Expected<void> save_settings(const Settings& settings, const std::filesystem::path& path);
 

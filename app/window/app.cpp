@@ -31,6 +31,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
          const Termination& termination)
     : termination_(termination),
       settings_(std::move(loaded.settings)),
+      settings_at_start_(settings_),
       settings_path_(default_settings_path()),
       window_(std::move(window)),
       assets_(find_assets(options.executable)),

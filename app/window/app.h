@@ -163,6 +163,7 @@ class App final : private WindowListener {
   const Termination& termination_;
   Settings settings_;
   ComputationSettings computation_;
+  Settings settings_at_start_;
   std::filesystem::path settings_path_;
   Messages messages_;
   std::unique_ptr<GlfwWindow> window_;

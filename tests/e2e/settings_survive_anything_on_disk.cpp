@@ -162,3 +162,24 @@ TEST_CASE("shapes that are listed but missing are left out") {
   write(folder.path / "shapes" / "index.json", "{broken");
   CHECK(read_sample_shapes(folder.path).empty());
 }
+
+TEST_CASE("two windows keep each other's settings") {
+  Settings at_start;
+  at_start.recent_files = {"/old.poff"};
+  Settings there = at_start;
+  there.interface_scale = 1.5;
+  there.details = DetailsPage::log;
+  there.recent_files = {"/theirs.poff", "/old.poff"};
+  Settings ours = at_start;
+  ours.show_legend = false;
+  ours.details = DetailsPage::statistics;
+  ours.recent_files = {"/ours.poff", "/old.poff"};
+  const Settings both = merged(ours, at_start, there);
+  CHECK(both.interface_scale == 1.5);
+  CHECK_FALSE(both.show_legend);
+  CHECK(both.details == DetailsPage::statistics);
+  CHECK(both.recent_files == std::vector<std::string>{"/ours.poff", "/old.poff", "/theirs.poff"});
+  // What was forgotten here stays forgotten.
+  ours.recent_files.clear();
+  CHECK(merged(ours, at_start, there).recent_files == std::vector<std::string>{"/theirs.poff"});
+}
