@@ -6,7 +6,6 @@
 
 #include "app/panels/icons.h"
 #include "app/window/theme.h"
-#include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
@@ -67,11 +66,11 @@ void end_roomy_popup() {
 }
 
 /// A field for a name and a button with a verb. True: it was meant.
-bool name_field(const PanelContext& context, std::string& name, const char* verb) {
+bool draw_name(const PanelContext& context, NameField& field, std::string& name, const char* verb) {
   const float unit = context.gui.unit();
   ImGui::SetNextItemWidth(200 * unit);
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputTextWithHint("##name", "Name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsWindowAppearing()) field.focus();
+  const bool entered = field.draw("##name", "Name", name);
   ImGui::SameLine();
   const bool is_good = checked_bundle_name(name).has_value();
   ImGui::BeginDisabled(!is_good);
@@ -141,7 +140,7 @@ void BundlesPanel::draw_save_popup(const PanelContext& context) {
   ImGui::TextUnformatted("Save the layers as they are under a name");
   const auto checked = checked_bundle_name(name_);
   const bool is_taken = checked && context.bundles.has(*checked);
-  const bool is_meant = name_field(context, name_, is_taken ? "Overwrite" : "Save");
+  const bool is_meant = draw_name(context, field_, name_, is_taken ? "Overwrite" : "Save");
   ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
   ImGui::TextUnformatted(is_taken ? "There is a bundle of this name" : " ");
   ImGui::PopStyleColor();
@@ -184,7 +183,7 @@ void BundlesPanel::draw_rename_popup(const PanelContext& context) {
   place_beside_panel(context);
   if (!begin_roomy_popup(context, "rename-bundle")) return;
   ImGui::TextUnformatted("Rename the bundle");
-  if (renamed_ < bundles.size() && name_field(context, name_, "Rename")) {
+  if (renamed_ < bundles.size() && draw_name(context, field_, name_, "Rename")) {
     tell(context, context.bundles.rename(renamed_, name_));
     ImGui::CloseCurrentPopup();
   }

@@ -10,7 +10,6 @@
 
 #include "app/window/theme.h"
 #include "core/io/format.h"
-#include "imgui_stdlib.h"
 
 namespace mes {
 
@@ -55,7 +54,7 @@ constexpr const char* kTitle = "##file-browser";
 
 void FileBrowser::ask(const fs::path& folder) {
   is_open_ = true;
-  focus_name_ = true;
+  field_.focus();
   accepted_ = false;
   trouble_.clear();
   overwrite_.clear();
@@ -233,11 +232,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   }
   if (overwrite_.empty()) {
     ImGui::SetNextItemWidth(-1);
-    if (focus_name_) ImGui::SetKeyboardFocusHere();
-    focus_name_ = false;
-    if (ImGui::InputTextWithHint("##name",
-                                 is_saving_ ? "Name of the file" : "Name of a file, or a folder to look into", &name_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue))
+    if (field_.draw("##name", is_saving_ ? "Name of the file" : "Name of a file, or a folder to look into", name_))
       accepted_ = true;
     if (!is_saving_) {
       ImGui::Checkbox("All files", &all_files_);

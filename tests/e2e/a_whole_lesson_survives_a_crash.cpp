@@ -95,6 +95,14 @@ struct Lesson {
   /// Keys go to the canvas, or to the dialog that is open.
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
   void type(const std::string& text) const { screen.xdotool("type --delay 30 '" + text + "'"); }
+  /// For keys that may be pressed again: the ones after a dialog can come before it is gone.
+  void press_until(const std::string& keys, const std::function<bool()>& is_done) const {
+    REQUIRE(eventually([&] {
+      press(keys);
+      screen.settled();
+      return is_done();
+    }));
+  }
   void leave_panels() const { screen.xdotool("mousemove 500 30"); }
   /// Fields of text look once a frame which keys are down, so this one is held until it was seen.
   void enter(const std::function<bool()>& is_done) const {
@@ -118,8 +126,10 @@ struct Lesson {
   void enter_file(const std::string& keys, const fs::path& file) const {
     press(keys);
     REQUIRE(eventually([&] { return has_dialog(); }));
+    screen.settled();
     type(file.string());
     enter([&] { return !has_dialog(); });
+    screen.settled();
   }
   Session save_as_session(const std::string& name) const {
     enter_file("ctrl+shift+s", home / name);
@@ -160,8 +170,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   lesson.enter_file("ctrl+o", lesson / "ellipse.poff");
   INFO("errors: " << bytes_of(lesson / "errors"));
   REQUIRE(eventually([&] { return lesson.title().starts_with("ellipse.poff - Mesecina"); }));
-  lesson.press("1");
-  REQUIRE(eventually([&] { return lesson.shows(kAxis) && lesson.shows(kCurve); }));
+  lesson.press_until("1", [&] { return lesson.shows(kAxis) && lesson.shows(kCurve); });
 
   // The row of the axis is dragged below that of the curve, by the names, left of the swatches.
   const auto row = [&](Rgb color) { return lesson.find(lesson.panel(), color); };
@@ -169,7 +178,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   REQUIRE(row(kAxis).bottom < row(kCurve).top + 8);
   const int names = row(kAxis).left - 120;
   const std::array<int, 2> target{names, row(kCurve).middle()[1] + 6};
-  const Screenshot before_drag = screen.shoot();
+  const Screenshot before_drag = screen.settled();
   screen.drag({names, row(kAxis).middle()[1]}, target, 8);
   // The line that says where the row would go.
   REQUIRE(eventually([&] { return screen.shoot().differences(before_drag, 30) > 200; }));
@@ -177,12 +186,12 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   REQUIRE(eventually([&] { return row(kAxis).top > row(kCurve).top; }));
 
   // Its colour, from the palette behind its swatch.
-  const Screenshot without_popup = screen.shoot();
+  const Screenshot without_popup = screen.settled();
   const PixelBox window{0, 0, 1280, 800};
   screen.click(row(kAxis).middle());
   PixelBox yellow;
   REQUIRE(eventually([&] {
-    const Screenshot shot = screen.shoot();
+    const Screenshot shot = screen.settled();
     yellow = shot.box_of(shot.box_of_changes(window, without_popup), is(kFromPalette));
     return yellow.right - yellow.left > 10 && yellow.bottom - yellow.top > 10;
   }));
@@ -192,30 +201,29 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   lesson.leave_panels();
 
   // Kept as a bundle; the digits go to and fro.
-  const Screenshot before_name = screen.shoot();
+  const Screenshot before_name = screen.settled();
   lesson.press("ctrl+b");
   REQUIRE(eventually([&] { return screen.shoot().differences(before_name, 10) > 5000; }));
+  screen.settled();
   lesson.type("Mine");
   lesson.enter([&] {
     const auto kept = read_bundle_file(lesson.bundles_file(), {});
     return kept && kept->bundles.size() == 2 && kept->bundles[1].name == "Mine";
   });
-  lesson.press("1");
-  REQUIRE(eventually([&] { return lesson.shows(kAxis) && !lesson.shows(kFromPalette); }));
-  lesson.press("2");
-  REQUIRE(eventually([&] { return lesson.shows(kFromPalette) && !lesson.shows(kAxis); }));
+  lesson.press_until("1", [&] { return lesson.shows(kAxis) && !lesson.shows(kFromPalette); });
+  lesson.press_until("2", [&] { return lesson.shows(kFromPalette) && !lesson.shows(kAxis); });
 
   // An evolution, recorded: two steps by the key, then played and stopped. Buttons of the strip lie side by side.
   const PixelBox below{60, 600, 980, 768};
-  const Screenshot without_strip = screen.shoot();
+  const Screenshot without_strip = screen.settled();
   lesson.press("e");
   PixelBox strip;
   REQUIRE(eventually([&] {
-    strip = screen.shoot().box_of_changes(below, without_strip);
+    strip = screen.settled().box_of_changes(below, without_strip);
     return strip.right - strip.left > 400;
   }));
   const auto button = [&](int number) {
-    return std::array<int, 2>{strip.left + 134 + 23 * number, strip.middle()[1]};
+    return std::array<int, 2>{strip.left + 166 + 23 * number, strip.middle()[1]};
   };
   constexpr int kStop = 3;
   constexpr int kPlay = 4;
@@ -260,7 +268,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   lesson.start();
   REQUIRE(eventually([&] { return lesson.has_dialog(); }));
   const PixelBox question =
-      screen.shoot().box_of(window, [](Color c) { return c.r > 230 && c.g > 230 && c.b > 230; });
+      screen.settled().box_of(window, [](Color c) { return c.r > 230 && c.g > 230 && c.b > 230; });
   screen.click({question.left + 80, question.bottom - 28});  // its first button
   REQUIRE(eventually([&] { return lesson.title().starts_with("* ") && lesson.shows(kFromPalette); }));
   CHECK_FALSE(lesson.shows(kAxis));

@@ -210,6 +210,17 @@ Screenshot VirtualScreen::shoot() const {
   return parse_ppm(output_of("DISPLAY=" + display_ + " import -silent -window root -depth 8 ppm:- 2>/dev/null"));
 }
 
+Screenshot VirtualScreen::settled() const {
+  Screenshot last = shoot();
+  REQUIRE(eventually([&] {
+    Screenshot next = shoot();
+    const bool is_still = next.differences(last, 0) == 0;
+    last = std::move(next);
+    return is_still;
+  }));
+  return last;
+}
+
 std::string VirtualScreen::xdotool(const std::string& arguments) const {
   return output_of("DISPLAY=" + display_ + " xdotool " + arguments + " 2>/dev/null");
 }

@@ -89,6 +89,8 @@ class VirtualScreen {
   VirtualScreen();
   const std::string& display() const { return display_; }
   Screenshot shoot() const;
+  /// The screen once nothing on it moves any more: two pictures in a row are equal.
+  Screenshot settled() const;
   /// One call of xdotool; its standard output.
   std::string xdotool(const std::string& arguments) const;
   /// The rest of the arguments one by one, so that a program draws between them.
