@@ -54,6 +54,8 @@ enum class ActionId : std::uint8_t {
   toggle_log,
   toggle_legend,
   toggle_evolution,
+  toggle_theme,
+  projector_mode,
   bundle_1,  // the nine in a row
   bundle_2,
   bundle_3,

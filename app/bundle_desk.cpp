@@ -71,10 +71,7 @@ Expected<void> BundleDesk::undo() {
 }
 
 Expected<std::string> BundleDesk::import(const fs::path& file) {
-  std::vector<std::string_view> ids;
-  for (std::size_t layer = 0; layer < layers_.size(); ++layer)
-    ids.push_back(layers_.descriptor(static_cast<LayerIndex>(layer)).id);
-  const auto loaded = read_bundle_file(file, ids);
+  const auto loaded = read_bundle_file(file, known_layers());
   if (!loaded) return std::unexpected(loaded.error());
   const std::vector<std::string> names = list_.import(loaded->bundles);
   auto written = write();

@@ -5,25 +5,30 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "app/bundles.h"
 #include "app/data_folder.h"
+#include "core/graph/layer_descriptor.h"
 #include "core/io/atomic_file.h"
-#include "core/io/bundle_file.h"
 
 namespace mes {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Between reading and writing nobody else writes. A lock that cannot be had is done without: the file is replaced
-/// whole in any case.
+/// Between reading and writing nobody else writes. A lock that cannot be had soon is done without: the file is
+/// replaced whole in any case, and the window must not wait for a program that was stopped while it had the lock.
 class FileLock {
  public:
   explicit FileLock(const fs::path& path) : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    if (file_ >= 0) static_cast<void>(::flock(file_, LOCK_EX));
+    constexpr int kAttempts = 20;
+    constexpr std::chrono::milliseconds kPause(5);
+    for (int i = 0; file_ >= 0 && i < kAttempts && ::flock(file_, LOCK_EX | LOCK_NB) != 0; ++i)
+      std::this_thread::sleep_for(kPause);
   }
   ~FileLock() {
     if (file_ >= 0) ::close(file_);
@@ -56,6 +61,12 @@ fs::path default_bundles_path() {
   return folder.empty() ? folder : folder / "bundles.json";
 }
 
+std::vector<KnownLayer> known_layers() {
+  std::vector<KnownLayer> out;
+  for (const LayerDescriptor& layer : layer_descriptors()) out.push_back({layer.id, layer.style});
+  return out;
+}
+
 std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -64,7 +75,7 @@ std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
   std::ranges::sort(files);
   std::vector<Bundle> out;
   for (const fs::path& file : files) {
-    auto loaded = read_bundle_file(file, {});
+    auto loaded = read_bundle_file(file, known_layers());
     if (loaded) std::ranges::move(loaded->bundles, std::back_inserter(out));
   }
   return out;
@@ -73,11 +84,13 @@ std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
 std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
   std::error_code error;
   if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
-  auto loaded = read_bundle_file(path_, {});
+  auto loaded = read_bundle_file(path_, known_layers());
   if (loaded) return std::move(loaded->bundles);
+  // Reading a pipe would wait for somebody who writes to it.
+  const std::string bytes = fs::is_regular_file(path_, error) ? bytes_of(path_) : std::string();
   // A list that was emptied on purpose is no fault.
-  if (bytes_of(path_) == write_bundles({})) return std::vector<Bundle>{};
-  const bool is_later = fs::is_regular_file(path_, error) && are_bundles_of_the_future(bytes_of(path_));
+  if (bytes == write_bundles({})) return std::vector<Bundle>{};
+  const bool is_later = are_bundles_of_the_future(bytes);
   const fs::path aside = free_name(path_, is_later ? ".later" : ".broken");
   fs::rename(path_, aside, error);
   message = "the bundles could not be read (" + loaded.error().text + "); ";

@@ -17,6 +17,14 @@ const Bundle* find_in(std::span<const Bundle> bundles, std::string_view name) {
   return found == bundles.end() ? nullptr : &*found;
 }
 
+/// The name itself, or the first of "name (2)", "name (3)"... that is free.
+template <class IsTaken>
+std::string free_name(const std::string& name, const IsTaken& is_taken) {
+  std::string out = name;
+  for (int number = 2; is_taken(out); ++number) out = name + " (" + std::to_string(number) + ")";
+  return out;
+}
+
 }  // namespace
 
 Expected<std::string> checked_bundle_name(std::string_view name) {
@@ -46,7 +54,8 @@ Expected<void> BundleList::save(const std::string& name, LayerConfiguration laye
   if (found == bundles_.end())
     bundles_.push_back({std::move(*checked), std::move(layers)});
   else
-    found->layers = std::move(layers);
+    // What it was said to show may not be what it shows now.
+    *found = {std::move(*checked), std::move(layers)};
   return {};
 }
 
@@ -81,18 +90,13 @@ std::vector<std::string> BundleList::import(std::span<const Bundle> bundles) {
   std::vector<std::string> names;
   std::vector<Bundle> fresh;
   for (Bundle bundle : bundles) {
-    const auto taken = [&](const std::string& name) {
-      const Bundle* twin = find(name);
-      return twin != nullptr ? twin : find_in(fresh, name);
-    };
-    const std::string name = bundle.name;
     bool is_here = false;
-    for (int number = 2;; ++number) {
-      const Bundle* const twin = taken(bundle.name);
+    bundle.name = free_name(bundle.name, [&](const std::string& name) {
+      const Bundle* const own = find(name);
+      const Bundle* const twin = own != nullptr ? own : find_in(fresh, name);
       is_here = twin != nullptr && twin->layers == bundle.layers;
-      if (twin == nullptr || is_here) break;
-      bundle.name = name + " (" + std::to_string(number) + ")";
-    }
+      return twin != nullptr && !is_here;
+    });
     names.push_back(bundle.name);
     if (!is_here) fresh.push_back(std::move(bundle));
   }
@@ -104,6 +108,7 @@ std::vector<std::string> BundleList::import(std::span<const Bundle> bundles) {
 }
 
 void BundleList::replace(std::vector<Bundle> bundles) {
+  for (Step& step : steps_) step.before = merge_bundles(bundles_, step.before, bundles);
   bundles_.clear();
   for (Bundle& bundle : bundles)
     if (!bundle.name.empty() && find(bundle.name) == nullptr) bundles_.push_back(std::move(bundle));
@@ -129,11 +134,15 @@ std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const 
     else if (other != nullptr)
       out.push_back(*other);
   }
-  for (const Bundle& bundle : theirs) {
+  for (Bundle bundle : theirs) {
     const Bundle* const before = find_in(base, bundle.name);
-    const bool is_theirs = before == nullptr || *before != bundle;
-    if (is_theirs && find_in(mine, bundle.name) == nullptr && find_in(out, bundle.name) == nullptr)
-      out.push_back(bundle);
+    if (before != nullptr && *before == bundle) continue;
+    const Bundle* const here = find_in(out, bundle.name);
+    if (here != nullptr && *here == bundle) continue;
+    bundle.name = free_name(bundle.name, [&](const std::string& name) {
+      return find_in(out, name) != nullptr || (name != bundle.name && find_in(theirs, name) != nullptr);
+    });
+    out.push_back(std::move(bundle));
   }
   return out;
 }

@@ -12,6 +12,7 @@
 #include "app/layer_stack.h"
 #include "core/base/error.h"
 #include "core/document/bundle.h"
+#include "core/io/bundle_file.h"
 
 namespace mes {
 
@@ -34,7 +35,7 @@ class BundleList {
   /// At the end; a name that is taken gets a number, a bundle that is here already is skipped. The names under which
   /// they are here now, in their order.
   std::vector<std::string> import(std::span<const Bundle> bundles);
-  /// Without undo: what another window did to the file.
+  /// Without undo: what another window did to the file. Undoing what was done here does not undo that either.
   void replace(std::vector<Bundle> bundles);
 
   /// What the last change did, "Deleted \"Crust\""; empty: nothing to undo.
@@ -58,13 +59,16 @@ class BundleList {
 /// "the bundle", without the blanks around it. Error: empty, or longer than 200 bytes.
 Expected<std::string> checked_bundle_name(std::string_view name);
 
-/// What both made of `base`: additions, changes and removals of either; where they contradict each other, `mine`
-/// wins, and so does its order.
+/// What both made of `base`: additions, changes and removals of either, in the order of `mine`. What one changed and
+/// the other removed stays; of two different bundles of one name, mine keeps it and the other gets a number.
 std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const Bundle> mine,
                                   std::span<const Bundle> theirs);
 
 /// $XDG_DATA_HOME/mesecina/bundles.json; empty when there is no home.
 std::filesystem::path default_bundles_path();
+
+/// Every layer of the program, for reading bundles.
+std::vector<KnownLayer> known_layers();
 
 /// Those that come with the program, in the order of their file names.
 std::vector<Bundle> read_starting_bundles(const std::filesystem::path& assets);

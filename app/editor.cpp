@@ -158,6 +158,15 @@ Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const S
   return {};
 }
 
+std::optional<Document> Editor::resume_evolution() {
+  if (!can_undo()) return std::nullopt;
+  Document before = document_;
+  for (const DocumentDelta& back : history_.undo()) before.apply(back);
+  static_cast<void>(history_.redo());
+  evolved_revision_ = document_.revision();
+  return before;
+}
+
 void Editor::cancel_gesture() {
   if (!in_gesture()) return;
   const std::size_t before = history_.position();

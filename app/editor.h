@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -77,6 +78,9 @@ class Editor {
   /// before, and `name` that of its name. Not within a gesture.
   Expected<void> evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
                         const std::string& name);
+  /// Takes the last step of undo for the state of an evolution, whose place the next `evolve` takes. The document
+  /// before that step; nothing when there is none.
+  std::optional<Document> resume_evolution();
 
   void begin_gesture(std::string name);
   void end_gesture();

@@ -33,6 +33,31 @@ void EvolutionPlayer::restart_from_beginning() {
   wanted_.reset();
 }
 
+void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
+  cancel();
+  choice_ = choice;
+  beginning_revision_ = shown_revision_ = ~std::uint64_t{0};
+  shown_ = 0;
+  moved_ = {};
+  if (k == 0) return;
+  if (const ParameterMove* move = evolution().moved_parameter()) {
+    const double first = descriptor_of(move->parameter).default_value;
+    const auto value = moved_value(*move, first, k, choice_.values);
+    if (!value || *value != settings_.value(move->parameter)) return;
+    moved_ = {k, first, *value};
+    end_ = std::max(end_, k);
+    return;
+  }
+  const auto before = editor_.resume_evolution();
+  if (!before) return;
+  beginning_ = state_of(*before);
+  beginning_revision_ = before->revision();
+  run_.begin(beginning_, choice_);
+  shown_revision_ = editor_.document().revision();
+  shown_ = k;
+  end_ = std::max(end_, k);
+}
+
 void EvolutionPlayer::choose(EvolutionIndex evolution) {
   if (evolution == choice_.evolution) return;
   play(Direction::none);

@@ -50,6 +50,10 @@ class EvolutionPlayer {
   void set_seed(std::uint64_t seed);
   void set_value(std::string_view parameter, double value);
 
+  /// As a session left it: the document is in state `k`, and its last step of undo leads there from state 0; or the
+  /// parameter moved has the value that `k` steps from its default make, else it is in state 0.
+  void resume(const EvolutionChoice& choice, std::uint64_t k);
+
   /// State that the document, or the parameter, is in.
   std::uint64_t position() const;
   /// State that is being computed, or else `position`.

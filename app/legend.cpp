@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "app/canvas_look.h"
+
 namespace mes {
 namespace {
 
@@ -22,10 +24,14 @@ constexpr double kMargin = 12.0;
 constexpr int kBarSteps = 108;
 constexpr std::size_t kMostSwatches = 12;
 
-constexpr Rgb kPaper{0xff, 0xff, 0xff};
-constexpr Rgb kFrame{0xd0, 0xd4, 0xd9};
-constexpr Rgb kInk{0x1f, 0x23, 0x28};
-constexpr Rgb kQuiet{0x5b, 0x64, 0x6e};
+struct Colors {
+  Rgb paper;
+  Rgb frame;
+  Rgb ink;
+  Rgb quiet;
+};
+constexpr Colors kOnLight{{0xff, 0xff, 0xff}, {0xd0, 0xd4, 0xd9}, {0x1f, 0x23, 0x28}, {0x5b, 0x64, 0x6e}};
+constexpr Colors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf4, 0xf6}, {0xb4, 0xbc, 0xc4}};
 
 std::string shortest(double value, int digits) {
   std::array<char, 40> text{};
@@ -79,7 +85,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
 /// Writes one entry below the other.
 class Layout {
  public:
-  explicit Layout(const MeasureText& measure) : measure_(&measure) {}
+  Layout(const MeasureText& measure, const Colors& colors) : measure_(&measure), colors_(colors) {}
 
   double y() const { return y_; }
   LegendDrawing& drawing() { return drawing_; }
@@ -91,9 +97,9 @@ class Layout {
 
   void entry(const LegendEntry& entry) {
     if (y_ > kPadding) y_ += kGap;
-    text(entry.title, true, kInk);
+    text(entry.title, true, colors_.ink);
     for (const std::string& line : wrapped(entry.scalar, kWidth - 2.0 * kPadding, *measure_))
-      text(line, false, kQuiet);
+      text(line, false, colors_.quiet);
     y_ += 3.0;
     if (entry.map->is_categorical)
       swatches(entry);
@@ -113,7 +119,7 @@ class Layout {
     y_ += kBar;
     std::vector<LegendTick> ticks = legend_ticks(entry.range);
     if (ticks.empty()) {
-      text("no number is finite", false, kQuiet);
+      text("no number is finite", false, colors_.quiet);
       return;
     }
     // The ends first; between them what has room.
@@ -121,7 +127,7 @@ class Layout {
     std::vector<std::pair<double, double>> taken;
     for (const LegendTick& tick : ticks) {
       const double x = kPadding + tick.at * width;
-      drawing_.boxes.push_back({std::min(x, kPadding + width - 1.0), y_, 1.0, kTickLength, kQuiet});
+      drawing_.boxes.push_back({std::min(x, kPadding + width - 1.0), y_, 1.0, kTickLength, colors_.quiet});
       const double size = (*measure_)(tick.label, kTextSize, false);
       const double left = std::clamp(x - 0.5 * size, kPadding, std::max(kPadding, kPadding + width - size));
       constexpr double kApart = 8.0;
@@ -130,7 +136,7 @@ class Layout {
       });
       if (!is_free) continue;
       taken.emplace_back(left, left + size);
-      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kTextSize, false, kInk, tick.label});
+      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kTextSize, false, colors_.ink, tick.label});
     }
     y_ += kTickLength + 1.0 + kLineHeight;
   }
@@ -140,7 +146,7 @@ class Layout {
     const double low = std::ceil(entry.range.low - 0.5);
     const double high = std::floor(entry.range.high + 0.5);
     if (!(low <= high)) {
-      text("no number is finite", false, kQuiet);
+      text("no number is finite", false, colors_.quiet);
       return;
     }
     double x = kPadding;
@@ -157,7 +163,7 @@ class Layout {
         const std::optional<Rgb> color = entry.map->color_of(value, entry.range);
         drawing_.boxes.push_back({x, y_ + 2.0, kBar, kBar, *color});
       }
-      drawing_.lines.push_back({x + (is_left_out ? 0.0 : kBar + 4.0), y_, kTextSize, false, kInk, label});
+      drawing_.lines.push_back({x + (is_left_out ? 0.0 : kBar + 4.0), y_, kTextSize, false, colors_.ink, label});
       x += size + 12.0;
       if (is_left_out) break;
       ++shown;
@@ -166,6 +172,7 @@ class Layout {
   }
 
   const MeasureText* measure_;
+  Colors colors_;
   LegendDrawing drawing_;
   double y_ = kPadding;
 };
@@ -202,6 +209,17 @@ PixelPlace emptiest_corner(const render::Image& image, double width, double heig
 
 }  // namespace
 
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views) {
+  std::vector<LegendEntry> out;
+  for (auto view = views.rbegin(); view != views.rend(); ++view) {
+    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
+    const LayerDescriptor& layer = layer_descriptors()[view->layer];
+    if (shown.map != nullptr)
+      out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+  }
+  return out;
+}
+
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   if (range.is_empty() || !std::isfinite(range.low) || !std::isfinite(range.high)) return {};
   constexpr int kAlone = 6;
@@ -226,9 +244,11 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   return out;
 }
 
-LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room) {
+LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
+                            const std::optional<Rgb>& background) {
   if (entries.empty()) return {};
-  Layout layout(measure);
+  const Colors& colors = background && is_dark(*background) ? kOnDark : kOnLight;
+  Layout layout(measure, colors);
   std::size_t shown = 0;
   for (const LegendEntry& entry : entries) {
     Layout with = layout;
@@ -238,12 +258,13 @@ LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureT
     layout = std::move(with);
     ++shown;
   }
-  if (shown < entries.size()) layout.text("and " + std::to_string(entries.size() - shown) + " more", false, kQuiet);
+  if (shown < entries.size())
+    layout.text("and " + std::to_string(entries.size() - shown) + " more", false, colors.quiet);
   LegendDrawing out = std::move(layout.drawing());
   out.width = kWidth;
   out.height = layout.y() + kPadding - 4.0;
-  out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, kFrame},
-                                       {1.0, 1.0, out.width - 2.0, out.height - 2.0, kPaper}});
+  out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, colors.frame},
+                                       {1.0, 1.0, out.width - 2.0, out.height - 2.0, colors.paper}});
   return out;
 }
 
@@ -255,14 +276,15 @@ Expected<LegendFonts> LegendFonts::read(const std::filesystem::path& assets) {
   return LegendFonts{std::move(*plain), std::move(*bold)};
 }
 
-void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale) {
+void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale,
+                 const std::optional<Rgb>& background) {
   constexpr double kShare = 0.3;
   constexpr double kLeast = 0.7;
   scale *= std::clamp(kShare * image.width / (scale * kWidth), kLeast, 1.0);
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
     return render::text_width(is_bold ? fonts.bold : fonts.plain, scale * size, text) / scale;
   };
-  const LegendDrawing legend = layout_legend(entries, measure, image.height / scale - 2.0 * kMargin);
+  const LegendDrawing legend = layout_legend(entries, measure, image.height / scale - 2.0 * kMargin, background);
   const PixelPlace at = emptiest_corner(image, scale * legend.width, scale * legend.height, scale * kMargin);
   const auto left = static_cast<double>(at.left);
   const auto top = static_cast<double>(at.top);

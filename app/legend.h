@@ -7,18 +7,20 @@
 //
 // Smallest use:
 //     const std::vector<LegendEntry> entries = ...;
-//     draw_legend(image, fonts, entries, 1.0);
+//     draw_legend(image, fonts, entries, 1.0, kWhiteCanvas);
 //
 // Cost: some hundred rectangles a layer. Threads: none.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/graph/layer_descriptor.h"
 #include "render/colormap.h"
+#include "render/scene.h"
 #include "render/text.h"
 
 namespace mes {
@@ -37,6 +39,10 @@ struct LegendEntry {
   render::ScalarRange range;
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
+
+/// Of the layers with a map that has something to colour, topmost first; `views` are bottom first. Their maps live as
+/// long as the scene.
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views);
 
 /// The ends of a range and a few round numbers between, the shortest way that tells them apart. Of a range of one
 /// value that value, of an empty one nothing.
@@ -69,8 +75,10 @@ struct LegendDrawing {
 /// Width of a text in logical pixels, at a size in logical pixels.
 using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
 
-/// One below the other; those that do not fit into `room` are counted in a last line. Nothing without entries.
-LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room);
+/// Light writing on a dark background. One below the other; those that do not fit into `room` are counted in a last
+/// line. Nothing without entries.
+LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
+                            const std::optional<Rgb>& background);
 
 struct LegendFonts {
   render::Font plain;
@@ -81,6 +89,7 @@ struct LegendFonts {
 
 /// Into the corner where it hides least, the lower right one if all are alike; `scale` pixels to a logical one,
 /// somewhat fewer on a small picture.
-void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale);
+void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale,
+                 const std::optional<Rgb>& background);
 
 }  // namespace mes

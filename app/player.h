@@ -25,7 +25,8 @@ std::vector<PlayStep> steps_of(std::span<const TimelineEntry> entries);
 
 /// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are
 /// those of that moment, and the patches handed on make the whole picture; the same session gives the same pictures
-/// in every run. A step may be applied without being completed, when nobody looks at it.
+/// in every run. What is drawn first within a layer depends on the steps before, so each step is to be completed also
+/// where nobody looks at it.
 ///
 /// Smallest use:
 ///     Player player(session, [&](const FramePatch& patch) { scene.apply(patch); });

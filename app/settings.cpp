@@ -23,6 +23,9 @@ constexpr std::uintmax_t kLargestFile = 1U << 20U;
 // In the order of `DetailsPage`.
 constexpr std::array<std::string_view, 4> kPages{"none", "statistics", "parameters", "log"};
 
+constexpr std::string_view kDark = "dark";
+constexpr std::string_view kLight = "light";
+
 template <class T>
 T number_in(const json& object, const char* key, T low, T high, T otherwise) {
   const auto entry = object.find(key);
@@ -41,15 +44,29 @@ std::string text_in(const json& object, const char* key) {
   return entry != object.end() && entry->is_string() ? entry->get<std::string>() : std::string();
 }
 
+// 0xRRGGBB; none: nothing, or no colour.
+std::optional<Rgb> color_in(const json& object, const char* key) {
+  const auto entry = object.find(key);
+  if (entry == object.end() || !entry->is_number_integer()) return std::nullopt;
+  const auto value = entry->get<std::int64_t>();
+  if (value < 0 || value > 0xFFFFFF) return std::nullopt;
+  return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+             static_cast<std::uint8_t>(value)};
+}
+
+json to_json(const std::optional<Rgb>& color) {
+  if (!color) return nullptr;
+  return static_cast<unsigned>(color->r) << 16U | static_cast<unsigned>(color->g) << 8U |
+         static_cast<unsigned>(color->b);
+}
+
 RecordSettings record_from_json(const json& object) {
   RecordSettings out;
   out.width = number_in(object, "width", 0, kLargestFrameSide, out.width);
   out.height = number_in(object, "height", 0, kLargestFrameSide, out.height);
   out.supersampling = number_in(object, "supersampling", 1, 4, out.supersampling);
   out.transparent = flag_in(object, "transparent", out.transparent);
-  const auto background = number_in(object, "background", 0U, 0xFFFFFFU, 0xFFFFFFU);
-  out.background = {static_cast<std::uint8_t>(background >> 16U), static_cast<std::uint8_t>(background >> 8U),
-                    static_cast<std::uint8_t>(background)};
+  out.background = color_in(object, "background");
   out.with_panels = flag_in(object, "with_panels", out.with_panels);
   out.each_motion = flag_in(object, "each_motion", out.each_motion);
   out.fps = number_in(object, "fps", 1.0, 120.0, out.fps);
@@ -63,14 +80,11 @@ RecordSettings record_from_json(const json& object) {
 }
 
 json to_json(const RecordSettings& record) {
-  const auto background = static_cast<unsigned>(record.background.r) << 16U |
-                          static_cast<unsigned>(record.background.g) << 8U |
-                          static_cast<unsigned>(record.background.b);
   return {{"width", record.width},
           {"height", record.height},
           {"supersampling", record.supersampling},
           {"transparent", record.transparent},
-          {"background", background},
+          {"background", to_json(record.background)},
           {"with_panels", record.with_panels},
           {"each_motion", record.each_motion},
           {"fps", record.fps},
@@ -85,6 +99,9 @@ Settings from_json(const json& object) {
   }
   out.spray_spacing_px = number_in(object, "spray_spacing_px", 2.0, 100.0, out.spray_spacing_px);
   out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
+  if (text_in(object, "theme") == kDark) out.theme = Theme::dark;
+  out.for_projector = flag_in(object, "for_projector", out.for_projector);
+  out.canvas_background = color_in(object, "canvas_background");
   out.window_width = number_in(object, "window_width", 320, 16384, out.window_width);
   out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
   out.show_bundles = flag_in(object, "show_bundles", out.show_bundles);
@@ -144,6 +161,45 @@ LoadedSettings load_settings(const fs::path& path) {
   return {from_json(parsed), {}};
 }
 
+namespace {
+
+json to_json(const Settings& settings) {
+  return {{"schema", kSchema},
+          {"recent_files", settings.recent_files},
+          {"spray_spacing_px", settings.spray_spacing_px},
+          {"interface_scale", settings.interface_scale},
+          {"theme", settings.theme == Theme::dark ? kDark : kLight},
+          {"for_projector", settings.for_projector},
+          {"canvas_background", to_json(settings.canvas_background)},
+          {"window_width", settings.window_width},
+          {"window_height", settings.window_height},
+          {"show_bundles", settings.show_bundles},
+          {"show_layers", settings.show_layers},
+          {"details", kPages[static_cast<std::size_t>(settings.details)]},
+          {"show_legend", settings.show_legend},
+          {"show_evolution", settings.show_evolution},
+          {"last_folder", settings.last_folder},
+          {"record", to_json(settings.record)}};
+}
+
+}  // namespace
+
+Settings merged(const Settings& ours, const Settings& at_start, const Settings& now) {
+  const json mine = to_json(ours);
+  const json before = to_json(at_start);
+  json out = to_json(now);
+  for (const auto& [key, value] : mine.items())
+    if (value != before[key]) out[key] = value;
+  Settings result = from_json(out);
+  // Files are remembered by both.
+  result.recent_files = ours.recent_files;
+  for (const std::string& file : now.recent_files)
+    if (std::ranges::count(at_start.recent_files, file) == 0 && std::ranges::count(result.recent_files, file) == 0)
+      result.recent_files.push_back(file);
+  if (result.recent_files.size() > kRecentFiles) result.recent_files.resize(kRecentFiles);
+  return result;
+}
+
 Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   if (path.empty()) return {};
   std::error_code error;
@@ -151,21 +207,11 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   if (error)
     return std::unexpected(
         Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path.parent_path().string()});
-  const json object = {{"schema", kSchema},
-                       {"recent_files", settings.recent_files},
-                       {"spray_spacing_px", settings.spray_spacing_px},
-                       {"interface_scale", settings.interface_scale},
-                       {"window_width", settings.window_width},
-                       {"window_height", settings.window_height},
-                       {"show_bundles", settings.show_bundles},
-                       {"show_layers", settings.show_layers},
-                       {"details", kPages[static_cast<std::size_t>(settings.details)]},
-                       {"show_legend", settings.show_legend},
-                       {"show_evolution", settings.show_evolution},
-                       {"last_folder", settings.last_folder},
-                       {"record", to_json(settings.record)}};
+  // A pipe would wait for somebody who reads it.
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+    return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
-  return write_file_atomically(path, object.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
+  return write_file_atomically(path, to_json(settings).dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace mes

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/recording/record_settings.h"
+#include "core/base/color.h"
 #include "core/base/error.h"
 
 namespace mes {
@@ -15,11 +17,16 @@ namespace mes {
 /// What the lower right panel shows.
 enum class DetailsPage : std::uint8_t { none, statistics, parameters, log };
 
+enum class Theme : std::uint8_t { light, dark };
+
 struct Settings {
   std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
   double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
   double interface_scale = 1.0;           ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
-  int window_width = 1280;                ///< logical pixels
+  Theme theme = Theme::light;
+  bool for_projector = false;            ///< everything larger, with the strongest contrast
+  std::optional<Rgb> canvas_background;  ///< none: what goes with the theme
+  int window_width = 1280;               ///< logical pixels
   int window_height = 800;
   bool show_layers = true;
   bool show_bundles = true;  ///< unfolded, above the layers
@@ -46,6 +53,10 @@ struct LoadedSettings {
 /// Never fails: a missing file gives the defaults; one that is broken is renamed to `settings.json.broken`, with a
 /// message; unknown keys are ignored and values out of range are brought into it.
 LoadedSettings load_settings(const std::filesystem::path& path);
+
+/// What to save when another window has saved `now` since this one began with `at_start`: of each setting what was
+/// changed here, or else what stands there; recent files of both.
+Settings merged(const Settings& ours, const Settings& at_start, const Settings& now);
 
 /// Atomic; makes the folder if need be.
 Expected<void> save_settings(const Settings& settings, const std::filesystem::path& path);

@@ -20,8 +20,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
+#include "core/base/color.h"
 #include "core/base/primitives.h"
 
 namespace mes::render {
@@ -57,6 +59,13 @@ struct PixelRect {
 
 /// Colour with alpha, each channel multiplied by it, in [0, 1].
 using PremultipliedColor = std::array<float, 4>;
+
+/// What a picture is filled with before anything is drawn; without a background, nothing.
+inline PremultipliedColor clear_color(const std::optional<Rgb>& background) {
+  if (!background) return {};
+  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
+  return {channel(background->r), channel(background->g), channel(background->b), 1.0F};
+}
 
 enum class TargetFormat : std::uint8_t {
   color,     ///< RGBA, 8 bits a channel, premultiplied

@@ -12,12 +12,6 @@
 namespace mes::render {
 namespace {
 
-PremultipliedColor clear_color(const std::optional<Rgb>& background) {
-  if (!background) return {};
-  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-  return {channel(background->r), channel(background->g), channel(background->b), 1.0F};
-}
-
 // Rows of both are from the bottom.
 void place(const RawImage& tile, const PixelRect& at, RawImage& picture) {
   const std::size_t row = 4 * static_cast<std::size_t>(at.width);

@@ -44,12 +44,6 @@ void place_tile(std::span<const std::uint8_t> tile, int tile_width, int tile_hei
   }
 }
 
-PremultipliedColor clear_color(const std::optional<Rgb>& background) {
-  if (!background) return {};
-  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-  return {channel(background->r), channel(background->g), channel(background->b), 1.0F};
-}
-
 }  // namespace
 
 Expected<Image> draw_image(Device& device, Scene& scene, const Camera& camera, std::span<const LayerView> views,

@@ -28,7 +28,32 @@ render::Camera between(const render::Camera& from, const render::Camera& to, dou
   return out;
 }
 
+// Of a drawing that fills what is free; 0 where there is no room.
+double fitting_scale(const Insets& insets, Vec2 viewport, Vec2 size) {
+  const double width = std::max(0.0, viewport.x - insets.left - insets.right);
+  const double height = std::max(0.0, viewport.y - insets.top - insets.bottom);
+  return std::min(width / size.x, height / size.y);
+}
+
 }  // namespace
+
+Insets clear_of_corner(const Insets& insets, Vec2 viewport, Vec2 corner, Vec2 size) {
+  if (corner.x <= 0.0 || corner.y <= 0.0) return insets;
+  // Of a drawing without extent only its place counts.
+  size = {std::max(size.x, 1e-300), std::max(size.y, 1e-300)};
+  const double scale = fitting_scale(insets, viewport, size);
+  const double width = viewport.x - insets.left - insets.right;
+  const double height = viewport.y - insets.top - insets.bottom;
+  const bool is_free =
+      0.5 * (width + scale * size.x) <= width - corner.x || 0.5 * (height + scale * size.y) <= height - corner.y;
+  if (is_free) return insets;
+  Insets beside = insets;
+  beside.right += corner.x;
+  Insets above = insets;
+  above.bottom += corner.y;
+  const double best = fitting_scale(above, viewport, size);
+  return fitting_scale(beside, viewport, size) > best ? beside : above;
+}
 
 void ViewMotion::set_viewport(int width, int height) {
   if (width == camera_.width() && height == camera_.height()) return;

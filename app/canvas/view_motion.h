@@ -18,6 +18,10 @@ struct Insets {
   double bottom = 0.0;
 };
 
+/// For something `corner` large in the lower right corner of what is free: insets that leave it out, below or on the
+/// right, where a drawing `size` large (in any unit) is shown larger. As they were if it is not in the way.
+Insets clear_of_corner(const Insets& insets, Vec2 viewport, Vec2 corner, Vec2 size);
+
 /// What it guarantees:
 ///  1. While zooming the world point under the cursor stays under it, in every frame of the motion.
 ///  2. A motion ends exactly at its goal and then `is_moving` is false: nothing needs to be drawn any more.
@@ -33,6 +37,7 @@ class ViewMotion {
   const render::Camera& camera() const { return camera_; }
   void set_viewport(int width, int height);
   void set_insets(const Insets& insets) { insets_ = insets; }
+  const Insets& insets() const { return insets_; }
 
   void zoom_at(Vec2 px, double factor);
   /// At once: the picture sticks to the hand.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <optional>
 
 #include "app/bundles.h"
 #include "app/cli/messages.h"
@@ -23,15 +24,38 @@ std::string lower(std::string text) {
   return text;
 }
 
-Expected<Bundle> bundle_of_file(const std::string& file) {
-  std::vector<std::string_view> ids;
-  for (const LayerDescriptor& layer : layer_descriptors()) ids.push_back(layer.id);
-  auto loaded = read_bundle_file(file, ids);
+/// The one of this name, whatever the case if that leaves one; nothing: there is none.
+const Bundle* named(const std::vector<Bundle>& bundles, const std::string& name) {
+  const Bundle* similar = nullptr;
+  for (const Bundle& bundle : bundles) {
+    if (bundle.name == name) return &bundle;
+    if (lower(bundle.name) != lower(name)) continue;
+    if (similar != nullptr) return nullptr;
+    similar = &bundle;
+  }
+  return similar;
+}
+
+Error unknown(const std::string& name, const std::vector<Bundle>& bundles, const std::string& where) {
+  std::vector<std::string_view> names;
+  for (const Bundle& bundle : bundles) names.push_back(bundle.name);
+  return {ErrorCode::usage,
+          "unknown bundle " + in_quotes(name) + where +
+              (names.empty() ? std::string() : "; did you mean " + one_of(nearest_names(name, names)) + '?')};
+}
+
+/// Of this name in the file; without one the first.
+Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std::string>& name) {
+  auto loaded = read_bundle_file(file, known_layers());
   if (!loaded) return std::unexpected(loaded.error());
   for (const std::string& warning : loaded->warnings) say(warning);
+  if (name) {
+    if (const Bundle* bundle = named(loaded->bundles, *name)) return *bundle;
+    return std::unexpected(unknown(*name, loaded->bundles, " in " + file));
+  }
   if (loaded->bundles.size() > 1)
     say(file + ": the first of its " + std::to_string(loaded->bundles.size()) + " bundles is taken, " +
-        in_quotes(loaded->bundles.front().name));
+        in_quotes(loaded->bundles.front().name) + "; FILE:NAME takes another");
   return std::move(loaded->bundles.front());
 }
 
@@ -42,7 +66,7 @@ std::vector<AvailableBundle> available_bundles() {
   const fs::path own = default_bundles_path();
   std::error_code error;
   if (!own.empty() && fs::exists(own, error)) {
-    auto loaded = read_bundle_file(own, {});
+    auto loaded = read_bundle_file(own, known_layers());
     if (!loaded) say(loaded.error().message());
     if (loaded)
       for (Bundle& bundle : loaded->bundles) out.push_back({std::move(bundle), false});
@@ -54,27 +78,22 @@ std::vector<AvailableBundle> available_bundles() {
 }
 
 Expected<Bundle> find_bundle(const std::string& name_or_file) {
-  const std::vector<AvailableBundle> available = available_bundles();
-  const Bundle* found = nullptr;
-  std::size_t similar = 0;
-  std::vector<std::string_view> names;
-  for (const AvailableBundle& each : available) {
-    names.push_back(each.bundle.name);
-    if (each.bundle.name == name_or_file) return each.bundle;
-    if (lower(each.bundle.name) != lower(name_or_file)) continue;
-    found = &each.bundle;
-    ++similar;
-  }
-  if (similar == 1) return *found;
+  std::vector<Bundle> bundles;
+  for (AvailableBundle& each : available_bundles()) bundles.push_back(std::move(each.bundle));
+  if (const Bundle* bundle = named(bundles, name_or_file)) return *bundle;
   std::error_code error;
   const std::string extension = lower(fs::path(name_or_file).extension().string());
-  if (fs::exists(name_or_file, error) || extension == ".json" || extension == ".bnd" ||
-      name_or_file.find('/') != std::string::npos)
-    return bundle_of_file(name_or_file);
-  return usage_error(
-      "unknown bundle " + in_quotes(name_or_file) +
-      (names.empty() ? std::string() : "; did you mean " + one_of(nearest_names(name_or_file, names)) + '?') +
-      " (mesecina list bundles)");
+  if (fs::exists(name_or_file, error)) return bundle_of_file(name_or_file, {});
+  // Names of files and of bundles may hold colons too.
+  for (std::size_t colon = name_or_file.find(':'); colon != std::string::npos;
+       colon = name_or_file.find(':', colon + 1))
+    if (const std::string file = name_or_file.substr(0, colon); fs::is_regular_file(file, error))
+      return bundle_of_file(file, name_or_file.substr(colon + 1));
+  if (extension == ".json" || extension == ".bnd" || name_or_file.find('/') != std::string::npos)
+    return bundle_of_file(name_or_file, {});
+  Error out = unknown(name_or_file, bundles, {});
+  out.text += " (mesecina list bundles)";
+  return std::unexpected(std::move(out));
 }
 
 }  // namespace mes::cli

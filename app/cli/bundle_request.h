@@ -19,8 +19,9 @@ struct AvailableBundle {
 /// told and left alone.
 std::vector<AvailableBundle> available_bundles();
 
-/// The bundle of this name, whatever the case if that leaves one; or the first of the file of this name. Error:
-/// `usage` with the nearest names, or `bad_input` for a file that holds none.
+/// The bundle of this name, whatever the case if that leaves one; or the first of the file of this name; or of
+/// FILE:NAME the one of that name in the file. Error: `usage` with the nearest names, or `bad_input` for a file that
+/// holds none.
 Expected<Bundle> find_bundle(const std::string& name_or_file);
 
 }  // namespace mes::cli

@@ -10,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include "app/cli/manual.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/requests.h"
@@ -41,6 +42,7 @@ struct Arguments {
   DemoRequest demo;
   EvolveRequest evolve;
   ListRequest list;
+  ManualRequest manual;
 };
 
 std::string ids_of(const auto& descriptors) {
@@ -82,7 +84,6 @@ void describe_commands(CLI::App& app, Arguments& to) {
   app.set_version_flag("--version", "mesecina " MESECINA_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.add_option("FILE", to.files, "Samples to open in the window");
-  app.footer(kExamples);
   app.option_defaults()->always_capture_default(false);
   app.require_subcommand(0, 1);
 
@@ -114,7 +115,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render
       ->add_option("--bundle", to.render.bundle,
                    "Layers, their order and their styles as in a bundle: its name\n"
-                   "(mesecina list bundles) or a file of bundles, .json or .bnd")
+                   "(mesecina list bundles) or a file of bundles, .json or .bnd, of which\n"
+                   "the first is taken, or that of FILE:NAME")
       ->excludes("--layers");
   render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
   render
@@ -148,7 +150,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
-  play->add_option("SESSION", to.play.session, "A saved session, .json")->required();
+  play->add_option("SESSION", to.play.session, "A saved session, .json, or - for standard input")->required();
   add_film(*play, to.play.film);
   play->footer("Without --frames and --video: one line of JSON a step, with digests of document and layers.");
 
@@ -177,8 +179,31 @@ void describe_commands(CLI::App& app, Arguments& to) {
   list->add_option("WHAT", to.list.what, things)->required();
   list->add_flag("--json", to.list.as_json, "As JSON");
 
-  for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list})
+  CLI::App* const manual =
+      app.add_subcommand("manual", "All keys, layers, parameters, formats, commands: as Markdown");
+  manual->add_option("-o,--output", to.manual.output, "Write to this file instead of standard output");
+
+  for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list, manual})
     command->set_help_flag("-h,--help", "Print this help and exit");
+  // A variable of a script that is not set: hardly what was meant, and never the same as no option.
+  const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
+  for (CLI::App* const command : app.get_subcommands({}))
+    for (CLI::Option* const option : command->get_options())
+      if (option->get_expected_max() > 0) option->check(is_not_empty);
+  // At the end, or each command would have it too.
+  app.footer(kExamples);
+}
+
+/// The help pages, that of the program itself first.
+std::vector<CommandHelp> help_pages() {
+  // Parsing changes what a parser says of its defaults, so this is one that has parsed nothing.
+  CLI::App app;
+  Arguments arguments;
+  describe_commands(app, arguments);
+  std::vector<CommandHelp> out{{"mesecina", app.help()}};
+  for (const CLI::App* command : app.get_subcommands({}))
+    out.push_back({"mesecina " + command->get_name(), command->help("mesecina")});
+  return out;
 }
 
 Expected<void> run_command(const CLI::App& command, const Arguments& arguments) {
@@ -193,6 +218,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
+  if (command.get_name() == "manual") return run_manual(arguments.manual, help_pages(), interruption);
   return run_list(arguments.list, interruption);
 }
 

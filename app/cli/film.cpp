@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/background_loader.h"
+#include "app/canvas_look.h"
 #include "app/cli/messages.h"
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
@@ -139,27 +141,33 @@ class Studio {
     else
       camera.fit(player.view(), 0.0);
     const LayerStack& layers = player.layers();
+    follow_picture(layers.image());
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-    auto image = render::draw_image(device_, scene_, camera, views,
-                                    {.background = Rgb{255, 255, 255}, .content_scale = scale});
+    auto image =
+        render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image || !fonts_) return image;
-    add_legend(*image, layers, views, scale);
+    if (const auto entries = legend_of(scene_, views); !entries.empty())
+      draw_legend(*image, *fonts_, entries, scale, kWhiteCanvas);
     add_caption(*image, player.caption());
     return image;
   }
 
  private:
-  void add_legend(render::Image& image, const LayerStack& layers, std::span<const render::LayerView> views,
-                  double scale) const {
-    std::vector<LegendEntry> entries;
-    for (auto view = views.rbegin(); view != views.rend(); ++view) {
-      const render::ShownMap shown = scene_.shown_map(view->layer, view->style);
-      const LayerDescriptor& layer = layers.descriptor(view->layer);
-      if (shown.map != nullptr)
-        entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+  // A picture that is not there any more is told once; the film goes on without it.
+  void follow_picture(const BackgroundImage& image) {
+    const LayerIndex layer = find_layer("image");
+    if (image.file != picture_file_) {
+      picture_file_ = image.file;
+      scene_.clear_picture();
+      if (!image.file.empty()) {
+        if (const auto read = read_background(image.file))
+          scene_.set_picture(layer, *read);
+        else
+          say("the picture to trace is left out: " + read.error().message());
+      }
     }
-    if (!entries.empty()) draw_legend(image, *fonts_, entries, scale);
+    scene_.place_picture({image.center, image.width});
   }
 
   void add_caption(render::Image& image, const std::string& text) const {
@@ -178,6 +186,7 @@ class Studio {
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
+  std::string picture_file_;  // in the scene, or not readable
   std::optional<LegendFonts> fonts_;
 };
 
@@ -224,13 +233,14 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
       done.error().file = name;
       return done;
     }
+    // Also where another shard draws the frame: what is drawn in which order depends on every step before.
+    if (const std::string failure = player.complete(); !failure.empty())
+      say("frame " + std::to_string(frame + 1) + ": " + failure);
     std::optional<render::Image> image;
     for (std::uint64_t end = frame + frames_of(step, film->fps); frame < end;) {
       ++frame;
       if (!film->shard.has(frame)) continue;
       if (!image) {
-        if (const std::string failure = player.complete(); !failure.empty())
-          say("frame " + std::to_string(frame) + ": " + failure);
         auto drawn = studio.draw(player);
         if (!drawn) return std::unexpected(drawn.error());
         image = std::move(*drawn);

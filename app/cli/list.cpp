@@ -196,9 +196,10 @@ std::vector<Entry> bundles() {
       shown.push_back(entry.layer);
       text += (text.empty() ? "" : ", ") + entry.layer;
     }
-    out.push_back({printable(bundle.name),
-                   printable(text),
-                   {{"id", bundle.name}, {"built_in", is_built_in}, {"layers", shown}}});
+    out.push_back(
+        {printable(bundle.name),
+         printable(bundle.description.empty() ? text : bundle.description),
+         {{"id", bundle.name}, {"description", bundle.description}, {"built_in", is_built_in}, {"layers", shown}}});
   }
   return out;
 }

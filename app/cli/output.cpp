@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 
 #include "core/io/atomic_file.h"
@@ -35,6 +36,11 @@ Expected<void> write_output(const std::string& file, std::string_view bytes, Int
   while (!bytes.empty()) {
     const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EPIPE) {
+      // Whoever read has had enough, as in "| head": no failure, and nothing to say. End as other programs do.
+      std::signal(SIGPIPE, SIG_DFL);
+      static_cast<void>(std::raise(SIGPIPE));
+    }
     if (written < 0) return cannot_print(errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }

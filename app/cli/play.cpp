@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/input.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/player.h"
 #include "core/graph/layer_mirror.h"
-#include "core/io/format.h"
 
 namespace mes::cli {
 namespace {
@@ -27,7 +27,7 @@ std::uint64_t digest_of(const LayerMirror& mirror, const LayerStack& layers) {
 }
 
 Expected<std::shared_ptr<const Session>> read(const std::string& file) {
-  auto loaded = read_sample_file(file);
+  auto loaded = read_input(file, {});
   if (!loaded) return std::unexpected(loaded.error());
   if (!loaded->session)
     return std::unexpected(Error{ErrorCode::bad_input, "this is no session but " + loaded->format, file});

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/background_loader.h"
+#include "app/canvas_look.h"
 #include "app/cli/bundle_request.h"
 #include "app/cli/computation.h"
 #include "app/cli/input.h"
@@ -172,25 +173,19 @@ std::vector<render::LayerView> views_of(const Picture& picture, const render::Ca
       const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
       style.point_size_px = std::min(style.point_size_px, limit);
     }
-    views.push_back({layer, style});
+    views.push_back({layer, drawn_on(style, picture.background)});
   }
   return views;
 }
 
 /// Above everything else, once the picture is there.
 void add_legend(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
-                double scale) {
-  std::vector<LegendEntry> entries;
-  for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
-    const LayerDescriptor& layer = layer_descriptors()[view->layer];
-    if (shown.map != nullptr)
-      entries.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
-  }
+                double scale, const std::optional<Rgb>& background) {
+  const std::vector<LegendEntry> entries = legend_of(scene, views);
   if (entries.empty()) return;
   const auto fonts = LegendFonts::read(find_assets({}));
   if (fonts)
-    draw_legend(image, *fonts, entries, scale);
+    draw_legend(image, *fonts, entries, scale, background);
   else
     say("the legend is left out: " + fonts.error().message());
 }
@@ -256,7 +251,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   auto image = draw_in_bands(device, scene, camera, views,
                              {.background = picture->background, .content_scale = picture->scale});
   if (!image) return std::unexpected(image.error());
-  if (request.with_legend) add_legend(*image, scene, views, picture->scale);
+  if (request.with_legend) add_legend(*image, scene, views, picture->scale, picture->background);
   const auto png = render::encode_png(*image, render::kPngSmall);
   if (!png) return std::unexpected(png.error());
   return write_output(request.output, {reinterpret_cast<const char*>(png->data()), png->size()}, interruption);

@@ -2,11 +2,13 @@
 // The commands, and what they are asked for. Each writes its result and nothing else, or says why it cannot.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
+#include "app/cli/manual.h"
 #include "core/base/error.h"
 
 namespace mes::cli {
@@ -77,6 +79,12 @@ struct ListRequest {
   bool as_json = false;
 };
 Expected<void> run_list(const ListRequest& request, Interruption& interruption);
+
+struct ManualRequest {
+  std::string output;
+};
+Expected<void> run_manual(const ManualRequest& request, std::span<const CommandHelp> commands,
+                          Interruption& interruption);
 
 /// What `list` can list.
 std::vector<std::string> listed_things();

@@ -6,7 +6,6 @@
 
 #include "app/panels/icons.h"
 #include "app/window/theme.h"
-#include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
@@ -26,7 +25,7 @@ void tell(const PanelContext& context, const Expected<void>& done) {
 
 bool head_button(const PanelContext& context, const char* label, const std::string& explanation) {
   ImGui::PushStyleColor(ImGuiCol_Button, 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
   const bool clicked = ImGui::Button(label, {26 * context.gui.unit(), 0});
   ImGui::PopStyleColor(2);
   tooltip(context.gui, explanation);
@@ -67,11 +66,11 @@ void end_roomy_popup() {
 }
 
 /// A field for a name and a button with a verb. True: it was meant.
-bool name_field(const PanelContext& context, std::string& name, const char* verb) {
+bool draw_name(const PanelContext& context, NameField& field, std::string& name, const char* verb) {
   const float unit = context.gui.unit();
   ImGui::SetNextItemWidth(200 * unit);
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputTextWithHint("##name", "Name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsWindowAppearing()) field.focus();
+  const bool entered = field.draw("##name", "Name", name);
   ImGui::SameLine();
   const bool is_good = checked_bundle_name(name).has_value();
   ImGui::BeginDisabled(!is_good);
@@ -103,12 +102,13 @@ void BundlesPanel::draw_head(const PanelContext& context) {
   const float size = 4 * unit;
   if (is_unfolded)
     list.AddTriangleFilled({middle.x - size, middle.y - 0.5F * size}, {middle.x + size, middle.y - 0.5F * size},
-                           {middle.x, middle.y + 0.7F * size}, theme::kTextQuiet);
+                           {middle.x, middle.y + 0.7F * size}, context.gui.colors().text_quiet);
   else
     list.AddTriangleFilled({middle.x - 0.5F * size, middle.y - size}, {middle.x + 0.7F * size, middle.y},
-                           {middle.x - 0.5F * size, middle.y + size}, theme::kTextQuiet);
+                           {middle.x - 0.5F * size, middle.y + size}, context.gui.colors().text_quiet);
   ImGui::PushFont(context.gui.bold());
-  list.AddText({at.x + 15 * unit, at.y + 0.5F * (height - ImGui::GetFontSize())}, theme::kText, "Bundles");
+  list.AddText({at.x + 15 * unit, at.y + 0.5F * (height - ImGui::GetFontSize())}, context.gui.colors().text,
+               "Bundles");
   ImGui::PopFont();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 54 * unit);
   if (head_button(context, "+", tooltip_of(ActionId::save_bundle))) asks_name_ = true;
@@ -140,8 +140,8 @@ void BundlesPanel::draw_save_popup(const PanelContext& context) {
   ImGui::TextUnformatted("Save the layers as they are under a name");
   const auto checked = checked_bundle_name(name_);
   const bool is_taken = checked && context.bundles.has(*checked);
-  const bool is_meant = name_field(context, name_, is_taken ? "Overwrite" : "Save");
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+  const bool is_meant = draw_name(context, field_, name_, is_taken ? "Overwrite" : "Save");
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
   ImGui::TextUnformatted(is_taken ? "There is a bundle of this name" : " ");
   ImGui::PopStyleColor();
   if (is_meant) {
@@ -183,7 +183,7 @@ void BundlesPanel::draw_rename_popup(const PanelContext& context) {
   place_beside_panel(context);
   if (!begin_roomy_popup(context, "rename-bundle")) return;
   ImGui::TextUnformatted("Rename the bundle");
-  if (renamed_ < bundles.size() && name_field(context, name_, "Rename")) {
+  if (renamed_ < bundles.size() && draw_name(context, field_, name_, "Rename")) {
     tell(context, context.bundles.rename(renamed_, name_));
     ImGui::CloseCurrentPopup();
   }
@@ -194,6 +194,7 @@ void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
   const float unit = context.gui.unit();
   const float height = kRowHeight * unit;
   const std::string name = context.bundles.bundles()[index].name;
+  const std::string description = context.bundles.bundles()[index].description;
   const bool is_current = context.bundles.current() == index;
   const bool is_changed = is_current && context.bundles.is_changed();
   ImGui::PushID(static_cast<int>(index));
@@ -204,8 +205,9 @@ void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
   const bool hovered = ImGui::IsItemHovered();
   std::string explanation = name;
   if (index < kDigits) explanation += " (" + std::to_string(index + 1) + ")";
-  if (is_changed) explanation += "\nThe layers were changed since; click to have them back as saved";
-  tooltip(context.gui, explanation + "\nDrag to reorder, right click for more");
+  if (!description.empty()) explanation += "\n" + description;
+  if (is_changed) explanation += "\n\nThe layers were changed since; click to have them back as saved";
+  tooltip(context.gui, explanation + "\n\nDrag to reorder, right click for more");
   if (ImGui::BeginDragDropSource()) {
     ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
     ImGui::TextUnformatted(name.c_str());
@@ -218,22 +220,26 @@ void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
     if (payload != nullptr) {
       const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
       const float y = from < index ? end.y : at.y;
-      list.AddLine({at.x, y}, {end.x, y}, theme::kAccent, 2 * unit);
+      list.AddLine({at.x, y}, {end.x, y}, context.gui.colors().accent, 2 * unit);
       if (payload->IsDelivery() && from < context.bundles.bundles().size()) dropped = from;
     }
     ImGui::EndDragDropTarget();
   }
 
   if (is_current || hovered)
-    list.AddRectFilled(at, end, is_current ? theme::kAccentSoft : IM_COL32(0, 0x72, 0xB2, 0x12), 4 * unit);
+    list.AddRectFilled(at, end, is_current ? context.gui.colors().accent_soft : context.gui.colors().accent_faint,
+                       4 * unit);
   const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
   if (index < kDigits)
-    list.AddText({at.x + 5 * unit, text_y}, is_current ? theme::kAccent : theme::kTextQuiet,
+    list.AddText({at.x + 5 * unit, text_y},
+                 is_current ? context.gui.colors().accent : context.gui.colors().text_quiet,
                  std::to_string(index + 1).c_str());
   list.PushClipRect(at, {end.x - 14 * unit, end.y}, true);
-  list.AddText({at.x + 22 * unit, text_y}, is_current ? theme::kAccent : theme::kText, name.c_str());
+  list.AddText({at.x + 22 * unit, text_y}, is_current ? context.gui.colors().accent : context.gui.colors().text,
+               name.c_str());
   list.PopClipRect();
-  if (is_changed) list.AddCircleFilled({end.x - 8 * unit, at.y + 0.5F * height}, 3 * unit, theme::kAccent);
+  if (is_changed)
+    list.AddCircleFilled({end.x - 8 * unit, at.y + 0.5F * height}, 3 * unit, context.gui.colors().accent);
   if (is_current && shown_current_ != index) ImGui::SetScrollHereY();
   // The list is changed last: what was drawn was the one before.
   if (clicked) context.bundles.choose(index);
@@ -255,10 +261,20 @@ void BundlesPanel::draw_rows(const PanelContext& context, float height) {
 
 void BundlesPanel::draw_undo_line(const PanelContext& context) const {
   ImGui::PushFont(context.gui.small());
-  ImGui::TextDisabled("%s", context.bundles.undo_offer().c_str());
+  const std::string offer = context.bundles.undo_offer();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  // A long name must not push the button out of the panel.
+  const float button = ImGui::CalcTextSize("Undo").x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+  const float width = std::min(ImGui::CalcTextSize(offer.c_str()).x, ImGui::GetContentRegionAvail().x - button);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec4 clip(at.x, at.y, at.x + width, at.y + ImGui::GetFontSize());
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, context.gui.colors().text_quiet,
+                                      offer.c_str(), nullptr, 0.0F, &clip);
+  ImGui::Dummy({std::max(1.0F, width), ImGui::GetFontSize()});
+  tooltip(context.gui, offer);
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().accent);
   const bool clicked = ImGui::SmallButton("Undo");
   ImGui::PopStyleColor(2);
   ImGui::PopFont();

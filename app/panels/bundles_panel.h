@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/panels/name_field.h"
 #include "app/panels/panel_context.h"
 
 namespace mes {
@@ -29,6 +30,7 @@ class BundlesPanel {
 
   bool asks_name_ = false;
   std::string name_;
+  NameField field_;
   std::optional<std::size_t> asks_rename_;
   std::size_t renamed_ = 0;
   std::optional<std::size_t> shown_current_;  // scrolled to when it changes

@@ -8,23 +8,20 @@
 
 namespace mes {
 
-void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
-  std::vector<LegendEntry> entries;
-  const std::vector<LayerIndex> visible = context.layers.visible_layers();
-  for (auto layer = visible.rbegin(); layer != visible.rend(); ++layer) {
-    const render::ShownMap shown = context.picture.scene().shown_map(*layer, context.layers.style(*layer));
-    const LayerDescriptor& descriptor = context.layers.descriptor(*layer);
-    if (shown.map != nullptr)
-      entries.push_back({std::string(descriptor.name), std::string(descriptor.scalar), shown.map, shown.range});
-  }
-  if (entries.empty()) return;
+ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
+  std::vector<render::LayerView> views;
+  for (const LayerIndex layer : context.layers.visible_layers())
+    views.push_back({layer, context.layers.style(layer)});
+  const std::vector<LegendEntry> entries = legend_of(context.picture.scene(), views);
+  if (entries.empty()) return {};
   const float unit = context.gui.unit();
   const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
     const ImVec2 extent = font(is_bold)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
     return static_cast<double>(extent.x / unit);
   };
-  const LegendDrawing legend = layout_legend(entries, measure, static_cast<double>(room / unit));
+  const LegendDrawing legend =
+      layout_legend(entries, measure, static_cast<double>(room / unit), context.picture.canvas());
   const ImVec2 at(std::floor(corner.x - static_cast<float>(legend.width) * unit),
                   std::floor(corner.y - static_cast<float>(legend.height) * unit));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -38,6 +35,7 @@ void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) 
     list.AddText(font(line.is_bold), static_cast<float>(line.size) * unit,
                  {at.x + static_cast<float>(line.x) * unit, at.y + static_cast<float>(line.top) * unit},
                  to_imgui(line.color), line.text.c_str());
+  return {static_cast<float>(legend.width) * unit, static_cast<float>(legend.height) * unit};
 }
 
 }  // namespace mes

@@ -6,7 +6,8 @@
 
 namespace mes {
 
-/// With its lower right corner at `corner`, no higher than `room`; nothing while no visible layer has a colour map.
-void draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room);
+/// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while no
+/// visible layer has a colour map.
+ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room);
 
 }  // namespace mes

@@ -54,7 +54,7 @@ void ColorMapControls::draw_choice(const PanelContext& context, LayerStyle& styl
       if (ImGui::Selectable("##map", style.color_map == map.name, 0, row)) style.color_map = map.name;
       ImDrawList& list = *ImGui::GetWindowDrawList();
       draw_color_map(list, map, at, {kPreviewWidth * unit, height});
-      list.AddText({at.x + kPreviewWidth * unit + 8 * unit, at.y}, theme::kText, map.name.c_str());
+      list.AddText({at.x + kPreviewWidth * unit + 8 * unit, at.y}, context.gui.colors().text, map.name.c_str());
       ImGui::PopID();
     }
     ImGui::EndCombo();

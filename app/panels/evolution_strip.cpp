@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/evolution_strip.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -59,20 +60,21 @@ void buttons(const PanelContext& context, float size) {
   ImGui::Dummy({0, size});
 }
 
-void slider(const PanelContext& context, Row& row) {
+void slider(const PanelContext& context, Row& row, float most) {
   EvolutionPlayer& player = context.evolution;
   const float unit = context.gui.unit();
   std::uint64_t k = player.target();
   constexpr std::uint64_t kFirst = 0;
   const std::uint64_t end = player.end();
-  row.next(140 * unit);
-  ImGui::SetNextItemWidth(140 * unit);
+  const float width = std::clamp(most - 86 * unit, 60 * unit, 140 * unit);
+  row.next(width + 86 * unit);
+  ImGui::SetNextItemWidth(width);
   if (ImGui::SliderScalar("##step", ImGuiDataType_U64, &k, &kFirst, &end, "step %llu",
                           ImGuiSliderFlags_AlwaysClamp) &&
       k != player.target())
     player.step_to(k);
   tooltip(context.gui, "Steps from the beginning; Ctrl+click to type a number");
-  row.next(76 * unit);
+  ImGui::SameLine(0, 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("of");
   ImGui::SameLine(0, 5 * unit);
@@ -134,7 +136,7 @@ void parameter_field(const PanelContext& context, const ParameterDescriptor& par
                                  ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
     player.set_value(parameter.id, value);
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
   ImGui::PushTextWrapPos(330 * context.gui.unit());
   ImGui::TextUnformatted(parameter.explanation.data());
   ImGui::PopTextWrapPos();
@@ -162,7 +164,8 @@ void progress(const PanelContext& context, float width) {
   const ImVec2 at = ImGui::GetWindowPos();
   if (!is_far) return;
   ImGui::GetWindowDrawList()->AddRectFilled(
-      at, {at.x + width * static_cast<float>(player.progress()), at.y + 3 * context.gui.unit()}, theme::kAccent);
+      at, {at.x + width * static_cast<float>(player.progress()), at.y + 3 * context.gui.unit()},
+      context.gui.colors().accent);
 }
 
 }  // namespace
@@ -178,13 +181,13 @@ float draw_evolution_strip(const PanelContext& context, ImVec2 at, float width) 
   Row row(width - 16 * unit, 10 * unit);
   row.next(104 * unit);
   chooser(context);
-  row.next(6 * size);
-  buttons(context, size);
-  slider(context, row);
-  row.next(100 * unit);
-  speed(context);
   row.next(size);
   parameters(context, size);
+  row.next(6 * size);
+  buttons(context, size);
+  slider(context, row, width - 16 * unit);
+  row.next(100 * unit);
+  speed(context);
   if (context.evolution.descriptor().is_random) {
     row.next(190 * unit);
     seed(context);

@@ -10,7 +10,6 @@
 
 #include "app/window/theme.h"
 #include "core/io/format.h"
-#include "imgui_stdlib.h"
 
 namespace mes {
 
@@ -55,7 +54,7 @@ constexpr const char* kTitle = "##file-browser";
 
 void FileBrowser::ask(const fs::path& folder) {
   is_open_ = true;
-  focus_name_ = true;
+  field_.focus();
   accepted_ = false;
   trouble_.clear();
   overwrite_.clear();
@@ -168,7 +167,7 @@ void FileBrowser::draw_path(const Gui& gui) {
 void FileBrowser::draw_entries(const Gui& gui, float height) {
   const float unit = gui.unit();
   fs::path target;
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32_WHITE);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, gui.colors().raised);
   const bool shown =
       ImGui::BeginTable("entries", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuter, {0, height});
   ImGui::PopStyleColor();
@@ -201,7 +200,7 @@ void FileBrowser::draw_entries(const Gui& gui, float height) {
 }
 
 bool FileBrowser::draw_overwrite_question(const Gui& gui) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
   ImGui::TextWrapped("%s exists already.", overwrite_.filename().c_str());
   ImGui::PopStyleColor();
   const bool yes = ImGui::Button("Replace it");
@@ -227,17 +226,13 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
                      2 * ImGui::GetFrameHeightWithSpacing() + 6 * unit;
   draw_entries(gui, ImGui::GetContentRegionAvail().y - foot);
   if (!trouble_.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     ImGui::TextUnformatted(trouble_.c_str());
     ImGui::PopStyleColor();
   }
   if (overwrite_.empty()) {
     ImGui::SetNextItemWidth(-1);
-    if (focus_name_) ImGui::SetKeyboardFocusHere();
-    focus_name_ = false;
-    if (ImGui::InputTextWithHint("##name",
-                                 is_saving_ ? "Name of the file" : "Name of a file, or a folder to look into", &name_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue))
+    if (field_.draw("##name", is_saving_ ? "Name of the file" : "Name of a file, or a folder to look into", name_))
       accepted_ = true;
     if (!is_saving_) {
       ImGui::Checkbox("All files", &all_files_);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/name_field.h"
 #include "app/window/gui.h"
 
 namespace mes {
@@ -51,10 +52,10 @@ class FileBrowser {
   bool is_open_ = false;
   bool is_saving_ = false;
   bool all_files_ = false;
-  bool focus_name_ = false;
   bool accepted_ = false;
   std::filesystem::path folder_;
   std::string name_;
+  NameField field_;
   std::string extension_;  // of the name proposed
   std::string heading_;
   std::vector<std::string> extensions_;  // lower case, with the dot; empty: of samples and balls

@@ -2,11 +2,11 @@
 #include "app/panels/help.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <string>
+#include <array>
+#include <string_view>
+#include <vector>
 
 #include "app/panels/icons.h"
-#include "app/window/theme.h"
 
 namespace mes {
 namespace {
@@ -17,9 +17,9 @@ void key_cap(const PanelContext& context, std::string_view text) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 end(at.x + size.x + 10 * unit, at.y + size.y + 4 * unit);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, end, IM_COL32(0xF1, 0xF3, 0xF5, 0xFF), 4 * unit);
-  list.AddRect(at, end, theme::kBorder, 4 * unit);
-  list.AddText({at.x + 5 * unit, at.y + 2 * unit}, theme::kText, text.data(), text.data() + text.size());
+  list.AddRectFilled(at, end, context.gui.colors().field, 4 * unit);
+  list.AddRect(at, end, context.gui.colors().border, 4 * unit);
+  list.AddText({at.x + 5 * unit, at.y + 2 * unit}, context.gui.colors().text, text.data(), text.data() + text.size());
   ImGui::Dummy({end.x - at.x, end.y - at.y});
 }
 
@@ -30,23 +30,105 @@ void heading(const PanelContext& context, std::string_view text) {
   ImGui::PopFont();
 }
 
-void row(const PanelContext& context, std::span<const std::string_view> keys, std::string_view text, float text_at) {
-  const float unit = context.gui.unit();
-  const ImVec2 start = ImGui::GetCursorScreenPos();
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, 4 * unit);
-    key_cap(context, keys[i]);
+/// Keys that differ only in which one of many it is are one line.
+struct Series {
+  ActionId first;
+  ActionId last;
+  std::string_view keys;
+  std::string_view name;
+};
+constexpr std::array<Series, 3> kSeries{
+    {{ActionId::nudge_left, ActionId::nudge_down, "Arrow keys", "Nudge by a pixel"},
+     {ActionId::nudge_left_far, ActionId::nudge_down_far, "Shift+arrow keys", "Nudge by ten pixels"},
+     {ActionId::bundle_1, ActionId::bundle_9, "1 to 9", "Show a bundle"}}};
+
+struct Line {
+  std::vector<std::string_view> keys;
+  std::string_view text;
+};
+
+std::vector<Line> lines_of(ActionGroup group) {
+  std::vector<Line> out;
+  for (const ActionDescriptor& action : action_descriptors()) {
+    if (action.group != group || action.keys.empty()) continue;
+    const auto series = std::ranges::find_if(
+        kSeries, [&](const Series& one) { return one.first <= action.id && action.id <= one.last; });
+    if (series == kSeries.end())
+      out.push_back({action.keys, action.name});
+    else if (series->first == action.id)
+      out.push_back({{series->keys}, series->name});
   }
-  const ImVec2 after = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddText({start.x + text_at, start.y + 2 * unit}, theme::kText, text.data(),
-                                      text.data() + text.size());
-  ImGui::SetCursorScreenPos(after);
+  return out;
 }
 
-void group(const PanelContext& context, ActionGroup which, float text_at) {
-  heading(context, title_of(which));
-  for (const ActionDescriptor& action : action_descriptors())
-    if (action.group == which && !action.keys.empty()) row(context, action.keys, action.name, text_at);
+void draw_group(const PanelContext& context, ActionGroup group) {
+  const float unit = context.gui.unit();
+  const std::vector<Line> lines = lines_of(group);
+  heading(context, title_of(group));
+  float text_at = 0.0F;
+  for (const Line& line : lines) {
+    float width = 0.0F;
+    for (const std::string_view key : line.keys)
+      width += ImGui::CalcTextSize(key.data(), key.data() + key.size()).x + 14 * unit;
+    text_at = std::max(text_at, width + 8 * unit);
+  }
+  const float start = ImGui::GetCursorPosX();
+  for (const Line& line : lines) {
+    for (const std::string_view key : line.keys) {
+      key_cap(context, key);
+      ImGui::SameLine(0, 4 * unit);
+    }
+    ImGui::SetCursorPos({start + text_at, ImGui::GetCursorPosY() + 2 * unit});
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
+    ImGui::PopTextWrapPos();
+  }
+}
+
+void draw_gesture(const PanelContext& context, const GestureDescriptor& gesture) {
+  const float unit = context.gui.unit();
+  key_cap(context, gesture.input);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 3 * unit);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
+  ImGui::TextWrapped("%.*s", static_cast<int>(gesture.meaning.size()), gesture.meaning.data());
+  ImGui::PopStyleColor();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * unit);
+}
+
+/// Groups in the order of reading, in columns of about the same height.
+void draw_columns(const PanelContext& context, float width) {
+  constexpr std::array<ActionGroup, 6> kOrder{ActionGroup::file, ActionGroup::tools,   ActionGroup::edit,
+                                              ActionGroup::view, ActionGroup::compute, ActionGroup::help};
+  constexpr float kColumnWidth = 285.0F;  // logical pixels; less, and lines are broken
+  const int columns = std::clamp(static_cast<int>(width / (kColumnWidth * context.gui.unit())), 1, 4);
+  if (!ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
+  constexpr std::size_t kHeading = 2;
+  constexpr std::size_t kGestureLines = 2;
+  std::size_t left = kGestureLines * gesture_descriptors().size() + kHeading;
+  for (const ActionGroup group : kOrder) left += lines_of(group).size() + kHeading;
+  const std::size_t most = (left + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+  ImGui::TableNextColumn();
+  std::size_t filled = 0;
+  const auto next = [&](std::size_t lines) {
+    // It may stick out by less than it would leave empty.
+    const bool is_better_below = filled + lines <= most || filled + lines - most < most - std::min(filled, most);
+    if (filled > 0 && !is_better_below && ImGui::TableGetColumnIndex() + 1 < columns) {
+      ImGui::TableNextColumn();
+      filled = 0;
+    }
+    filled += lines;
+  };
+  for (const ActionGroup group : kOrder) {
+    next(lines_of(group).size() + kHeading);
+    draw_group(context, group);
+  }
+  next(kHeading + kGestureLines);
+  heading(context, "With the mouse");
+  for (const GestureDescriptor& gesture : gesture_descriptors()) {
+    next(kGestureLines);
+    draw_gesture(context, gesture);
+  }
+  ImGui::EndTable();
 }
 
 }  // namespace
@@ -54,40 +136,20 @@ void group(const PanelContext& context, ActionGroup which, float text_at) {
 void draw_help(const PanelContext& context, bool* open) {
   const float unit = context.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(1000 * unit, screen.x - 24 * unit), std::min(600 * unit, screen.y - 24 * unit));
+  const ImVec2 size(std::min(1240 * unit, screen.x - 24 * unit), std::min(680 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32_WHITE);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 4 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 3 * unit});
   if (Gui::begin_dialog("##help", *open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
     ImGui::PushFont(context.gui.bold());
     ImGui::TextUnformatted("Keys and gestures");
     ImGui::PopFont();
     ImGui::SameLine(size.x - 48 * unit);
     if (icon_button("close", Icon::close, 24 * unit)) *open = false;
+    tooltip(context.gui, "Close (Esc)");
     ImGui::BeginChild("page");
-    const int columns = size.x > 820 * unit ? 3 : 2;
-    if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
-      ImGui::TableNextColumn();
-      group(context, ActionGroup::file, 118 * unit);
-      group(context, ActionGroup::tools, 118 * unit);
-      group(context, ActionGroup::view, 118 * unit);
-      ImGui::TableNextColumn();
-      group(context, ActionGroup::edit, 168 * unit);
-      group(context, ActionGroup::compute, 168 * unit);
-      group(context, ActionGroup::help, 168 * unit);
-      ImGui::TableNextColumn();
-      heading(context, "With the mouse");
-      for (const GestureDescriptor& gesture : gesture_descriptors()) {
-        key_cap(context, gesture.input);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
-        ImGui::TextWrapped("%.*s", static_cast<int>(gesture.meaning.size()), gesture.meaning.data());
-        ImGui::PopStyleColor();
-        ImGui::Dummy({0, 2 * unit});
-      }
-      ImGui::EndTable();
-    }
+    draw_columns(context, ImGui::GetContentRegionAvail().x);
     ImGui::EndChild();
     const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
@@ -95,7 +157,6 @@ void draw_help(const PanelContext& context, bool* open) {
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
-  ImGui::PopStyleColor();
 }
 
 }  // namespace mes

@@ -43,8 +43,11 @@ class Pen {
 void draw_turn(Pen& pen, bool backwards) {
   const auto x = [backwards](float value) { return backwards ? value : 24.0F - value; };
   const float pi = 3.14159265F;
-  pen.arc(12.0F, 13.5F, 6.0F, backwards ? -pi * 0.85F : -pi * 0.15F, backwards ? pi * 0.55F : -pi * 1.55F);
-  const ImVec2 head[] = {pen.p(x(3.6F), 12.6F), pen.p(x(4.6F), 5.2F), pen.p(x(10.2F), 10.2F)};
+  // It ends where the head begins: they may be translucent.
+  pen.arc(12.0F, 13.5F, 6.0F, backwards ? -pi * 0.72F : -pi * 0.28F, backwards ? pi * 0.55F : -pi * 1.55F);
+  ImVec2 head[] = {pen.p(x(3.6F), 12.6F), pen.p(x(4.6F), 5.2F), pen.p(x(10.2F), 10.2F)};
+  // Only clockwise are its edges smooth.
+  if (!backwards) std::swap(head[0], head[1]);
   pen.fill(head);
 }
 
@@ -201,21 +204,22 @@ bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool en
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   if (look == ButtonLook::chosen)
-    list.AddRectFilled(at, {at.x + size, at.y + size}, theme::kAccent, rounding);
+    list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_CheckMark), rounding);
   else if (look == ButtonLook::on || ImGui::IsItemHovered())
-    list.AddRectFilled(at, {at.x + size, at.y + size}, theme::kAccentSoft, rounding);
+    list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_Header), rounding);
   const float inset = 0.16F * size;
-  ImU32 color = enabled ? theme::kText : IM_COL32(0xB4, 0xBA, 0xC1, 0xFF);
-  if (look == ButtonLook::chosen) color = IM_COL32_WHITE;
-  if (look == ButtonLook::on) color = theme::kAccent;
-  draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, color);
+  ImGuiCol color = ImGuiCol_Text;
+  if (look == ButtonLook::chosen) color = ImGuiCol_WindowBg;
+  if (look == ButtonLook::on) color = ImGuiCol_CheckMark;
+  draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, ImGui::GetColorU32(color));
   ImGui::EndDisabled();
   return clicked;
 }
 
 bool choice_button(const char* label, bool chosen) {
-  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentSoft : 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kAccent : theme::kTextQuiet);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? style.Colors[ImGuiCol_Header] : ImVec4());
+  ImGui::PushStyleColor(ImGuiCol_Text, style.Colors[chosen ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled]);
   const bool clicked = ImGui::Button(label);
   ImGui::PopStyleColor(2);
   return clicked;

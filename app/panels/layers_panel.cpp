@@ -56,17 +56,13 @@ void draw_color_choice(const PanelContext& context, LayerStyle& style) {
       style.color = kPalette[i];
     ImGui::PopID();
   }
-  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-  std::array<float, 3> rgb{channel(style.color.r), channel(style.color.g), channel(style.color.b)};
-  ImGui::SetNextItemWidth(230 * unit);
+  std::array<float, 3> rgb = to_floats(style.color);
+  // In a low window the sliders below it shall have room, too.
+  ImGui::SetNextItemWidth(std::min(230 * unit, 0.3F * ImGui::GetIO().DisplaySize.y));
   if (ImGui::ColorPicker3(
           "##picker", rgb.data(),
-          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex)) {
-    const auto byte = [](float value) {
-      return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
-    };
-    style.color = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
-  }
+          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))
+    style.color = to_rgb(rgb);
 }
 
 std::string milliseconds(double ms) {
@@ -107,11 +103,12 @@ void LayersPanel::draw_head(const PanelContext& context) {
   ImGui::SameLine(0, 2 * unit);
   if (choice_button("Order", by_order_)) by_order_ = true;
   tooltip(context.gui, "List the layers as they lie on each other, top first");
-  ImGui::SetNextItemWidth(-1);
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Only visible").x - ImGui::GetFrameHeight() - 14 * unit);
   ImGui::InputTextWithHint("##search", "Search", &search_);
+  ImGui::SameLine();
   ImGui::Checkbox("Only visible", &only_visible_);
+  tooltip(context.gui, "List only the layers that are shown");
   if (context.layers.soloed() != kNoSlot) {
-    ImGui::SameLine();
     if (ImGui::SmallButton("End solo")) context.layers.end_solo();
     tooltip(context.gui, "Show the other layers again");
   }
@@ -119,12 +116,13 @@ void LayersPanel::draw_head(const PanelContext& context) {
 }
 
 void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImVec2 at, ImVec2 size) const {
-  const LayerStyle& style = context.layers.style(layer);
+  const Rgb canvas = context.picture.canvas();
+  const LayerStyle style = drawn_on(context.layers.style(layer), canvas);
   const LayerDescriptor& descriptor = context.layers.descriptor(layer);
   const float unit = context.gui.unit();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + size.x, at.y + size.y);
-  list.AddRectFilled(at, end, IM_COL32_WHITE, 3 * unit);
+  list.AddRectFilled(at, end, to_imgui(canvas), 3 * unit);
   list.PushClipRect(at, end, true);
   const auto& maps = context.picture.scene().color_maps();
   const auto map = std::ranges::find(maps, style.color_map, &render::ColorMap::name);
@@ -135,7 +133,7 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
   const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
   if (descriptor.kinds.empty()) {
     // A sun above a hill.
-    const ImU32 ink = context.layers.image().file.empty() ? theme::kBorder : theme::kTextQuiet;
+    const ImU32 ink = to_imgui(palette::grey, context.layers.image().file.empty() ? 0.5 : 1.0);
     list.AddCircleFilled({at.x + 0.3F * size.x, at.y + 0.35F * size.y}, 0.14F * size.y, ink);
     list.AddTriangleFilled({at.x + 0.25F * size.x, end.y - 3 * unit}, {at.x + 0.6F * size.x, at.y + 0.3F * size.y},
                            {end.x - 2 * unit, end.y - 3 * unit}, ink);
@@ -151,7 +149,7 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
     list.AddCircleFilled(
         middle, std::clamp(0.5F * static_cast<float>(style.point_size_px) * unit, 1.5F, 0.42F * size.y), color);
   list.PopClipRect();
-  list.AddRect(at, end, theme::kBorder, 3 * unit);
+  list.AddRect(at, end, context.gui.colors().border, 3 * unit);
 }
 
 void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer) {
@@ -255,27 +253,27 @@ void LayersPanel::draw_row(const PanelContext& context, LayerIndex layer) {
         kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
     if (payload != nullptr) {
       const float y = above ? at.y : at.y + height;
-      list.AddLine({at.x, y}, {at.x + width, y}, theme::kAccent, 2 * unit);
+      list.AddLine({at.x, y}, {at.x + width, y}, context.gui.colors().accent, 2 * unit);
       if (payload->IsDelivery()) context.layers.move(*static_cast<const LayerIndex*>(payload->Data), layer, above);
     }
     ImGui::EndDragDropTarget();
   }
 
-  if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(0, 0x72, 0xB2, 0x12), 4 * unit);
+  if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, context.gui.colors().accent_faint, 4 * unit);
   const float icon = 18 * unit;
   const bool failed = visible && is_failed(state);
   draw_icon(list, visible ? Icon::eye : Icon::eye_closed, {at.x + 2 * unit, at.y + 0.5F * (height - icon)}, icon,
-            visible ? theme::kText : IM_COL32(0xB4, 0xBA, 0xC1, 0xFF));
+            visible ? context.gui.colors().text : context.gui.colors().text_faint);
   const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
   list.PushClipRect(at, {swatch_at.x - 6 * unit, at.y + height}, true);
   list.AddText({at.x + 27 * unit, text_y},
-               failed    ? theme::kWarning
-               : visible ? theme::kText
-                         : theme::kTextQuiet,
+               failed    ? context.gui.colors().warning
+               : visible ? context.gui.colors().text
+                         : context.gui.colors().text_quiet,
                descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
   list.PopClipRect();
   if (visible && state == NodeState::computing)
-    list.AddCircleFilled({swatch_at.x - 10 * unit, at.y + 0.5F * height}, 3 * unit, theme::kAccent);
+    list.AddCircleFilled({swatch_at.x - 10 * unit, at.y + 0.5F * height}, 3 * unit, context.gui.colors().accent);
   draw_swatch(context, layer, swatch_at, swatch_size);
   ImGui::SetCursorScreenPos({at.x, at.y + height});
   ImGui::PopID();
@@ -302,7 +300,7 @@ void LayersPanel::draw(const PanelContext& context, const PanelArea& area) {
       if (!flat_list) {
         const std::string title(title_of(group));
         ImGui::PushFont(context.gui.small());
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextQuiet);
+        ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
         ImGui::PushStyleColor(ImGuiCol_Header, 0);
         const bool open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
         ImGui::PopStyleColor(2);

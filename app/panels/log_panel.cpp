@@ -46,7 +46,7 @@ void draw_log(const PanelContext& context) {
     ImGui::TextDisabled("%s", clock_text(entry->when).c_str());
     ImGui::PopFont();
     ImGui::SameLine(0, 6 * unit);
-    if (entry->is_problem) ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    if (entry->is_problem) ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(line_of(*entry).c_str());
     ImGui::PopTextWrapPos();

@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 
+#include "app/canvas_look.h"
+
 namespace mes {
 namespace {
 
@@ -58,6 +60,28 @@ void edit_menu(const PanelContext& context) {
   action_item(context, ActionId::delete_selection);
 }
 
+void canvas_menu(const PanelContext& context) {
+  struct Choice {
+    const char* name;
+    std::optional<Rgb> color;
+  };
+  static constexpr std::array<Choice, 5> kChoices{{{"As the theme", {}},
+                                                   {"White", kWhiteCanvas},
+                                                   {"Light grey", kLightGreyCanvas},
+                                                   {"Dark", kDarkCanvas},
+                                                   {"Black", kBlackCanvas}}};
+  std::optional<Rgb>& background = context.settings.canvas_background;
+  for (const Choice& choice : kChoices)
+    if (ImGui::MenuItem(choice.name, nullptr, background == choice.color)) background = choice.color;
+  ImGui::Separator();
+  std::array<float, 3> color = to_floats(canvas_background(context.settings));
+  ImGui::SetNextItemWidth(180 * context.gui.unit());
+  if (ImGui::ColorPicker3(
+          "##color", color.data(),
+          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))
+    background = to_rgb(color);
+}
+
 void view_menu(const PanelContext& context) {
   for (const ActionId id :
        {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
@@ -71,6 +95,11 @@ void view_menu(const PanelContext& context) {
     for (const ActionId id :
          {ActionId::save_bundle, ActionId::import_bundles, ActionId::export_bundles, ActionId::undo_bundles})
       action_item(context, id);
+    ImGui::EndMenu();
+  }
+  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(context, id);
+  if (ImGui::BeginMenu("Canvas")) {
+    canvas_menu(context);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Interface size")) {

@@ -58,19 +58,30 @@ void draw_supersampling(const Gui& gui, RecordSettings& record, float column) {
   ImGui::NewLine();
 }
 
-void draw_background(const Gui& gui, RecordSettings& record, float column) {
+void draw_background(const PanelContext& context, RecordSettings& record, float column) {
+  const Gui& gui = context.gui;
   title("Background", column);
-  std::array<float, 3> color{};
-  const std::array<std::uint8_t*, 3> channels{&record.background.r, &record.background.g, &record.background.b};
-  for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(*channels[i]) / 255.0F;
-  ImGui::BeginDisabled(record.transparent);
-  if (ImGui::ColorEdit3("##background", color.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip))
-    for (std::size_t i = 0; i < 3; ++i) *channels[i] = static_cast<std::uint8_t>(std::lround(255.0F * color[i]));
-  ImGui::EndDisabled();
-  tooltip(gui, "Colour behind the drawing");
+  const bool is_canvas = !record.transparent && !record.background;
+  if (choice_button("Canvas", is_canvas)) {
+    record.transparent = false;
+    record.background.reset();
+  }
+  tooltip(gui, "The colour that the window has behind the drawing");
   ImGui::SameLine();
-  ImGui::Checkbox("Transparent", &record.transparent);
+  if (choice_button("Transparent", record.transparent)) record.transparent = true;
   tooltip(gui, "Nothing behind the drawing");
+  ImGui::SameLine();
+  if (choice_button("Set##background", !record.transparent && record.background)) {
+    record.transparent = false;
+    if (!record.background) record.background = context.picture.canvas();
+  }
+  tooltip(gui, "A colour of its own");
+  if (record.transparent || !record.background) return;
+  ImGui::SameLine();
+  std::array<float, 3> color = to_floats(*record.background);
+  if (ImGui::ColorEdit3("##background", color.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip))
+    record.background = to_rgb(color);
+  tooltip(gui, "Colour behind the drawing");
 }
 
 void draw_contents(const PanelContext& context) {
@@ -88,7 +99,7 @@ void draw_contents(const PanelContext& context) {
   ImGui::BeginDisabled(record.with_panels);
   draw_size(gui, record, column);
   draw_supersampling(gui, record, column);
-  draw_background(gui, record, column);
+  draw_background(context, record, column);
   ImGui::EndDisabled();
   title("Pan and zoom", column);
   if (choice_button("At rest", !record.each_motion)) record.each_motion = false;
@@ -113,7 +124,7 @@ void draw_contents(const PanelContext& context) {
   ImGui::EndDisabled();
   tooltip(gui, tooltip_of(ActionId::make_video));
   if (const auto good = check(record); !good) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
     ImGui::PushTextWrapPos(column + 230 * unit);
     ImGui::TextUnformatted(good.error().message().c_str());
     ImGui::PopTextWrapPos();

@@ -17,15 +17,15 @@ std::string readable(std::string key) {
   return key;
 }
 
-ImU32 state_color(NodeState state) {
+ImU32 state_color(const ThemeColors& colors, NodeState state) {
   switch (state) {
-    case NodeState::up_to_date: return IM_COL32(0x00, 0x9E, 0x73, 0xFF);
-    case NodeState::computing: return theme::kAccent;
+    case NodeState::up_to_date: return colors.good;
+    case NodeState::computing: return colors.accent;
     case NodeState::failed:
-    case NodeState::blocked: return theme::kWarning;
+    case NodeState::blocked: return colors.warning;
     case NodeState::inactive: break;
   }
-  return theme::kBorder;
+  return colors.border;
 }
 
 std::string work_text(const NodeReport& node) {
@@ -40,7 +40,7 @@ void draw_node(const PanelContext& context, const NodeReport& node) {
   const float unit = context.gui.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()}, 4 * unit,
-                                              state_color(node.state));
+                                              state_color(context.gui.colors(), node.state));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
   ImGui::PushFont(context.gui.bold());
   ImGui::TextUnformatted(readable(node.structure).c_str());
@@ -52,7 +52,7 @@ void draw_node(const PanelContext& context, const NodeReport& node) {
   ImGui::TextDisabled("%s", work.c_str());
   ImGui::PopFont();
   if (!node.reason.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
     ImGui::TextWrapped("%s", node.reason.c_str());
     ImGui::PopStyleColor();
   }

@@ -15,6 +15,8 @@ namespace {
 
 // Shorter work would only flicker.
 constexpr double kShownAfterMs = 100.0;
+constexpr float kCoordinatesWidth = 190.0F;  // logical pixels
+constexpr float kLeastRemark = 120.0F;
 
 // As many digits as one pixel of the view can tell apart.
 std::string coordinate(double value, double units_per_px) {
@@ -71,15 +73,15 @@ void progress(const PanelContext& context, const std::string& what, double fract
   const float width = 110 * unit;
   const float y = at.y + 0.5F * (ImGui::GetTextLineHeight() - height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, theme::kBorder, 3 * unit);
+  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, context.gui.colors().border, 3 * unit);
   if (fraction > 0.0) {
     list.AddRectFilled({at.x, y}, {at.x + width * static_cast<float>(std::min(fraction, 1.0)), y + height},
-                       theme::kAccent, 3 * unit);
+                       context.gui.colors().accent, 3 * unit);
   } else {
     // Unknown: a piece that wanders.
     const float phase = static_cast<float>(0.5 - 0.5 * std::cos(3.0 * ImGui::GetTime()));
     list.AddRectFilled({at.x + 0.7F * width * phase, y}, {at.x + width * (0.7F * phase + 0.3F), y + height},
-                       theme::kAccent, 3 * unit);
+                       context.gui.colors().accent, 3 * unit);
   }
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
   ImGui::SameLine();
@@ -92,7 +94,8 @@ void draw_recording(const PanelContext& context) {
   const float unit = context.gui.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
-  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * height}, 5 * unit, theme::kRecording);
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * height}, 5 * unit,
+                                              context.gui.colors().recording);
   ImGui::Dummy({14 * unit, height});
   ImGui::SameLine(0, 0);
   std::string text = grouped(record.frames()) + (record.frames() == 1 ? " frame" : " frames");
@@ -121,7 +124,7 @@ bool draw_work(const PanelContext& context) {
   }
   const EngineStatus status = context.engine.status();
   if (status.cancelled) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
     ImGui::TextUnformatted("Computation cancelled");
     ImGui::PopStyleColor();
     ImGui::SameLine();
@@ -150,11 +153,13 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
   if (begin_panel("##status", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     const std::string right_text = coordinates(context.canvas);
     const std::string count_text = counts(context.editor, context.canvas.view().camera().units_per_pixel());
-    const float right_width = 190 * unit;
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;
     const float verdict_at = end - verdict_width(context);
-    const float counts_at = verdict_at - 14 * unit - right_width - count_width;
+    const float before_verdict = verdict_at - 14 * unit - count_width;
+    // Where all has no room, what is being done or can be done says more than where the pointer is.
+    const bool has_room = before_verdict > (kCoordinatesWidth + kLeastRemark) * unit;
+    const float counts_at = std::max(0.0F, before_verdict - (has_room ? kCoordinatesWidth * unit : 0.0F));
     const ImVec2 clip_from = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(clip_from, {clip_from.x + counts_at - 16 * unit, area.at.y + area.size.y}, true);
     draw_recording(context);
@@ -170,7 +175,7 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     }
     if (const std::uint32_t every = context.picture.every(); every > 1) {
       ImGui::SameLine(0, 16 * unit);
-      ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+      ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
       ImGui::Text("1 of %u disks shown", every);
       ImGui::PopStyleColor();
       tooltip(context.gui,
@@ -180,8 +185,10 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     ImGui::PopClipRect();
     ImGui::SameLine(counts_at);
     ImGui::TextUnformatted(count_text.c_str());
-    ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
-    ImGui::TextDisabled("%s", right_text.c_str());
+    if (has_room) {
+      ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
+      ImGui::TextDisabled("%s", right_text.c_str());
+    }
     ImGui::SameLine(verdict_at);
     draw_verdict(context);
   }
@@ -196,14 +203,14 @@ void draw_problem(const PanelContext& context, ImVec2 at, float width) {
   const float wanted = std::min(width, ImGui::CalcTextSize(problem.c_str()).x + 76 * unit);
   ImGui::SetNextWindowPos({at.x + 0.5F * (width - wanted), at.y});
   ImGui::SetNextWindowSize({wanted, 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kWarningSoft);
-  ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(0xE9, 0xB4, 0x8C, 0xFF));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.gui.colors().warning_soft);
+  ImGui::PushStyleColor(ImGuiCol_Border, context.gui.colors().warning_border);
   ImGui::Begin("##problem", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
   const float size = ImGui::GetTextLineHeight();
   const float start = ImGui::GetCursorPosY();
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kWarning);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
   ImGui::PushTextWrapPos(wanted - 34 * unit);
   ImGui::TextUnformatted(problem.c_str());
   ImGui::PopTextWrapPos();

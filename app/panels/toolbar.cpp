@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/toolbar.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "app/panels/icons.h"
 #include "app/panels/record_popup.h"
 
 namespace mes {
 namespace {
+
+constexpr float kPadding = 5.0F;
+constexpr float kGap = 2.0F;
+constexpr float kLine = 4 * kGap;  // with what is around it
 
 void action_button(const PanelContext& context, ActionId id, Icon icon, float size) {
   const bool enabled = context.actions.is_enabled(id);
@@ -16,46 +24,95 @@ void action_button(const PanelContext& context, ActionId id, Icon icon, float si
   tooltip(context.gui, tooltip_of(id));
 }
 
+struct Button {
+  ActionId action;
+  Icon icon;
+  bool begins_group = false;
+};
+constexpr std::array<Button, 14> kButtons{{{ActionId::tool_select, Icon::select},
+                                           {ActionId::tool_insert, Icon::insert},
+                                           {ActionId::tool_spray, Icon::spray},
+                                           {ActionId::tool_ball, Icon::ball},
+                                           {ActionId::undo, Icon::undo, true},
+                                           {ActionId::redo, Icon::redo},
+                                           {ActionId::fit, Icon::fit, true},
+                                           {ActionId::toggle_evolution, Icon::evolution},
+                                           {ActionId::toggle_layers, Icon::layers},
+                                           {ActionId::toggle_statistics, Icon::statistics},
+                                           {ActionId::toggle_parameters, Icon::parameters},
+                                           {ActionId::help, Icon::help},
+                                           {ActionId::snapshot, Icon::snapshot, true},
+                                           {ActionId::record, Icon::record}}};
+
+// Smaller ones, all in logical pixels, before there are two columns, and again before there are three.
+float button_size(float room) {
+  constexpr float kLargest = 34.0F;
+  constexpr float kSmallInOne = 28.0F;
+  constexpr float kSmallest = 24.0F;
+  constexpr auto kCount = static_cast<float>(kButtons.size() + 1);
+  const float free = room - 2 * kPadding;
+  const float in_one = (free - 3 * kLine) / kCount - kGap;
+  if (in_one >= kSmallInOne) return std::min(in_one, kLargest);
+  return std::clamp((free - 2 * kLine) / std::ceil(0.5F * kCount) - kGap, kSmallest, kLargest);
+}
+
+/// Places one button below the other, and beside them what has no room below; lines between groups.
+class Columns {
+ public:
+  Columns(float size, float unit, float room)
+      : origin_(ImGui::GetCursorPos()), size_(size), gap_(kGap * unit), room_(room) {}
+
+  void next(bool begins_group) {
+    const float line = begins_group && y_ > 0.0F ? 4 * gap_ : 0.0F;
+    if (y_ > 0.0F && y_ + line + size_ > room_) {
+      y_ = 0.0F;
+      x_ += size_ + gap_;
+    } else if (line > 0.0F) {
+      const ImVec2 window = ImGui::GetWindowPos();
+      const float at = window.y + origin_.y + y_ + 0.5F * (line - gap_);
+      const float left = window.x + origin_.x + x_;
+      ImGui::GetWindowDrawList()->AddLine({left, at}, {left + size_, at}, ImGui::GetColorU32(ImGuiCol_Separator),
+                                          std::max(1.0F, 0.5F * gap_));
+      y_ += line;
+    }
+    ImGui::SetCursorPos({origin_.x + x_, origin_.y + y_});
+    y_ += size_ + gap_;
+  }
+  float width() const { return x_ + size_; }
+
+ private:
+  ImVec2 origin_;
+  float size_;
+  float gap_;
+  float room_;
+  float x_ = 0.0F;
+  float y_ = 0.0F;
+};
+
 }  // namespace
 
-float draw_toolbar(const PanelContext& context, ImVec2 at) {
+float draw_toolbar(const PanelContext& context, ImVec2 at, float room) {
   const float unit = context.gui.unit();
-  const float size = 34 * unit;
+  const float size = button_size(room / unit) * unit;
   ImGui::SetNextWindowPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {5 * unit, 5 * unit});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 2 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding * unit, kPadding * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Begin("##toolbar", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  action_button(context, ActionId::tool_select, Icon::select, size);
-  action_button(context, ActionId::tool_insert, Icon::insert, size);
-  action_button(context, ActionId::tool_spray, Icon::spray, size);
-  action_button(context, ActionId::tool_ball, Icon::ball, size);
-  const auto gap = [&] {
-    ImGui::Dummy({0, 2 * unit});
-    ImGui::Separator();
-    ImGui::Dummy({0, 2 * unit});
-  };
-  gap();
-  action_button(context, ActionId::undo, Icon::undo, size);
-  action_button(context, ActionId::redo, Icon::redo, size);
-  gap();
-  action_button(context, ActionId::fit, Icon::fit, size);
-  action_button(context, ActionId::toggle_evolution, Icon::evolution, size);
-  action_button(context, ActionId::toggle_layers, Icon::layers, size);
-  action_button(context, ActionId::toggle_statistics, Icon::statistics, size);
-  action_button(context, ActionId::toggle_parameters, Icon::parameters, size);
-  action_button(context, ActionId::help, Icon::help, size);
-  gap();
-  action_button(context, ActionId::snapshot, Icon::snapshot, size);
-  action_button(context, ActionId::record, Icon::record, size);
+  Columns columns(size, unit, room - 2 * kPadding * unit);
+  for (const Button& button : kButtons) {
+    columns.next(button.begins_group);
+    action_button(context, button.action, button.icon, size);
+  }
+  columns.next(false);
   draw_record_popup(context, size);
-  const float width = ImGui::GetWindowWidth();
+  const float width = columns.width() + 2 * kPadding * unit;
   ImGui::End();
   ImGui::PopStyleVar(2);
 
   if (context.canvas.tool_id() == ToolId::spray) {
-    ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + 2 * (size + 2 * unit)});
+    ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + 2 * (size + kGap * unit)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * unit, 6 * unit});
     ImGui::Begin("##spray", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |

@@ -6,7 +6,8 @@
 
 namespace mes {
 
-/// Draws the strip with its upper left corner at `at`; its width in screen coordinates.
-float draw_toolbar(const PanelContext& context, ImVec2 at);
+/// Draws the strip with its upper left corner at `at`, in as many columns as it needs to be no higher than `room`;
+/// its width in screen coordinates.
+float draw_toolbar(const PanelContext& context, ImVec2 at, float room);
 
 }  // namespace mes

@@ -18,21 +18,20 @@ struct LightLook {
   const char* meaning;
 };
 
-LightLook look_of(TheoremLight light) {
+LightLook look_of(const ThemeColors& colors, TheoremLight light) {
   switch (light) {
     case TheoremLight::green:
       return {
-          IM_COL32(0x00, 0x9E, 0x73, 0xFF), "Proved",
+          colors.good, "Proved",
           "The one-step axis is the medial axis of the union of the inner balls: proved exactly for these samples"};
     case TheoremLight::yellow:
-      return {IM_COL32(0xE6, 0x9F, 0x00, 0xFF), "In doubt",
+      return {colors.doubtful, "In doubt",
               "Computed exactly, but the samples are not dense enough everywhere. Click for the places"};
     case TheoremLight::red:
-      return {IM_COL32(0xD5, 0x5E, 0x00, 0xFF), "Wrong",
-              "The chosen number type gave a wrong or inconsistent result. Click to see what"};
+      return {colors.wrong, "Wrong", "The chosen number type gave a wrong or inconsistent result. Click to see what"};
     case TheoremLight::none: break;
   }
-  return {theme::kBorder, "Open", "There is nothing inside to judge"};
+  return {colors.border, "Open", "There is nothing inside to judge"};
 }
 
 constexpr float kChoiceWidth = 118;
@@ -70,8 +69,8 @@ void draw_reasons(const PanelContext& context) {
     if (node.state == NodeState::failed) {
       any = true;
       ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(theme::kWarning), "%s failed: %s", node.structure.c_str(),
-                         node.reason.c_str());
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(context.gui.colors().warning), "%s failed: %s",
+                         node.structure.c_str(), node.reason.c_str());
       ImGui::PopTextWrapPos();
     }
     for (std::size_t i = 0; i < node.findings.size(); ++i) {
@@ -82,7 +81,7 @@ void draw_reasons(const PanelContext& context) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
       const TheoremLight light = finding.level == FindingLevel::wrong ? TheoremLight::red : TheoremLight::yellow;
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
-                                                  4 * unit, look_of(light).color);
+                                                  4 * unit, look_of(context.gui.colors(), light).color);
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       ImGui::PushTextWrapPos(kWidth * unit);
       ImGui::TextUnformatted((std::to_string(finding.count) + " " + finding.text).c_str());
@@ -104,7 +103,7 @@ void draw_reasons(const PanelContext& context) {
       ImGui::Dummy({0, 2 * unit});
     }
   }
-  if (!any) ImGui::TextUnformatted(look_of(light_of(context.picture.nodes())).meaning);
+  if (!any) ImGui::TextUnformatted(look_of(context.gui.colors(), light_of(context.picture.nodes())).meaning);
 }
 
 }  // namespace
@@ -117,18 +116,18 @@ void draw_verdict(const PanelContext& context) {
   const float unit = context.gui.unit();
   draw_choice(context);
   ImGui::SameLine(0, 10 * unit);
-  const LightLook look = look_of(light_of(context.picture.nodes()));
+  const LightLook look = look_of(context.gui.colors(), light_of(context.picture.nodes()));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   if (ImGui::InvisibleButton("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kLightWidth * unit, at.y + height}, theme::kAccentSoft,
-                                              4 * unit);
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kLightWidth * unit, at.y + height},
+                                              context.gui.colors().accent_soft, 4 * unit);
   }
   tooltip(context.gui, look.meaning);
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit, look.color);
   ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
-                                      theme::kText, look.word);
+                                      context.gui.colors().text, look.word);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   if (ImGui::BeginPopup("##reasons")) {
     draw_reasons(context);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/color.h"
@@ -14,13 +15,13 @@ namespace mes {
 struct RecordSettings {
   int width = 0;  ///< pixels; 0: as large as the window
   int height = 0;
-  int supersampling = 1;     ///< 1, 2 or 4
-  bool transparent = false;  ///< instead of the background
-  Rgb background{0xFF, 0xFF, 0xFF};
-  bool with_panels = false;  ///< the window as it is; what is above does not apply then
-  bool each_motion = false;  ///< a frame of each step of a pan or zoom, not only where it ends
-  double fps = 30.0;         ///< of the video, [1, 120]
-  std::string folder{};      ///< where takes go; empty: `takes_folder`
+  int supersampling = 1;            ///< 1, 2 or 4
+  bool transparent = false;         ///< instead of the background
+  std::optional<Rgb> background{};  ///< none: that of the canvas
+  bool with_panels = false;         ///< the window as it is; what is above does not apply then
+  bool each_motion = false;         ///< a frame of each step of a pan or zoom, not only where it ends
+  double fps = 30.0;                ///< of the video, [1, 120]
+  std::string folder{};             ///< where takes go; empty: `takes_folder`
   friend bool operator==(const RecordSettings&, const RecordSettings&) = default;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/canvas_look.h"
 #include "app/color_maps.h"
 #include "app/panels/canvas_legend.h"
 #include "app/panels/evolution_strip.h"
@@ -18,7 +19,9 @@ namespace {
 
 constexpr int kSettlingFrames = 2;
 constexpr double kProgressInterval = 0.08;  // seconds between pictures while a progress bar may be on screen
-constexpr float kMostOfBundles = 0.4F;      // of the height that bundles and layers share
+constexpr float kMostOfBundles = 0.35F;     // of the height that bundles and layers share
+constexpr float kLeastOfBundles = 62.0F;    // logical pixels: the head and a row
+constexpr float kLeastOfLayers = 190.0F;
 constexpr double kLargestCirclePx = 10'000.0;
 constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
 
@@ -28,6 +31,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
          const Termination& termination)
     : termination_(termination),
       settings_(std::move(loaded.settings)),
+      settings_at_start_(settings_),
       settings_path_(default_settings_path()),
       window_(std::move(window)),
       assets_(find_assets(options.executable)),
@@ -98,6 +102,7 @@ void App::run() {
     frames_wanted_ = std::max(0, frames_wanted_ - 1);
     // A tooltip that comes up now is measured in its first frame and seen in its second.
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
+    if (gui_.is_fading()) frames_wanted_ = std::max(frames_wanted_, 1);
   }
   record_.end();
   // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays.
@@ -162,7 +167,8 @@ void App::frame() {
   if (window_->is_minimized()) return;
   const auto size = window_->framebuffer_size();
   if (size.width < 1 || size.height < 1) return;
-  gui_.begin_frame(settings_.interface_scale);
+  gui_.begin_frame(settings_);
+  picture_.set_canvas(canvas_background(settings_));
   const double seconds = std::clamp(ImGui::GetTime() - now, 0.0, kLongestStep);
   canvas_.set_content_scale(static_cast<double>(gui_.unit()) * window_->pixel_ratio());
   canvas_.view().set_viewport(size.width, size.height);
@@ -179,7 +185,7 @@ void App::frame() {
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
   const std::uint32_t share = picture_.every();
-  picture_.draw(canvas_.view().camera(), layers_, editor_, canvas_.content_scale());
+  picture_.draw(canvas_.view().camera(), layers_, editor_, gui_.drawing_scale());
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   keep_timeline();
@@ -208,10 +214,12 @@ void App::draw_panels() {
     const bool has_details = settings_.details != DetailsPage::none;
     const bool both = settings_.show_layers && has_details;
     if (settings_.show_layers || has_details) right = width;
-    const float upper = both ? 0.55F * height : height;
+    const float upper = both ? 0.6F * height : height;
     if (settings_.show_layers) {
-      const float bundles = bundles_panel_.height(context, kMostOfBundles * upper);
-      bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
+      // In a low window the layers need the room, and bundles have their keys and their menu.
+      const float most = std::min(kMostOfBundles * upper, upper - kLeastOfLayers * unit);
+      const float bundles = most < kLeastOfBundles * unit ? 0.0F : bundles_panel_.height(context, most);
+      if (bundles > 0.0F) bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
       layers_panel_.draw(context, {{screen.x - width, top + bundles}, {width, upper - bundles}});
     }
     if (has_details) {
@@ -219,7 +227,7 @@ void App::draw_panels() {
       details_panel_.draw(context, {{screen.x - width, from}, {width, top + height - from}});
     }
     const float margin = 10 * unit;
-    left = margin + draw_toolbar(context, {margin, top + margin});
+    left = margin + draw_toolbar(context, {margin, top + margin}, height - 2 * margin);
   }
   const float card_margin = 10 * unit;
   if (show_panels_ && settings_.show_evolution)
@@ -227,9 +235,16 @@ void App::draw_panels() {
                                                  screen.x - left - right - 2 * card_margin);
   provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
-  if (settings_.show_legend)
-    draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
-                       screen.y - top - bottom - 2 * card_margin);
+  legend_size_ = {};
+  if (settings_.show_legend) {
+    const ImVec2 legend =
+        draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
+                           screen.y - top - bottom - 2 * card_margin);
+    const double ratio = window_->pixel_ratio();
+    if (legend.x > 0.0F)
+      legend_size_ = {ratio * static_cast<double>(legend.x + card_margin),
+                      ratio * static_cast<double>(legend.y + card_margin)};
+  }
   draw_caption({left + 0.5F * (screen.x - left - right), screen.y - bottom}, screen.x - left - right);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
@@ -250,6 +265,8 @@ void App::draw_pointer_marks() {
   if (!over_canvas) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float unit = gui_.unit();
+  const Rgb color = mark_color(picture_.canvas());
+  const ImU32 mark = to_imgui(color);
   const Slot hovered = feedback.hovered;
   const auto at = [unit](Vec2 px) {
     return ImVec2(static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit);
@@ -257,35 +274,34 @@ void App::draw_pointer_marks() {
   if (hovered != kNoSlot && editor_.document().is_alive(hovered)) {
     const Vec2 px =
         (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(editor_.document().position(hovered));
-    list.AddCircle(at(px), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+    list.AddCircle(at(px), 9.0F * unit, mark, 0, 2.0F * unit);
   }
   const auto to_px = [this](Vec2 world) {
     return (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(world);
   };
-  const auto circle = [&](const Disk& disk, ImU32 color, float width) {
+  const auto circle = [&](const Disk& disk, float width) {
     const double radius = disk.radius / (canvas_.content_scale() * canvas_.view().camera().units_per_pixel());
     // ImGui draws circles as polygons of corners all around; a far too large one is left to its layer.
     if (radius < kLargestCirclePx)
-      list.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit, color, 0, width);
+      list.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit, mark, 0, width);
   };
   if (editor_.document().is_ball_alive(feedback.hovered_ball)) {
     const Disk& disk = editor_.document().disk(feedback.hovered_ball);
-    circle(disk, theme::kAccent, 2.0F * unit);
-    list.AddCircle(at(to_px(disk.center)), 9.0F * unit, theme::kAccent, 0, 2.0F * unit);
+    circle(disk, 2.0F * unit);
+    list.AddCircle(at(to_px(disk.center)), 9.0F * unit, mark, 0, 2.0F * unit);
   }
   if (feedback.ball) {
-    circle(*feedback.ball, theme::kAccent, 1.5F * unit);
-    list.AddCircleFilled(at(to_px(feedback.ball->center)), 3.0F * unit, theme::kAccent);
-    if (feedback.marker_px)
-      list.AddLine(at(to_px(feedback.ball->center)), at(*feedback.marker_px), theme::kAccent, unit);
+    circle(*feedback.ball, 1.5F * unit);
+    list.AddCircleFilled(at(to_px(feedback.ball->center)), 3.0F * unit, mark);
+    if (feedback.marker_px) list.AddLine(at(to_px(feedback.ball->center)), at(*feedback.marker_px), mark, unit);
   }
   if (feedback.box_px) {
-    list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccentSoft);
-    list.AddRect(at(feedback.box_px->low), at(feedback.box_px->high), theme::kAccent, 0.0F, 0, unit);
+    list.AddRectFilled(at(feedback.box_px->low), at(feedback.box_px->high), to_imgui(color, 0.13));
+    list.AddRect(at(feedback.box_px->low), at(feedback.box_px->high), mark, 0.0F, 0, unit);
   }
   if (feedback.marker_px && feedback.ring_px > 0.0)
-    list.AddCircle(at(*feedback.marker_px), static_cast<float>(feedback.ring_px) * unit,
-                   IM_COL32(0, 0x72, 0xB2, 0x90), 0, 1.2F * unit);
+    list.AddCircle(at(*feedback.marker_px), static_cast<float>(feedback.ring_px) * unit, to_imgui(color, 0.56), 0,
+                   1.2F * unit);
 }
 
 }  // namespace mes

@@ -163,6 +163,7 @@ class App final : private WindowListener {
   const Termination& termination_;
   Settings settings_;
   ComputationSettings computation_;
+  Settings settings_at_start_;
   std::filesystem::path settings_path_;
   Messages messages_;
   std::unique_ptr<GlfwWindow> window_;
@@ -199,6 +200,7 @@ class App final : private WindowListener {
   bool show_help_ = false;
   bool show_panels_ = true;
   enum class Fit : std::uint8_t { none, glide, at_once };
+  Vec2 legend_size_;            // with its margin, in framebuffer pixels
   std::optional<Box2> fit_to_;  // instead of everything
   Fit fit_wanted_ = Fit::none;  // done in the next frame, when the panels are where they will be
   bool had_first_file_ = false;

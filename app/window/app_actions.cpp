@@ -125,6 +125,11 @@ void App::bind_view_actions() {
   bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
   bind_page(ActionId::toggle_log, DetailsPage::log);
   bind_toggle(ActionId::toggle_legend, settings_.show_legend);
+  bind_toggle(ActionId::projector_mode, settings_.for_projector);
+  actions_.bind(ActionId::toggle_theme,
+                {[this] { settings_.theme = settings_.theme == Theme::dark ? Theme::light : Theme::dark; },
+                 {},
+                 [this] { return settings_.theme == Theme::dark; }});
   actions_.bind(ActionId::cancel_computation,
                 {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
   actions_.bind(ActionId::resume_computation,
@@ -215,11 +220,15 @@ Box2 App::fit_box() const {
 }
 
 void App::fit_if_wanted() {
-  if (fit_wanted_ == Fit::none) return;
-  if (fit_to_)
-    canvas_.view().fit(*fit_to_, 0.0, fit_wanted_ == Fit::at_once);
-  else
-    canvas_.view().fit(fit_box(), kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
+  // Panels know their size when they have been drawn once.
+  if (fit_wanted_ == Fit::none || ImGui::GetFrameCount() < 3) return;
+  ViewMotion& view = canvas_.view();
+  const Box2 box = fit_to_.value_or(fit_box());
+  if (!box.is_empty())
+    view.set_insets(clear_of_corner(
+        view.insets(), {static_cast<double>(view.camera().width()), static_cast<double>(view.camera().height())},
+        legend_size_, {box.width(), box.height()}));
+  view.fit(box, fit_to_ ? 0.0 : kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
   fit_to_.reset();
   fit_wanted_ = Fit::none;
 }

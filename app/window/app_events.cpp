@@ -101,7 +101,9 @@ bool App::close_top_dialog(const KeyChord& chord) {
 
 void App::run_by_key(const KeyChord& chord, bool repeated) {
   if (close_top_dialog(chord)) return;
-  if (gui_.wants_text() || gui_.has_popup()) return;
+  if (gui_.wants_text()) return;
+  if (chord.symbol == key::escape && gui_.close_popup()) return;
+  if (gui_.has_popup()) return;
   const auto action = find_action(chord, !editor_.selection().is_empty());
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   // A gesture under way is ended only by Esc; the document must not change beneath it.

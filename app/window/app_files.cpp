@@ -179,7 +179,10 @@ void App::remember_settings() {
   settings_.window_width = static_cast<int>(std::lround(size.width / units));
   settings_.window_height = static_cast<int>(std::lround(size.height / units));
   // Nobody is left to be told when this fails.
-  static_cast<void>(save_settings(settings_, settings_path_));
+  std::error_code error;
+  const Settings now =
+      fs::exists(settings_path_, error) ? load_settings(settings_path_).settings : settings_at_start_;
+  static_cast<void>(save_settings(merged(settings_, settings_at_start_, now), settings_path_));
 }
 
 }  // namespace mes

@@ -48,7 +48,7 @@ void App::note_if_complete() {
 }
 
 RecordDesk::Drawn App::drawn_now() const {
-  return {canvas_.view().camera(),   layers_, editor_, canvas_.content_scale(), shown_state(), at_rest(),
+  return {canvas_.view().camera(),   layers_, editor_, gui_.drawing_scale(), shown_state(), at_rest(),
           engine_.status().cancelled};
 }
 

@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens is kept on the timeline; sessions and recovery bring it back.
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "app/window/app.h"
 
 namespace mes {
+
+namespace {
+
+SessionEvolution evolution_now(const EvolutionPlayer& player) {
+  SessionEvolution out{std::string(player.descriptor().id), player.choice().seed, player.position(), {}};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    out.parameters.emplace_back(parameter.id, player.choice().values[parameter.id]);
+  return out;
+}
+
+// What this version does not know is left at its default.
+EvolutionChoice choice_of(const SessionEvolution& evolution) {
+  EvolutionChoice out{.evolution = find_evolution(evolution.id).value_or(0), .seed = evolution.seed};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    for (const auto& [id, value] : evolution.parameters)
+      if (id == parameter.id) out.values.set(id, std::clamp(value, parameter.low, parameter.high));
+  return out;
+}
+
+}  // namespace
 
 Session App::session_now() const {
   const Timeline& timeline = editor_.timeline();
@@ -14,12 +35,15 @@ Session App::session_now() const {
           .entries = {timeline.entries().begin(), timeline.entries().end()},
           .layers = layers_.configuration(),
           .settings = computation_,
+          .evolution = evolution_now(evolution_),
           .view = canvas_.view().free_box()};
 }
 
 void App::show_as_in(const Session& session) {
   if (!session.layers.layers.empty()) layers_.set_configuration(session.layers);
   set_computation(session.settings);
+  const bool is_known = find_evolution(session.evolution.id).has_value();
+  evolution_.resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
   if (!session.view.is_empty()) fit_to_ = session.view;
   notes_.take_as_noted(editor_, {layers_, computation_, session.view});
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "imgui_impl_glfw.h"
 
@@ -159,7 +160,7 @@ void GlfwWindow::install_callbacks() {
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int code, int scancode, int action, int bits) {
     GlfwWindow* self = self_of(window);
-    ImGui_ImplGlfw_KeyCallback(window, code, scancode, action, bits);
+    self->tell_gui(code, scancode, action, bits);
     self->key(code, scancode, action, bits);
   });
   glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int symbol) {
@@ -201,6 +202,26 @@ void GlfwWindow::install_callbacks() {
   });
 }
 
+// Dear ImGui looks once a frame which keys are down: one pressed and released between two frames it would never see.
+void GlfwWindow::tell_gui(int code, int scancode, int action, int bits) {
+  const bool is_new = std::ranges::find(just_pressed_, code) != just_pressed_.end();
+  if (action == GLFW_RELEASE && is_new) {
+    releases_.push_back({code, scancode, bits});
+    return;
+  }
+  std::erase_if(releases_, [&](const Release& release) { return release.key == code; });
+  if (action == GLFW_PRESS && !is_new) just_pressed_.push_back(code);
+  ImGui_ImplGlfw_KeyCallback(window_, code, scancode, action, bits);
+}
+
+void GlfwWindow::tell_gui_of_releases() {
+  just_pressed_.clear();
+  if (releases_.empty()) return;
+  for (const Release& release : std::exchange(releases_, {}))
+    ImGui_ImplGlfw_KeyCallback(window_, release.key, release.scancode, GLFW_RELEASE, release.modifiers);
+  if (listener_ != nullptr) listener_->on_anything();
+}
+
 void GlfwWindow::key(int code, int scancode, int action, int bits) {
   if (listener_ == nullptr) return;
   listener_->on_anything();
@@ -236,6 +257,7 @@ void GlfwWindow::wake() {
 
 void GlfwWindow::swap() {
   glfwSwapBuffers(window_);
+  tell_gui_of_releases();
 }
 
 void GlfwWindow::set_title(const std::string& title) {

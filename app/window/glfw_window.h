@@ -78,6 +78,8 @@ class GlfwWindow {
   void keep_on_screen();
   Vec2 to_framebuffer(double x, double y) const;
   void key(int key, int scancode, int action, int modifiers);
+  void tell_gui(int key, int scancode, int action, int modifiers);
+  void tell_gui_of_releases();
 
   GLFWwindow* window_;
   WindowListener* listener_ = nullptr;
@@ -85,7 +87,14 @@ class GlfwWindow {
   GLFWcursor* hand_ = nullptr;
   PointerShape shape_ = PointerShape::arrow;
   std::string title_;
-  bool key_repeats_ = false;  // of the key whose typed text comes next
+  struct Release {
+    int key;
+    int scancode;
+    int modifiers;
+  };
+  std::vector<int> just_pressed_;  // since the last frame
+  std::vector<Release> releases_;  // of those; Dear ImGui hears of them after the next frame
+  bool key_repeats_ = false;       // of the key whose typed text comes next
 };
 
 }  // namespace mes

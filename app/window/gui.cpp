@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/gui.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "app/window/theme.h"
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
 #include "imgui_internal.h"
+#include "render/text.h"
 
 namespace mes {
 namespace {
 
 constexpr float kTextPx = 15.0F;
 constexpr float kSmallTextPx = 12.5F;
+constexpr double kProjectorScale = 1.35;
 constexpr float kRestSeconds = 0.4F;  // before a tooltip comes; shorter is a nuisance while passing by
 
 // Latin, Greek, and the few symbols that messages and panels use.
@@ -22,7 +24,8 @@ constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010
 
 ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return nullptr;
+  // The library ends the program when it meets a broken file.
+  if (!std::filesystem::is_regular_file(file, error) || !render::Font::read(file)) return nullptr;
   ImFontConfig config;
   config.OversampleH = 2;
   config.OversampleV = 1;
@@ -71,20 +74,31 @@ void Gui::load_fonts(double scale) {
   atlas.Build();
 }
 
-void Gui::begin_frame(double interface_scale) {
+void Gui::begin_frame(const Settings& settings) {
   const double ratio = window_.pixel_ratio();
-  const double scale = std::clamp(window_.content_scale() * interface_scale, 0.5, 8.0);
-  if (scale != font_scale_) {
+  const double enlarged = settings.interface_scale * (settings.for_projector ? kProjectorScale : 1.0);
+  const double scale = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
+  const bool is_new_scale = scale != font_scale_;
+  if (is_new_scale) {
     font_scale_ = scale;
     unit_ = static_cast<float>(scale / ratio);
     load_fonts(scale);
-    apply_theme(ImGui::GetStyle(), unit_);
     ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  }
+  if (is_new_scale || settings.theme != theme_ || settings.for_projector != for_projector_) {
+    theme_ = settings.theme;
+    for_projector_ = settings.for_projector;
+    colors_ = theme_colors(theme_, for_projector_);
+    apply_theme(ImGui::GetStyle(), colors_, unit_);
   }
   ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / ratio);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+}
+
+double Gui::drawing_scale() const {
+  return std::clamp(window_.content_scale() * (for_projector_ ? kProjectorScale : 1.0), 0.5, 8.0);
 }
 
 void Gui::end_frame() {
@@ -115,6 +129,11 @@ bool Gui::is_about_to_rest() const {
   return ImGui::GetCurrentContext()->HoveredIdPreviousFrame != 0 && !is_resting();
 }
 
+bool Gui::is_fading() const {
+  const float dim = ImGui::GetCurrentContext()->DimBgRatio;
+  return dim > 0.0F && dim < 1.0F;
+}
+
 bool Gui::wants_text() const {
   return ImGui::GetIO().WantTextInput;
 }
@@ -128,6 +147,12 @@ bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
   ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return false;
+}
+
+bool Gui::close_popup() {
+  if (!has_popup()) return false;
+  ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
+  return true;
 }
 
 bool Gui::has_popup() const {

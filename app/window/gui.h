@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/window/glfw_window.h"
+#include "app/window/theme.h"
 #include "imgui.h"
 
 namespace mes {
@@ -19,11 +20,15 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// `interface_scale` enlarges the panels beyond what the desktop asks for.
-  void begin_frame(double interface_scale);
+  /// Theme, contrast and size are those of the settings.
+  void begin_frame(const Settings& settings);
   void end_frame();
 
   float unit() const { return unit_; }
+  /// Framebuffer pixels per logical pixel of the drawing: the size of the panels is no matter of the drawing, but for
+  /// a projector both are larger.
+  double drawing_scale() const;
+  const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
   ImFont* small() const { return small_; }
 
@@ -33,10 +38,14 @@ class Gui {
   bool is_resting() const;
   /// It lies on something, but not yet so long: the next frame must come by itself.
   bool is_about_to_rest() const;
+  /// The darkening behind a dialog comes or goes: the next frame must come by itself.
+  bool is_fading() const;
   /// Text is being typed.
   bool wants_text() const;
   /// A popup, menu or dialog is open.
   bool has_popup() const;
+  /// Closes the topmost popup or menu; false when there was none.
+  bool close_popup();
   /// For dialogs that are shown while a flag of ours is set: opens the popup with the flag, closes it without. True:
   /// fill it, then ImGui::EndPopup().
   static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags);
@@ -47,6 +56,9 @@ class Gui {
   GlfwWindow& window_;
   std::filesystem::path assets_;
   double font_scale_ = 0.0;
+  Theme theme_ = Theme::light;
+  bool for_projector_ = false;
+  ThemeColors colors_;
   float unit_ = 1.0F;
   ImFont* bold_ = nullptr;
   ImFont* small_ = nullptr;

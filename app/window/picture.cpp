@@ -81,11 +81,11 @@ NodeState Picture::state(LayerIndex layer) const {
 }
 
 void Picture::mark_selection(const Editor& editor) {
-  const MarkedState now{editor.document().revision(), editor.selection().revision(), scene_.frame()};
+  const MarkedState now{editor.document().revision(), editor.selection().revision(), scene_.frame(), canvas_};
   if (now == marked_) return;
   marked_ = now;
   LayerStyle style;
-  style.color = palette::blue;
+  style.color = mark_color(canvas_);
   style.point_size_px = 9.0;
   style.line_width_px = 2.5;
   const Document& document = editor.document();
@@ -157,12 +157,13 @@ std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
   return out;
 }
 
-std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const LayerStack& layers) const {
+std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const LayerStack& layers,
+                                                                     const std::optional<Rgb>& background) const {
   std::vector<std::pair<LayerIndex, LayerStyle>> out;
   for (const LayerIndex layer : layers.visible_layers()) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    out.emplace_back(layer, failed ? greyed(layers.style(layer)) : layers.style(layer));
+    out.emplace_back(layer, drawn_on(failed ? greyed(layers.style(layer)) : layers.style(layer), background));
   }
   return out;
 }
@@ -170,14 +171,14 @@ std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const Layer
 Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
                                 const render::CaptureOptions& options) {
   std::vector<render::LayerView> views;
-  for (const auto& [layer, style] : shown_layers(layers)) views.push_back({layer, style});
+  for (const auto& [layer, style] : shown_layers(layers, options.background)) views.push_back({layer, style});
   return capture.draw(scene_, camera, views, options);
 }
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                    double content_scale) {
   mark_selection(editor);
-  ShownState now{camera, content_scale, patches_, background_revision_, marked_, shown_layers(layers)};
+  ShownState now{camera, content_scale, patches_, background_revision_, marked_, shown_layers(layers, canvas_)};
   const bool is_same = now == shown_;
   if (is_same && !detail_.is_refining()) {
     show_kept(camera.width(), camera.height());
@@ -188,7 +189,7 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   std::vector<render::LayerView> views;
   for (const auto& [layer, style] : now.layers) views.push_back({layer, style, every});
   const auto start = std::chrono::steady_clock::now();
-  device_.clear({}, {0, 0, camera.width(), camera.height()}, {1.0F, 1.0F, 1.0F, 1.0F});
+  device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
   scene_.draw(camera, views, {.content_scale = content_scale});
   // Only then is it known what it cost. Nothing else is left to do in this frame.
   device_.finish();

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/canvas_look.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
 #include "app/window/detail.h"
@@ -26,8 +27,6 @@ namespace mes {
 /// Needs a current OpenGL context for its life. Threads: the window's.
 class Picture {
  public:
-  static constexpr Rgb kBackground{0xFF, 0xFF, 0xFF};
-
   Picture();
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
@@ -43,6 +42,9 @@ class Picture {
   bool take_from(Engine& engine);
   /// Frees the graphics memory of layers that are shown no more.
   void forget_hidden(const LayerStack& layers);
+  /// What the window is filled with from now on.
+  void set_canvas(Rgb background) { canvas_ = background; }
+  Rgb canvas() const { return canvas_; }
   /// Fills the window.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale);
 
@@ -71,6 +73,7 @@ class Picture {
     std::uint64_t document = ~std::uint64_t{0};
     std::uint64_t selection = ~std::uint64_t{0};
     DrawingFrame frame;
+    Rgb canvas;
     friend bool operator==(const MarkedState&, const MarkedState&) = default;
   };
   /// Everything the pixels of the layers depend on.
@@ -83,7 +86,8 @@ class Picture {
     std::vector<std::pair<LayerIndex, LayerStyle>> layers;
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
-  std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers) const;
+  std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers,
+                                                              const std::optional<Rgb>& background) const;
   void mark_selection(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_disk_layer(const LayerStack& layers) const;
@@ -97,6 +101,7 @@ class Picture {
   std::unique_ptr<Provenance> provenance_;
   std::uint64_t document_revision_ = 0;
   std::uint64_t patches_ = 0;
+  Rgb canvas_ = kWhiteCanvas;
   std::uint64_t background_revision_ = 0;  // grows with the picture and its place
   double background_aspect_ = 0.0;
   render::PicturePlace background_place_;

@@ -138,14 +138,15 @@ void RecordDesk::frame_asked(const Drawn& drawn) {
 
 bool RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings) {
   const FrameView view = frame_view(drawn.camera, drawn.content_scale, settings);
+  const Rgb background = settings.background.value_or(picture_.canvas());
   const bool is_on_screen = view.camera == drawn.camera && settings.supersampling == 1 && !settings.transparent &&
-                            settings.background == Picture::kBackground && picture_.every() == 1;
+                            background == picture_.canvas() && picture_.every() == 1;
   if (is_on_screen) {
     capture_.take({}, {0, 0, drawn.camera.width(), drawn.camera.height()});
     return true;
   }
   const render::CaptureOptions options{
-      .background = settings.transparent ? std::optional<Rgb>() : std::optional<Rgb>(settings.background),
+      .background = settings.transparent ? std::optional<Rgb>() : std::optional<Rgb>(background),
       .content_scale = view.content_scale,
       .supersampling = settings.supersampling};
   const auto done = picture_.capture(capture_, view.camera, drawn.layers, options);

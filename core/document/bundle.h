@@ -11,6 +11,7 @@ namespace mes {
 struct Bundle {
   std::string name{};  ///< UTF-8, not empty
   LayerConfiguration layers{};
+  std::string description{};  ///< what there is to see, one line; may be empty
   friend bool operator==(const Bundle&, const Bundle&) = default;
 };
 

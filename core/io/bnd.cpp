@@ -220,7 +220,7 @@ Read<LayerConfiguration::Entry> read_state(Stream stream, std::size_t bytes_of_r
 
 class BundleReader {
  public:
-  explicit BundleReader(std::span<const std::string_view> layer_ids) : layer_ids_(layer_ids) {}
+  explicit BundleReader(std::span<const KnownLayer> known) : known_(known) {}
 
   Read<LayerConfiguration> read(Stream stream) {
     LayerConfiguration out;
@@ -251,10 +251,14 @@ class BundleReader {
 
  private:
   void add(LayerConfiguration& to, LayerConfiguration::Entry entry, const std::string& name) {
-    if (std::ranges::find(layer_ids_, std::string_view(entry.layer)) == layer_ids_.end()) {
+    const auto layer = std::ranges::find(known_, std::string_view(entry.layer), &KnownLayer::id);
+    if (layer == known_.end()) {
       left_out_.insert(name);
       return;
     }
+    // Nobody could choose these then.
+    entry.style.dashed = layer->style.dashed;
+    entry.style.flat = layer->style.flat;
     // Two layers of old can be one of ours; it looks as the one that was shown.
     const auto twin = std::ranges::find(to.layers, entry.layer, &LayerConfiguration::Entry::layer);
     if (twin != to.layers.end()) {
@@ -268,12 +272,12 @@ class BundleReader {
   // balls in 2009.
   void tell_power_diagrams_apart(LayerConfiguration& out) const {
     constexpr std::string_view kOfInnerBalls = "a-ball-power-diagram";
-    if (std::ranges::find(layer_ids_, kOfInnerBalls) == layer_ids_.end()) return;
+    if (std::ranges::find(known_, kOfInnerBalls, &KnownLayer::id) == known_.end()) return;
     for (LayerConfiguration::Entry& entry : out.layers)
       if (entry.layer == "a-power-diagram") entry.layer = kOfInnerBalls;
   }
 
-  std::span<const std::string_view> layer_ids_;
+  std::span<const KnownLayer> known_;
   std::set<std::string> left_out_;
 };
 
@@ -317,9 +321,8 @@ bool looks_like_bnd(std::string_view bytes) {
   return bytes.starts_with(kBegin);
 }
 
-Expected<LoadedBundles> read_bnd(std::string_view bytes, const std::string& file,
-                                 std::span<const std::string_view> layer_ids) {
-  BundleReader reader(layer_ids);
+Expected<LoadedBundles> read_bnd(std::string_view bytes, const std::string& file, std::span<const KnownLayer> known) {
+  BundleReader reader(known);
   auto bundles = read_file(Stream(bytes, 0), reader);
   if (!bundles)
     return std::unexpected(Error{ErrorCode::bad_input,

@@ -20,6 +20,7 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 16U << 20U;
 constexpr std::size_t kMostBundles = 1000;
 constexpr std::size_t kLongestName = 1000;
+constexpr std::size_t kLongestDescription = 1000;
 
 std::unexpected<Error> refuse(std::string text, const std::string& file) {
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file});
@@ -33,7 +34,8 @@ int schema_of(const json& object) {
              : 0;
 }
 
-Expected<Bundle> bundle_from(const json& object, std::size_t number, const std::string& file) {
+Expected<Bundle> bundle_from(const json& object, std::size_t number, const std::string& file,
+                             const LayerStyleSource& style_of) {
   const std::string where = "bundle " + std::to_string(number);
   const auto name = object.is_object() ? object.find("name") : object.end();
   if (!object.is_object() || name == object.end() || !name->is_string() ||
@@ -41,13 +43,23 @@ Expected<Bundle> bundle_from(const json& object, std::size_t number, const std::
     return refuse(where + " has no name", file);
   Bundle out{name->get<std::string>()};
   if (out.name.size() > kLongestName) return refuse(where + " has a name that is too long", file);
-  auto layers = layer_configuration_from(object);
+  auto layers = layer_configuration_from(object, style_of);
   if (!layers) return refuse(where + ": " + layers.error().text, file);
   out.layers = std::move(*layers);
+  if (const auto description = object.find("description"); description != object.end()) {
+    if (!description->is_string() || description->get_ref<const std::string&>().size() > kLongestDescription)
+      return refuse(where + ": \"description\" is not a short text", file);
+    out.description = description->get<std::string>();
+  }
   return out;
 }
 
-Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& file) {
+Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& file,
+                                  std::span<const KnownLayer> known) {
+  const auto style_of = [known](std::string_view layer) {
+    const auto found = std::ranges::find(known, layer, &KnownLayer::id);
+    return found == known.end() ? LayerStyle{} : found->style;
+  };
   const auto parsed = parse_json(bytes, file);
   if (!parsed) return std::unexpected(parsed.error());
   if (!parsed->is_object() || parsed->value("mesecina", json()) != "bundles")
@@ -60,7 +72,7 @@ Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& fil
   if (list->size() > kMostBundles) return refuse("more than " + std::to_string(kMostBundles) + " bundles", file);
   LoadedBundles out;
   for (const json& object : *list) {
-    auto bundle = bundle_from(object, out.bundles.size() + 1, file);
+    auto bundle = bundle_from(object, out.bundles.size() + 1, file, style_of);
     if (!bundle) return std::unexpected(bundle.error());
     out.bundles.push_back(std::move(*bundle));
   }
@@ -74,6 +86,7 @@ std::string write_bundles(std::span<const Bundle> bundles) {
   for (const Bundle& bundle : bundles) {
     json object = to_json(bundle.layers);
     object["name"] = bundle.name;
+    if (!bundle.description.empty()) object["description"] = bundle.description;
     list.push_back(std::move(object));
   }
   // The key that tells what it is comes first, where it is looked for.
@@ -103,14 +116,14 @@ bool is_bundle_file(const fs::path& path) {
 }
 
 Expected<LoadedBundles> read_bundles(std::string_view bytes, const std::string& file,
-                                     std::span<const std::string_view> layer_ids) {
+                                     std::span<const KnownLayer> known) {
   if (!looks_like_bnd(bytes) && file.ends_with(".bnd")) return refuse("this is no file of bundles", file);
-  auto out = looks_like_bnd(bytes) ? read_bnd(bytes, file, layer_ids) : read_json(bytes, file);
+  auto out = looks_like_bnd(bytes) ? read_bnd(bytes, file, known) : read_json(bytes, file, known);
   if (out && out->bundles.empty()) return refuse("there is no bundle in it", file);
   return out;
 }
 
-Expected<LoadedBundles> read_bundle_file(const fs::path& path, std::span<const std::string_view> layer_ids) {
+Expected<LoadedBundles> read_bundle_file(const fs::path& path, std::span<const KnownLayer> known) {
   const std::string file = path.string();
   std::error_code error;
   if (!fs::exists(path, error)) return refuse("there is no such file", file);
@@ -121,7 +134,7 @@ Expected<LoadedBundles> read_bundle_file(const fs::path& path, std::span<const s
   bytes << stream.rdbuf();
   // Nothing read at all sets the fail bit of `bytes`, which is no fault of the file.
   if (!stream.is_open() || stream.bad()) return refuse("cannot be read", file);
-  return read_bundles(bytes.view(), file, layer_ids);
+  return read_bundles(bytes.view(), file, known);
 }
 
 bool are_bundles_of_the_future(std::string_view bytes) {

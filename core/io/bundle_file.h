@@ -13,6 +13,12 @@
 
 namespace mes {
 
+/// A layer that there is, with the style it has by itself.
+struct KnownLayer {
+  std::string_view id{};
+  LayerStyle style{};
+};
+
 struct LoadedBundles {
   std::vector<Bundle> bundles{};
   std::vector<std::string> warnings{};  ///< one line each, with the file
@@ -27,13 +33,13 @@ bool looks_like_bundles(std::string_view bytes);
 bool is_bundle_file(const std::filesystem::path& path);
 
 /// JSON is recognised by its first key and BND by its token; unknown keys and unknown layers of JSON are let through,
-/// layers of BND that are not among `layer_ids` are left out with a warning. Error: `bad_input`, for JSON with line
+/// layers of BND that are not among `known` are left out with a warning. What a style does not say is the layer's own
+/// (BND says neither dashed nor flat). Error: `bad_input`, for JSON with line
 /// and column, for BND with the byte.
 Expected<LoadedBundles> read_bundles(std::string_view bytes, const std::string& file,
-                                     std::span<const std::string_view> layer_ids);
+                                     std::span<const KnownLayer> known);
 /// Files of more than 16 MiB are refused unread.
-Expected<LoadedBundles> read_bundle_file(const std::filesystem::path& path,
-                                         std::span<const std::string_view> layer_ids);
+Expected<LoadedBundles> read_bundle_file(const std::filesystem::path& path, std::span<const KnownLayer> known);
 
 /// Whether the JSON is of a later version of the program than this one: not broken, but not ours to overwrite.
 bool are_bundles_of_the_future(std::string_view bytes);

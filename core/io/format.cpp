@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/io/bundle_file.h"
 #include "core/io/format_registry.h"
 #include "core/io/text_numbers.h"
 
@@ -76,6 +77,7 @@ Expected<const Format*> choose_format(std::string_view bytes, const std::string&
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
                                 const fs::path* path) {
   try {
+    if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
     if (const std::string_view kind = foreign_kind(bytes); !kind.empty())
       return bad_input("this is " + std::string(kind) + ", not a text of samples", name, 1, 1);
     if (without_bom(bytes).find_first_not_of(" \t\r\n\v\f") == std::string_view::npos)

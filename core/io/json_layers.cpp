@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,10 @@ namespace mes {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kMostLayers = 10'000;
+constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kLongestPath = 4096;
 
 std::string hexadecimal(Rgb color) {
   std::array<char, 8> text{};
@@ -59,11 +64,13 @@ class Reader {
     else
       out = value->get<bool>();
   }
-  void text(const char* key, std::string& out) {
+  void text(const char* key, std::size_t longest, std::string& out) {
     const json* value = find(key);
     if (value == nullptr) return;
     if (!value->is_string())
       complain(std::string("\"") + key + "\" is not a text");
+    else if (value->get_ref<const std::string&>().size() > longest)
+      complain(std::string("\"") + key + "\" is longer than " + std::to_string(longest) + " bytes");
     else
       out = value->get<std::string>();
   }
@@ -80,10 +87,10 @@ class Reader {
   }
   void color(const char* key, Rgb& out) {
     std::string word = hexadecimal(out);
-    text(key, word);
+    text(key, kLongestName, word);
     unsigned value = 0;
-    int end = 0;
-    if (word.size() != 7 || std::sscanf(word.c_str(), "#%6x%n", &value, &end) != 1 || end != 7)
+    const char* const end = word.data() + word.size();
+    if (word.size() != 7 || word.front() != '#' || std::from_chars(word.data() + 1, end, value, 16).ptr != end)
       complain("a colour is #RRGGBB, not " + in_quotes(word));
     else
       out = {static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>((value >> 8U) & 0xffU),
@@ -99,8 +106,7 @@ class Reader {
   std::string& fault_;
 };
 
-LayerStyle style_from(const json& object, const std::string& where, std::string& fault) {
-  LayerStyle out;
+LayerStyle style_from(const json& object, LayerStyle out, const std::string& where, std::string& fault) {
   Reader reader(object, where, fault);
   reader.color("color", out.color);
   reader.number("opacity", 0.0, 1.0, out.opacity);
@@ -108,7 +114,7 @@ LayerStyle style_from(const json& object, const std::string& where, std::string&
   reader.number("line_width", 0.1, 64.0, out.line_width_px);
   reader.flag("dashed", out.dashed);
   reader.flag("flat", out.flat);
-  reader.text("color_map", out.color_map);
+  reader.text("color_map", kLongestName, out.color_map);
   reader.flag("range_locked", out.range_locked);
   reader.numbers("range", out.range_low, out.range_high);
   out.range_high = std::max(out.range_low, out.range_high);
@@ -127,25 +133,28 @@ json to_json(const LayerConfiguration& configuration) {
   return out;
 }
 
-Expected<LayerConfiguration> layer_configuration_from(const json& value) {
+Expected<LayerConfiguration> layer_configuration_from(const json& value, const LayerStyleSource& style_of) {
   LayerConfiguration out;
   std::string fault;
   Reader reader(value, "the layers", fault);
   if (const json* layers = reader.find("layers"); layers != nullptr && layers->is_array()) {
+    if (layers->size() > kMostLayers) reader.complain("more than " + std::to_string(kMostLayers));
     for (const json& object : *layers) {
+      if (!fault.empty()) break;
       LayerConfiguration::Entry& entry = out.layers.emplace_back();
       Reader part(object, "layer " + std::to_string(out.layers.size()), fault);
-      part.text("layer", entry.layer);
+      part.text("layer", kLongestName, entry.layer);
       part.flag("visible", entry.visible);
-      if (const json* style = part.find("style")) entry.style = style_from(*style, "layer " + entry.layer, fault);
-      if (!fault.empty()) break;
+      entry.style = style_of(entry.layer);
+      if (const json* style = part.find("style"))
+        entry.style = style_from(*style, entry.style, "layer " + printable(entry.layer), fault);
     }
   } else if (layers != nullptr) {
     reader.complain("\"layers\" is not a list");
   }
   if (const json* image = reader.find("image")) {
     Reader part(*image, "the traced picture", fault);
-    part.text("file", out.image.file);
+    part.text("file", kLongestPath, out.image.file);
     part.numbers("center", out.image.center.x, out.image.center.y);
     part.number("width", 0.0, 1e300, out.image.width);
   }

@@ -75,6 +75,15 @@ json to_json(const ComputationSettings& settings) {
   return {{"precision", id_of(settings.precision)}, {"parameters", std::move(parameters)}};
 }
 
+json to_json(const SessionEvolution& evolution) {
+  json parameters = json::object();
+  for (const auto& [id, value] : evolution.parameters) parameters[id] = value;
+  return {{"id", evolution.id},
+          {"seed", evolution.seed},
+          {"step", evolution.step},
+          {"parameters", std::move(parameters)}};
+}
+
 json to_json(const TimelineEdit& edit) {
   json out = json::object();
   const auto add = [&out](const char* key, const auto& things) {
@@ -133,6 +142,7 @@ json head_of(const Session& session) {
               {"data", to_json(*session.data)},
               {"layers", to_json(session.layers)},
               {"settings", to_json(session.settings)}};
+  if (!session.evolution.id.empty()) out["evolution"] = to_json(session.evolution);
   if (!session.view.is_empty()) out["view"] = to_json(session.view);
   return out;
 }
@@ -257,6 +267,23 @@ ComputationSettings settings_from(const json& object) {
   return out;
 }
 
+SessionEvolution evolution_from(const json& object) {
+  const std::string where = "evolution";
+  SessionEvolution out;
+  out.id = text_at(object, "id", where);
+  const auto count = [&](const char* key, std::uint64_t& to) {
+    const json* value = find(object, key);
+    if (value == nullptr) return;
+    if (!value->is_number_unsigned()) complain(where, std::string("\"") + key + "\" is not a whole number");
+    to = value->get<std::uint64_t>();
+  };
+  count("seed", out.seed);
+  count("step", out.step);
+  if (const json* parameters = find(object, "parameters"); parameters != nullptr && parameters->is_object())
+    for (const auto& [id, value] : parameters->items()) out.parameters.emplace_back(id, number_of(value, where));
+  return out;
+}
+
 LayerConfiguration layers_from(const json& value) {
   auto out = layer_configuration_from(value);
   if (!out) throw Nonsense{"layers: " + out.error().text};
@@ -337,6 +364,7 @@ Session session_from(const json& object) {
   if (const json* data = find(object, "data")) out.data = std::make_shared<const SampleData>(data_of(*data));
   if (const json* layers = find(object, "layers")) out.layers = layers_from(*layers);
   if (const json* settings = find(object, "settings")) out.settings = settings_from(*settings);
+  if (const json* evolution = find(object, "evolution")) out.evolution = evolution_from(*evolution);
   if (const json* view = find(object, "view")) out.view = view_from(*view);
   if (const json* timeline = find(object, "timeline")) {
     if (!timeline->is_array()) complain("timeline", "not a list");

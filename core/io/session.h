@@ -27,12 +27,22 @@
 
 namespace mes {
 
+/// The slider of evolutions.
+struct SessionEvolution {
+  std::string id{};  ///< empty: none was chosen
+  std::uint64_t seed = 1;
+  std::uint64_t step = 0;  ///< that the document is in; its steps are the last of undo
+  std::vector<std::pair<std::string, double>> parameters{};  ///< public ids and values
+  friend bool operator==(const SessionEvolution&, const SessionEvolution&) = default;
+};
+
 struct Session {
   std::string title{};  ///< as in the window's title, without the file
   std::shared_ptr<const SampleData> data = std::make_shared<const SampleData>();
   std::vector<TimelineEntry> entries{};
   LayerConfiguration layers{};  ///< now; no layers: as at the start of the program
   ComputationSettings settings{};
+  SessionEvolution evolution{};
   Box2 view{};  ///< what is to be seen, document units; empty: everything
 };
 

@@ -22,6 +22,13 @@ std::vector<json> lines_of(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("a session is played from standard input") {
+  const RunResult result = run({"play", "-"}, {.input = contents_of(kSession)});
+  CHECK(result.exit_code == 0);
+  CHECK(result.out == contents_of("tests/data/edited_bean.digests"));
+  CHECK(run({"play", "-"}, {.input = "{"}).exit_code == 3);
+}
+
 TEST_CASE("each step of a session has the same digests in every run and build") {
   const RunResult result = run({"play", kSession});
   REQUIRE(result.exit_code == 0);

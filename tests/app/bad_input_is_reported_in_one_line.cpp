@@ -49,6 +49,13 @@ TEST_CASE("files that are missing, folders and pictures are refused") {
   require_one_line(run({"compute", picture}), 3, "mesecina: " + picture + ":1:1: this is a PNG picture");
 }
 
+TEST_CASE("a file of bundles is no file of samples, and is told apart") {
+  const std::string says = ":1:1: these are bundles of layers, not samples";
+  require_one_line(run({"compute", "assets/bundles/starting.json"}), 3,
+                   "mesecina: assets/bundles/starting.json" + says);
+  require_one_line(run({"compute", "-"}, {.input = std::string("\0\0\0\xB3\0\0\0\1", 8)}), 3, "mesecina: -" + says);
+}
+
 TEST_CASE("standard input is called - in messages") {
   require_one_line(run({"compute", "-"}, {.input = "1 2\n3 x\n"}), 3, "mesecina: -:2:3: expected a number");
   require_one_line(run({"compute", "-"}, {.input = ""}), 3, "mesecina: -:1:1: the file is empty");

@@ -57,6 +57,17 @@ TEST_CASE("sizes, views, scales and colours are checked") {
     require_usage_error({"render", kDude, "-o", "a.png", "--background", color}, {"--background"});
 }
 
+TEST_CASE("an empty value is no value, and not the same as none") {
+  require_usage_error({"render", kDude, "-o", "a.png", "--bundle", ""}, {"--bundle", "is empty"});
+  require_usage_error({"render", kDude, "-o", ""}, {"--output", "is empty"});
+  require_usage_error({"compute", "", "--layers", "curve"}, {"FILE", "is empty"});
+  require_usage_error({"compute", kDude, "--layers", ""}, {"--layers", "is empty"});
+  require_usage_error({"play", "tests/data/edited_bean.json", "--frames", ""}, {"--frames", "is empty"});
+  require_usage_error({"demo", "--video", ""}, {"--video", "is empty"});
+  require_usage_error({"evolve", kDude, "--evolution", "", "--steps", "1"}, {"--evolution", "is empty"});
+  require_usage_error({"manual", "-o", ""}, {"--output", "is empty"});
+}
+
 TEST_CASE("settings need a parameter that exists") {
   require_usage_error({"compute", kDude, "--set", "lambda"}, {"NAME=VALUE"});
   require_usage_error({"compute", kDude, "--set", "=1"}, {"NAME=VALUE"});

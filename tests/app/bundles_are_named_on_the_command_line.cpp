@@ -69,6 +69,10 @@ TEST_CASE("a picture is drawn as a bundle has it") {
   CHECK(red.exit_code == 0);
   CHECK_THAT(red.err, Catch::Contains("the first of its 2 bundles is taken, \"mine\""));
   CHECK(red.out != render(folder, {"--layers", "points"}).out);
+  const RunResult second = render(folder, {"--bundle", file + ":CRUST"});
+  CHECK(second.exit_code == 0);
+  CHECK_THAT(second.err, !Catch::Contains("the first"));
+  CHECK(second.out == render(folder, {"--layers", "points"}).out);
   const RunResult changed = render(folder, {"--bundle", file, "--set-style", "points:color=00ff00"});
   CHECK(changed.exit_code == 0);
   CHECK(changed.out != red.out);
@@ -81,6 +85,9 @@ TEST_CASE("a bundle that is not there is refused with the nearest names") {
   CHECK_THAT(unknown.err, Catch::Contains("did you mean Inner disks"));
   CHECK(render(folder, {"--bundle", "Inner disks", "--layers", "points"}).exit_code == 2);
   CHECK(render(folder, {"--bundle", "none.bnd"}).exit_code == 3);
+  const RunResult of_file = render(folder, {"--bundle", "assets/bundles/starting.json:Crsut"});
+  CHECK(of_file.exit_code == 2);
+  CHECK_THAT(of_file.err, Catch::Contains("starting.json") && Catch::Contains("did you mean Crust"));
   CHECK(render(folder, {"--bundle", "tests/data/earcut_dude.poff"}).exit_code == 3);
   CHECK(render(folder, {"--bundle", folder.path().string()}).exit_code == 3);
 }

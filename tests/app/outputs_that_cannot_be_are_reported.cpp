@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
@@ -39,6 +40,14 @@ TEST_CASE("a standard output that takes nothing is exit code 4") {
     CHECK(result.exit_code == 4);
     CHECK_THAT(result.err, Catch::Contains("standard output: cannot be written: No space left"));
   }
+}
+
+TEST_CASE("a reader that has had enough is no failure") {
+  const TemporaryFolder folder;
+  const std::string errors = (folder / "errors").string();
+  const std::string command = "(sleep 0.2; exec \"$MESECINA_BINARY\" list layers) 2>" + errors + " | true";
+  REQUIRE(std::system(command.c_str()) == 0);
+  CHECK(contents_of(errors).empty());
 }
 
 TEST_CASE("a failed command leaves an older output as it was") {

@@ -2,10 +2,12 @@
 // What reaches the graphics card and how long it takes there: bytes of one edit, frame time against the number of
 // primitives, and the way from samples to the first picture. Without OpenGL the last two are left out.
 #include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
 
 #include <optional>
 
 #include "core/base/rng.h"
+#include "core/graph/layer_mirror.h"
 #include "render/egl_context.h"
 #include "render/gl_device.h"
 #include "render/offscreen.h"
@@ -95,6 +97,147 @@ void frame(benchmark::State& state, RatioTable& table, std::size_t n) {
                  context->description() + ")");
 }
 
+/// The least that draws the same strokes: positions as single floats, one program, no culling, no deep zoom.
+class MinimalLoop {
+ public:
+  MinimalLoop(std::span<const double> segments, const render::Camera& camera) {
+    constexpr const char* kVertex = R"(#version 330 core
+layout(location = 0) in vec4 a_ends;
+uniform vec4 u_view;
+out vec2 v_place;
+flat out float v_length;
+void main() {
+  vec2 p = (a_ends.xy - u_view.xy) * u_view.z;
+  vec2 q = (a_ends.zw - u_view.xy) * u_view.z;
+  float size = length(q - p);
+  vec2 along = size > 0.0 ? (q - p) / size : vec2(1.0, 0.0);
+  vec2 corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
+  float h = u_view.w + 1.0;
+  v_place = vec2(corner.x < 0.0 ? -h : size + h, corner.y * h);
+  v_length = size;
+  vec2 px = p + v_place.x * along + v_place.y * vec2(-along.y, along.x);
+  gl_Position = vec4(px / vec2(800.0, 500.0), 0.0, 1.0);
+})";
+    constexpr const char* kFragment = R"(#version 330 core
+in vec2 v_place;
+flat in float v_length;
+uniform vec4 u_color;
+uniform float u_half_width;
+out vec4 color;
+void main() {
+  float beyond = max(max(-v_place.x, v_place.x - v_length), 0.0);
+  float sd = length(vec2(beyond, v_place.y)) - u_half_width;
+  color = u_color * clamp(0.5 - sd, 0.0, 1.0);
+})";
+    program_ = glCreateProgram();
+    for (const auto& [kind, text] :
+         {std::pair{GL_VERTEX_SHADER, kVertex}, std::pair{GL_FRAGMENT_SHADER, kFragment}}) {
+      const GLuint shader = glCreateShader(static_cast<GLenum>(kind));
+      glShaderSource(shader, 1, &text, nullptr);
+      glCompileShader(shader);
+      glAttachShader(program_, shader);
+    }
+    glLinkProgram(program_);
+    std::vector<float> data;
+    data.reserve(segments.size() / kStride * 4);
+    for (std::size_t at = 0; at < segments.size(); at += kStride)
+      for (std::size_t i = 0; i < 4; ++i) data.push_back(static_cast<float>(segments[at + i]));
+    count_ = static_cast<GLsizei>(data.size() / 4);
+    glGenBuffers(1, &buffer_);
+    glGenVertexArrays(1, &array_);
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)), data.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glVertexAttribDivisor(0, 1);
+    glGenRenderbuffers(1, &pixels_);
+    glBindRenderbuffer(GL_RENDERBUFFER, pixels_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kWidth, kHeight);
+    glGenFramebuffers(1, &target_);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels_);
+    glUseProgram(program_);
+    glUniform4f(glGetUniformLocation(program_, "u_view"), static_cast<float>(camera.center().x),
+                static_cast<float>(camera.center().y), static_cast<float>(1.0 / camera.units_per_pixel()), 0.5F);
+    glUniform1f(glGetUniformLocation(program_, "u_half_width"), 0.5F);
+    glUniform4f(glGetUniformLocation(program_, "u_color"), 0.3F, 0.3F, 0.3F, 0.6F);
+  }
+  ~MinimalLoop() {
+    glDeleteFramebuffers(1, &target_);
+    glDeleteRenderbuffers(1, &pixels_);
+    glDeleteVertexArrays(1, &array_);
+    glDeleteBuffers(1, &buffer_);
+    glDeleteProgram(program_);
+  }
+  MinimalLoop(const MinimalLoop&) = delete;
+  MinimalLoop& operator=(const MinimalLoop&) = delete;
+
+  void draw() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, target_);
+    glViewport(0, 0, kWidth, kHeight);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(program_);
+    glBindVertexArray(array_);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+    glFinish();
+  }
+
+ private:
+  static constexpr std::size_t kStride = stride_of(PrimitiveKind::segment);
+  GLuint program_ = 0;
+  GLuint buffer_ = 0;
+  GLuint array_ = 0;
+  GLuint pixels_ = 0;
+  GLuint target_ = 0;
+  GLsizei count_ = 0;
+};
+
+void against_minimal(benchmark::State& state, RatioTable& table, std::size_t n, double goal) {
+  const auto context = render::EglContext::create();
+  if (!context) {
+    state.SkipWithError(context.error().text.c_str());
+    return;
+  }
+  render::GlDevice device;
+  const auto layers = layers_named({"delaunay"});
+  Graph graph;
+  graph.set_demand(layers);
+  FramePatch patch;
+  JobControl job;
+  graph.post(replace_with(Document(), test::benchmark_curve(n)));
+  graph.run(patch, job);
+  render::Scene scene(device);
+  scene.apply(patch);
+  LayerMirror mirror;
+  mirror.apply(patch);
+  render::Camera camera;
+  camera.set_viewport(kWidth, kHeight);
+  camera.fit(graph.structures().get<Samples>().extent(), 20.0);
+  const auto views = views_of(layers);
+  const render::FramebufferId target = device.create_framebuffer({kWidth, kHeight});
+  const MinimalLoop minimal(mirror.instances(layers[0], PrimitiveKind::segment), camera);
+  std::vector<double> ours;
+  std::vector<double> raw;
+  for (auto _ : state) {
+    double start = now_us();
+    device.clear(target, {0, 0, kWidth, kHeight}, {1, 1, 1, 1});
+    scene.draw(camera, views, {.target = target, .overlays = false});
+    device.finish();
+    ours.push_back(now_us() - start);
+    start = now_us();
+    minimal.draw();
+    raw.push_back(now_us() - start);
+  }
+  device.destroy_framebuffer(target);
+  table.add({"frame of segments", scene.instances(layers[0], PrimitiveKind::segment), median(ours), median(raw), goal,
+             "a minimal instanced draw loop"});
+}
+
 void first_picture(benchmark::State& state, RatioTable& table, std::size_t n) {
   const auto points = test::benchmark_curve(n);
   std::vector<double> times;
@@ -138,6 +281,13 @@ void register_drawing(RatioTable& table) {
     benchmark::RegisterBenchmark(("frame/delaunay/" + std::to_string(n)).c_str(),
                                  [&table, n](benchmark::State& state) { frame(state, table, n); })
         ->Iterations(n >= 300000 ? 5 : 20)
+        ->Unit(benchmark::kMillisecond);
+  }
+  for (const std::size_t n : {std::size_t{30000}, std::size_t{335000}}) {
+    benchmark::RegisterBenchmark(
+        ("against_minimal/" + std::to_string(n)).c_str(),
+        [&table, n](benchmark::State& state) { against_minimal(state, table, n, n > 100000 ? 1.15 : 0.0); })
+        ->Iterations(n > 100000 ? 7 : 15)
         ->Unit(benchmark::kMillisecond);
   }
   for (const std::size_t n : {std::size_t{1000}, std::size_t{100000}}) {

@@ -275,3 +275,50 @@ TEST_CASE("growing ends where the parameter does") {
   REQUIRE(problem);
   CHECK_THAT(problem->text, Catch::Contains("a-scale"));
 }
+
+TEST_CASE("an evolution goes on where a session left it") {
+  for (const bool known : {false, true}) {
+    Desk before(known);
+    before.insert();
+    EvolutionChoice choice{.evolution = *find_evolution("noise"), .seed = 7};
+    before.player.resume(choice, 0);
+    const auto start = before.at(0);
+    const auto second = before.at(2);
+    const auto fifth = before.at(5);
+
+    Desk after(known);
+    DocumentReplay replay(after.editor.document());
+    REQUIRE(replay.begin(*before.editor.timeline().data()));
+    const auto entries = before.editor.timeline().entries();
+    for (const TimelineEntry& entry : entries) REQUIRE(replay.apply(entry));
+    after.editor.restore(std::move(replay), before.editor.timeline().data(), {entries.begin(), entries.end()});
+    after.player.resume(choice, 5);
+    CHECK(after.player.position() == 5);
+    CHECK(places(after.editor.document()) == fifth);
+    CHECK(after.at(2) == second);
+    CHECK(after.at(0) == start);
+    CHECK(after.at(5) == fifth);
+    // Still one step, with the insertion below it.
+    after.editor.undo();
+    after.editor.undo();
+    CHECK_FALSE(after.editor.can_undo());
+    // With nothing to undo there is no state to take up.
+    after.player.resume(choice, 3);
+    CHECK(after.player.position() == 0);
+  }
+}
+
+TEST_CASE("growing goes on where a session left it") {
+  Desk desk;
+  const EvolutionChoice choice{.evolution = *find_evolution("a-growing")};
+  desk.computation[Parameter::a_scale] = 1.3;
+  desk.player.resume(choice, 10);
+  CHECK(desk.player.position() == 10);
+  desk.at(0);
+  CHECK(desk.computation[Parameter::a_scale] == 1.0);
+  // From another value than the default nothing tells where it came from.
+  desk.computation[Parameter::a_scale] = 2.0;
+  desk.player.resume(choice, 10);
+  CHECK(desk.player.position() == 0);
+  CHECK(desk.computation[Parameter::a_scale] == 2.0);
+}

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include "app/bundle_desk.h"
@@ -44,6 +49,16 @@ TEST_CASE("every change of the list of bundles can be undone") {
   CHECK(list.undo_name().empty());
 }
 
+TEST_CASE("an overwritten bundle is not described as what it was") {
+  BundleList list({{"a", look("curve"), "the curve"}});
+  REQUIRE(list.rename(0, "b"));
+  CHECK(list.bundles()[0].description == "the curve");
+  REQUIRE(list.save("b", look("points")));
+  CHECK(list.bundles()[0].description.empty());
+  list.undo();
+  CHECK(list.bundles()[0].description == "the curve");
+}
+
 TEST_CASE("names of bundles are any text but nothing, and one bundle's only") {
   BundleList list({{"a"}, {"b"}});
   CHECK(list.save(" \n", {}).error().text == "a bundle needs a name");
@@ -74,8 +89,13 @@ TEST_CASE("what two windows made of the bundles is put together") {
   const std::vector<Bundle> theirs{{"kept"}, {"mine"}, {"theirs", look("y")}, {"mine gone"}, {"both", look("y")},
                                    {"newer"}};
   const std::vector<Bundle> merged = merge_bundles(base, mine, theirs);
-  CHECK(names(merged) == "kept mine! theirs! both! new newer ");
+  CHECK(names(merged) == "kept mine! theirs! both! new both (2)! newer ");
   CHECK(merged[3].layers == look("x"));
+  CHECK(merged[5].layers == look("y"));
+  // Changed alike, or changed by one and removed by the other.
+  CHECK(names(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {{{"a", look("x")}}})) == "a! ");
+  CHECK(names(merge_bundles({{{"a"}}}, {}, {{{"a", look("y")}}})) == "a! ");
+  CHECK(names(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {})) == "a! ");
   CHECK(merge_bundles(base, base, theirs) != base);
   CHECK(merge_bundles(base, mine, base) == mine);
 }
@@ -103,6 +123,38 @@ TEST_CASE("bundles outlive the window, and two windows lose nothing") {
   CHECK(BundleStore(file).load(starting).bundles.empty());
 }
 
+TEST_CASE("undo takes back what was done here and nothing that another window did") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}};
+  LayerStack layers(descriptors);
+  BundleDesk one(file, {}, layers);
+  REQUIRE(one.save("a"));
+  REQUIRE(one.save("b"));
+  BundleDesk other(file, {}, layers);
+  REQUIRE(other.save("other's"));
+  REQUIRE(one.remove(0));
+  CHECK(names(one.bundles()) == "b! other's! ");
+  CHECK(one.undo_offer() == "Deleted \"a\"");
+  REQUIRE(one.undo());
+  CHECK(names(one.bundles()) == "a! b! other's! ");
+  REQUIRE(one.undo());
+  CHECK(names(one.bundles()) == "a! other's! ");
+  CHECK(names(BundleStore(file).load({}).bundles) == "a! other's! ");
+}
+
+TEST_CASE("a program that has the lock and goes no further stops no other") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  BundleStore store(file);
+  static_cast<void>(store.load({}));
+  const int held = ::open((file.string() + ".lock").c_str(), O_RDWR | O_CREAT, 0600);
+  REQUIRE(::flock(held, LOCK_EX) == 0);
+  CHECK(store.write(std::vector<Bundle>{{"a"}}));
+  ::close(held);
+  CHECK(names(BundleStore(file).load({}).bundles) == "a ");
+}
+
 TEST_CASE("a file of bundles that cannot be used is set aside") {
   const TemporaryFolder folder;
   const auto file = folder / "bundles.json";
@@ -125,6 +177,16 @@ TEST_CASE("a file of bundles that cannot be used is set aside") {
   REQUIRE(written);
   CHECK(contents_of(folder / "bundles.json.later-2") == future);
   CHECK(names(BundleStore(file).load({}).bundles) == "a ");
+}
+
+TEST_CASE("a pipe in the place of the bundles is set aside") {
+  const TemporaryFolder folder;
+  const auto file = folder / "bundles.json";
+  REQUIRE(mkfifo(file.c_str(), 0600) == 0);
+  const auto loaded = BundleStore(file).load({{"start"}});
+  CHECK(names(loaded.bundles) == "start ");
+  CHECK(loaded.message.find("this is not a file") != std::string::npos);
+  CHECK(std::filesystem::is_fifo(folder / "bundles.json.broken"));
 }
 
 TEST_CASE("without a home bundles live as long as the window") {
@@ -159,6 +221,7 @@ TEST_CASE("the starting bundles name layers that exist") {
   for (const Bundle& bundle : bundles) {
     INFO(bundle.name);
     CHECK_FALSE(bundle.layers.layers.empty());
+    CHECK_FALSE(bundle.description.empty());
     for (const LayerConfiguration::Entry& entry : bundle.layers.layers) {
       INFO(entry.layer);
       CHECK(find_layer(entry.layer) != kNoSlot);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "app/canvas_look.h"
 #include "app/legend.h"
 #include "app/sample_shapes.h"
 #include "core/base/rng.h"
@@ -75,7 +76,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
   const ColorMap grey = render::grey_map();
   const ColorMap categories = render::categorical_map();
   std::vector<LegendEntry> entries;
-  CHECK(layout_legend(entries, letter_width, 1000.0).boxes.empty());
+  CHECK(layout_legend(entries, letter_width, 1000.0, kWhiteCanvas).boxes.empty());
   for (int i = 0; i < 20; ++i)
     entries.push_back({"Layer",
                        "1: only in the one-step axis, 2: only in that of the union",
@@ -83,7 +84,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
                        {0.0, i == 3   ? 1e300
                              : i == 4 ? -1.0
                                       : 30.0}});
-  const LegendDrawing legend = layout_legend(entries, letter_width, 400.0);
+  const LegendDrawing legend = layout_legend(entries, letter_width, 400.0, kWhiteCanvas);
   CHECK(legend.height <= 400.0);
   CHECK(legend.lines.back().text.starts_with("and "));
   for (const LegendDrawing::Box& box : legend.boxes) {
@@ -98,7 +99,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
     CHECK(line.top + line.size <= legend.height);
   }
   // However little room there is, the first is shown.
-  CHECK(layout_legend(entries, letter_width, 10.0).lines.size() > 3);
+  CHECK(layout_legend(entries, letter_width, 10.0, kWhiteCanvas).lines.size() > 3);
 }
 
 TEST_CASE("a legend on a picture shows the map's colours, and one of any size does no harm") {
@@ -107,7 +108,7 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   const ColorMap map{"ends", {{1, 0, 0}, {0, 0, 1}}, false};
   const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
   Image image = white(400, 300);
-  draw_legend(image, *fonts, entries, 1.0);
+  draw_legend(image, *fonts, entries, 1.0, kWhiteCanvas);
   std::size_t red = 0;
   std::size_t blue = 0;
   std::size_t ink = 0;
@@ -120,11 +121,11 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   CHECK(blue > 20);
   CHECK(ink > 15);
   Image again = white(400, 300);
-  draw_legend(again, *fonts, entries, 1.0);
+  draw_legend(again, *fonts, entries, 1.0, kWhiteCanvas);
   CHECK(again == image);
   for (const int size : {1, 7, 100}) {
     Image small = white(size, size);
-    draw_legend(small, *fonts, entries, 3.0);
+    draw_legend(small, *fonts, entries, 3.0, kWhiteCanvas);
   }
 }
 

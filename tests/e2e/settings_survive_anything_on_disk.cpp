@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -35,7 +37,15 @@ TEST_CASE("what is saved is loaded") {
   settings.spray_spacing_px = 17.5;
   settings.window_width = 1000;
   settings.details = DetailsPage::log;
-  settings.record = {.width = 1920, .height = 1080, .supersampling = 2, .transparent = true, .fps = 24.0};
+  settings.theme = Theme::dark;
+  settings.for_projector = true;
+  settings.canvas_background = Rgb{1, 2, 3};
+  settings.record = {.width = 1920,
+                     .height = 1080,
+                     .supersampling = 2,
+                     .transparent = true,
+                     .background = Rgb{255, 0, 9},
+                     .fps = 24.0};
   remember_file(settings, "/tmp/a.poff");
   remember_file(settings, "/tmp/b.poff");
   remember_file(settings, "/tmp/a.poff");
@@ -46,6 +56,9 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.spray_spacing_px == 17.5);
   CHECK(loaded.settings.window_width == 1000);
   CHECK(loaded.settings.details == DetailsPage::log);
+  CHECK(loaded.settings.theme == Theme::dark);
+  CHECK(loaded.settings.for_projector);
+  CHECK(loaded.settings.canvas_background == Rgb{1, 2, 3});
   CHECK(loaded.settings.record == settings.record);
 }
 
@@ -67,6 +80,16 @@ TEST_CASE("the list of recent files does not grow for ever") {
   for (int i = 0; i < 50; ++i) remember_file(settings, "/tmp/" + std::to_string(i) + ".poff");
   CHECK(settings.recent_files.size() == kRecentFiles);
   CHECK(settings.recent_files.front() == "/tmp/49.poff");
+}
+
+TEST_CASE("nobody waits at a pipe") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+  CHECK_THAT(load_settings(path).message, Catch::Contains("is not a file"));
+  const auto saved = save_settings({}, path);
+  REQUIRE_FALSE(saved);
+  CHECK(saved.error().message() == path.string() + ": this is not a file");
 }
 
 TEST_CASE("a missing file gives the defaults without a word") {
@@ -105,6 +128,22 @@ TEST_CASE("values of a wrong kind or out of range do no harm") {
   CHECK(loaded.settings.show_layers);
 }
 
+TEST_CASE("a theme or canvas that cannot be is the usual one") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  for (const char* look : {R"("theme": "pink", "canvas_background": "white")", R"("theme": 1)",
+                           R"("canvas_background": -1, "for_projector": "yes")", R"("canvas_background": 16777216)",
+                           R"("canvas_background": 1.5)"}) {
+    write(path, std::string(R"({"schema": 1, )") + look + "}");
+    CAPTURE(look);
+    const LoadedSettings loaded = load_settings(path);
+    CHECK(loaded.message.empty());
+    CHECK(loaded.settings.theme == Theme::light);
+    CHECK_FALSE(loaded.settings.for_projector);
+    CHECK_FALSE(loaded.settings.canvas_background);
+  }
+}
+
 TEST_CASE("an unwritable place is an error, not a crash") {
   CHECK_FALSE(save_settings({}, "/proc/nowhere/settings.json"));
 }
@@ -122,4 +161,25 @@ TEST_CASE("shapes that are listed but missing are left out") {
   CHECK(shapes[0].name == "A");
   write(folder.path / "shapes" / "index.json", "{broken");
   CHECK(read_sample_shapes(folder.path).empty());
+}
+
+TEST_CASE("two windows keep each other's settings") {
+  Settings at_start;
+  at_start.recent_files = {"/old.poff"};
+  Settings there = at_start;
+  there.interface_scale = 1.5;
+  there.details = DetailsPage::log;
+  there.recent_files = {"/theirs.poff", "/old.poff"};
+  Settings ours = at_start;
+  ours.show_legend = false;
+  ours.details = DetailsPage::statistics;
+  ours.recent_files = {"/ours.poff", "/old.poff"};
+  const Settings both = merged(ours, at_start, there);
+  CHECK(both.interface_scale == 1.5);
+  CHECK_FALSE(both.show_legend);
+  CHECK(both.details == DetailsPage::statistics);
+  CHECK(both.recent_files == std::vector<std::string>{"/ours.poff", "/old.poff", "/theirs.poff"});
+  // What was forgotten here stays forgotten.
+  ours.recent_files.clear();
+  CHECK(merged(ours, at_start, there).recent_files == std::vector<std::string>{"/theirs.poff"});
 }

@@ -82,6 +82,31 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
   }
 }
 
+TEST_CASE("ten thousand actions of any kind are undone and redone to the same document") {
+  Editor editor({});
+  RandomEditing script(99);
+  REQUIRE(editor.load(script.data()));
+  const std::uint64_t start = editor.document().digest();
+  for (int i = 0; i < 10'000; ++i) script.step(editor);
+  if (editor.in_gesture()) editor.end_gesture();
+  while (editor.can_redo()) editor.redo();
+  const std::uint64_t end = editor.document().digest();
+  CHECK(end != start);
+  std::vector<std::uint64_t> states{end};
+  while (editor.can_undo()) {
+    editor.undo();
+    states.push_back(editor.document().digest());
+  }
+  CHECK(states.size() > 1000);
+  CHECK(editor.document().digest() == start);
+  for (std::size_t i = states.size() - 1; i > 0; --i) {
+    editor.redo();
+    REQUIRE(editor.document().digest() == states[i - 1]);
+  }
+  CHECK_FALSE(editor.can_redo());
+  CHECK(replayed(editor.timeline()).document().digest() == end);
+}
+
 TEST_CASE("a gesture that did nothing, or was taken back, leaves the timeline able to replay") {
   Editor editor({});
   REQUIRE(editor.load({{{0, 0}, {1, 0}}, {}}));

@@ -134,3 +134,22 @@ TEST_CASE("a second button during a gesture does not disturb it") {
   CHECK(bench.editor.document().sample_count() == 1);
   CHECK(bench.canvas.tool_id() == ToolId::insert);
 }
+
+TEST_CASE("a drawing that would lie under the legend is shown above or beside it, where it is larger") {
+  const Insets insets{.left = 100, .top = 0, .right = 0, .bottom = 0};
+  const Vec2 viewport{1100, 500};
+  const Vec2 legend{200, 100};
+  const auto is = [](const Insets& out, double right, double bottom) {
+    return out.left == 100 && out.top == 0 && out.right == right && out.bottom == bottom;
+  };
+  CHECK(is(clear_of_corner(insets, viewport, {}, {1, 1}), 0, 0));
+  // Narrow or flat, it is not in the way.
+  CHECK(is(clear_of_corner(insets, viewport, legend, {1, 1}), 0, 0));
+  CHECK(is(clear_of_corner(insets, viewport, legend, {10, 1}), 0, 0));
+  // A wide one loses nothing when it is above, one as high as the window less when it is beside.
+  CHECK(is(clear_of_corner(insets, viewport, legend, {2.5, 1}), 0, 100));
+  CHECK(is(clear_of_corner(insets, viewport, {200, 400}, {1.8, 1}), 200, 0));
+  // Neither a single point nor a window without room do harm.
+  CHECK(is(clear_of_corner(insets, viewport, legend, {0, 0}), 0, 0));
+  CHECK(clear_of_corner(insets, {50, 50}, legend, {1, 1}).left == 100);
+}

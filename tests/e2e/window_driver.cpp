@@ -110,6 +110,32 @@ int Screenshot::count(const std::function<bool(Color)>& condition) const {
   return out;
 }
 
+namespace {
+
+// What holds all pixels within `where` that satisfy the condition on their place.
+PixelBox box_where(const PixelBox& where, const auto& condition) {
+  PixelBox out{where.right, where.bottom, where.left, where.top};
+  for (int y = where.top; y < where.bottom; ++y)
+    for (int x = where.left; x < where.right; ++x)
+      if (condition(x, y))
+        out = {std::min(out.left, x), std::min(out.top, y), std::max(out.right, x + 1), std::max(out.bottom, y + 1)};
+  return out;
+}
+
+}  // namespace
+
+PixelBox Screenshot::box_of(const PixelBox& where, const std::function<bool(Color)>& condition) const {
+  return box_where(where, [&](int x, int y) { return condition(at(x, y)); });
+}
+
+PixelBox Screenshot::box_of_changes(const PixelBox& where, const Screenshot& other) const {
+  return box_where(where, [&](int x, int y) {
+    const Color a = at(x, y);
+    const Color b = other.at(x, y);
+    return a.r != b.r || a.g != b.g || a.b != b.b;
+  });
+}
+
 int Screenshot::differences(const Screenshot& other, int tolerance) const {
   if (width_ != other.width_ || height_ != other.height_) return width_ * height_;
   int out = 0;
@@ -184,6 +210,17 @@ Screenshot VirtualScreen::shoot() const {
   return parse_ppm(output_of("DISPLAY=" + display_ + " import -silent -window root -depth 8 ppm:- 2>/dev/null"));
 }
 
+Screenshot VirtualScreen::settled() const {
+  Screenshot last = shoot();
+  REQUIRE(eventually([&] {
+    Screenshot next = shoot();
+    const bool is_still = next.differences(last, 0) == 0;
+    last = std::move(next);
+    return is_still;
+  }));
+  return last;
+}
+
 std::string VirtualScreen::xdotool(const std::string& arguments) const {
   return output_of("DISPLAY=" + display_ + " xdotool " + arguments + " 2>/dev/null");
 }
@@ -195,6 +232,10 @@ void VirtualScreen::drag(std::array<int, 2> from, std::array<int, 2> to, int ste
   move(from[0], from[1], " mousedown 1");
   for (int i = 1; i <= steps; ++i)
     move(from[0] + (to[0] - from[0]) * i / steps, from[1] + (to[1] - from[1]) * i / steps, "");
+}
+
+void VirtualScreen::click(std::array<int, 2> at) const {
+  xdotool("mousemove " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " click 1");
 }
 
 bool eventually(const std::function<bool()>& condition) {

@@ -44,6 +44,16 @@ struct Color {
   int b = 0;
 };
 
+/// Pixels from (left, top) to before (right, bottom).
+struct PixelBox {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+  bool is_empty() const { return right <= left; }
+  std::array<int, 2> middle() const { return {(left + right) / 2, (top + bottom) / 2}; }
+};
+
 class Screenshot {
  public:
   Screenshot(int width, int height, std::vector<std::uint8_t> rgb)
@@ -54,6 +64,10 @@ class Screenshot {
   bool is_white(int x, int y) const;
   /// Pixels that satisfy the condition.
   int count(const std::function<bool(Color)>& condition) const;
+  /// What holds all pixels within `where` that satisfy the condition.
+  PixelBox box_of(const PixelBox& where, const std::function<bool(Color)>& condition) const;
+  /// What holds all pixels within `where` that differ from the other picture.
+  PixelBox box_of_changes(const PixelBox& where, const Screenshot& other) const;
   /// Pixels of which some channel differs by more than `tolerance`; all of them when the sizes differ.
   int differences(const Screenshot& other, int tolerance) const;
   int width() const { return width_; }
@@ -75,10 +89,13 @@ class VirtualScreen {
   VirtualScreen();
   const std::string& display() const { return display_; }
   Screenshot shoot() const;
+  /// The screen once nothing on it moves any more: two pictures in a row are equal.
+  Screenshot settled() const;
   /// One call of xdotool; its standard output.
   std::string xdotool(const std::string& arguments) const;
   /// The rest of the arguments one by one, so that a program draws between them.
   void drag(std::array<int, 2> from, std::array<int, 2> to, int steps) const;
+  void click(std::array<int, 2> at) const;
 
  private:
   std::string display_;

@@ -12,10 +12,15 @@ using mes::test::TemporaryFolder;
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kLayers{
-    "points",          "medial-axis",          "curve",
-    "all-medial-axis", "a-v-crossing-edges",   "a-inner-centers",
-    "a-power-diagram", "a-ball-power-diagram", "a-regular-triangulation"};
+const std::array<KnownLayer, 9> kLayers{{{"points"},
+                                         {"medial-axis", {.dashed = true}},
+                                         {"curve", {.line_width_px = 2.0, .flat = true}},
+                                         {"all-medial-axis"},
+                                         {"a-v-crossing-edges"},
+                                         {"a-inner-centers"},
+                                         {"a-power-diagram"},
+                                         {"a-ball-power-diagram"},
+                                         {"a-regular-triangulation"}}};
 
 LayerStyle odd_style() {
   LayerStyle style;
@@ -91,7 +96,7 @@ TEST_CASE("JSON bundles read back equal") {
   const std::vector<Bundle> bundles{{"Fl\xc3\xa4"
                                      "che \"\\\n",
                                      {{{"points", true, odd_style()}, {"a layer of tomorrow", false, {}}}, {}}},
-                                    {"empty", {}},
+                                    {"empty", {}, "Nothing to see"},
                                     {"traced", {{{"curve", true, {}}}, {"a b.png", {0.1, -2}, 3}}}};
   const std::string bytes = write_bundles(bundles);
   CHECK(looks_like_bundles(bytes));
@@ -119,6 +124,7 @@ TEST_CASE("JSON that is no file of bundles is refused in one line") {
   CHECK(complaint(begin + "[7]}") == "x.json: bundle 1 has no name");
   CHECK(complaint(begin + "[{\"name\":\"\"}]}") == "x.json: bundle 1 has no name");
   CHECK(complaint(begin + "[{\"name\":\"a\",\"layers\":7}]}").starts_with("x.json: bundle 1: "));
+  CHECK(complaint(begin + "[{\"name\":\"a\",\"description\":7}]}").starts_with("x.json: bundle 1: "));
   CHECK(complaint(begin + "[{\"name\":\"a\",\"note\":7}],\"note\":8}").empty());
   const std::string future = "{\"mesecina\":\"bundles\",\"schema\":2,\"bundles\":[]}";
   CHECK(complaint(future) == "x.json: these bundles are of a later version of the program");
@@ -260,4 +266,39 @@ TEST_CASE("files of bundles are told from other files") {
   CHECK(read_bundle_file(folder / "none", kLayers).error().text == "there is no such file");
   CHECK(read_bundle_file(folder / "e", kLayers).error().text == "this is not JSON");
   CHECK(read_bundle_file(folder.path(), kLayers).error().text == "this is not a file");
+}
+
+TEST_CASE("what a style does not say is the layer's own") {
+  const auto json = read_bundles(R"({"mesecina":"bundles","schema":1,"bundles":[{"name":"a","layers":[
+    {"layer":"curve","visible":true,"style":{"opacity":0.5}},{"layer":"medial-axis"},{"layer":"unheard-of"}]}]})",
+                                 "x.json", kLayers);
+  REQUIRE(json);
+  const auto& layers = json->bundles.at(0).layers.layers;
+  CHECK(layers[0].style == LayerStyle{.opacity = 0.5, .line_width_px = 2.0, .flat = true});
+  CHECK(layers[1].style.dashed);
+  CHECK(layers[2].style == LayerStyle{});
+
+  const auto bnd = read_bundles(file(text(u"a") + bundle(layer(u"Local crust", state(true)))), "x.bnd", kLayers);
+  REQUIRE(bnd);
+  CHECK(bnd->bundles.at(0).layers.layers.at(0).style.flat);
+}
+
+TEST_CASE("colours are six digits, numbers come into range, and nothing is longer than anyone could mean") {
+  const auto with = [](const std::string& entry) {
+    return read_bundles(R"({"mesecina":"bundles","schema":1,"bundles":[{"name":"a","layers":[)" + entry + "]}]}",
+                        "x.json", kLayers);
+  };
+  for (const char* color : {"red", "#12345", "#1234567", "# 12345", "#-12345", "#+12345", "#0x1234", "#12345g", ""})
+    CHECK(with(R"({"layer":"x","style":{"color":")" + std::string(color) + "\"}}").error().text.contains("#RRGGBB"));
+  const auto wild = with(R"({"layer":"x","style":{"opacity":7,"point_size":-3,"line_width":1e9,"range":[3,1]}})");
+  REQUIRE(wild);
+  const LayerStyle& style = wild->bundles.at(0).layers.layers.at(0).style;
+  CHECK(style.opacity == 1.0);
+  CHECK(style.point_size_px == 0.5);
+  CHECK(style.line_width_px == 64.0);
+  CHECK(style.range_high == 3.0);
+  CHECK(with(R"({"layer":")" + std::string(201, 'x') + "\"}").error().text.ends_with("longer than 200 bytes"));
+  std::string many = "{}";
+  for (int i = 0; i < 10'000; ++i) many += ",{}";
+  CHECK(with(many).error().text.ends_with("more than 10000"));
 }

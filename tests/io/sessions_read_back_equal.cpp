@@ -23,6 +23,7 @@ Session sample_session() {
   session.layers = {{{"points", true, style}, {"curve", false, {}}}, {"traced.png", {0.5, 0.25}, 3}};
   session.settings.precision = Precision::exact;
   session.settings[Parameter::medial_sampling_angle] = 171.7;
+  session.evolution = {"noise", 18446744073709551615U, 3, {{"noise-factor", 0.1}, {"noise-isotropic", 1}}};
   session.view.add(Vec2{-0.1, 0.2});
   session.view.add(Vec2{5, 6});
   session.entries = {
@@ -42,14 +43,14 @@ Session sample_session() {
       SettingsChanged{session.settings},
       ViewChanged{session.view},
       Captioned{"Now \xc3\xa4 the axis"},
-                     Captioned{"", 2.5}};
+      Captioned{"", 2.5}};
   return session;
 }
 
 bool equal(const Session& a, const Session& b) {
   return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
          a.data->balls == b.data->balls && a.entries == b.entries && a.layers == b.layers &&
-         a.settings == b.settings && a.view == b.view;
+         a.settings == b.settings && a.evolution == b.evolution && a.view == b.view;
 }
 
 }  // namespace
@@ -98,7 +99,9 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
         R"({"mesecina":"session","schema":1,"timeline":{}})", R"({"mesecina":"session","schema":1,"timeline":[4]})",
         R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[-1]}}]})",
         R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[4294967296]}}]})",
-        R"({"mesecina":"session","schema":1,"timeline":[{"begin":7}]})"}) {
+        R"({"mesecina":"session","schema":1,"timeline":[{"begin":7}]})",
+        R"({"mesecina":"session","schema":1,"evolution":{"seed":-1}})",
+        R"({"mesecina":"session","schema":1,"evolution":{"parameters":{"x":"y"}}})"}) {
     INFO(text);
     const auto refused = read(text);
     REQUIRE_FALSE(refused);
@@ -167,4 +170,18 @@ TEST_CASE("no bytes make the reader of sessions crash or hang") {
     DocumentReplay replay;
     static_cast<void>(replay_session(*session, replay, "fuzz"));
   }
+}
+
+TEST_CASE("depth is bounded, brackets in texts do not count, and long lists take no longer than their length") {
+  const std::string deep(100'000, '[');
+  const auto refused = read_session(deep, "deep.json");
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message() == "deep.json:1:65: this JSON is nested too deeply");
+  Session session;
+  session.title = std::string(500, '[') + "\\\"{{";
+  for (int i = 0; i < 200'000; ++i) session.entries.emplace_back(Captioned{});
+  const auto read = read_session(write_session(session), "long.json");
+  REQUIRE(read);
+  CHECK(read->title == session.title);
+  CHECK(read->entries.size() == 200'000);
 }

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/manual.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "app/actions.h"
+#include "app/bundles.h"
+#include "app/cli/markdown.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "app/color_maps.h"
+#include "app/sample_shapes.h"
+#include "core/document/parameter.h"
+#include "core/evolutions/evolution.h"
+#include "core/graph/layer_descriptor.h"
+#include "core/graph/structure.h"
+#include "core/io/bundle_file.h"
+#include "core/io/format.h"
+#include "core/io/session.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Rows = std::vector<std::vector<std::string>>;
+
+void write_actions(Markdown& page) {
+  page.section("Keys and commands of the window");
+  page.paragraph("Each command has a key, a place in a menu or a button; `?` shows the keys in the window.");
+  for (const ActionGroup group : {ActionGroup::file, ActionGroup::edit, ActionGroup::tools, ActionGroup::view,
+                                  ActionGroup::compute, ActionGroup::help}) {
+    Rows rows;
+    for (const ActionDescriptor& action : action_descriptors())
+      if (action.group == group)
+        rows.push_back({plain(action.name), code(action.keys), plain(action.tooltip), code(action.public_id)});
+    page.subsection(title_of(group));
+    page.table({"Command", "Keys", "What it does", "Id"}, rows);
+  }
+}
+
+void write_gestures(Markdown& page) {
+  Rows rows;
+  for (const GestureDescriptor& gesture : gesture_descriptors())
+    rows.push_back({plain(gesture.input), plain(gesture.meaning)});
+  page.section("Gestures");
+  page.table({"With the mouse", "What it does"}, rows);
+}
+
+void write_layers(Markdown& page) {
+  page.section("Layers");
+  page.paragraph(
+      "In the order in which they are stacked at first, the lowest first; dragging rows of the panel restacks\n"
+      "them. *Number* is what a colour map can colour by. *Paper*: one of the layers of the paper of 2007.\n"
+      "*At start*: shown until somebody chooses otherwise.");
+  for (const LayerGroup group :
+       {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::poles,
+        LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
+    Rows rows;
+    for (const LayerDescriptor& layer : layer_descriptors())
+      if (layer.group == group)
+        rows.push_back({plain(layer.name), code(layer.id), plain(layer.tooltip), plain(layer.scalar),
+                        layer.in_paper ? "yes" : "", layer.visible_at_start ? "yes" : ""});
+    page.subsection(title_of(group));
+    page.table({"Layer", "Id", "What it shows", "Number", "Paper", "At start"}, rows);
+  }
+}
+
+void write_starting_bundles(Markdown& page, const fs::path& assets) {
+  Rows rows;
+  for (const Bundle& bundle : read_starting_bundles(assets)) {
+    std::vector<std::string_view> shown;
+    for (const LayerConfiguration::Entry& entry : bundle.layers.layers)
+      if (entry.visible) shown.push_back(entry.layer);
+    rows.push_back({plain(bundle.name), code(shown)});
+  }
+  page.section("Bundles to begin with");
+  page.paragraph("A bundle is layers, their order and their styles under a name. Layers are given bottom first.");
+  page.table({"Bundle", "Layers"}, rows);
+}
+
+void write_color_maps(Markdown& page, const fs::path& assets) {
+  Rows rows;
+  for (const render::ColorMap& map : load_color_maps(assets, {}).maps)
+    rows.push_back({code(map.name), std::to_string(map.colors.size()),
+                    map.is_categorical ? "for whole numbers, one colour each" : "with all colours between them"});
+  page.section("Colour maps");
+  page.table({"Map", "Colours", ""}, rows);
+}
+
+std::string number(double value) {
+  std::string out;
+  append_number(out, value);
+  return out;
+}
+
+Rows rows_of(std::span<const ParameterDescriptor> parameters) {
+  Rows rows;
+  for (const ParameterDescriptor& parameter : parameters)
+    rows.push_back({code(parameter.id), plain(parameter.explanation),
+                    number(parameter.low) + " to " + number(parameter.high) + (parameter.is_whole ? ", whole" : ""),
+                    plain(parameter.unit), number(parameter.default_value)});
+  return rows;
+}
+
+const std::vector<std::string>& parameter_titles() {
+  static const std::vector<std::string> titles{"Parameter", "What it does", "Range", "Unit", "Default"};
+  return titles;
+}
+
+void write_computation(Markdown& page) {
+  page.section("Number types");
+  page.paragraph("Chosen in the status bar, or by `--precision`.");
+  Rows rows;
+  for (const PrecisionDescriptor& precision : kPrecisionDescriptors)
+    rows.push_back({plain(precision.name), code(precision.id), plain(precision.explanation)});
+  page.table({"Number type", "Id", "What it means"}, rows);
+
+  page.section("Parameters of the computation");
+  page.paragraph("Set in the panel of parameters, or by `--set NAME=VALUE`.");
+  page.table(parameter_titles(), rows_of(parameter_descriptors()));
+}
+
+void write_evolutions(Markdown& page) {
+  page.section("Evolutions");
+  page.paragraph(
+      "Steps of a computation that moves the samples or adds some; on the slider of the window, or by\n"
+      "`mesecina evolve`.");
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
+    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+    page.subsection(evolution.name);
+    page.paragraph(plain(evolution.tooltip) + ". Id " + code(evolution.id) + "." +
+                   (evolution.is_random ? " Random: the seed decides." : ""));
+    page.table(parameter_titles(), rows_of(parameters_of(i)));
+  }
+}
+
+void write_structures(Markdown& page) {
+  page.section("Structures");
+  page.paragraph(
+      "What is computed, and from what; only what a layer shown needs is. `mesecina compute` gives the counters of\n"
+      "each, the panel of statistics shows them.");
+  const StructureSet structures = make_structures();
+  Rows rows;
+  for (const auto& structure : structures.all()) {
+    std::vector<std::string_view> inputs;
+    for (const Structure* input : structure->inputs()) inputs.push_back(input->id());
+    std::vector<std::string_view> readers;
+    for (const LayerDescriptor& layer : layer_descriptors())
+      if (std::ranges::find(layer.structures, structure->id()) != layer.structures.end()) readers.push_back(layer.id);
+    rows.push_back({code(structure->id()), code(inputs), code(readers)});
+  }
+  page.table({"Structure", "Made from", "Read by the layers"}, rows);
+}
+
+// As the program writes them, so that the examples hold.
+Session example_session() {
+  SampleData data;
+  data.positions = {{0, 0}, {4, 0}, {2, 3}};
+  data.contours = {{true, {0, 1, 2}}};
+  Session out;
+  out.title = "Triangle";
+  out.data = std::make_shared<const SampleData>(std::move(data));
+  out.entries = {TimelineEdit{.name = "Move", .moved = {{2, {2, 3.5}}}},
+                 TimelineEdit{.name = "Insert", .inserted = {{1, 2}}}, Undone{}};
+  return out;
+}
+
+Bundle example_bundle() {
+  const LayerIndex layer = find_layer("medial-axis");
+  return {
+      .name = "Axis alone",
+      .layers = {.layers = {{.layer = "medial-axis", .visible = true, .style = layer_descriptors()[layer].style}}}};
+}
+
+void write_formats(Markdown& page) {
+  page.section("Files");
+  Rows rows;
+  for (const FormatDescriptor& format : format_descriptors())
+    rows.push_back({plain(format.name), code(format.id), code(format.extensions), format.can_read ? "yes" : "",
+                    format.can_write ? "yes" : ""});
+  page.table({"Format of samples", "Id", "Names end in", "Read", "Written"}, rows);
+  page.paragraph(
+      "The format is found by what a file holds, then by its name; `--from ID` overrides both. `mesecina export`\n"
+      "writes the geometry of a layer. Files appear complete or not at all.");
+
+  page.subsection("Sessions");
+  page.paragraph(
+      "One JSON object: the data as they were opened, everything that happened since, and how they are looked at.\n"
+      "`samples` holds x and y in turn, `balls` x, y and radius; `points` of a contour are numbers of samples, from\n"
+      "0. Entries of the timeline name samples and balls by the order in which they came into being. What is not\n"
+      "known is skipped. A small one, without layers:");
+  page.block(write_session(example_session()), "json");
+
+  page.subsection("Bundles");
+  page.paragraph(
+      "One JSON object with a list of bundles, layers bottom first. `.bnd` files of the Mesecina of 2007 and 2009 "
+      "are\n"
+      "read, not written.");
+  const Bundle bundle = example_bundle();
+  page.block(write_bundles({&bundle, 1}), "json");
+
+  page.subsection("Maps of one's own");
+  page.paragraph(
+      "A file `NAME.map` in `colormaps` of the data folder: triples `red green blue`, numbers from 0 to 1, two "
+      "triples\n"
+      "at least; `#` begins a comment. Colours between them are interpolated.");
+  page.block("0 0 0.5   # dark blue\n1 1 0     # yellow\n");
+
+  page.subsection("Where things are kept");
+  page.table(
+      {"What", "Where"},
+      {{"Bundles, colour maps, unsaved work", "`$XDG_DATA_HOME/mesecina`, or `~/.local/share/mesecina`"},
+       {"Settings of the window", "`$XDG_CONFIG_HOME/mesecina`, or `~/.config/mesecina`"},
+       {"Shapes, fonts and maps of the program", "`assets` beside the program; `$MESECINA_ASSETS` overrides it"}});
+}
+
+void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
+  page.section("Command line");
+  page.paragraph(
+      "Results go to standard output or to the file named by `-o`, everything else to standard error, in lines of\n"
+      "the form `mesecina: FILE:LINE:COLUMN: what is wrong`.");
+  for (const CommandHelp& command : commands) {
+    page.subsection(command.name);
+    page.block(command.text);
+  }
+}
+
+}  // namespace
+
+Expected<void> run_manual(const ManualRequest& request, std::span<const CommandHelp> commands,
+                          Interruption& interruption) {
+  if (auto good = check_output(request.output); !good) return good;
+  const fs::path assets = find_assets({});
+  if (read_starting_bundles(assets).empty())
+    return std::unexpected(Error{ErrorCode::bad_input, "the bundles that come with the program are missing"});
+  return write_output(request.output, manual_text(commands, assets), interruption);
+}
+
+std::string manual_text(std::span<const CommandHelp> commands, const fs::path& assets) {
+  Markdown page("Mesecina: the manual");
+  page.introduction(
+      "Everything that has a name, written by `mesecina manual` from the tables that the program works with. For a\n"
+      "first walk through the window see the [README](../README.md).");
+  write_actions(page);
+  write_gestures(page);
+  write_layers(page);
+  write_starting_bundles(page, assets);
+  write_color_maps(page, assets);
+  write_computation(page);
+  write_evolutions(page);
+  write_structures(page);
+  write_formats(page);
+  write_commands(page, commands);
+  return page.text();
+}
+
+}  // namespace mes::cli
