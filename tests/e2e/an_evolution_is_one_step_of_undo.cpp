@@ -67,6 +67,7 @@ struct Desk {
 
 TEST_CASE("moving the slider to and fro gives the same states, and the beginning exactly") {
   for (EvolutionIndex evolution = 0; evolution < evolutions().size(); ++evolution) {
+    if (evolutions()[evolution].moved_parameter() != nullptr) continue;  // moves no samples
     for (const bool known : {false, true}) {
       Desk desk(known);
       desk.player.choose(evolution);
@@ -268,6 +269,7 @@ TEST_CASE("growing ends where the parameter does") {
   desk.player.choose(*find_evolution("a-growing"));
   desk.at(3300);
   desk.player.play(EvolutionPlayer::Direction::forward);
+  desk.now = 1.0;
   desk.settle();
   CHECK(desk.player.position() == 3300);
   CHECK(desk.player.direction() == EvolutionPlayer::Direction::none);
