@@ -21,6 +21,11 @@ std::uint64_t EvolutionPlayer::position() const {
   return editor_.document().revision() == shown_revision_ ? shown_ : 0;
 }
 
+std::optional<double> EvolutionPlayer::parameter_value() const {
+  const ParameterMove* move = evolution().moved_parameter();
+  return move == nullptr ? std::nullopt : std::optional(settings_.value(move->parameter));
+}
+
 void EvolutionPlayer::begin() {
   beginning_ = state_of(editor_.document());
   beginning_revision_ = editor_.document().revision();

@@ -56,6 +56,8 @@ class EvolutionPlayer {
 
   /// State that the document, or the parameter, is in.
   std::uint64_t position() const;
+  /// Of the parameter moved; nothing where samples move.
+  std::optional<double> parameter_value() const;
   /// State that is being computed, or else `position`.
   std::uint64_t target() const { return wanted_.value_or(position()); }
   /// Far end of the slider; it grows with the position.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <limits>
+#include <string>
 
 #include "app/panels/icons.h"
 #include "app/window/theme.h"
@@ -30,7 +32,7 @@ class Row {
 void chooser(const PanelContext& context) {
   EvolutionPlayer& player = context.evolution;
   ImGui::SetNextItemWidth(104 * context.gui.unit());
-  if (ImGui::BeginCombo("##evolution", player.descriptor().name.data())) {
+  if (ImGui::BeginCombo("##evolution", player.descriptor().name.data(), ImGuiComboFlags_HeightLarge)) {
     for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
       const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
       if (ImGui::Selectable(evolution.name.data(), i == player.choice().evolution)) player.choose(i);
@@ -69,7 +71,13 @@ void slider(const PanelContext& context, Row& row, float most) {
   const float width = std::clamp(most - 86 * unit, 60 * unit, 140 * unit);
   row.next(width + 86 * unit);
   ImGui::SetNextItemWidth(width);
-  if (ImGui::SliderScalar("##step", ImGuiDataType_U64, &k, &kFirst, &end, "step %llu",
+  std::string format = "step %llu";
+  if (const auto scale = player.parameter_value()) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ": \u00D7 %.4g", *scale);
+    format += text.data();
+  }
+  if (ImGui::SliderScalar("##step", ImGuiDataType_U64, &k, &kFirst, &end, format.c_str(),
                           ImGuiSliderFlags_AlwaysClamp) &&
       k != player.target())
     player.step_to(k);

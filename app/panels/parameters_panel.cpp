@@ -127,8 +127,10 @@ void ParametersPanel::draw_parameter(const PanelContext& context, Parameter para
     ImGui::SetNextItemWidth(-1);
     const std::string format = (descriptor.is_whole ? "%.0f " : "%.5g ") +
                                (descriptor.unit == "%" ? std::string("%%") : std::string(descriptor.unit));
+    const bool is_wide = descriptor.low > 0.0 && descriptor.high >= 1000.0 * descriptor.low;
     if (ImGui::SliderFloat("##value", &shown, static_cast<float>(descriptor.low), static_cast<float>(descriptor.high),
-                           format.c_str(), ImGuiSliderFlags_AlwaysClamp))
+                           format.c_str(),
+                           ImGuiSliderFlags_AlwaysClamp | (is_wide ? ImGuiSliderFlags_Logarithmic : 0)))
       value = std::clamp(static_cast<double>(shown), descriptor.low, descriptor.high);
     tooltip(context.gui, explanation(descriptor) + "\n\nCtrl+click to type a number");
   }

@@ -247,6 +247,7 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   desk.player.set_value("growing-step", 10.0);
   CHECK(desk.player.position() == 10);
   CHECK(desk.computation[Parameter::b_scale] == Approx(3.4));
+  CHECK(desk.player.parameter_value() == desk.computation[Parameter::b_scale]);
   desk.at(0);
   CHECK(desk.computation == before);
   desk.at(4);
@@ -260,6 +261,7 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   desk.at(10);
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.5));
   desk.player.choose(*find_evolution("smooth"));
+  CHECK_FALSE(desk.player.parameter_value());
   CHECK(desk.computation[Parameter::b_scale] == 3.0);
   CHECK(desk.at(1) != samples);
 }
