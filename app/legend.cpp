@@ -182,13 +182,18 @@ struct PixelPlace {
   int top = 0;
 };
 
+PixelPlace lower_right(const render::Image& image, double width, double height, double margin) {
+  const auto m = static_cast<int>(std::lround(margin));
+  return {image.width - m - static_cast<int>(std::ceil(width)),
+          image.height - m - static_cast<int>(std::ceil(height))};
+}
+
 /// Where a rectangle hides the fewest pixels that differ from the first one of the picture.
 PixelPlace emptiest_corner(const render::Image& image, double width, double height, double margin) {
   const auto w = static_cast<int>(std::ceil(width));
   const auto h = static_cast<int>(std::ceil(height));
   const auto m = static_cast<int>(std::lround(margin));
-  const int right = image.width - m - w;
-  const int bottom = image.height - m - h;
+  const auto [right, bottom] = lower_right(image, width, height, margin);
   PixelPlace best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const PixelPlace place :
@@ -276,16 +281,25 @@ Expected<LegendFonts> LegendFonts::read(const std::filesystem::path& assets) {
   return LegendFonts{std::move(*plain), std::move(*bold)};
 }
 
-void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale,
-                 const std::optional<Rgb>& background) {
+PictureLegend layout_legend(std::span<const LegendEntry> entries, const LegendFonts& fonts, int width, int height,
+                            double scale, const std::optional<Rgb>& background) {
   constexpr double kShare = 0.3;
   constexpr double kLeast = 0.7;
-  scale *= std::clamp(kShare * image.width / (scale * kWidth), kLeast, 1.0);
+  scale *= std::clamp(kShare * width / (scale * kWidth), kLeast, 1.0);
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
     return render::text_width(is_bold ? fonts.bold : fonts.plain, scale * size, text) / scale;
   };
-  const LegendDrawing legend = layout_legend(entries, measure, image.height / scale - 2.0 * kMargin, background);
-  const PixelPlace at = emptiest_corner(image, scale * legend.width, scale * legend.height, scale * kMargin);
+  return {layout_legend(entries, measure, height / scale - 2.0 * kMargin, background), scale};
+}
+
+void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLegend& picture_legend,
+                 LegendPlace place, double foot) {
+  const auto& [legend, scale] = picture_legend;
+  const double width = scale * legend.width;
+  const double height = scale * legend.height;
+  PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
+                                                    : emptiest_corner(image, width, height, scale * kMargin);
+  if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
   const auto left = static_cast<double>(at.left);
   const auto top = static_cast<double>(at.top);
   // On whole pixels, so that edges are sharp and thin lines alike.

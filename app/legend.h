@@ -7,11 +7,13 @@
 //
 // Smallest use:
 //     const std::vector<LegendEntry> entries = ...;
-//     draw_legend(image, fonts, entries, 1.0, kWhiteCanvas);
+//     draw_legend(image, fonts, layout_legend(entries, fonts, image.width, image.height, 1.0, kWhiteCanvas),
+//                 LegendPlace::emptiest_corner);
 //
 // Cost: some hundred rectangles a layer. Threads: none.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -87,9 +89,19 @@ struct LegendFonts {
   static Expected<LegendFonts> read(const std::filesystem::path& assets);
 };
 
-/// Into the corner where it hides least, the lower right one if all are alike; `scale` pixels to a logical one,
-/// somewhat fewer on a small picture.
-void draw_legend(render::Image& image, const LegendFonts& fonts, std::span<const LegendEntry> entries, double scale,
-                 const std::optional<Rgb>& background);
+/// A legend laid out for a picture of some size; `scale` pixels to a logical one.
+struct PictureLegend {
+  LegendDrawing drawing;
+  double scale = 1.0;
+};
+/// `scale` is taken somewhat smaller on a small picture.
+PictureLegend layout_legend(std::span<const LegendEntry> entries, const LegendFonts& fonts, int width, int height,
+                            double scale, const std::optional<Rgb>& background);
+
+/// Where a legend goes: the corner where it hides least (the lower right one if all are alike), or always the same,
+/// for pictures that follow one another. `foot` pixels at the bottom are left free there.
+enum class LegendPlace : std::uint8_t { emptiest_corner, lower_right };
+void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLegend& legend, LegendPlace place,
+                 double foot = 0.0);
 
 }  // namespace mes

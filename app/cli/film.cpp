@@ -14,7 +14,7 @@
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
 #include "app/color_maps.h"
-#include "app/legend.h"
+#include "app/picture_overlay.h"
 #include "app/player.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
@@ -124,14 +124,18 @@ class Studio {
   Studio(render::GlDevice& device, const Film& film) : device_(device), scene_(device), film_(film) {
     scene_.set_color_maps(load_color_maps(find_assets({}), user_color_map_folder()).maps);
     if (auto fonts = LegendFonts::read(find_assets({})))
-      fonts_ = std::move(*fonts);
+      fonts_ = std::make_shared<const LegendFonts>(std::move(*fonts));
     else
       say("captions are left out: " + fonts.error().message());
   }
 
   void apply(const FramePatch& patch) { scene_.apply(patch); }
 
-  Expected<render::Image> draw(const Player& player) {
+  struct Shot {
+    render::Image image;
+    PictureOverlay overlay;
+  };
+  Expected<Shot> draw(const Player& player) {
     constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
     const double scale = std::max(1.0, film_.size.height / kReference);
     render::Camera camera;
@@ -146,11 +150,9 @@ class Studio {
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
-    if (!image || !fonts_) return image;
-    if (const auto entries = legend_of(scene_, views); !entries.empty())
-      draw_legend(*image, *fonts_, entries, scale, kWhiteCanvas);
-    add_caption(*image, player.caption());
-    return image;
+    if (!image) return std::unexpected(image.error());
+    return Shot{std::move(*image), picture_overlay_of(legend_of(scene_, views), player.caption(), fonts_,
+                                                      {film_.size.width, film_.size.height, scale, kWhiteCanvas})};
   }
 
  private:
@@ -170,24 +172,11 @@ class Studio {
     scene_.place_picture({image.center, image.width});
   }
 
-  void add_caption(render::Image& image, const std::string& text) const {
-    if (text.empty()) return;
-    const double height = image.height;
-    double size = std::max(11.0, 0.034 * height);
-    const double room = 0.94 * image.width;
-    const double width = render::text_width(fonts_->bold, size, text);
-    if (width > room) size *= room / width;
-    const double band = 2.2 * size;
-    render::fill_rectangle(image, 0, height - band, image.width, band, Rgb{255, 255, 255}, 0.9);
-    const double x = 0.5 * (image.width - std::min(width, room));
-    render::draw_text(image, fonts_->bold, size, x, height - 0.85 * size, Rgb{0x22, 0x26, 0x2B}, text);
-  }
-
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
   std::string picture_file_;  // in the scene, or not readable
-  std::optional<LegendFonts> fonts_;
+  std::shared_ptr<const LegendFonts> fonts_;
 };
 
 }  // namespace
@@ -236,16 +225,16 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
     // Also where another shard draws the frame: what is drawn in which order depends on every step before.
     if (const std::string failure = player.complete(); !failure.empty())
       say("frame " + std::to_string(frame + 1) + ": " + failure);
-    std::optional<render::Image> image;
+    std::optional<Studio::Shot> shot;
     for (std::uint64_t end = frame + frames_of(step, film->fps); frame < end;) {
       ++frame;
       if (!film->shard.has(frame)) continue;
-      if (!image) {
+      if (!shot) {
         auto drawn = studio.draw(player);
         if (!drawn) return std::unexpected(drawn.error());
-        image = std::move(*drawn);
+        shot = std::move(*drawn);
       }
-      if (!writer.push({*image, {step.what, player.document().digest()}})) return writer.finish();
+      if (!writer.push({shot->image, {step.what, player.document().digest()}, shot->overlay})) return writer.finish();
     }
   }
   if (auto done = writer.finish(); !done || request.video.empty()) return done;

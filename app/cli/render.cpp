@@ -185,7 +185,8 @@ void add_legend(render::Image& image, const render::Scene& scene, std::span<cons
   if (entries.empty()) return;
   const auto fonts = LegendFonts::read(find_assets({}));
   if (fonts)
-    draw_legend(image, *fonts, entries, scale, background);
+    draw_legend(image, *fonts, layout_legend(entries, *fonts, image.width, image.height, scale, background),
+                LegendPlace::emptiest_corner);
   else
     say("the legend is left out: " + fonts.error().message());
 }

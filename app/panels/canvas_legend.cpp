@@ -9,10 +9,7 @@
 namespace mes {
 
 ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
-  std::vector<render::LayerView> views;
-  for (const LayerIndex layer : context.layers.visible_layers())
-    views.push_back({layer, context.layers.style(layer)});
-  const std::vector<LegendEntry> entries = legend_of(context.picture.scene(), views);
+  const std::vector<LegendEntry> entries = context.picture.legend(context.layers);
   if (entries.empty()) return {};
   const float unit = context.gui.unit();
   const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };

@@ -61,7 +61,9 @@ Expected<void> FrameWriter::write(Work& work) const {
   try {
     if (const auto* raw = std::get_if<render::RawImage>(&work.frame.picture))
       work.frame.picture = render::to_image(*raw);
-    const auto png = render::encode_png(std::get<render::Image>(work.frame.picture));
+    auto& image = std::get<render::Image>(work.frame.picture);
+    work.frame.overlay.paint(image);
+    const auto png = render::encode_png(image);
     if (!png) return std::unexpected(png.error());
     return options_.write(take_.folder / frame_name(options_.first + work.index * options_.stride), text_of(*png));
   } catch (const std::bad_alloc&) {

@@ -29,6 +29,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/picture_overlay.h"
 #include "app/recording/take.h"
 #include "core/io/atomic_file.h"
 #include "render/image.h"
@@ -38,6 +39,7 @@ namespace mes {
 struct Frame {
   std::variant<render::Image, render::RawImage> picture;
   FrameInfo info{};
+  PictureOverlay overlay{};
 };
 
 struct FrameWriterOptions {

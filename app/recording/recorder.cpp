@@ -23,6 +23,7 @@ Change Recorder::change(const ShownState& now) const {
   if (now.settings != captured_.settings) return Change::settings;
   if (now.layers != captured_.layers || now.solo != captured_.solo) return Change::layers;
   if (now.selection != captured_.selection) return Change::selection;
+  if (now.legend != captured_.legend || now.caption != captured_.caption) return Change::texts;
   return now.view == captured_.view ? Change::none : Change::view;
 }
 
@@ -32,6 +33,7 @@ bool Recorder::wants_frame(const ShownState& now, const AtRest& rest) const {
     case Change::view: return each_motion_ || rest.view;
     case Change::layers:
     case Change::settings: return rest.controls;
+    case Change::texts:
     case Change::selection:
     case Change::document: break;
   }
@@ -50,6 +52,7 @@ std::string name_of(Change change, std::span<const TimelineEntry> timeline) {
   switch (change) {
     case Change::none: return "Nothing";
     case Change::view: return "View";
+    case Change::texts: return "Legend or caption";
     case Change::selection: return "Selection";
     case Change::layers: return "Layers";
     case Change::settings: return "Computation";

@@ -37,6 +37,8 @@ struct ShownState {
   Slot solo = kNoSlot;
   ComputationSettings settings{};
   render::Camera view{};
+  bool legend = false;
+  std::string caption{};
   friend bool operator==(const ShownState&, const ShownState&) = default;
 };
 
@@ -46,7 +48,7 @@ struct AtRest {
   bool controls = true;  ///< no slider, colour or field of a panel is in use
 };
 
-enum class Change : std::uint8_t { none, view, selection, layers, settings, document };
+enum class Change : std::uint8_t { none, view, texts, selection, layers, settings, document };
 
 class Recorder {
  public:

@@ -25,6 +25,12 @@ constexpr float kLeastOfLayers = 190.0F;
 constexpr double kLargestCirclePx = 10'000.0;
 constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
 
+// Pictures without legend and caption are better than none.
+std::shared_ptr<const LegendFonts> fonts_of_pictures(const std::filesystem::path& assets) {
+  auto fonts = LegendFonts::read(assets);
+  return fonts ? std::make_shared<const LegendFonts>(std::move(*fonts)) : nullptr;
+}
+
 }  // namespace
 
 App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded,
@@ -37,7 +43,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       assets_(find_assets(options.executable)),
       shapes_(read_sample_shapes(assets_)),
       gui_(*window_, assets_),
-      record_(picture_, messages_, [] { GlfwWindow::wake(); }),
+      record_(picture_, messages_, fonts_of_pictures(assets_), [] { GlfwWindow::wake(); }),
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets_, layers_),

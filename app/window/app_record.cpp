@@ -27,7 +27,9 @@ ShownState App::shown_state() const {
           layers_.revision(),
           layers_.soloed(),
           computation_,
-          canvas_.view().camera()};
+          canvas_.view().camera(),
+          settings_.show_legend,
+          demo_ ? demo_->caption : std::string()};
 }
 
 AtRest App::at_rest() const {

@@ -8,6 +8,7 @@
 #include "app/canvas_look.h"
 #include "app/editor.h"
 #include "app/layer_stack.h"
+#include "app/legend.h"
 #include "app/window/detail.h"
 #include "core/engine/engine.h"
 #include "render/frame_capture.h"
@@ -52,6 +53,8 @@ class Picture {
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
                          const render::CaptureOptions& options);
   render::GlDevice& device() { return device_; }
+  /// Of the visible layers.
+  std::vector<LegendEntry> legend(const LayerStack& layers) const;
 
   /// The picture at rest can be painted in more detail: draw again soon.
   bool is_refining() const { return detail_.is_refining(); }

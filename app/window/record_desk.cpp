@@ -22,8 +22,10 @@ std::string counted_frames(std::size_t n) {
   return std::to_string(n) + (n == 1 ? " frame" : " frames");
 }
 
-Expected<fs::path> write_picture(const render::RawImage& raw, const fs::path& folder) {
-  const auto png = render::encode_png(render::to_image(raw), render::kPngSmall);
+Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder) {
+  render::Image image = render::to_image(raw);
+  overlay.paint(image);
+  const auto png = render::encode_png(image, render::kPngSmall);
   if (!png) return std::unexpected(png.error());
   const auto file = claim_file(folder, "mesecina", "png");
   if (!file) return std::unexpected(file.error());
@@ -45,8 +47,14 @@ fs::path video_name(const fs::path& take) {
 
 }  // namespace
 
-RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::function<void()> wake)
-    : picture_(picture), messages_(messages), wake_(std::move(wake)), capture_(picture.device()), video_(wake_) {}
+RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
+                       std::function<void()> wake)
+    : picture_(picture),
+      messages_(messages),
+      fonts_(std::move(fonts)),
+      wake_(std::move(wake)),
+      capture_(picture.device()),
+      video_(wake_) {}
 
 void RecordDesk::start(const RecordSettings& settings, int width, int height, const ShownState& now) {
   if (is_recording()) return;
@@ -129,39 +137,46 @@ bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
   return snapshot_ && (complete_ == drawn.state || drawn.is_cancelled);
 }
 
-void RecordDesk::frame_asked(const Drawn& drawn) {
+void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
   const Change change = recorder_->change(drawn.state);
-  asked_.push_back({false, {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest()}});
+  asked_.push_back({false,
+                    {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest()},
+                    std::move(overlay)});
   recorder_->note_captured(drawn.state);
   ++frames_;
 }
 
-bool RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings) {
+std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings) {
   const FrameView view = frame_view(drawn.camera, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
+  const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
+  PictureOverlay overlay = picture_overlay_of(
+      drawn.state.legend ? picture_.legend(drawn.layers) : std::vector<LegendEntry>(), drawn.state.caption, fonts_,
+      {view.camera.width(), view.camera.height(), view.content_scale, behind});
   const bool is_on_screen = view.camera == drawn.camera && settings.supersampling == 1 && !settings.transparent &&
                             background == picture_.canvas() && picture_.every() == 1;
   if (is_on_screen) {
     capture_.take({}, {0, 0, drawn.camera.width(), drawn.camera.height()});
-    return true;
+    return overlay;
   }
   const render::CaptureOptions options{
-      .background = settings.transparent ? std::optional<Rgb>() : std::optional<Rgb>(background),
-      .content_scale = view.content_scale,
-      .supersampling = settings.supersampling};
-  const auto done = picture_.capture(capture_, view.camera, drawn.layers, options);
-  if (!done) messages_.problem(done.error().message());
-  return done.has_value();
+      .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
+  if (const auto done = picture_.capture(capture_, view.camera, drawn.layers, options); !done) {
+    messages_.problem(done.error().message());
+    return std::nullopt;
+  }
+  return overlay;
 }
 
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
-    if (ask(drawn, *snapshot_)) asked_.push_back({.is_snapshot = true});
+    if (auto overlay = ask(drawn, *snapshot_))
+      asked_.push_back({.is_snapshot = true, .overlay = std::move(*overlay)});
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
-  if (ask(drawn, settings_))
-    frame_asked(drawn);
+  if (auto overlay = ask(drawn, settings_))
+    frame_asked(drawn, std::move(*overlay));
   else
     stop();
 }
@@ -182,19 +197,19 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
     return;
   }
   capture_.take({}, all);
-  frame_asked(drawn);
+  frame_asked(drawn, {});
 }
 
 void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
   if (asked.is_snapshot)
-    write_snapshot(std::move(raw));
+    write_snapshot(std::move(raw), std::move(asked.overlay));
   else if (writer_)
-    writer_->push({std::move(raw), std::move(asked.info)});
+    writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
 }
 
-void RecordDesk::write_snapshot(render::RawImage raw) {
+void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay) {
   const fs::path folder = pictures_folder();
   if (folder.empty()) {
     messages_.problem("No snapshot: there is no home folder");
@@ -204,11 +219,12 @@ void RecordDesk::write_snapshot(render::RawImage raw) {
     written_snapshot_.wait();
     take_results();
   }
-  written_snapshot_ = std::async(std::launch::async, [raw = std::move(raw), folder, wake = wake_] {
-    auto out = write_picture(raw, folder);
-    wake();
-    return out;
-  });
+  written_snapshot_ =
+      std::async(std::launch::async, [raw = std::move(raw), overlay = std::move(overlay), folder, wake = wake_] {
+        auto out = write_picture(raw, overlay, folder);
+        wake();
+        return out;
+      });
 }
 
 bool RecordDesk::follow() {

@@ -33,7 +33,8 @@ namespace mes {
 /// Threads: the window's, with its OpenGL context current; `wake` is called from others.
 class RecordDesk {
  public:
-  RecordDesk(Picture& picture, Messages& messages, std::function<void()> wake);
+  RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
+             std::function<void()> wake);
 
   bool is_recording() const { return writer_ != nullptr; }
   void start(const RecordSettings& settings, int width, int height, const ShownState& now);
@@ -90,18 +91,21 @@ class RecordDesk {
   struct Asked {
     bool is_snapshot = false;
     FrameInfo info{};
+    PictureOverlay overlay{};
   };
   bool has_room() const;
   bool is_frame_due(const Drawn& drawn) const;
   bool is_snapshot_due(const Drawn& drawn) const;
-  void frame_asked(const Drawn& drawn);
-  bool ask(const Drawn& drawn, const RecordSettings& settings);
+  void frame_asked(const Drawn& drawn, PictureOverlay overlay);
+  /// What to paint on the picture asked for; nothing: it cannot be had.
+  std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings);
   void hand_on(render::RawImage raw);
-  void write_snapshot(render::RawImage raw);
+  void write_snapshot(render::RawImage raw, PictureOverlay overlay);
   bool take_results();
 
   Picture& picture_;
   Messages& messages_;
+  std::shared_ptr<const LegendFonts> fonts_;  // none: no legend, no caption
   std::function<void()> wake_;
   render::FrameCapture capture_;
   std::deque<Asked> asked_;

@@ -123,3 +123,19 @@ TEST_CASE("a frame of another size shows all that the window shows, to scale") {
   const FrameView same = frame_view(window, 1.0, {.width = 800, .height = 600});
   CHECK(same.camera == window);
 }
+
+TEST_CASE("showing the legend is a frame, and so is another caption") {
+  ShownState now;
+  Recorder recorder(now, false);
+  now.legend = true;
+  recorder.note_complete(now);
+  CHECK(recorder.is_due(now, {}));
+  CHECK(recorder.change(now) == Change::texts);
+  recorder.note_captured(now);
+  now.caption = "What of it the union covers";
+  recorder.note_complete(now);
+  CHECK(recorder.is_due(now, {}));
+  // Together with an edit it is that edit.
+  now.document = 1;
+  CHECK(recorder.change(now) == Change::document);
+}

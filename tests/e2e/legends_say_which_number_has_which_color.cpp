@@ -6,6 +6,7 @@
 
 #include "app/canvas_look.h"
 #include "app/legend.h"
+#include "app/picture_overlay.h"
 #include "app/sample_shapes.h"
 #include "core/base/rng.h"
 
@@ -108,7 +109,11 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   const ColorMap map{"ends", {{1, 0, 0}, {0, 0, 1}}, false};
   const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
   Image image = white(400, 300);
-  draw_legend(image, *fonts, entries, 1.0, kWhiteCanvas);
+  const auto draw = [&](Image& on, double scale) {
+    draw_legend(on, *fonts, layout_legend(entries, *fonts, on.width, on.height, scale, kWhiteCanvas),
+                LegendPlace::emptiest_corner);
+  };
+  draw(image, 1.0);
   std::size_t red = 0;
   std::size_t blue = 0;
   std::size_t ink = 0;
@@ -121,12 +126,55 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   CHECK(blue > 20);
   CHECK(ink > 15);
   Image again = white(400, 300);
-  draw_legend(again, *fonts, entries, 1.0, kWhiteCanvas);
+  draw(again, 1.0);
   CHECK(again == image);
   for (const int size : {1, 7, 100}) {
     Image small = white(size, size);
-    draw_legend(small, *fonts, entries, 3.0, kWhiteCanvas);
+    draw(small, 3.0);
   }
+}
+
+TEST_CASE("the legend of a film stays in its corner, above the caption") {
+  const auto read = [] { return LegendFonts::read(find_assets({})); };
+  REQUIRE(read());
+  const auto fonts = std::make_shared<const LegendFonts>(std::move(*read()));
+  const ColorMap map{"ends", {{1, 0, 0}, {0, 0, 1}}, false};
+  const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
+  const auto painted = [&](std::span<const LegendEntry> legend, const std::string& caption) {
+    Image image = white(800, 600);
+    // What is in its place does not drive it away.
+    for (int x = 700; x < 790; ++x) image.rgba[image.offset(x, 560)] = 0;
+    const Image before = image;
+    picture_overlay_of(legend, caption, fonts, {800, 600, 1.0, kWhiteCanvas}).paint(image);
+    int top = 600;
+    int bottom = 0;
+    int left = 800;
+    for (int y = 0; y < 600; ++y) {
+      for (int x = 0; x < 800; ++x) {
+        if (std::equal(&image.rgba[image.offset(x, y)], &image.rgba[image.offset(x, y)] + 4,
+                       &before.rgba[before.offset(x, y)]))
+          continue;
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+        left = std::min(left, x);
+      }
+    }
+    return std::array{left, top, bottom};
+  };
+  const auto legend = painted(entries, "");
+  const auto caption = painted({}, "What of it the union covers");
+  const auto both = painted(entries, "What of it the union covers");
+  CHECK(legend[0] > 500);
+  CHECK(legend[1] > 400);
+  CHECK(caption[1] > 540);
+  CHECK(caption[0] > 100);
+  // Moved up by the band of the caption: its letters are in the middle of it.
+  CHECK(both[1] < legend[1] - 2 * (600 - caption[2]));
+  CHECK(both[2] == caption[2]);
+  CHECK(painted({}, "") == std::array{800, 600, 0});
+  Image image = white(80, 60);
+  picture_overlay_of(entries, "caption", nullptr, {80, 60, 1.0, kWhiteCanvas}).paint(image);
+  CHECK(image == white(80, 60));
 }
 
 TEST_CASE("text is as wide as measured, whatever its bytes are") {
