@@ -23,16 +23,16 @@ void title(const char* text, float column) {
 
 void draw_size(const Gui& gui, RecordSettings& record, float column) {
   title("Size", column);
-  const bool is_window = record.width == 0 && record.height == 0;
-  if (choice_button("Window", is_window)) record.width = record.height = 0;
-  tooltip(gui, "As large as the window is when the recording begins");
+  const bool is_canvas = record.width == 0 && record.height == 0;
+  if (choice_button("Canvas", is_canvas)) record.width = record.height = 0;
+  tooltip(gui, "As large as the canvas between the panels when the recording begins");
   ImGui::SameLine();
-  if (choice_button("Set", !is_window) && is_window) {
+  if (choice_button("Set", !is_canvas) && is_canvas) {
     record.width = kFirstSize.width;
     record.height = kFirstSize.height;
   }
-  tooltip(gui, "Any size, whatever the window's; the frame shows all that the window shows");
-  if (is_window) return;
+  tooltip(gui, "Any size, whatever the window's; the frame shows all that is between the panels");
+  if (is_canvas) return;
   ImGui::Dummy({1, 1});
   ImGui::SameLine(column);
   ImGui::SetNextItemWidth(70 * gui.unit());

@@ -2,6 +2,7 @@
 #include "app/recording/record_settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -52,11 +53,22 @@ Expected<void> check(const RecordSettings& settings) {
   return {};
 }
 
-FrameView frame_view(const render::Camera& window, double content_scale, const RecordSettings& settings) {
-  if (settings.width == 0) return {window, content_scale};
-  const double factor = std::min(static_cast<double>(settings.width) / window.width(),
-                                 static_cast<double>(settings.height) / window.height());
-  FrameView out{window.part(0, 0, window.width(), window.height()), content_scale * factor};
+WindowPart part_between(const Insets& panels, int width, int height) {
+  constexpr int kLeast = 64;
+  const auto left = static_cast<int>(std::ceil(panels.left));
+  const auto top = static_cast<int>(std::ceil(panels.top));
+  const WindowPart out{left, top, width - left - static_cast<int>(std::ceil(panels.right)),
+                       height - top - static_cast<int>(std::ceil(panels.bottom))};
+  return out.width < kLeast || out.height < kLeast ? WindowPart{0, 0, width, height} : out;
+}
+
+FrameView frame_view(const render::Camera& window, const WindowPart& part, double content_scale,
+                     const RecordSettings& settings) {
+  FrameView out{window.part(part.left, part.top, part.width, part.height), content_scale};
+  if (settings.width == 0 || (settings.width == part.width && settings.height == part.height)) return out;
+  const double factor =
+      std::min(static_cast<double>(settings.width) / part.width, static_cast<double>(settings.height) / part.height);
+  out.content_scale *= factor;
   out.camera.set_viewport(settings.width, settings.height);
   // About its middle, so that not even a deep zoom's centre is rounded.
   out.camera.zoom_at({0.5 * settings.width, 0.5 * settings.height}, factor);

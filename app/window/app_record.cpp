@@ -13,7 +13,8 @@ void App::bind_record_actions() {
                                      if (record_.is_recording())
                                        record_.stop();
                                      else
-                                       record_.start(settings_.record, size.width, size.height, shown_state());
+                                       record_.start(settings_.record, size.width, size.height,
+                                                     canvas_.view().insets(), shown_state());
                                    },
                                    {},
                                    [this] { return record_.is_recording(); }});
@@ -50,8 +51,8 @@ void App::note_if_complete() {
 }
 
 RecordDesk::Drawn App::drawn_now() const {
-  return {canvas_.view().camera(),   layers_, editor_, gui_.drawing_scale(), shown_state(), at_rest(),
-          engine_.status().cancelled};
+  return {canvas_.view().camera(), canvas_.view().insets(), layers_,   editor_,
+          gui_.drawing_scale(),    shown_state(),           at_rest(), engine_.status().cancelled};
 }
 
 void App::follow_recording() {

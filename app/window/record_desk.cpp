@@ -56,16 +56,22 @@ RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<con
       capture_(picture.device()),
       video_(wake_) {}
 
-void RecordDesk::start(const RecordSettings& settings, int width, int height, const ShownState& now) {
+void RecordDesk::start(const RecordSettings& settings, int width, int height, const Insets& panels,
+                       const ShownState& now) {
   if (is_recording()) return;
   const auto refuse = [this](const Error& error) { messages_.problem("Cannot record: " + error.message()); };
   if (const auto good = check(settings); !good) return refuse(good.error());
   const fs::path folder = settings.folder.empty() ? takes_folder() : fs::path(settings.folder);
   if (folder.empty()) return refuse({ErrorCode::cannot_write, "there is no home folder; choose one for the takes"});
   settings_ = settings;
-  if (settings.with_panels || settings.width == 0) {
+  panels_ = panels;
+  if (settings.with_panels) {
     settings_.width = width;
     settings_.height = height;
+  } else if (settings.width == 0) {
+    const WindowPart part = part_between(panels, width, height);
+    settings_.width = part.width;
+    settings_.height = part.height;
   }
   auto take = begin_take(folder, {settings_.width, settings_.height, settings.fps});
   if (!take) return refuse(take.error());
@@ -146,17 +152,20 @@ void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
   ++frames_;
 }
 
-std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings) {
-  const FrameView view = frame_view(drawn.camera, drawn.content_scale, settings);
+std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings,
+                                              const Insets& panels) {
+  const WindowPart part = part_between(panels, drawn.camera.width(), drawn.camera.height());
+  const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
   const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
   PictureOverlay overlay = picture_overlay_of(
       drawn.state.legend ? picture_.legend(drawn.layers) : std::vector<LegendEntry>(), drawn.state.caption, fonts_,
       {view.camera.width(), view.camera.height(), view.content_scale, behind});
-  const bool is_on_screen = view.camera == drawn.camera && settings.supersampling == 1 && !settings.transparent &&
-                            background == picture_.canvas() && picture_.every() == 1;
+  const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
+                            view.content_scale == drawn.content_scale && settings.supersampling == 1 &&
+                            !settings.transparent && background == picture_.canvas() && picture_.every() == 1;
   if (is_on_screen) {
-    capture_.take({}, {0, 0, drawn.camera.width(), drawn.camera.height()});
+    capture_.take({}, {part.left, drawn.camera.height() - part.top - part.height, part.width, part.height});
     return overlay;
   }
   const render::CaptureOptions options{
@@ -170,12 +179,12 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
 
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
-    if (auto overlay = ask(drawn, *snapshot_))
+    if (auto overlay = ask(drawn, *snapshot_, drawn.panels))
       asked_.push_back({.is_snapshot = true, .overlay = std::move(*overlay)});
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
-  if (auto overlay = ask(drawn, settings_))
+  if (auto overlay = ask(drawn, settings_, panels_))
     frame_asked(drawn, std::move(*overlay));
   else
     stop();

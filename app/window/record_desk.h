@@ -23,7 +23,9 @@ namespace mes {
 /// What it guarantees:
 ///  1. What Recorder and FrameWriter guarantee: each change one frame, each frame whole.
 ///  2. No call but `end` waits for a disk or for another program.
-///  3. All frames of a take have the size that the first one has, even if the window is resized meanwhile.
+///  3. All frames of a take have the size that the first one has, even if the window is resized meanwhile. Frames of
+///  the
+///     drawing alone show what is between the panels when the take begins.
 ///
 /// Smallest use, each turn of the window's loop:
 ///     if (!desk.holds_input(now, rest, is_cancelled)) deliver_events();
@@ -37,7 +39,8 @@ class RecordDesk {
              std::function<void()> wake);
 
   bool is_recording() const { return writer_ != nullptr; }
-  void start(const RecordSettings& settings, int width, int height, const ShownState& now);
+  /// Of a window this large, with these panels at its sides.
+  void start(const RecordSettings& settings, int width, int height, const Insets& panels, const ShownState& now);
   /// What was captured is written in the background.
   void stop();
   /// Stops, and waits until everything is written.
@@ -52,6 +55,7 @@ class RecordDesk {
 
   struct Drawn {
     const render::Camera& camera;
+    Insets panels{};
     const LayerStack& layers;
     const Editor& editor;
     double content_scale = 1.0;
@@ -98,7 +102,7 @@ class RecordDesk {
   bool is_snapshot_due(const Drawn& drawn) const;
   void frame_asked(const Drawn& drawn, PictureOverlay overlay);
   /// What to paint on the picture asked for; nothing: it cannot be had.
-  std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings);
+  std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
   void hand_on(render::RawImage raw);
   void write_snapshot(render::RawImage raw, PictureOverlay overlay);
   bool take_results();
@@ -112,6 +116,7 @@ class RecordDesk {
   std::optional<ShownState> complete_{};
 
   RecordSettings settings_{};  // of the take
+  Insets panels_{};            // as the take began: its frames do not jump when a panel comes or goes
   std::optional<Recorder> recorder_{};
   std::unique_ptr<FrameWriter> writer_;
   std::size_t frames_ = 0;

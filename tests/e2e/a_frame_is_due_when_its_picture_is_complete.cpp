@@ -111,17 +111,39 @@ TEST_CASE("a frame of another size shows all that the window shows, to scale") {
   render::Camera window;
   window.set_viewport(800, 600);
   window.look_at({3, 4}, 0.01);
-  const FrameView wide = frame_view(window, 2.0, {.width = 1920, .height = 1200});
+  constexpr WindowPart kAll{0, 0, 800, 600};
+  const FrameView wide = frame_view(window, kAll, 2.0, {.width = 1920, .height = 1200});
   CHECK(wide.camera.width() == 1920);
   CHECK(wide.camera.center() == Vec2{3, 4});
   CHECK(wide.camera.units_per_pixel() == Approx(0.005));
   CHECK(wide.content_scale == Approx(4.0));
-  CHECK(frame_view(window, 2.0, {}).camera == window);
+  CHECK(frame_view(window, kAll, 2.0, {}).camera == window);
   // Deep zoom: the low bits of the centre stay.
   window.look_at({1e6, 0}, 1e-12);
   window.pan({5, 7});
-  const FrameView same = frame_view(window, 1.0, {.width = 800, .height = 600});
+  const FrameView same = frame_view(window, kAll, 1.0, {.width = 800, .height = 600});
   CHECK(same.camera == window);
+}
+
+TEST_CASE("a frame shows what is between the panels") {
+  CHECK(part_between({}, 800, 600) == WindowPart{0, 0, 800, 600});
+  const WindowPart part = part_between({50, 20.5, 149.5, 30}, 800, 600);
+  CHECK(part == WindowPart{50, 21, 600, 549});
+  // A window that is all panels is shown whole.
+  CHECK(part_between({400, 0, 390, 0}, 800, 600) == WindowPart{0, 0, 800, 600});
+  render::Camera window;
+  window.set_viewport(800, 600);
+  window.look_at({0, 0}, 1.0);
+  const FrameView own = frame_view(window, part, 2.0, {});
+  CHECK(own.camera.width() == 600);
+  CHECK(own.camera.height() == 549);
+  CHECK(own.camera.center().x == Approx(-50.0));
+  CHECK(own.camera.center().y == Approx(300.0 - 21.0 - 274.5));
+  CHECK(own.content_scale == 2.0);
+  const FrameView twice = frame_view(window, part, 2.0, {.width = 1200, .height = 2000});
+  CHECK(twice.camera.center().x == Approx(-50.0));
+  CHECK(twice.camera.units_per_pixel() == Approx(0.5));
+  CHECK(twice.content_scale == 4.0);
 }
 
 TEST_CASE("showing the legend is a frame, and so is another caption") {
