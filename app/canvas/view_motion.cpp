@@ -88,6 +88,7 @@ void ViewMotion::zoom_at(Vec2 px, double factor) {
   flight_.reset();
   zoom_px_ = px;
   pending_zoom_ += std::log(factor);
+  is_as_fitted_ = false;
   rest_ = 0.0;
 }
 
@@ -96,6 +97,7 @@ void ViewMotion::pan(Vec2 delta_px) {
   flight_.reset();
   camera_.pan(delta_px);
   zoom_px_ = zoom_px_ + delta_px;
+  is_as_fitted_ = false;
   rest_ = 0.0;
 }
 
@@ -118,6 +120,7 @@ void ViewMotion::fly_to(const render::Camera& goal) {
 }
 
 void ViewMotion::fit(const Box2& box, double margin_px, bool at_once) {
+  is_as_fitted_ = true;
   if (at_once) {
     flight_.reset();
     pending_zoom_ = 0.0;
@@ -135,6 +138,7 @@ void ViewMotion::back() {
     goal.set_viewport(camera_.width(), camera_.height());
     if (goal == camera_) continue;
     fly_to(goal);
+    is_as_fitted_ = false;
     return;
   }
 }

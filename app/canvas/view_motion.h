@@ -16,6 +16,7 @@ struct Insets {
   double top = 0.0;
   double right = 0.0;
   double bottom = 0.0;
+  friend bool operator==(const Insets&, const Insets&) = default;
 };
 
 /// For something `corner` large in the lower right corner of what is free: insets that leave it out, below or on the
@@ -44,6 +45,8 @@ class ViewMotion {
   void pan(Vec2 delta_px);
   /// Glides to show the box, or jumps when nothing was seen before.
   void fit(const Box2& box, double margin_px, bool at_once = false);
+  /// Nobody zoomed, panned or went back since it was fitted.
+  bool is_as_fitted() const { return is_as_fitted_; }
   void back();
   bool can_go_back() const { return !earlier_.empty(); }
 
@@ -70,6 +73,7 @@ class ViewMotion {
   std::optional<Flight> flight_;
   double pending_zoom_ = 0.0;  // logarithm of the factor still to come
   Vec2 zoom_px_{};
+  bool is_as_fitted_ = false;
   double rest_ = 1e9;  // seconds since the last motion
 };
 

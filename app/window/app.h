@@ -202,6 +202,15 @@ class App final : private WindowListener {
   enum class Fit : std::uint8_t { none, glide, at_once };
   Vec2 legend_size_;            // with its margin, in framebuffer pixels
   std::optional<Box2> fit_to_;  // instead of everything
+  /// What everything was fitted into; while nobody moves the view it is fitted again when that changes.
+  struct Room {
+    int width = 0;
+    int height = 0;
+    Insets panels{};
+    friend bool operator==(const Room&, const Room&) = default;
+  };
+  Room room() const;
+  std::optional<Room> fitted_into_;
   Fit fit_wanted_ = Fit::none;  // done in the next frame, when the panels are where they will be
   bool had_first_file_ = false;
   bool is_closing_ = false;

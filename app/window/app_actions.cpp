@@ -219,16 +219,30 @@ Box2 App::fit_box() const {
   return editor_.document().bounding_box();
 }
 
+App::Room App::room() const {
+  const ViewMotion& view = canvas_.view();
+  return {view.camera().width(), view.camera().height(), view.insets()};
+}
+
 void App::fit_if_wanted() {
   // Panels know their size when they have been drawn once.
-  if (fit_wanted_ == Fit::none || ImGui::GetFrameCount() < 3) return;
+  if (ImGui::GetFrameCount() < 3) return;
   ViewMotion& view = canvas_.view();
+  const Room into = room();
+  if (fit_wanted_ == Fit::none && fitted_into_ && into != *fitted_into_) {
+    if (!view.is_as_fitted())
+      fitted_into_.reset();
+    else if (!canvas_.has_pointer())
+      fit_wanted_ =
+          into.width == fitted_into_->width && into.height == fitted_into_->height ? Fit::glide : Fit::at_once;
+  }
+  if (fit_wanted_ == Fit::none) return;
   const Box2 box = fit_to_.value_or(fit_box());
   if (!box.is_empty())
-    view.set_insets(clear_of_corner(
-        view.insets(), {static_cast<double>(view.camera().width()), static_cast<double>(view.camera().height())},
-        legend_size_, {box.width(), box.height()}));
+    view.set_insets(clear_of_corner(into.panels, {static_cast<double>(into.width), static_cast<double>(into.height)},
+                                    legend_size_, {box.width(), box.height()}));
   view.fit(box, fit_to_ ? 0.0 : kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
+  fitted_into_ = fit_to_ || box.is_empty() ? std::nullopt : std::optional(into);
   fit_to_.reset();
   fit_wanted_ = Fit::none;
 }

@@ -57,6 +57,27 @@ TEST_CASE("fitting stays clear of the panels and ends exactly there") {
   CHECK(0.5 * (low.y + high.y) == Approx(0.5 * (50 + 800 - 30)));
 }
 
+TEST_CASE("a view is as fitted until somebody moves it") {
+  Bench bench;
+  const auto fit = [&] {
+    bench.view.fit({{10, 20}, {50, 40}}, 20.0);
+    bench.settle();
+    CHECK(bench.view.is_as_fitted());
+  };
+  fit();
+  bench.view.set_viewport(900, 700);
+  CHECK(bench.view.is_as_fitted());
+  bench.view.pan({1, 0});
+  CHECK_FALSE(bench.view.is_as_fitted());
+  fit();
+  bench.canvas.wheel({500, 400}, 1);
+  CHECK_FALSE(bench.view.is_as_fitted());
+  bench.settle();
+  fit();
+  bench.view.back();
+  CHECK_FALSE(bench.view.is_as_fitted());
+}
+
 TEST_CASE("previous view returns to what was left") {
   Bench bench;
   const render::Camera first = bench.view.camera();
