@@ -12,10 +12,12 @@ namespace mes {
 namespace fs = std::filesystem;
 
 BundleDesk::BundleDesk(fs::path file, const fs::path& assets, LayerStack& layers)
-    : layers_(layers), starting_(read_starting_bundles(assets)), store_(std::move(file)) {
+    : layers_(layers), store_(std::move(file)) {
+  StartingBundles starting = read_starting_bundles(assets);
+  starting_ = std::move(starting.bundles);
   BundleStore::Loaded loaded = store_.load(starting_);
   list_.replace(std::move(loaded.bundles));
-  message_ = std::move(loaded.message);
+  message_ = loaded.message.empty() ? std::move(starting.message) : std::move(loaded.message);
 }
 
 std::optional<std::size_t> BundleDesk::current() const {

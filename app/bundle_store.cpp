@@ -67,16 +67,20 @@ std::vector<KnownLayer> known_layers() {
   return out;
 }
 
-std::vector<Bundle> read_starting_bundles(const fs::path& assets) {
+StartingBundles read_starting_bundles(const fs::path& assets) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(assets / "bundles", error))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::ranges::sort(files);
-  std::vector<Bundle> out;
+  StartingBundles out;
+  if (files.empty()) out.message = "the bundles that come with the program are missing";
   for (const fs::path& file : files) {
     auto loaded = read_bundle_file(file, known_layers());
-    if (loaded) std::ranges::move(loaded->bundles, std::back_inserter(out));
+    if (loaded)
+      std::ranges::move(loaded->bundles, std::back_inserter(out.bundles));
+    else if (out.message.empty())
+      out.message = "bundles that come with the program are left out: " + loaded.error().message();
   }
   return out;
 }

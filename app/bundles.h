@@ -71,7 +71,11 @@ std::filesystem::path default_bundles_path();
 std::vector<KnownLayer> known_layers();
 
 /// Those that come with the program, in the order of their file names.
-std::vector<Bundle> read_starting_bundles(const std::filesystem::path& assets);
+struct StartingBundles {
+  std::vector<Bundle> bundles;
+  std::string message;  ///< for the user, one line: the first file that could not be read; empty when all is well
+};
+StartingBundles read_starting_bundles(const std::filesystem::path& assets);
 
 /// The file of the bundles, shared by every running window.
 ///

@@ -71,7 +71,9 @@ std::vector<AvailableBundle> available_bundles() {
     if (loaded)
       for (Bundle& bundle : loaded->bundles) out.push_back({std::move(bundle), false});
   }
-  for (Bundle& bundle : read_starting_bundles(find_assets({})))
+  StartingBundles starting = read_starting_bundles(find_assets({}));
+  if (!starting.message.empty()) say(starting.message);
+  for (Bundle& bundle : starting.bundles)
     if (std::ranges::none_of(out, [&](const AvailableBundle& has) { return has.bundle.name == bundle.name; }))
       out.push_back({std::move(bundle), true});
   return out;

@@ -70,7 +70,7 @@ void write_layers(Markdown& page) {
 
 void write_starting_bundles(Markdown& page, const fs::path& assets) {
   Rows rows;
-  for (const Bundle& bundle : read_starting_bundles(assets)) {
+  for (const Bundle& bundle : read_starting_bundles(assets).bundles) {
     std::vector<std::string_view> shown;
     for (const LayerConfiguration::Entry& entry : bundle.layers.layers)
       if (entry.visible) shown.push_back(entry.layer);
@@ -234,8 +234,8 @@ Expected<void> run_manual(const ManualRequest& request, std::span<const CommandH
                           Interruption& interruption) {
   if (auto good = check_output(request.output); !good) return good;
   const fs::path assets = find_assets({});
-  if (read_starting_bundles(assets).empty())
-    return std::unexpected(Error{ErrorCode::bad_input, "the bundles that come with the program are missing"});
+  if (const std::string message = read_starting_bundles(assets).message; !message.empty())
+    return std::unexpected(Error{ErrorCode::bad_input, message});
   return write_output(request.output, manual_text(commands, assets), interruption);
 }
 

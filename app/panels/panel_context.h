@@ -18,6 +18,7 @@
 #include "app/sample_shapes.h"
 #include "app/settings.h"
 #include "app/window/file_desk.h"
+#include "app/window/frame_times.h"
 #include "app/window/gui.h"
 #include "app/window/picture.h"
 #include "app/window/record_desk.h"
@@ -42,6 +43,7 @@ struct PanelContext {
   ParameterAnimation& animation;
   Messages& messages;
   RecordDesk& record;
+  const FrameTimes& times;
   std::span<const SampleShape> shapes;
   std::function<void(const ComputationSettings&)> set_computation;
   std::function<void(const std::string&)> open_file;               ///< asks before unsaved work is lost

@@ -29,6 +29,7 @@ ImU32 state_color(const ThemeColors& colors, NodeState state) {
 }
 
 std::string work_text(const NodeReport& node) {
+  if (node.update_ms == 0.0 && !node.rebuilt && node.touched == 0) return {};
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), node.update_ms < 10 ? "%.2f ms" : "%.0f ms", node.update_ms);
   std::string out = text.data();
@@ -84,7 +85,8 @@ void draw_node(const PanelContext& context, const NodeReport& node) {
 
 void draw_statistics(const PanelContext& context) {
   const float unit = context.gui.unit();
-  const auto& nodes = context.picture.nodes();
+  std::vector<NodeReport> nodes = context.picture.nodes();
+  nodes.push_back(context.times.report());
   if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(statistics_as_tsv(nodes).c_str());
   tooltip(context.gui, "Copy all numbers as lines with tabs, for a spreadsheet");
   ImGui::SameLine(0, 6 * unit);

@@ -96,6 +96,7 @@ void App::run() {
       window_->poll();
     else
       window_->wait(next_wait());
+    times_.begin();
     deliver_events();
     take_read_file();
     offer_left_work();
@@ -132,6 +133,7 @@ PanelContext App::panel_context() {
           animation_,
           messages_,
           record_,
+          times_,
           shapes_,
           [this](const ComputationSettings& settings) { set_computation(settings); },
           [this](const std::string& file) { open_files({file}); },
@@ -191,13 +193,18 @@ void App::frame() {
   if (canvas_.view().is_moving()) frames_wanted_ = std::max(frames_wanted_, 1);
   draw_pointer_marks();
   const std::uint32_t share = picture_.every();
+  times_.begin_drawing();
   picture_.draw(canvas_.view().camera(), layers_, editor_, gui_.drawing_scale());
+  times_.end_drawing();
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   keep_timeline();
   record_.picture_drawn(drawn_now());
+  times_.begin_drawing();
   gui_.end_frame();
+  times_.end_drawing();
   record_.panels_drawn(drawn_now());
+  times_.end();
   window_->swap();
   update_title();
   follow_recording();

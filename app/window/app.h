@@ -172,6 +172,7 @@ class App final : private WindowListener {
   Gui gui_;
   Picture picture_;
   RecordDesk record_;
+  FrameTimes times_;
   ProvenanceCard provenance_;
   Engine engine_;
   LayerStack layers_;

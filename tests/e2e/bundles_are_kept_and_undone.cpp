@@ -216,7 +216,8 @@ TEST_CASE("the current bundle knows whether the layers are still its own") {
 }
 
 TEST_CASE("the starting bundles name layers that exist") {
-  const auto bundles = read_starting_bundles("assets");
+  const auto [bundles, message] = read_starting_bundles("assets");
+  CHECK(message.empty());
   CHECK(bundles.size() >= 9);
   for (const Bundle& bundle : bundles) {
     INFO(bundle.name);
@@ -227,6 +228,20 @@ TEST_CASE("the starting bundles name layers that exist") {
       CHECK(find_layer(entry.layer) != kNoSlot);
     }
   }
+}
+
+TEST_CASE("starting bundles that are broken or missing are told, and the others are there") {
+  const TemporaryFolder assets;
+  CHECK_THAT(read_starting_bundles(assets.path()).message, Catch::Contains("missing"));
+  std::filesystem::create_directories(assets / "bundles");
+  assets.write("bundles/a.json", "{");
+  std::filesystem::copy_file("assets/bundles/starting.json", assets / "bundles/b.json");
+  const auto [bundles, message] = read_starting_bundles(assets.path());
+  CHECK(bundles.size() >= 9);
+  CHECK_THAT(message, Catch::Contains("a.json"));
+  LayerStack layers(layer_descriptors());
+  BundleDesk desk(assets / "own.json", assets.path(), layers);
+  CHECK(desk.take_message() == message);
 }
 
 TEST_CASE("what the window does to bundles is on disk at once and can be undone") {
