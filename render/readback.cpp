@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/readback.h"
 
-#include <cstring>
 #include <limits>
 #include <new>
 #include <utility>
@@ -46,12 +45,12 @@ RawImage Readback::take_oldest() {
   Place& place = oldest();
   glClientWaitSync(place.fence, GL_SYNC_FLUSH_COMMANDS_BIT, std::numeric_limits<GLuint64>::max());
   glDeleteSync(std::exchange(place.fence, nullptr));
-  RawImage out{place.width, place.height, std::vector<std::uint8_t>(place.bytes)};
+  RawImage out{place.width, place.height, {}};
   glBindBuffer(GL_PIXEL_PACK_BUFFER, place.buffer.get());
-  const void* pixels =
-      glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(place.bytes), GL_MAP_READ_BIT);
+  const auto* pixels = static_cast<const std::uint8_t*>(
+      glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(place.bytes), GL_MAP_READ_BIT));
   if (pixels != nullptr) {
-    std::memcpy(out.rgba.data(), pixels, place.bytes);
+    out.rgba.assign(pixels, pixels + place.bytes);
     glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);

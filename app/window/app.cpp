@@ -199,11 +199,12 @@ void App::frame() {
   // The status bar tells the share; it was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) frames_wanted_ = std::max(frames_wanted_, 2);
   keep_timeline();
-  record_.picture_drawn(drawn_now());
+  // Reading pixels back waits for what draws them, so it belongs to drawing.
   times_.begin_drawing();
+  record_.picture_drawn(drawn_now());
   gui_.end_frame();
-  times_.end_drawing();
   record_.panels_drawn(drawn_now());
+  times_.end_drawing();
   times_.end();
   window_->swap();
   update_title();
