@@ -7,6 +7,7 @@
 #include "app/canvas_look.h"
 #include "app/color_maps.h"
 #include "app/panels/canvas_legend.h"
+#include "app/panels/empty_hint.h"
 #include "app/panels/evolution_strip.h"
 #include "app/panels/help.h"
 #include "app/panels/menu_bar.h"
@@ -259,6 +260,7 @@ void App::draw_panels() {
       legend_size_ = {ratio * static_cast<double>(legend.x + card_margin),
                       ratio * static_cast<double>(legend.y + card_margin)};
   }
+  draw_empty_hint(context, {left + 0.5F * (screen.x - left - right), top + 0.5F * (screen.y - top - bottom)});
   draw_caption({left + 0.5F * (screen.x - left - right), screen.y - bottom}, screen.x - left - right);
   draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();

@@ -203,15 +203,20 @@ class App final : private WindowListener {
   enum class Fit : std::uint8_t { none, glide, at_once };
   Vec2 legend_size_;            // with its margin, in framebuffer pixels
   std::optional<Box2> fit_to_;  // instead of everything
-  /// What everything was fitted into; while nobody moves the view it is fitted again when that changes.
+  /// What was fitted and into what. While nobody moves the view and the drawing stays about as large, it is fitted
+  /// again when panels come and go.
   struct Room {
     int width = 0;
     int height = 0;
     Insets panels{};
     friend bool operator==(const Room&, const Room&) = default;
   };
-  Room room() const;
-  std::optional<Room> fitted_into_;
+  struct Fitted {
+    Box2 box;
+    Room room;
+  };
+  bool wants_fit_again(const Room& room) const;
+  std::optional<Fitted> fitted_;
   Fit fit_wanted_ = Fit::none;  // done in the next frame, when the panels are where they will be
   bool had_first_file_ = false;
   bool is_closing_ = false;

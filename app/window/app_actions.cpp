@@ -219,30 +219,32 @@ Box2 App::fit_box() const {
   return editor_.document().bounding_box();
 }
 
-App::Room App::room() const {
-  const ViewMotion& view = canvas_.view();
-  return {view.camera().width(), view.camera().height(), view.insets()};
+bool App::wants_fit_again(const Room& room) const {
+  if (!fitted_ || room == fitted_->room || !canvas_.view().is_as_fitted() || canvas_.has_pointer()) return false;
+  constexpr double kAbout = 0.2;
+  const double size = std::max(fitted_->box.width(), fitted_->box.height());
+  const auto is_about = [size](Vec2 a, Vec2 b) { return distance(a, b) <= kAbout * size; };
+  const Box2 box = fit_box();
+  return is_about(box.low, fitted_->box.low) && is_about(box.high, fitted_->box.high);
 }
 
 void App::fit_if_wanted() {
   // Panels know their size when they have been drawn once.
   if (ImGui::GetFrameCount() < 3) return;
   ViewMotion& view = canvas_.view();
-  const Room into = room();
-  if (fit_wanted_ == Fit::none && fitted_into_ && into != *fitted_into_) {
-    if (!view.is_as_fitted())
-      fitted_into_.reset();
-    else if (!canvas_.has_pointer())
-      fit_wanted_ =
-          into.width == fitted_into_->width && into.height == fitted_into_->height ? Fit::glide : Fit::at_once;
-  }
+  const Room room{view.camera().width(), view.camera().height(), view.insets()};
+  if (fit_wanted_ == Fit::none && wants_fit_again(room))
+    fit_wanted_ =
+        room.width == fitted_->room.width && room.height == fitted_->room.height ? Fit::glide : Fit::at_once;
+  // Once is enough: the drawing may be large.
+  if (fitted_ && room != fitted_->room && !canvas_.has_pointer()) fitted_.reset();
   if (fit_wanted_ == Fit::none) return;
   const Box2 box = fit_to_.value_or(fit_box());
   if (!box.is_empty())
-    view.set_insets(clear_of_corner(into.panels, {static_cast<double>(into.width), static_cast<double>(into.height)},
+    view.set_insets(clear_of_corner(room.panels, {static_cast<double>(room.width), static_cast<double>(room.height)},
                                     legend_size_, {box.width(), box.height()}));
   view.fit(box, fit_to_ ? 0.0 : kFitMargin * canvas_.content_scale(), fit_wanted_ == Fit::at_once);
-  fitted_into_ = fit_to_ || box.is_empty() ? std::nullopt : std::optional(into);
+  fitted_ = fit_to_ || box.is_empty() ? std::nullopt : std::optional(Fitted{box, room});
   fit_to_.reset();
   fit_wanted_ = Fit::none;
 }

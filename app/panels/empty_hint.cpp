@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/empty_hint.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/canvas_look.h"
+#include "app/window/theme.h"
+
+namespace mes {
+namespace {
+
+struct Offer {
+  ActionId action;
+  std::string_view text;
+};
+constexpr std::array kOffers{Offer{ActionId::tool_spray, "Draw a curve"}, Offer{ActionId::tool_insert, "Add samples"},
+                             Offer{ActionId::tool_ball, "Draw balls"},
+                             Offer{ActionId::open, "Open a file, or drop one here"}};
+
+}  // namespace
+
+void draw_empty_hint(const PanelContext& context, ImVec2 middle) {
+  if (!context.editor.document().is_empty() || context.files.is_reading() || context.canvas.has_pointer()) return;
+  const float unit = context.gui.unit();
+  const float size = 17.0F * unit;
+  const float line = 1.7F * size;
+  // Right of the key and left of the text.
+  const float gap = 14.0F * unit;
+  const ImU32 color = to_imgui(mark_color(context.picture.canvas()), 0.55);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  float y = middle.y - 0.5F * line * static_cast<float>(kOffers.size());
+  for (const Offer& offer : kOffers) {
+    const std::vector<std::string_view>& keys = descriptor_of(offer.action).keys;
+    if (!keys.empty()) {
+      const std::string key(keys.front());
+      const float width = context.gui.bold()->CalcTextSizeA(size, 1e9F, 0.0F, key.c_str()).x;
+      list.AddText(context.gui.bold(), size, {middle.x - 60 * unit - gap - width, y}, color, key.c_str());
+    }
+    const std::string text(offer.text);
+    list.AddText(ImGui::GetFont(), size, {middle.x - 60 * unit, y}, color, text.c_str());
+    y += line;
+  }
+}
+
+}  // namespace mes
