@@ -96,7 +96,9 @@ class Editor {
   void redo();
 
   bool is_modified() const { return document_.revision() != saved_revision_; }
-  void mark_saved() { saved_revision_ = document_.revision(); }
+  void mark_saved() { mark_saved(document_.revision()); }
+  /// The document as it was at this revision.
+  void mark_saved(std::uint64_t revision) { saved_revision_ = revision; }
   /// No file holds this state.
   void mark_unsaved() { saved_revision_ = ~std::uint64_t{0}; }
 

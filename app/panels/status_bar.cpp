@@ -110,7 +110,9 @@ void draw_recording(const PanelContext& context) {
 
 // What is being done, with a way to stop it; false when nothing is.
 bool draw_work(const PanelContext& context) {
-  if (context.files.is_reading()) {
+  if (context.files.is_saving()) {
+    progress(context, "Saving " + context.files.saving_name(), 0.0);
+  } else if (context.files.is_reading()) {
     progress(context, "Reading " + context.files.reading_name(), 0.0);
     if (ImGui::SmallButton("Cancel")) context.files.cancel_reading();
     tooltip(context.gui, "Keep the present samples");

@@ -115,7 +115,7 @@ class App final : private WindowListener {
   void open_shape(const SampleShape& shape);
   void save();
   void ask_save_as();
-  void save_as(const std::filesystem::path& file);
+  void take_saved();
   void say_saved(const std::string& files);
   void take_read_file();
   void draw_dialogs();

@@ -22,6 +22,10 @@ void App::open_first(const WindowOptions& options) {
 
 void App::with_saved_work(std::function<void()> then) {
   canvas_.cancel_gesture();
+  if (files_.is_saving()) {
+    after_save_ = [this, then = std::move(then)] { with_saved_work(then); };
+    return;
+  }
   if (!editor_.is_modified()) {
     then();
     return;
@@ -76,24 +80,24 @@ void App::save() {
     ask_save_as();
     return;
   }
-  if (const auto saved = files_.save(); !saved) {
-    report(saved.error());
-    after_save_ = {};
-    return;
-  }
-  const fs::path& samples = files_.sample_file();
-  const fs::path& balls = files_.ball_file();
-  say_saved(samples.empty() || balls.empty() ? files_.file().string() : samples.string() + " and " + balls.string());
+  files_.save();
 }
 
-void App::save_as(const fs::path& file) {
-  if (const auto saved = files_.save_as(file); !saved) {
-    report(saved.error());
+void App::take_saved() {
+  const auto saved = files_.poll_saved();
+  if (!saved) return;
+  on_anything();
+  if (saved->error) {
+    report(*saved->error);
     after_save_ = {};
     return;
   }
-  remember_file(settings_, file);
-  say_saved(file.string());
+  std::string names;
+  for (const fs::path& file : saved->files) {
+    names += (names.empty() ? "" : " and ") + file.string();
+    remember_file(settings_, file);
+  }
+  say_saved(names);
 }
 
 void App::say_saved(const std::string& files) {
@@ -164,11 +168,11 @@ void App::draw_dialogs() {
     } else if (!was_saving) {
       if (const std::vector<fs::path> files = without_bundles({chosen->string()}); !files.empty()) files_.open(files);
     } else {
-      save_as(*chosen);
+      files_.save_as(*chosen);
     }
   }
   if (!browser_.is_open()) {
-    after_save_ = {};
+    if (!files_.is_saving()) after_save_ = {};
     when_chosen_ = {};
   }
 }

@@ -110,9 +110,9 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     out.samples = editor_.document().sample_count();
     out.balls = editor_.document().ball_count();
     forget_files();
-    file_ = session_file_ = out.file;
+    held_.file = held_.session_file = out.file;
     note_all_as_saved();
-    title_ = out.file.filename().string();
+    held_.title = out.file.filename().string();
     return out;
   }
 
@@ -144,11 +144,11 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   out.samples = data.positions.size();
   out.balls = data.balls.size();
   forget_files();
-  sample_file_ = out.is_shape ? fs::path() : sample_file;
-  ball_file_ = out.is_shape ? fs::path() : ball_file;
-  file_ = sample_file_.empty() ? ball_file_ : sample_file_;
+  held_.sample_file = out.is_shape ? fs::path() : sample_file;
+  held_.ball_file = out.is_shape ? fs::path() : ball_file;
+  held_.file = held_.sample_file.empty() ? held_.ball_file : held_.sample_file;
   note_all_as_saved();
-  title_ = out.is_shape ? reading->title : out.file.filename().string();
+  held_.title = out.is_shape ? reading->title : out.file.filename().string();
   return out;
 }
 
@@ -157,15 +157,12 @@ void FileDesk::start_empty() {
   if (editor_.load({})) {
     forget_files();
     note_all_as_saved();
-    title_ = "Untitled";
+    held_.title = "Untitled";
   }
 }
 
 void FileDesk::forget_files() {
-  file_.clear();
-  sample_file_.clear();
-  ball_file_.clear();
-  session_file_.clear();
+  held_ = {.samples = held_.samples, .balls = held_.balls, .title = held_.title};
 }
 
 Expected<void> FileDesk::take_over(const Session& session, const std::string& name) {
@@ -179,77 +176,108 @@ Expected<void> FileDesk::recover(const Session& session) {
   cancel_reading();
   if (auto done = take_over(session, "recovered work"); !done) return done;
   forget_files();
-  saved_samples_ = Document().sample_digest();
-  saved_balls_ = 0;
+  held_.samples = Document().sample_digest();
+  held_.balls = Document().ball_digest();
   editor_.mark_unsaved();
-  title_ = session.title.empty() ? "Untitled" : session.title;
+  held_.title = session.title.empty() ? "Untitled" : session.title;
   return {};
 }
 
 void FileDesk::note_all_as_saved() {
-  saved_samples_ = editor_.document().sample_digest();
-  saved_balls_ = editor_.document().ball_digest();
+  held_.samples = editor_.document().sample_digest();
+  held_.balls = editor_.document().ball_digest();
 }
 
 FileDesk::Unsaved FileDesk::unsaved() const {
   if (has_session_file()) return {editor_.is_modified(), false};
-  return {editor_.document().sample_digest() != saved_samples_, editor_.document().ball_digest() != saved_balls_};
+  return {editor_.document().sample_digest() != held_.samples, editor_.document().ball_digest() != held_.balls};
 }
 
-Expected<void> FileDesk::write_samples() {
-  auto written = write_file_atomically(sample_file_, write_poff(editor_.document()));
-  if (written) saved_samples_ = editor_.document().sample_digest();
-  return written;
+void FileDesk::save() {
+  begin_saving(held_);
 }
 
-Expected<void> FileDesk::write_balls() {
-  auto written = write_file_atomically(ball_file_, write_wpoff(editor_.document()));
-  if (written) saved_balls_ = editor_.document().ball_digest();
-  return written;
+void FileDesk::save_as(const fs::path& file) {
+  Held after = held_;
+  after.title = file.filename().string();
+  if (is_session_file(file)) {
+    after.sample_file.clear();
+    after.ball_file.clear();
+    after.session_file = file;
+  } else {
+    after.session_file.clear();
+    (is_ball_file(file) ? after.ball_file : after.sample_file) = file;
+  }
+  after.file = file;
+  begin_saving(std::move(after));
 }
 
-Expected<void> FileDesk::write_session_file() {
-  auto written = write_file_atomically(session_file_, write_session(session_now_()));
-  if (!written) return written;
-  note_all_as_saved();
-  editor_.mark_saved();
-  return {};
-}
-
-Expected<void> FileDesk::save() {
-  if (has_session_file()) return write_session_file();
-  if (!sample_file_.empty())
-    if (auto written = write_samples(); !written) return written;
-  if (!ball_file_.empty())
-    if (auto written = write_balls(); !written) return written;
-  if (const Unsaved rest = unsaved(); !rest.samples && !rest.balls) editor_.mark_saved();
-  return {};
-}
-
-Expected<void> FileDesk::save_as(const fs::path& file) {
-  const fs::path session_before = std::exchange(session_file_, is_session_file(file) ? file : fs::path());
-  const std::string title_before = std::exchange(title_, file.filename().string());
-  if (has_session_file()) {
-    if (auto written = write_session_file(); !written) {
-      session_file_ = session_before;
-      title_ = title_before;
-      return written;
+// `after` says which files there are; of them those are written that are new, or all if none is.
+void FileDesk::begin_saving(Held after) {
+  finish_saving();
+  saving_ = std::make_unique<Saving>();
+  Saving& saving = *saving_;
+  const Document& now = editor_.document();
+  saving.of = editor_.timeline().data();
+  saving.revision = now.revision();
+  const bool is_new = after.file != held_.file || after.sample_file != held_.sample_file ||
+                      after.ball_file != held_.ball_file || after.session_file != held_.session_file;
+  if (!after.session_file.empty()) {
+    saving.parts.push_back({after.session_file, [session = session_now_()] { return write_session(session); }});
+    after.samples = now.sample_digest();
+    after.balls = now.ball_digest();
+    saving.is_whole = true;
+  } else {
+    const auto document = std::make_shared<const Document>(now);
+    const auto is_wanted = [&](const fs::path& file) { return !file.empty() && (!is_new || file == after.file); };
+    if (is_wanted(after.sample_file)) {
+      saving.parts.push_back({after.sample_file, [document] { return write_poff(*document); }});
+      after.samples = now.sample_digest();
     }
-    forget_files();
-    file_ = session_file_ = file;
-    return {};
+    if (is_wanted(after.ball_file)) {
+      saving.parts.push_back({after.ball_file, [document] { return write_wpoff(*document); }});
+      after.balls = now.ball_digest();
+    }
+    saving.is_whole = after.samples == now.sample_digest() && after.balls == now.ball_digest();
   }
-  fs::path& target = is_ball_file(file) ? ball_file_ : sample_file_;
-  const fs::path before = std::exchange(target, file);
-  if (auto written = is_ball_file(file) ? write_balls() : write_samples(); !written) {
-    target = before;
-    session_file_ = session_before;
-    title_ = title_before;
-    return written;
+  saving.after = std::move(after);
+  saving.thread = std::jthread([&saving, wake = wake_] {
+    write(saving);
+    saving.is_done = true;
+    if (wake) wake();
+  });
+}
+
+void FileDesk::write(Saving& saving) {
+  for (const Part& part : saving.parts) {
+    try {
+      if (auto written = write_file_atomically(part.file, part.text()); !written) saving.error = written.error();
+    } catch (const std::bad_alloc&) {
+      saving.error = Error{ErrorCode::out_of_memory, "there is not enough memory to write it", part.file.string()};
+    }
+    if (saving.error) return;
   }
-  if (const Unsaved rest = unsaved(); !rest.samples && !rest.balls) editor_.mark_saved();
-  file_ = file;
-  return {};
+}
+
+std::string FileDesk::saving_name() const {
+  return saving_ ? saving_->after.file.filename().string() : std::string();
+}
+
+std::optional<FileDesk::Saved> FileDesk::poll_saved() {
+  return saving_ && saving_->is_done ? finish_saving() : std::nullopt;
+}
+
+std::optional<FileDesk::Saved> FileDesk::finish_saving() {
+  if (!saving_) return std::nullopt;
+  const std::unique_ptr<Saving> saving = std::move(saving_);
+  saving->thread.join();
+  Saved out{{}, std::move(saving->error)};
+  for (const Part& part : saving->parts) out.files.push_back(part.file);
+  // Something else may have been opened meanwhile.
+  if (out.error || saving->of != editor_.timeline().data()) return out;
+  held_ = std::move(saving->after);
+  if (saving->is_whole) editor_.mark_saved(saving->revision);
+  return out;
 }
 
 }  // namespace mes

@@ -23,6 +23,9 @@ namespace mes {
 ///  2. Saving is atomic, and writes a session, POFF or WPOFF, whatever was read. A session holds everything. A POFF
 ///     file holds samples and a WPOFF file balls, so a document of both has two files; until each holds what the
 ///     document holds, it counts as modified.
+///  3. Writing happens on a thread of its own too, and saves the document as it was when that began. A file that
+///  cannot
+///     be written leaves names and marks as they were. Whatever was begun is written before the object ends.
 ///
 /// Smallest use:
 ///     desk.open("a.poff");
@@ -63,11 +66,21 @@ class FileDesk {
   void start_empty();
   /// Takes over work that a crash left behind: no file holds it.
   Expected<void> recover(const Session& session);
-  /// Writes the session, or samples and balls, to the files they have. Error: one cannot be written.
-  Expected<void> save();
-  /// Writes everything when the name ends in .json, the balls when it ends in .wpoff, else the samples. That is their
-  /// file from now on.
-  Expected<void> save_as(const std::filesystem::path& file);
+  /// Begins to write the session, or samples and balls, to the files they have. Waits for a writing under way.
+  void save();
+  /// The same for everything when the name ends in .json, for the balls when it ends in .wpoff, else for the samples.
+  /// That is their file from then on.
+  void save_as(const std::filesystem::path& file);
+  bool is_saving() const { return saving_ != nullptr; }
+  std::string saving_name() const;
+  struct Saved {
+    std::vector<std::filesystem::path> files;
+    std::optional<Error> error;
+  };
+  /// What became of the writing, once, when it has ended.
+  std::optional<Saved> poll_saved();
+  /// The same, and waits for it; nothing when none is under way.
+  std::optional<Saved> finish_saving();
   /// What of the document no file holds as it is now.
   struct Unsaved {
     bool samples = false;
@@ -76,12 +89,12 @@ class FileDesk {
   Unsaved unsaved() const;
 
   /// The file opened or saved last, if Save can write it; empty when a name must be asked for.
-  const std::filesystem::path& file() const { return file_; }
-  const std::filesystem::path& sample_file() const { return sample_file_; }
-  const std::filesystem::path& ball_file() const { return ball_file_; }
-  bool has_session_file() const { return !session_file_.empty(); }
+  const std::filesystem::path& file() const { return held_.file; }
+  const std::filesystem::path& sample_file() const { return held_.sample_file; }
+  const std::filesystem::path& ball_file() const { return held_.ball_file; }
+  bool has_session_file() const { return !held_.session_file.empty(); }
   /// Of the window: "a.poff", "Elephant", "Untitled".
-  const std::string& title() const { return title_; }
+  const std::string& title() const { return held_.title; }
 
  private:
   struct Reading {
@@ -93,23 +106,41 @@ class FileDesk {
   };
   void begin(const std::vector<std::filesystem::path>& files, const std::string& shape_title);
   static void read(Reading& reading);
+  /// Which files hold what.
+  struct Held {
+    std::filesystem::path file{};
+    std::filesystem::path sample_file{};  // empty: none yet
+    std::filesystem::path ball_file{};
+    std::filesystem::path session_file{};
+    std::uint64_t samples = 0;  // digests of what the files hold
+    std::uint64_t balls = 0;
+    std::string title = "Untitled";
+  };
+  struct Part {
+    std::filesystem::path file;
+    std::function<std::string()> text;
+  };
+  struct Saving {
+    std::vector<Part> parts;
+    Held after;
+    std::uint64_t revision = 0;            // of the document that is written
+    bool is_whole = false;                 // the parts hold all of it
+    std::shared_ptr<const SampleData> of;  // what was loaded
+    std::optional<Error> error;
+    std::atomic<bool> is_done = false;
+    std::jthread thread;  // last, as above
+  };
   void note_all_as_saved();
   void forget_files();
-  Expected<void> write_samples();
-  Expected<void> write_balls();
-  Expected<void> write_session_file();
+  void begin_saving(Held after);
+  static void write(Saving& saving);
   Expected<void> take_over(const Session& session, const std::string& name);
 
   Editor& editor_;
   std::function<Session()> session_now_;
   std::function<void()> wake_;
-  std::filesystem::path file_;
-  std::filesystem::path sample_file_;  // empty: none yet
-  std::filesystem::path ball_file_;
-  std::filesystem::path session_file_;
-  std::uint64_t saved_samples_ = 0;  // digests of what files hold
-  std::uint64_t saved_balls_ = 0;
-  std::string title_ = "Untitled";
+  Held held_;
+  std::unique_ptr<Saving> saving_;
   std::unique_ptr<Reading> reading_;
   std::vector<std::unique_ptr<Reading>> given_up_;  // a reader cannot be stopped, only not waited for
 };

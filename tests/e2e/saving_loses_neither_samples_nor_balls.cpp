@@ -28,6 +28,21 @@ struct Bench {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
+  Expected<void> save() {
+    desk.save();
+    return saved();
+  }
+  Expected<void> save_as(const std::filesystem::path& file) {
+    desk.save_as(file);
+    return saved();
+  }
+  Expected<void> saved() {
+    const auto out = desk.finish_saving();
+    REQUIRE(out);
+    CHECK_FALSE(desk.is_saving());
+    if (out->error) return std::unexpected(*out->error);
+    return {};
+  }
   void add_sample() { REQUIRE(editor.insert(std::vector{Vec2{7, 8}}, "sample")); }
   void add_ball() { REQUIRE(editor.insert_balls(std::vector{Disk{{1, 2}, 3}}, "ball")); }
   bool is_complete() const { return !desk.unsaved().samples && !desk.unsaved().balls; }
@@ -48,7 +63,7 @@ TEST_CASE("a file of balls is opened, changed and saved to itself") {
   CHECK_FALSE(bench.editor.is_modified());
   bench.add_ball();
   CHECK(bench.editor.is_modified());
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK_FALSE(bench.editor.is_modified());
   CHECK(contents_of(file) == "WPOFF 2 0 0\n0.1 0 2\n1 2 3\n");
   CHECK(bench.folder.file_count() == 1);
@@ -59,14 +74,14 @@ TEST_CASE("a document of samples and balls counts as modified until both have a 
   const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
   REQUIRE_FALSE(bench.open(samples).error);
   bench.add_ball();
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
   CHECK(bench.editor.is_modified());
   CHECK_FALSE(bench.desk.unsaved().samples);
   CHECK(bench.desk.unsaved().balls);
 
   const auto balls = bench.folder / "b.WPOFF";
-  REQUIRE(bench.desk.save_as(balls));
+  REQUIRE(bench.save_as(balls));
   CHECK(contents_of(balls) == "WPOFF 1 0 0\n1 2 3\n");
   CHECK_FALSE(bench.editor.is_modified());
   CHECK(bench.is_complete());
@@ -76,14 +91,14 @@ TEST_CASE("a document of samples and balls counts as modified until both have a 
   bench.add_ball();
   CHECK(bench.desk.unsaved().samples);
   CHECK(bench.desk.unsaved().balls);
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
   CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
   CHECK_FALSE(bench.editor.is_modified());
 
   // A copy of the samples leaves the file of the balls alone.
   bench.add_ball();
-  REQUIRE(bench.desk.save_as(bench.folder / "copy.poff"));
+  REQUIRE(bench.save_as(bench.folder / "copy.poff"));
   CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
   CHECK(bench.editor.is_modified());
   CHECK(bench.desk.sample_file() == bench.folder / "copy.poff");
@@ -96,11 +111,11 @@ TEST_CASE("samples added to a file of balls are not lost in it") {
   const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
   REQUIRE_FALSE(bench.open(balls).error);
   bench.add_sample();
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK(bench.editor.is_modified());
   CHECK(bench.desk.unsaved().samples);
   CHECK(bench.folder.file_count() == 1);
-  REQUIRE(bench.desk.save_as(bench.folder / "a.poff"));
+  REQUIRE(bench.save_as(bench.folder / "a.poff"));
   CHECK_FALSE(bench.editor.is_modified());
 }
 
@@ -109,7 +124,7 @@ TEST_CASE("a file that cannot be written leaves the files as they were chosen be
   const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
   REQUIRE_FALSE(bench.open(balls).error);
   bench.add_ball();
-  const auto saved = bench.desk.save_as(bench.folder / "no such folder" / "b.wpoff");
+  const auto saved = bench.save_as(bench.folder / "no such folder" / "b.wpoff");
   REQUIRE_FALSE(saved);
   CHECK(saved.error().code == ErrorCode::cannot_write);
   CHECK(bench.desk.ball_file() == balls);
@@ -156,7 +171,7 @@ TEST_CASE("a file of samples and one of balls are one document again") {
   CHECK(bench.editor.document().position(0) == Vec2{5, 6});
   bench.add_sample();
   bench.add_ball();
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
   CHECK(contents_of(balls) == "WPOFF 2 0 0\n0 0 2\n1 2 3\n");
   CHECK(contents_of(others) == "POFF 1 0 0\n7 8\n");
@@ -187,12 +202,12 @@ TEST_CASE("a session holds samples, balls and what can be undone") {
   bench.add_sample();
   bench.add_ball();
   const auto file = bench.folder.path() / "a.json";
-  REQUIRE(bench.desk.save_as(file));
+  REQUIRE(bench.save_as(file));
   CHECK_FALSE(bench.editor.is_modified());
   CHECK(bench.desk.title() == "a.json");
   bench.add_ball();
   CHECK(bench.desk.unsaved().samples);
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK(bench.is_complete());
   const std::uint64_t digest = bench.editor.document().digest();
 
@@ -212,7 +227,7 @@ TEST_CASE("a session holds samples, balls and what can be undone") {
   CHECK(bench.editor.document().sample_count() == 2);
 
   // The samples alone are saved: what a session held besides counts as unsaved.
-  REQUIRE(bench.desk.save_as(bench.folder.path() / "b.poff"));
+  REQUIRE(bench.save_as(bench.folder.path() / "b.poff"));
   CHECK_FALSE(bench.desk.has_session_file());
   CHECK_FALSE(bench.desk.unsaved().samples);
 }
@@ -222,11 +237,11 @@ TEST_CASE("a session that cannot be written leaves file, title and mark as they 
   const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
   REQUIRE_FALSE(bench.open(file).error);
   bench.add_sample();
-  CHECK_FALSE(bench.desk.save_as(bench.folder.path() / "no" / "such" / "folder" / "a.json"));
+  CHECK_FALSE(bench.save_as(bench.folder.path() / "no" / "such" / "folder" / "a.json"));
   CHECK(bench.desk.file() == file);
   CHECK(bench.desk.title() == "a.poff");
   CHECK(bench.editor.is_modified());
-  REQUIRE(bench.desk.save());
+  REQUIRE(bench.save());
   CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
 }
 
@@ -236,6 +251,47 @@ TEST_CASE("recovered work has no file and counts as unsaved") {
   CHECK(bench.desk.file().empty());
   CHECK(bench.editor.is_modified());
   CHECK(bench.desk.unsaved().samples);
-  REQUIRE(bench.desk.save_as(bench.folder.path() / "x.poff"));
+  REQUIRE(bench.save_as(bench.folder.path() / "x.poff"));
   CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("what is edited while a file is written stays unsaved") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  bench.add_sample();
+  bench.desk.save();
+  bench.add_sample();
+  REQUIRE(bench.saved());
+  CHECK(bench.editor.is_modified());
+  CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
+  bench.editor.undo();
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.is_complete());
+}
+
+TEST_CASE("a second save waits for the first, and the end of the desk for both") {
+  const test::TemporaryFolder folder;
+  {
+    Bench bench;
+    for (int i = 0; i < 20; ++i) {
+      bench.add_sample();
+      bench.desk.save_as(folder / ("file" + std::to_string(i) + ".poff"));
+    }
+  }
+  for (int i = 0; i < 20; ++i)
+    CHECK(contents_of(folder / ("file" + std::to_string(i) + ".poff")).starts_with("POFF " + std::to_string(i + 1)));
+}
+
+TEST_CASE("a save that ends after something else was opened marks nothing of it") {
+  Bench bench;
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n")).error);
+  bench.add_sample();
+  bench.desk.save_as(bench.folder / "b.json");
+  bench.desk.start_empty();
+  bench.add_sample();
+  REQUIRE(bench.saved());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.title() == "Untitled");
+  CHECK(bench.desk.file().empty());
 }
