@@ -23,9 +23,12 @@ constexpr std::array kOffers{Offer{ActionId::tool_spray, "Draw a curve"}, Offer{
 }  // namespace
 
 void draw_empty_hint(const PanelContext& context, ImVec2 middle) {
-  if (!context.editor.document().is_empty() || context.files.is_reading() || context.canvas.has_pointer()) return;
+  const bool has_picture = context.picture.background_aspect() > 0.0;
+  if (!context.editor.document().is_empty() || has_picture || context.files.is_reading() ||
+      context.canvas.has_pointer())
+    return;
   const float unit = context.gui.unit();
-  const float size = 17.0F * unit;
+  const float size = ImGui::GetFontSize();
   const float line = 1.7F * size;
   // Right of the key and left of the text.
   const float gap = 14.0F * unit;

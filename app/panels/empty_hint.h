@@ -6,8 +6,8 @@
 
 namespace mes {
 
-/// Some lines about `middle`, with the keys of the action table; nothing once the document holds anything, or while
-/// the pointer is drawing.
+/// Some lines about `middle`, with the keys of the action table; nothing once the document holds anything, above a
+/// picture to trace, or while the pointer is drawing.
 void draw_empty_hint(const PanelContext& context, ImVec2 middle);
 
 }  // namespace mes
