@@ -54,7 +54,6 @@ void Curve::trace_from(Slot edge) {
     free_chains_.pop_back();
   }
   for (const Slot e : chain.edges) chain_of_edge_[e] = row;
-  for (const Slot s : chain.sites) recorder_.note(s, true);
   set_normals(chain);
   chains_[row] = std::move(chain);
 }
@@ -115,18 +114,26 @@ void Curve::set_normals(const Chain& chain) {
   };
   for (std::size_t i = 0; i < n; ++i) {
     const Slot site = chain.sites[i];
-    normal_[site] = Vec2{};
+    // The ends have none; they may be ends of other chains too.
     if (!chain.closed && (i == 0 || i + 1 == n)) continue;
     const Slot before = chain.sites[i == 0 ? n - 1 : i - 1];
     const Slot after = chain.sites[i + 1 == n ? 0 : i + 1];
     const Vec2 first = unit_normal(before, site);
     const Vec2 sum = first + unit_normal(site, after);
     const double size = length(sum);
-    normal_[site] = size > 1e-12 ? (1.0 / size) * sum : first;
     const Vec2 p = delaunay_.site_position(site);
-    spacing_[site] =
-        0.5 * distance(delaunay_.site_position(before), p) + 0.5 * distance(p, delaunay_.site_position(after));
+    set_normal(
+        site, size > 1e-12 ? (1.0 / size) * sum : first,
+        0.5 * distance(delaunay_.site_position(before), p) + 0.5 * distance(p, delaunay_.site_position(after)));
+    has_new_normal_.insert(site);
   }
+}
+
+// A long chain that is traced again keeps most of its normals.
+void Curve::set_normal(Slot site, Vec2 normal, double spacing) {
+  if (normal_[site] != normal || spacing_[site] != spacing) recorder_.note(site, true);
+  normal_[site] = normal;
+  spacing_[site] = spacing;
 }
 
 void Curve::dissolve(Slot row) {
@@ -134,10 +141,7 @@ void Curve::dissolve(Slot row) {
   if (chain.sites.empty()) return;
   for (const Slot edge : chain.edges)
     if (chain_of_edge_[edge] == row) chain_of_edge_[edge] = kNoSlot;
-  for (const Slot site : chain.sites) {
-    normal_[site] = Vec2{};
-    recorder_.note(site, true);
-  }
+  dissolved_.insert(dissolved_.end(), chain.sites.begin(), chain.sites.end());
   seeds_.insert(seeds_.end(), chain.edges.begin(), chain.edges.end());
   chain = Chain{};
   free_chains_.push_back(row);
@@ -151,6 +155,7 @@ void Curve::rebuild(JobControl& job) {
   normal_.assign(delaunay_.site_rows(), Vec2{});
   spacing_.assign(delaunay_.site_rows(), 0.0);
   recorder_.begin(delaunay_.site_rows());
+  has_new_normal_.begin(delaunay_.site_rows());
   for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
     if ((edge & 0xffffU) == 0) job.checkpoint(edge, delaunay_.edge_rows());
     if (delaunay_.edge(edge).is_alive() && crust_.is_crust(edge) && chain_of_edge_[edge] == kNoSlot) trace_from(edge);
@@ -162,7 +167,9 @@ bool Curve::update(JobControl&) {
   normal_.resize(delaunay_.site_rows(), Vec2{});
   spacing_.resize(delaunay_.site_rows(), 0.0);
   recorder_.begin(delaunay_.site_rows());
+  has_new_normal_.begin(delaunay_.site_rows());
   seeds_.clear();
+  dissolved_.clear();
   const auto touch = [this](Slot edge) {
     if (chain_of_edge_[edge] != kNoSlot) dissolve(chain_of_edge_[edge]);
     chain_of_edge_[edge] = kNoSlot;
@@ -177,14 +184,13 @@ bool Curve::update(JobControl&) {
       if (crust_.is_crust(edge)) touch(edge);
     });
   }
-  for (const Slot site : crust_.site_changes().removed) {
-    normal_[site] = Vec2{};
-    recorder_.note(site, true);
-  }
+  for (const Slot site : crust_.site_changes().removed) recorder_.note(site, true);
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     const Slot edge = seeds_[i];
     if (delaunay_.edge(edge).is_alive() && crust_.is_crust(edge) && chain_of_edge_[edge] == kNoSlot) trace_from(edge);
   }
+  for (const Slot site : dissolved_)
+    if (!has_new_normal_.contains(site)) set_normal(site, {}, 0.0);
   recorder_.finish(site_changes_, [this](Slot site) { return delaunay_.is_site(site); });
   return true;
 }

@@ -20,7 +20,8 @@ namespace mes {
 ///  the
 ///     unit normals of its two edges, or at a cusp where that sum vanishes the normal of the edge before it.
 ///
-/// Cost: rebuild O(n); an update traces the chains through changed sites again, so O(length of those chains).
+/// Cost: rebuild O(n); an update traces the chains through changed sites again, so O(length of those chains), and
+/// tells of those sites only whose normals are other ones.
 class Curve final : public Structure {
  public:
   struct Chain {
@@ -41,7 +42,7 @@ class Curve final : public Structure {
   /// Mean length of the two curve edges at a site with a normal.
   double spacing(Slot site) const { return spacing_[site]; }
 
-  /// Sites whose normal or chain changed.
+  /// Sites that moved, came or went, and those whose normal or spacing is another one.
   const ChangeSet& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
@@ -59,6 +60,7 @@ class Curve final : public Structure {
   }
   void orient(Chain& chain) const;
   void set_normals(const Chain& chain);
+  void set_normal(Slot site, Vec2 normal, double spacing);
   void dissolve(Slot chain);
 
   Delaunay& delaunay_;
@@ -72,6 +74,9 @@ class Curve final : public Structure {
   ChangeRecorder recorder_;
   ChangeSet site_changes_;
   std::vector<Slot> seeds_;
+  // Of the present update:
+  std::vector<Slot> dissolved_;  ///< sites of chains that are no more
+  SlotMarks has_new_normal_;
 };
 
 }  // namespace mes

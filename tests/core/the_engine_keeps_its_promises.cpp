@@ -193,11 +193,9 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
   client.sync();
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < client.last().layer_count; ++i) {
-    // Normals are sent again for the whole chain through the edit; diagrams of balls, and what is made of all poles,
-    // are made anew.
+    // Diagrams of balls, and what is made of all poles, are made anew.
     const LayerIndex layer = client.last().layers[i].layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
-    if (descriptor.id == "curve-normals") continue;
     if (std::ranges::any_of(descriptor.structures, [](std::string_view s) {
           return s.ends_with("diagram") || s == "p-union" || s == "power-crust";
         }))
