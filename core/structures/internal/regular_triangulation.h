@@ -17,6 +17,7 @@
 #include "core/base/job_control.h"
 #include "core/base/rng.h"
 #include "core/kernel/ball_signs.h"
+#include "core/kernel/filtered_kernel.h"
 #include "core/structures/internal/hilbert.h"
 #include "core/structures/internal/union_tables.h"
 
@@ -53,11 +54,12 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
   struct Info {
     Slot slot = kNoSlot;
   };
+  using Traits = TriangulationTraits<Kernel>;
   using VertexBase =
-      CGAL::Triangulation_vertex_base_with_info_2<Info, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
+      CGAL::Triangulation_vertex_base_with_info_2<Info, Traits, CGAL::Regular_triangulation_vertex_base_2<Traits>>;
   using FaceBase =
-      CGAL::Triangulation_face_base_with_info_2<Info, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
-  using Rt = CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+      CGAL::Triangulation_face_base_with_info_2<Info, Traits, CGAL::Regular_triangulation_face_base_2<Traits>>;
+  using Rt = CGAL::Regular_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
   RegularTables out;
   out.state.assign(balls.size(), BallState::visible);
