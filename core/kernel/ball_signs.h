@@ -13,7 +13,6 @@
 #include <CGAL/Mpzf.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -89,18 +88,27 @@ auto excess_at_center(const BallOf<Number>& a, const BallOf<Number>& b, const Ba
 /// Sign of `excess_at_center` as doubles have it; 0 = not known.
 inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>& b, const BallOf<double>& c,
                                   const BallOf<double>& d) {
-  double m = 0.0;
-  double w = 0.0;
-  for (const BallOf<double>* ball : {&b, &c, &d}) {
-    m = std::max({m, std::abs(ball->x - a.x), std::abs(ball->y - a.y)});
-    w = std::max(w, std::abs(ball->w - a.w));
-  }
-  if (!(m > 1e-70 && m < 1e70 && w < 1e140)) return 0;
-  // With u = 2^-53 and S = 2 m^2 + w, the powers are at most S and off by 5 u S, the determinant by 8 u m^2, and each
-  // of the three products by 20 u m^2 S; adding them up rounds by 10 u m^2 S. The sum of this is 70; 96 leaves room
-  // for the rounding of the bound itself.
-  const double bound = 96.0 * 0x1p-53 * (m * m) * (2.0 * (m * m) + w);
-  const double value = excess_at_center(a, b, c, d);
+  struct Seen {
+    double x, y, power;
+    double size;  // the terms of the power without their signs
+  };
+  const auto seen = [&a](const BallOf<double>& ball) {
+    const double x = ball.x - a.x, y = ball.y - a.y, w = a.w - ball.w;
+    const double dd = x * x + y * y;
+    return Seen{x, y, dd + w, dd + std::abs(w)};
+  };
+  const Seen p = seen(b), q = seen(c), r = seen(d);
+  // Nothing leaves the range of doubles, and what is lost below it is below 1e-182.
+  if (!(p.size < 1e140 && q.size < 1e140 && r.size < 1e140)) return 0;
+  const double value = (p.x * q.y - p.y * q.x) * r.power - (p.power * q.y - q.power * p.y) * r.x -
+                       (q.power * p.x - p.power * q.x) * r.y;
+  const double size = (std::abs(p.x * q.y) + std::abs(p.y * q.x)) * r.size +
+                      (p.size * std::abs(q.y) + q.size * std::abs(p.y)) * std::abs(r.x) +
+                      (q.size * std::abs(p.x) + p.size * std::abs(q.x)) * std::abs(r.y);
+  if (!(size > 1e-160)) return 0;
+  // With u = 2^-53, differences are off by u of themselves, powers by 5 u of their size, the determinant by 4 u, and
+  // each of the three products by 10 u; adding them up rounds by 2 u. 16 leaves room for the rounding of the bound.
+  const double bound = 16.0 * 0x1p-53 * size;
   return value > bound ? 1 : (-value > bound ? -1 : 0);
 }
 
@@ -173,6 +181,7 @@ int sign_of_excess_at_foot(const Ball& a, const Ball& b, const Ball& c) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_at_foot(x...); }, a, b, c);
 }
 /// Of the power of d at the point of equal power of a, b, c less their power there, if abc runs counter-clockwise.
+/// Without weights: negative exactly if d lies inside the circle of a, b, c.
 template <class Kernel, class Ball>
 int sign_of_excess_at_center(const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
   const auto polynomial = [](const auto&... x) { return ball_polynomials::excess_at_center(x...); };
