@@ -7,10 +7,12 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/base/job_control.h"
 #include "core/base/slot.h"
+#include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/internal/hilbert.h"
 
@@ -74,5 +76,11 @@ PointTriangulation point_triangulation(const std::vector<typename Kernel::Point_
 /// alone.
 template <>
 PointTriangulation point_triangulation<FastKernel>(const std::vector<FastKernel::Point_2>& points, JobControl& job);
+
+/// Regular triangulation of balls in the same way. Nothing where a ball is hidden by others about other centres,
+/// where three centres along a hull on the way are collinear, or where fewer than three differ. `same_as`: of balls
+/// about one centre the largest; kNoSlot where all are left out.
+std::optional<PointTriangulation> ball_triangulation(const std::vector<BallOf<double>>& balls,
+                                                     const std::vector<bool>& left_out, JobControl& job);
 
 }  // namespace mes

@@ -250,9 +250,10 @@ class UnionPipeline {
   bool is_plain(Slot face) const { return face != kNoSlot && t_.v_faces[face].ball == kNoSlot; }
   void spread_labels();
   void place_faces();
-  std::optional<AxisPiece> piece_of(const Cut& cut) const;
+  /// Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut goes on for ever.
+  Slot node_at(const Cut& cut, std::size_t i) const;
+  AxisPiece piece_of(const Cut& cut) const;
   void make_axis();
-  Slot node_of(Slot face) const;
   Circle circle_of(Slot face) const;
 
   std::span<const PipelineBall> input_;
@@ -347,17 +348,15 @@ void UnionPipeline<Balls, Points>::classify() {
       face_sign_[f] =
           static_cast<std::int8_t>(sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]));
   };
-  if constexpr (std::is_same_v<BallNumber, double>) {
-    parallel_for(rt_.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t f = begin; f < end && !job_.stop_requested(); ++f) judge(static_cast<Slot>(f));
-    });
-  } else {
-    for (Slot f = 0; f < rt_.faces.size(); ++f) {
+  in_parts(rt_.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t f = begin; f < end; ++f) {
       if ((f & 0xffU) == 0) job_.checkpoint(f, 4 * rt_.faces.size());
-      judge(f);
+      judge(static_cast<Slot>(f));
     }
-  }
+  });
   job_.checkpoint();
+  t_.dual_faces.reserve(
+      static_cast<std::size_t>(std::ranges::count_if(face_sign_, [](int sign) { return sign <= 0; })));
   for (Slot f = 0; f < rt_.faces.size(); ++f) {
     if (is_infinite(f)) continue;
     const auto& v = rt_.faces[f].v;
@@ -372,6 +371,7 @@ void UnionPipeline<Balls, Points>::classify() {
   }
   group_zero_faces();
   dual_of_edge_.assign(rt_.edges.size(), kNoSlot);
+  t_.dual_edges.reserve(rt_.edges.size());
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
     const auto& edge = rt_.edges[e];
     int triangles = 0;
@@ -749,6 +749,7 @@ void UnionPipeline<Balls, Points>::ask_balls(Look look) {
       // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
       Slot& owner = t_.v_faces[face].ball;
       if (owner == kNoSlot || comes_before(ball, owner)) owner = ball;
+      t_.v_faces[face].is_inside = 1;
     }
   }
 }
@@ -822,12 +823,6 @@ UnionTables UnionPipeline<Balls, Points>::run_v_diagram(const KnownVPoints& know
   spread_labels();
   place_faces();
   return std::move(t_);
-}
-
-template <class Balls, class Points>
-Slot UnionPipeline<Balls, Points>::node_of(Slot face) const {
-  const Slot ball = t_.v_faces[face].ball;
-  return ball != kNoSlot ? ball : static_cast<Slot>(t_.balls.size()) + face;
 }
 
 template <class Balls, class Points>
@@ -932,8 +927,6 @@ void UnionPipeline<Balls, Points>::cut_edges() {
 // What lies in |R| at one end does so up to the next centre, through all faces on the way.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::spread_labels() {
-  for (VFace& face : t_.v_faces)
-    if (face.ball != kNoSlot) face.is_inside = 1;
   std::vector<Slot> stack;
   const auto settle = [&](const Cut& cut) {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -979,24 +972,25 @@ void UnionPipeline<Balls, Points>::place_faces() {
 }
 
 template <class Balls, class Points>
-std::optional<AxisPiece> UnionPipeline<Balls, Points>::piece_of(const Cut& cut) const {
+Slot UnionPipeline<Balls, Points>::node_at(const Cut& cut, std::size_t i) const {
+  if (cut.end[i] != kNoSlot) return input_[cut.end[i]].row;
+  const Slot face = t_.v_edges[cut.edge].f[i];
+  if (face == kNoSlot) return kNoSlot;
+  const Slot ball = t_.v_faces[face].ball;
+  return ball != kNoSlot ? ball : static_cast<Slot>(t_.balls.size()) + face;
+}
+
+template <class Balls, class Points>
+AxisPiece UnionPipeline<Balls, Points>::piece_of(const Cut& cut) const {
   const VEdge& edge = t_.v_edges[cut.edge];
-  AxisPiece piece{.v = {edge.v[0], edge.v[1]}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    Vec2& at = i == 0 ? piece.a : piece.b;
-    double& radius = i == 0 ? piece.radius_a : piece.radius_b;
-    if (cut.end[i] != kNoSlot) {
-      const PipelineBall& ball = input_[cut.end[i]];
-      piece.node[i] = ball.row;
-      at = ball.disk.center;
-      radius = ball.radius();
-    } else {
-      if (edge.f[i] == kNoSlot) return std::nullopt;
-      piece.node[i] = node_of(edge.f[i]);
-      at = t_.v_faces[edge.f[i]].center;
-      radius = t_.v_faces[edge.f[i]].radius;
-    }
-  }
+  const auto disk_at = [&](std::size_t i) {
+    if (cut.end[i] != kNoSlot) return Disk{input_[cut.end[i]].disk.center, input_[cut.end[i]].radius()};
+    const VFace& face = t_.v_faces[edge.f[i]];
+    return Disk{face.center, face.radius};
+  };
+  const Disk a = disk_at(0);
+  const Disk b = disk_at(1);
+  AxisPiece piece{a.center, b.center, a.radius, b.radius, {node_at(cut, 0), node_at(cut, 1)}, {edge.v[0], edge.v[1]}};
   if (is_plain(face_at(cut, 0)) && is_plain(face_at(cut, 1))) piece.is_zero = piece.a == piece.b ? 1 : 0;
   return piece;
 }
@@ -1004,28 +998,34 @@ std::optional<AxisPiece> UnionPipeline<Balls, Points>::piece_of(const Cut& cut) 
 // The cuts that lie in |R|, and the singular dual edges.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::make_axis() {
-  std::vector<std::vector<AxisPiece>> pieces(part_count(cuts_.size()));
-  std::vector<std::int64_t> unbounded(pieces.size(), 0);
+  // Cuts between two triangles of one circle have no length.
+  const auto is_kept = [this](const Cut& cut) {
+    if (cut.label != Label::in) return false;
+    const Slot a = node_at(cut, 0);
+    const Slot b = node_at(cut, 1);
+    return a != kNoSlot && b != kNoSlot && a != b;
+  };
+  std::vector<std::size_t> place(part_count(cuts_.size()) + 1, 0);
+  std::vector<std::int64_t> unbounded(place.size(), 0);
   in_parts(cuts_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    std::size_t kept = 0;
     for (std::size_t c = begin; c < end; ++c) {
-      if (cuts_[c].label != Label::in) continue;
-      const auto piece = piece_of(cuts_[c]);
-      if (!piece) {
+      if (is_kept(cuts_[c])) ++kept;
+      if (cuts_[c].label == Label::in && (node_at(cuts_[c], 0) == kNoSlot || node_at(cuts_[c], 1) == kNoSlot))
         ++unbounded[part];
-      } else if (piece->node[0] != piece->node[1]) {
-        // Otherwise it lies between two triangles of one circle.
-        pieces[part].push_back(*piece);
-      }
     }
+    place[part + 1] = kept;
   });
-  std::size_t count = 0;
-  for (const auto& part : pieces) count += part.size();
-  for (const DualEdge& edge : t_.dual_edges) count += edge.kind == DualClass::singular ? 1 : 0;
-  t_.axis.reserve(count);
-  for (std::size_t part = 0; part < pieces.size(); ++part) {
-    t_.axis.insert(t_.axis.end(), pieces[part].begin(), pieces[part].end());
-    t_.counts.contradictions += unbounded[part];
-  }
+  for (std::size_t part = 1; part < place.size(); ++part) place[part] += place[part - 1];
+  for (const std::int64_t count : unbounded) t_.counts.contradictions += count;
+  const auto singular = std::ranges::count(t_.dual_edges, DualClass::singular, &DualEdge::kind);
+  t_.axis.reserve(place.back() + static_cast<std::size_t>(singular));
+  t_.axis.resize(place.back());
+  in_parts(cuts_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    std::size_t at = place[part];
+    for (std::size_t c = begin; c < end; ++c)
+      if (is_kept(cuts_[c])) t_.axis[at++] = piece_of(cuts_[c]);
+  });
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
     const Slot row = dual_of_edge_[e];
     if (row == kNoSlot || t_.dual_edges[row].kind != DualClass::singular) continue;
