@@ -160,6 +160,7 @@ class UnionPipeline {
   void triangulate();
   void leave_out_covered();
   void classify();
+  std::int8_t dual_triangles_at(const RegularTables::Edge& edge) const;
   void group_zero_faces();
   void make_v_points();
   struct Crossing {
@@ -372,26 +373,33 @@ void UnionPipeline<Balls, Points>::classify() {
   group_zero_faces();
   dual_of_edge_.assign(rt_.edges.size(), kNoSlot);
   t_.dual_edges.reserve(rt_.edges.size());
+  std::vector<std::int8_t> triangles_at(rt_.edges.size());  // -1 = the edge is not in
+  in_parts(rt_.edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t e = begin; e < end; ++e) triangles_at[e] = dual_triangles_at(rt_.edges[e]);
+  });
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
-    const auto& edge = rt_.edges[e];
-    int triangles = 0;
-    bool attached = false;
-    const BallOf<BallNumber>& a = ball_[edge.v[0]];
-    const BallOf<BallNumber>& b = ball_[edge.v[1]];
-    for (const Slot f : edge.f)
-      if (f != kNoSlot && face_sign_[f] <= 0) ++triangles;
-    if (triangles == 0) {
-      for (const Slot f : edge.f) {
-        if (f == kNoSlot || is_infinite(f)) continue;
-        for (const Slot c : rt_.faces[f].v)
-          if (c != edge.v[0] && c != edge.v[1])
-            attached = attached || sign_of_excess_at_foot<Balls>(a, b, ball_[c]) < 0;
-      }
-      if (attached || sign_of_edge_radius<Balls>(a, b) > 0) continue;
-    }
+    if (triangles_at[e] < 0) continue;
+    const auto& ball = rt_.edges[e].v;
     dual_of_edge_[e] = static_cast<Slot>(t_.dual_edges.size());
-    t_.dual_edges.push_back({{input_[edge.v[0]].row, input_[edge.v[1]].row}, static_cast<DualClass>(triangles), 0});
+    t_.dual_edges.push_back({{input_[ball[0]].row, input_[ball[1]].row}, static_cast<DualClass>(triangles_at[e]), 0});
   }
+}
+
+// How many of them are in; -1 if the edge itself is not.
+template <class Balls, class Points>
+std::int8_t UnionPipeline<Balls, Points>::dual_triangles_at(const RegularTables::Edge& edge) const {
+  std::int8_t triangles = 0;
+  for (const Slot f : edge.f)
+    if (f != kNoSlot && face_sign_[f] <= 0) ++triangles;
+  if (triangles != 0) return triangles;
+  const BallOf<BallNumber>& a = ball_[edge.v[0]];
+  const BallOf<BallNumber>& b = ball_[edge.v[1]];
+  for (const Slot f : edge.f) {
+    if (f == kNoSlot || is_infinite(f)) continue;
+    for (const Slot c : rt_.faces[f].v)
+      if (c != edge.v[0] && c != edge.v[1] && sign_of_excess_at_foot<Balls>(a, b, ball_[c]) < 0) return -1;
+  }
+  return sign_of_edge_radius<Balls>(a, b) > 0 ? std::int8_t{-1} : std::int8_t{0};
 }
 
 // Triangles of radius zero that have their centre in common: around a sample, for Voronoi balls.
