@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/box2.h"
 #include "core/base/circumcircle.h"
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
@@ -822,6 +823,7 @@ UnionTables UnionPipeline<Balls, Points>::run_v_diagram(const KnownVPoints& know
     if constexpr (!kIsDouble) v_at_.push_back(raw_point_.back());
   }
   crossings_ = point_triangulation<Points>(raw_point_, job_);
+  for (Slot i = 0; i < raw_point_.size(); ++i) MES_ASSERT(crossings_.same_as[i] == i);
   triangulate_v_points();
   ask_balls([&](Slot ball, Findings& found) {
     found.places = known.places[ball];
