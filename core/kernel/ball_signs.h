@@ -13,7 +13,11 @@
 #include <CGAL/Mpzf.h>
 #include <CGAL/number_utils.h>
 
+#include <cmath>
+#include <type_traits>
+
 #include "core/kernel/kernels.h"
+#include "core/kernel/two_doubles.h"
 
 namespace mes {
 
@@ -22,62 +26,90 @@ struct BallOf {
   Number x, y, w;
 };
 
+/// Differences of `Number` and what is made of them may be of another type.
 namespace ball_polynomials {
 
 template <class Number>
-Number orthogonal_radius(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
-  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-  const Number pb = bx * bx + by * by - b.w + a.w;
-  const Number pc = cx * cx + cy * cy - c.w + a.w;
-  const Number det = bx * cy - by * cx;
-  const Number nx = pb * cy - pc * by;
-  const Number ny = pc * bx - pb * cx;
+auto orthogonal_radius(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+  const auto bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const auto pb = bx * bx + by * by + (a.w - b.w);
+  const auto pc = cx * cx + cy * cy + (a.w - c.w);
+  const auto det = bx * cy - by * cx;
+  const auto nx = pb * cy - pc * by;
+  const auto ny = pc * bx - pb * cx;
   return nx * nx + ny * ny - Number(4) * det * det * a.w;
 }
 
 template <class Number>
-Number edge_radius(const BallOf<Number>& a, const BallOf<Number>& b) {
-  const Number bx = b.x - a.x, by = b.y - a.y;
-  const Number dd = bx * bx + by * by;
-  const Number pb = dd - b.w + a.w;
+auto edge_radius(const BallOf<Number>& a, const BallOf<Number>& b) {
+  const auto bx = b.x - a.x, by = b.y - a.y;
+  const auto dd = bx * bx + by * by;
+  const auto pb = dd + (a.w - b.w);
   return pb * pb - Number(4) * dd * a.w;
 }
 
 /// Squared distance of the centres less both weights: negative exactly if the circles meet under an obtuse angle.
 template <class Number>
-Number gap(const BallOf<Number>& a, const BallOf<Number>& b) {
-  const Number bx = b.x - a.x, by = b.y - a.y;
+auto gap(const BallOf<Number>& a, const BallOf<Number>& b) {
+  const auto bx = b.x - a.x, by = b.y - a.y;
   return bx * bx + by * by - a.w - b.w;
 }
 
 /// Power of b at the centre of a, less that of a.
 template <class Number>
-Number excess_of_neighbour(const BallOf<Number>& a, const BallOf<Number>& b) {
-  const Number bx = b.x - a.x, by = b.y - a.y;
-  return bx * bx + by * by - b.w + a.w;
+auto excess_of_neighbour(const BallOf<Number>& a, const BallOf<Number>& b) {
+  const auto bx = b.x - a.x, by = b.y - a.y;
+  return bx * bx + by * by + (a.w - b.w);
 }
 
 /// Power of c at the foot of ab, less the power of a and b there.
 template <class Number>
-Number excess_at_foot(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
-  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-  const Number dd = bx * bx + by * by;
-  const Number pb = dd - b.w + a.w;
-  const Number pc = cx * cx + cy * cy - c.w + a.w;
+auto excess_at_foot(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+  const auto bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const auto dd = bx * bx + by * by;
+  const auto pb = dd + (a.w - b.w);
+  const auto pc = cx * cx + cy * cy + (a.w - c.w);
   return dd * pc - pb * (bx * cx + by * cy);
 }
 
 /// Power of d at the point of equal power of a, b, c less their power there, times 2 det(b - a, c - a).
 template <class Number>
-Number excess_at_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
-                        const BallOf<Number>& d) {
-  const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-  const Number dx = d.x - a.x, dy = d.y - a.y;
-  const Number pb = bx * bx + by * by - b.w + a.w;
-  const Number pc = cx * cx + cy * cy - c.w + a.w;
-  const Number pd = dx * dx + dy * dy - d.w + a.w;
-  const Number det = bx * cy - by * cx;
+auto excess_at_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
+                      const BallOf<Number>& d) {
+  const auto bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const auto dx = d.x - a.x, dy = d.y - a.y;
+  const auto pb = bx * bx + by * by + (a.w - b.w);
+  const auto pc = cx * cx + cy * cy + (a.w - c.w);
+  const auto pd = dx * dx + dy * dy + (a.w - d.w);
+  const auto det = bx * cy - by * cx;
   return det * pd - (pb * cy - pc * by) * dx - (pc * bx - pb * cx) * dy;
+}
+
+/// Sign of `excess_at_center` as doubles have it; 0 = not known.
+inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>& b, const BallOf<double>& c,
+                                  const BallOf<double>& d) {
+  struct Seen {
+    double x, y, power;
+    double size;  // the terms of the power without their signs
+  };
+  const auto seen = [&a](const BallOf<double>& ball) {
+    const double x = ball.x - a.x, y = ball.y - a.y, w = a.w - ball.w;
+    const double dd = x * x + y * y;
+    return Seen{x, y, dd + w, dd + std::abs(w)};
+  };
+  const Seen p = seen(b), q = seen(c), r = seen(d);
+  // Nothing leaves the range of doubles, and what is lost below it is below 1e-182.
+  if (!(p.size < 1e140 && q.size < 1e140 && r.size < 1e140)) return 0;
+  const double value = (p.x * q.y - p.y * q.x) * r.power - (p.power * q.y - q.power * p.y) * r.x -
+                       (q.power * p.x - p.power * q.x) * r.y;
+  const double size = (std::abs(p.x * q.y) + std::abs(p.y * q.x)) * r.size +
+                      (p.size * std::abs(q.y) + q.size * std::abs(p.y)) * std::abs(r.x) +
+                      (q.size * std::abs(p.x) + p.size * std::abs(q.x)) * std::abs(r.y);
+  if (!(size > 1e-160)) return 0;
+  // With u = 2^-53, differences are off by u of themselves, powers by 5 u of their size, the determinant by 4 u, and
+  // each of the three products by 10 u; adding them up rounds by 2 u. 16 leaves room for the rounding of the bound.
+  const double bound = 16.0 * 0x1p-53 * size;
+  return value > bound ? 1 : (-value > bound ? -1 : 0);
 }
 
 }  // namespace ball_polynomials
@@ -92,22 +124,32 @@ struct BallSigns {
   }
 };
 
-/// Exact for the given doubles: intervals first, then sums of products of any length. Threads may share it.
+/// Exact for the given doubles: intervals first, then twice the length of a double, then any length. Threads may
+/// share it. Circles through a common sample have values of the size of their rounding, which the second step
+/// decides.
 template <>
 struct BallSigns<FastKernel> {
   using Number = double;
   template <class Polynomial, class... Ball>
   static int sign(Polynomial polynomial, const Ball&... balls) {
     using Interval = CGAL::Interval_nt<false>;
-    using Exact = CGAL::Mpzf;
     {
       CGAL::Protect_FPU_rounding<true> rounding;
       const Interval value = polynomial(BallOf<Interval>{Interval(balls.x), Interval(balls.y), Interval(balls.w)}...);
       if (value.inf() > 0.0) return 1;
       if (value.sup() < 0.0) return -1;
     }
-    return static_cast<int>(
-        CGAL::sign(polynomial(BallOf<Exact>{Exact(balls.x), Exact(balls.y), Exact(balls.w)}...)));
+    return sign_without_filter(polynomial, balls...);
+  }
+  template <class Polynomial, class... Ball>
+  static int sign_without_filter(Polynomial polynomial, const Ball&... balls) {
+    using Exact = CGAL::Mpzf;
+    const auto given = [](const auto& ball) {
+      return BallOf<GivenDouble>{GivenDouble(ball.x), GivenDouble(ball.y), GivenDouble(ball.w)};
+    };
+    const TwoDoubles longer = polynomial(given(balls)...);
+    if (const int known = longer.sign(); known != 0) return known;
+    return static_cast<int>(CGAL::sign(polynomial(BallOf<Exact>{Exact(balls.x), Exact(balls.y), Exact(balls.w)}...)));
   }
 };
 
@@ -138,11 +180,24 @@ template <class Kernel, class Ball>
 int sign_of_excess_at_foot(const Ball& a, const Ball& b, const Ball& c) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_at_foot(x...); }, a, b, c);
 }
+/// Of the power of d at the point of equal power of a, b, c less their power there, if abc runs counter-clockwise.
+/// Without weights: negative exactly if d lies inside the circle of a, b, c.
+template <class Kernel, class Ball>
+int sign_of_excess_at_center(const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
+  const auto polynomial = [](const auto&... x) { return ball_polynomials::excess_at_center(x...); };
+  if constexpr (std::is_same_v<Kernel, FastKernel>) {
+    if (const int known = ball_polynomials::quick_excess_at_center(a, b, c, d); known != 0) return known;
+    // The same determinant from another origin: of two balls in nearly one place one had better be the origin.
+    if (const int known = ball_polynomials::quick_excess_at_center(c, d, a, b); known != 0) return known;
+    return BallSigns<Kernel>::sign_without_filter(polynomial, a, b, c, d);
+  } else {
+    return BallSigns<Kernel>::sign(polynomial, a, b, c, d);
+  }
+}
 /// The four have a point of equal power.
 template <class Kernel, class Ball>
 bool have_common_center(const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
-  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_at_center(x...); }, a, b, c,
-                                 d) == 0;
+  return sign_of_excess_at_center<Kernel>(a, b, c, d) == 0;
 }
 
 }  // namespace mes

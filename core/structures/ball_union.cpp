@@ -236,15 +236,19 @@ namespace {
 // Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
 std::vector<Slot> rows_by_place(const BallFamily& family) {
   std::vector<KeyedSlot> order;
+  std::vector<Vec2> centers;
+  order.reserve(family.rows());
+  centers.reserve(family.rows());
   Box2 box;
   for (Slot row = 0; row < family.rows(); ++row) {
     if (!family.is_ball(row)) continue;
     order.push_back({0, row});
-    if (const Vec2 center = family.disk(row).center; is_finite(center)) box.add(center);
+    centers.push_back(family.disk(row).center);
+    if (is_finite(centers.back())) box.add(centers.back());
   }
   const HilbertGrid grid(box);
-  for (KeyedSlot& item : order)
-    if (const Vec2 center = family.disk(item.slot).center; is_finite(center)) item.key = grid.key(center);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (is_finite(centers[i])) order[i].key = grid.key(centers[i]);
   std::vector<KeyedSlot> scratch;
   radix_sort(order, scratch, 32);
   // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
@@ -272,7 +276,11 @@ ScaledBalls scaled_balls(const BallFamily& family) {
   double largest = 0.0;
   std::vector<std::size_t> first_sample;
   const auto note_size = [&largest](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
-  for (const Slot row : rows_by_place(family)) {
+  const std::vector<Slot> rows = rows_by_place(family);
+  out.balls.reserve(rows.size());
+  first_sample.reserve(rows.size() + 1);
+  if (family.touch_samples()) out.samples.reserve(3 * rows.size());
+  for (const Slot row : rows) {
     PipelineBall ball;
     ball.row = row;
     ball.disk = family.plain_disk(row);

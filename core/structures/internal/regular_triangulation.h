@@ -15,9 +15,11 @@
 
 #include "core/base/box2.h"
 #include "core/base/job_control.h"
-#include "core/base/rng.h"
+#include "core/base/parallel.h"
 #include "core/kernel/ball_signs.h"
+#include "core/kernel/filtered_kernel.h"
 #include "core/structures/internal/hilbert.h"
+#include "core/structures/internal/point_triangulation.h"
 #include "core/structures/internal/union_tables.h"
 
 namespace mes {
@@ -44,6 +46,52 @@ struct RegularTables {
   std::vector<Slot> same_as;     ///< by ball: itself, or for a duplicate the ball that stands for it
 };
 
+/// The same tables from a triangulation of dimension 2.
+inline RegularTables tables_of(const PointTriangulation& triangulation, const std::vector<BallOf<double>>& balls) {
+  RegularTables out;
+  out.dimension = 2;
+  out.state.assign(balls.size(), BallState::hidden);
+  out.same_as.resize(balls.size());
+  const std::size_t finite = triangulation.faces.size();
+  out.faces.reserve(finite + finite / 8);
+  std::vector<Slot> outside_from(balls.size(), kNoSlot);  // the triangle outside the hull edge that begins at a ball
+  for (const auto& face : triangulation.faces) {
+    RegularTables::Face& row = out.faces.emplace_back();
+    std::ranges::copy(face.v, row.v);
+    std::ranges::copy(face.n, row.n);
+    for (const Slot v : face.v) out.state[v] = BallState::visible;
+  }
+  for (Slot f = 0; f < finite; ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (out.faces[f].n[i] != kNoSlot) continue;
+      const Slot from = out.faces[f].v[(i + 1) % 3];
+      const Slot to = out.faces[f].v[(i + 2) % 3];
+      outside_from[from] = out.faces[f].n[i] = static_cast<Slot>(out.faces.size());
+      out.faces.push_back({{to, from, kInfiniteBall}, {kNoSlot, kNoSlot, f}});
+    }
+  }
+  for (auto f = static_cast<Slot>(finite); f < out.faces.size(); ++f) {
+    // The next one begins where this one ends.
+    const Slot next = outside_from[out.faces[f].v[0]];
+    out.faces[f].n[1] = next;
+    out.faces[next].n[0] = f;
+  }
+  out.edges.reserve(3 * balls.size());
+  for (Slot f = 0; f < finite; ++f) {
+    const RegularTables::Face& face = out.faces[f];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (f < face.n[i]) out.edges.push_back({{face.v[(i + 1) % 3], face.v[(i + 2) % 3]}, {f, face.n[i]}});
+  }
+  for (Slot i = 0; i < balls.size(); ++i) {
+    const Slot same = triangulation.same_as[i];
+    const bool is_equal =
+        same != kNoSlot && same != i && balls[same].w == balls[i].w && out.state[same] == BallState::visible;
+    out.same_as[i] = is_equal ? same : i;
+    if (is_equal) out.state[i] = BallState::duplicate;
+  }
+  return out;
+}
+
 /// O(n log n) typical, for balls that come in the order of neighbours (as `scaled_balls` gives them). Decisions are
 /// those of the kernel: exact for `FastKernel` (on the doubles it is given) and for the exact kernels. Balls that are
 /// left out count as hidden.
@@ -53,12 +101,16 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
   struct Info {
     Slot slot = kNoSlot;
   };
+  using Traits = TriangulationTraits<Kernel>;
   using VertexBase =
-      CGAL::Triangulation_vertex_base_with_info_2<Info, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
+      CGAL::Triangulation_vertex_base_with_info_2<Info, Traits, CGAL::Regular_triangulation_vertex_base_2<Traits>>;
   using FaceBase =
-      CGAL::Triangulation_face_base_with_info_2<Info, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
-  using Rt = CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+      CGAL::Triangulation_face_base_with_info_2<Info, Traits, CGAL::Regular_triangulation_face_base_2<Traits>>;
+  using Rt = CGAL::Regular_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
+  if constexpr (std::is_same_v<Kernel, FastKernel>) {
+    if (const auto triangulation = ball_triangulation(balls, left_out, job)) return tables_of(*triangulation, balls);
+  }
   RegularTables out;
   out.state.assign(balls.size(), BallState::visible);
   out.same_as.resize(balls.size());
@@ -114,13 +166,17 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
   out.faces.resize(order.size());
   for (Slot slot = 0; slot < order.size(); ++slot) handles[order[slot].slot]->info().slot = slot;
   out.edges.reserve(3 * balls.size());
-  for (Slot slot = 0; slot < order.size(); ++slot) {
-    const auto f = handles[order[slot].slot];
-    RegularTables::Face& face = out.faces[slot];
-    for (int i = 0; i < 3; ++i) {
-      face.v[i] = ball_of(f->vertex(i));
-      face.n[i] = f->neighbor(i)->info().slot;
+  parallel_for(order.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const auto f = handles[order[slot].slot];
+      for (int i = 0; i < 3; ++i) {
+        out.faces[slot].v[i] = ball_of(f->vertex(i));
+        out.faces[slot].n[i] = f->neighbor(i)->info().slot;
+      }
     }
+  });
+  for (Slot slot = 0; slot < order.size(); ++slot) {
+    const RegularTables::Face& face = out.faces[slot];
     for (int i = 0; i < 3; ++i) {
       const Slot from = face.v[Rt::ccw(i)];
       const Slot to = face.v[Rt::cw(i)];

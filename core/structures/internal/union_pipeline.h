@@ -15,9 +15,6 @@
 #pragma once
 
 #include <CGAL/CORE_BigRat.h>
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -26,16 +23,17 @@
 #include <optional>
 #include <span>
 #include <type_traits>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/box2.h"
 #include "core/base/circumcircle.h"
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
 #include "core/base/parallel.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
+#include "core/structures/internal/point_triangulation.h"
 #include "core/structures/internal/regular_triangulation.h"
 #include "core/structures/internal/union_runs.h"
 #include "core/structures/internal/union_tables.h"
@@ -127,6 +125,9 @@ class UnionPipeline {
     triangulate_v_points();
     gather_events();
     cut_edges();
+    spread_labels();
+    place_faces();
+    make_axis();
     return std::move(t_);
   }
   UnionTables run_dual_complex() {
@@ -140,17 +141,7 @@ class UnionPipeline {
  private:
   using BallNumber = typename Balls::FT;
   using PointNumber = typename Points::FT;
-  struct FaceInfo {
-    Slot slot = kNoSlot;
-    Slot edge[3] = {kNoSlot, kNoSlot, kNoSlot};
-  };
-  struct VertexInfo {
-    Slot slot = kNoSlot;
-  };
-  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Points>;
-  using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Points>;
-  using Dt = CGAL::Delaunay_triangulation_2<Points, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
-
+  using Point = typename Points::Point_2;
   using Arc = CircleArc;
   using Place = CirclePlace;
   /// A ball's centre lies on the Voronoi edge; the arc lies to the left (towards face 0) or right of it.
@@ -170,10 +161,11 @@ class UnionPipeline {
   void triangulate();
   void leave_out_covered();
   void classify();
+  std::int8_t dual_triangles_at(const RegularTables::Edge& edge) const;
   void group_zero_faces();
   void make_v_points();
   struct Crossing {
-    typename Points::Point_2 point;
+    Point point;
     Slot site = kNoSlot;
   };
   std::optional<Crossing> crossing_of(Slot a, Slot b, bool left);
@@ -183,26 +175,88 @@ class UnionPipeline {
   struct Raw {
     Slot edge;          // of the regular triangulation
     std::uint8_t side;  // 0 = left
-    Crossing crossing;
-    typename Dt::Vertex_handle vertex;
+    Slot site;
   };
   void cross(Slot edge, bool left);
-  void insert_crossings();
-  Slot add_v_point(const Raw& raw);
+  Slot add_v_point(std::size_t raw, Slot& row_of_place);
   void triangulate_v_points();
-  void walk_around(Slot ball);
+  void count_near_duplicates();
+  void list_edges_at_points();
+  Slot v_edge_between(Slot from, Slot to) const;
   void gather_events();
-  void take_places(Slot ball);
-  void add_event(Slot ball, Slot from, Slot to, Arc arc);
+  struct Spoke {
+    Slot edge;
+    Slot left;  // face
+  };
+  /// What a range of balls says, in their order, and work space of one ball.
+  struct Findings {
+    std::vector<Event> events;
+    std::vector<BoundaryArc> arcs;
+    std::vector<std::array<Slot, 2>> on_circle;  // face of the v-points, ball
+    std::int64_t lost_crossings = 0;
+    std::vector<Spoke> star;
+    std::vector<Place> places;
+    std::vector<Slot> stack;
+    std::vector<std::uint32_t> point_stamp, face_stamp;  // of the circle at hand
+    std::uint32_t now = 0;
+  };
+  template <class Look>
+  void ask_balls(Look look);
+  void look_at(Slot ball, bool has_edge, bool is_covered, Findings& found);
+  void walk_around(Slot ball, Findings& found) const;
+  void take_places(Slot ball, Findings& found) const;
+  void add_event(Slot ball, Slot from, Slot to, Arc arc, Findings& found) const;
+  void mark_polygon(Slot ball, Findings& found) const;
   bool comes_before(Slot a, Slot b) const {
     return lexicographically_less(input_[a].disk.center, input_[b].disk.center);
   }
-  void mark_polygon(Slot ball, const std::vector<Slot>& points);
   bool is_center_here(Slot edge, Slot inner_face) const;
-  void sort_by_edge(std::vector<Event>& events) const;
+  std::vector<Slot> sort_by_edge(std::vector<Event>& events) const;
+  Point point_of(Slot v) const {
+    if constexpr (kIsDouble) {
+      return {t_.v_points[v].position.x, t_.v_points[v].position.y};
+    } else {
+      return v_at_[v];
+    }
+  }
+  /// Numbers other than doubles belong to one thread.
+  static constexpr bool kIsDouble = std::is_same_v<BallNumber, double> && std::is_same_v<PointNumber, double>;
+  static std::size_t part_count(std::size_t count) {
+    return kIsDouble ? std::clamp<std::size_t>(count >> 12U, 1, 8) : 1;
+  }
+  /// Calls `body(begin, end, part)` for the parts of [0, count), side by side. The split depends on `count` alone.
+  template <class Body>
+  static void in_parts(std::size_t count, Body body) {
+    const std::size_t parts = part_count(count);
+    run_tasks(parts, [&](std::size_t part) { body(count * part / parts, count * (part + 1) / parts, part); });
+  }
+  // With doubles the two ends of a piece may contradict each other; then the greater counts.
+  enum class Label : std::uint8_t { unknown, out, singular, in };
+  struct Cut {
+    Slot edge;
+    Slot end[2];  // balls (positions in the input), or kNoSlot: the end of the Voronoi edge
+    Label label;
+  };
+  /// Work space of a range of edges.
+  struct Cutter {
+    std::vector<Slot> on_edge;  // balls
+    std::int64_t contradictions = 0;
+  };
+  static void list_balls(std::span<const Event> events, std::vector<Slot>& balls);
+  void cut_edge(Slot e, std::span<const Event> events, Cutter& cutter);
   void cut_edges();
-  Slot node_of(Slot face) const;
-  static Circle circle_of(typename Dt::Face_handle face);
+  /// An end of a cut at a face: the face, unless its circumcentre is a ball's centre.
+  Slot face_at(const Cut& cut, std::size_t i) const {
+    return cut.end[i] == kNoSlot ? t_.v_edges[cut.edge].f[i] : kNoSlot;
+  }
+  bool is_plain(Slot face) const { return face != kNoSlot && t_.v_faces[face].ball == kNoSlot; }
+  void spread_labels();
+  void place_faces();
+  /// Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut goes on for ever.
+  Slot node_at(const Cut& cut, std::size_t i) const;
+  AxisPiece piece_of(const Cut& cut) const;
+  void make_axis();
+  Circle circle_of(Slot face) const;
 
   std::span<const PipelineBall> input_;
   bool use_samples_;
@@ -220,22 +274,19 @@ class UnionPipeline {
   std::vector<Slot> zero_group_;                // by face; kNoSlot = none
   std::vector<Slot> group_v_;                   // the v-point of a group, if any
   std::vector<Raw> raw_;
-  Dt dt_;
-  typename Dt::Face_handle hint_{};
-  std::vector<typename Dt::Vertex_handle> v_vertex_;  // by row of v_points
-  std::vector<typename Dt::Face_handle> v_handle_;    // by row of v_faces
-  std::vector<Event> events_;
-  struct Spoke {
-    Slot edge;
-    Slot left;  // face
+  std::vector<Point> raw_point_;
+  PointTriangulation crossings_;
+  std::vector<Slot> row_of_point_;                // in v_points, for the points that stand for others
+  std::vector<Point> v_at_;                       // by row of v_points
+  std::vector<std::array<Slot, 3>> v_face_edge_;  // by row of v_faces
+  struct EdgeTo {
+    Slot to, edge;
   };
-  // Work space of one ball.
-  std::vector<Spoke> star_;
-  std::vector<Place> places_;
-  std::vector<Slot> points_;
-  std::vector<typename Dt::Face_handle> stack_;
-  std::vector<std::uint32_t> stamp_;  // v-points on the circle at hand
-  std::uint32_t now_ = 0;
+  std::vector<EdgeTo> edges_at_;   // those at v-point v begin at edges_begin_[v]
+  std::vector<Slot> edges_begin_;  // by row of v_points, and one more
+  std::vector<Event> events_;
+  std::vector<Cut> cuts_;         // by edge, from its left face to its right one
+  std::vector<Slot> cuts_begin_;  // by row of v_edges, and one more
 };
 
 template <class Balls, class Points>
@@ -299,17 +350,15 @@ void UnionPipeline<Balls, Points>::classify() {
       face_sign_[f] =
           static_cast<std::int8_t>(sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]));
   };
-  if constexpr (std::is_same_v<BallNumber, double>) {
-    parallel_for(rt_.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t f = begin; f < end && !job_.stop_requested(); ++f) judge(static_cast<Slot>(f));
-    });
-  } else {
-    for (Slot f = 0; f < rt_.faces.size(); ++f) {
+  in_parts(rt_.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t f = begin; f < end; ++f) {
       if ((f & 0xffU) == 0) job_.checkpoint(f, 4 * rt_.faces.size());
-      judge(f);
+      judge(static_cast<Slot>(f));
     }
-  }
+  });
   job_.checkpoint();
+  t_.dual_faces.reserve(
+      static_cast<std::size_t>(std::ranges::count_if(face_sign_, [](int sign) { return sign <= 0; })));
   for (Slot f = 0; f < rt_.faces.size(); ++f) {
     if (is_infinite(f)) continue;
     const auto& v = rt_.faces[f].v;
@@ -324,26 +373,34 @@ void UnionPipeline<Balls, Points>::classify() {
   }
   group_zero_faces();
   dual_of_edge_.assign(rt_.edges.size(), kNoSlot);
+  t_.dual_edges.reserve(rt_.edges.size());
+  std::vector<std::int8_t> triangles_at(rt_.edges.size());  // -1 = the edge is not in
+  in_parts(rt_.edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t e = begin; e < end; ++e) triangles_at[e] = dual_triangles_at(rt_.edges[e]);
+  });
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
-    const auto& edge = rt_.edges[e];
-    int triangles = 0;
-    bool attached = false;
-    const BallOf<BallNumber>& a = ball_[edge.v[0]];
-    const BallOf<BallNumber>& b = ball_[edge.v[1]];
-    for (const Slot f : edge.f)
-      if (f != kNoSlot && face_sign_[f] <= 0) ++triangles;
-    if (triangles == 0) {
-      for (const Slot f : edge.f) {
-        if (f == kNoSlot || is_infinite(f)) continue;
-        for (const Slot c : rt_.faces[f].v)
-          if (c != edge.v[0] && c != edge.v[1])
-            attached = attached || sign_of_excess_at_foot<Balls>(a, b, ball_[c]) < 0;
-      }
-      if (attached || sign_of_edge_radius<Balls>(a, b) > 0) continue;
-    }
+    if (triangles_at[e] < 0) continue;
+    const auto& ball = rt_.edges[e].v;
     dual_of_edge_[e] = static_cast<Slot>(t_.dual_edges.size());
-    t_.dual_edges.push_back({{input_[edge.v[0]].row, input_[edge.v[1]].row}, static_cast<DualClass>(triangles), 0});
+    t_.dual_edges.push_back({{input_[ball[0]].row, input_[ball[1]].row}, static_cast<DualClass>(triangles_at[e]), 0});
   }
+}
+
+// How many of them are in; -1 if the edge itself is not.
+template <class Balls, class Points>
+std::int8_t UnionPipeline<Balls, Points>::dual_triangles_at(const RegularTables::Edge& edge) const {
+  std::int8_t triangles = 0;
+  for (const Slot f : edge.f)
+    if (f != kNoSlot && face_sign_[f] <= 0) ++triangles;
+  if (triangles != 0) return triangles;
+  const BallOf<BallNumber>& a = ball_[edge.v[0]];
+  const BallOf<BallNumber>& b = ball_[edge.v[1]];
+  for (const Slot f : edge.f) {
+    if (f == kNoSlot || is_infinite(f)) continue;
+    for (const Slot c : rt_.faces[f].v)
+      if (c != edge.v[0] && c != edge.v[1] && sign_of_excess_at_foot<Balls>(a, b, ball_[c]) < 0) return -1;
+  }
+  return sign_of_edge_radius<Balls>(a, b) > 0 ? std::int8_t{-1} : std::int8_t{0};
 }
 
 // Triangles of radius zero that have their centre in common: around a sample, for Voronoi balls.
@@ -442,37 +499,26 @@ void UnionPipeline<Balls, Points>::cross(Slot edge, bool left) {
   Slot b = rt_.edges[edge].v[1];
   const bool is_turned = comes_before(b, a);
   if (is_turned) std::swap(a, b);
-  if (auto crossing = crossing_of(a, b, left != is_turned))
-    raw_.push_back({edge, static_cast<std::uint8_t>(left ? 0 : 1), std::move(*crossing), {}});
-}
-
-// In rounds, as the balls were; the crossings themselves come in the order of neighbours.
-template <class Balls, class Points>
-void UnionPipeline<Balls, Points>::insert_crossings() {
-  const std::vector<Slot> order = in_rounds(raw_.size());
-  std::size_t done = 0;
-  for (const Slot i : order) {
-    if ((++done & 0x3fU) == 0) job_.checkpoint(raw_.size() + done, 4 * raw_.size());
-    raw_[i].vertex = dt_.insert(raw_[i].crossing.point, hint_);
-    hint_ = raw_[i].vertex->face();
+  if (auto crossing = crossing_of(a, b, left != is_turned)) {
+    raw_.push_back({edge, static_cast<std::uint8_t>(left ? 0 : 1), crossing->site});
+    raw_point_.push_back(std::move(crossing->point));
   }
 }
 
 template <class Balls, class Points>
-Slot UnionPipeline<Balls, Points>::add_v_point(const Raw& raw) {
+Slot UnionPipeline<Balls, Points>::add_v_point(std::size_t raw, Slot& row_of_place) {
   ++t_.counts.raw_v_points;
-  Slot& v = raw.vertex->info().slot;
-  if (v == kNoSlot) {
-    v = static_cast<Slot>(t_.v_points.size());
-    const auto& p = raw.vertex->point();
+  if (row_of_place == kNoSlot) {
+    row_of_place = static_cast<Slot>(t_.v_points.size());
+    const Point& p = raw_point_[raw];
     t_.v_points.push_back({{rounded(p.x()), rounded(p.y())}, kNoSlot, 0});
-    v_vertex_.push_back(raw.vertex);
+    if constexpr (!kIsDouble) v_at_.push_back(p);
   }
-  VPoint& point = t_.v_points[v];
-  if (raw.crossing.site != kNoSlot) point.site = raw.crossing.site;
+  VPoint& point = t_.v_points[row_of_place];
+  if (raw_[raw].site != kNoSlot) point.site = raw_[raw].site;
   ++point.multiplicity;
-  t_.v_origins.push_back({v, dual_of_edge_[raw.edge]});
-  return v;
+  t_.v_origins.push_back({row_of_place, dual_of_edge_[raw_[raw].edge]});
+  return row_of_place;
 }
 
 // Three circles meet in the centre of a triangle of radius zero: in one of the two crossings of each pair, that away
@@ -502,10 +548,14 @@ void UnionPipeline<Balls, Points>::make_v_points() {
       if (!is_filled) cross(e, side == 0);
     }
   }
-  insert_crossings();
-  for (const Raw& raw : raw_) {
+  crossings_ = point_triangulation<Points>(raw_point_, job_);
+  row_of_point_.assign(raw_.size(), kNoSlot);
+  t_.v_points.reserve(raw_.size());
+  t_.v_origins.reserve(raw_.size());
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    const Raw& raw = raw_[i];
     const Slot row = dual_of_edge_[raw.edge];
-    const Slot v = add_v_point(raw);
+    const Slot v = add_v_point(i, row_of_point_[crossings_.same_as[i]]);
     crossing_[row][raw.side] = v;
     // A group of triangles of radius zero ends here: its common centre is this crossing.
     const Slot inner = rt_.edges[raw.edge].f[1 - raw.side];
@@ -517,67 +567,81 @@ void UnionPipeline<Balls, Points>::make_v_points() {
 
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::triangulate_v_points() {
+  const auto& faces = crossings_.faces;
+  t_.v_faces.resize(faces.size());
+  v_face_edge_.resize(faces.size());
+  t_.v_edges.reserve(3 * t_.v_points.size());
+  for (const auto& [from, to] : crossings_.line) t_.v_edges.push_back({{row_of_point_[from], row_of_point_[to]}});
+  for (Slot f = 0; f < faces.size(); ++f) {
+    auto& v = t_.v_faces[f].v;
+    for (std::size_t i = 0; i < 3; ++i) v[i] = row_of_point_[faces[f].v[i]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Slot g = faces[f].n[i];
+      if (g < f) continue;
+      const auto edge = static_cast<Slot>(t_.v_edges.size());
+      t_.v_edges.push_back({{v[(i + 1) % 3], v[(i + 2) % 3]}, {f, g}});
+      v_face_edge_[f][i] = edge;
+      if (g == kNoSlot) continue;
+      const auto& n = faces[g].n;
+      v_face_edge_[g][n[0] == f ? 0 : (n[1] == f ? 1 : 2)] = edge;
+    }
+  }
+  count_near_duplicates();
+  list_edges_at_points();
+}
+
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::count_near_duplicates() {
   const auto square_of = [this](const VEdge& edge) {
     const Vec2 d = t_.v_points[edge.v[1]].position - t_.v_points[edge.v[0]].position;
     return dot(d, d);
   };
-  if (dt_.dimension() == 2) {
-    // Rows in the order of the v-points, which are close to their neighbours.
-    std::vector<typename Dt::Face_handle> handles;
-    std::vector<KeyedSlot> order;
-    handles.reserve(2 * t_.v_points.size());
-    order.reserve(2 * t_.v_points.size());
-    for (auto f = dt_.finite_faces_begin(); f != dt_.finite_faces_end(); ++f) {
-      if ((handles.size() & 0x3fU) == 0) job_.checkpoint();
-      order.push_back({std::min({f->vertex(0)->info().slot, f->vertex(1)->info().slot, f->vertex(2)->info().slot}),
-                       static_cast<Slot>(handles.size())});
-      handles.push_back(f);
-    }
-    std::vector<KeyedSlot> scratch;
-    radix_sort(order, scratch, static_cast<unsigned>(std::bit_width(t_.v_points.size())));
-    t_.v_faces.resize(order.size());
-    v_handle_.resize(order.size());
-    for (Slot slot = 0; slot < order.size(); ++slot) {
-      const auto f = handles[order[slot].slot];
-      v_handle_[slot] = f;
-      f->info().slot = slot;
-      for (int i = 0; i < 3; ++i) t_.v_faces[slot].v[i] = f->vertex(i)->info().slot;
-    }
-  }
+  // No edge is longer than the diagonal, so these hold all edges that are short against the longest.
+  Box2 box;
+  for (const VPoint& v : t_.v_points) box.add(v.position);
+  const double diagonal = dot(box.high - box.low, box.high - box.low);
+  std::vector<double> short_squares;
   double longest = 0.0;
-  const auto add = [&](const VEdge& row) {
-    longest = std::max(longest, square_of(row));
-    t_.v_edges.push_back(row);
-    return static_cast<Slot>(t_.v_edges.size() - 1);
-  };
-  t_.v_edges.reserve(3 * t_.v_points.size());
-  if (dt_.dimension() == 1) {
-    for (auto e = dt_.finite_edges_begin(); e != dt_.finite_edges_end(); ++e) {
-      const auto f = e->first;
-      f->info().edge[2] = add({{f->vertex(0)->info().slot, f->vertex(1)->info().slot}});
-    }
+  for (const VEdge& edge : t_.v_edges) {
+    const double square = square_of(edge);
+    longest = std::max(longest, square);
+    if (square < 1e-14 * diagonal) short_squares.push_back(square);
   }
-  for (Slot slot = 0; slot < v_handle_.size(); ++slot) {
-    const auto f = v_handle_[slot];
-    for (int i = 0; i < 3; ++i) {
-      const auto g = f->neighbor(i);
-      const Slot other = g->info().slot;  // kNoSlot outside
-      if (other < slot) continue;
-      const Slot own = add({{f->vertex(Dt::ccw(i))->info().slot, f->vertex(Dt::cw(i))->info().slot}, {slot, other}});
-      f->info().edge[i] = own;
-      g->info().edge[g->index(f)] = own;
-    }
-  }
-  for (const VEdge& edge : t_.v_edges)
-    if (square_of(edge) < 1e-14 * longest) ++t_.counts.near_duplicates;
+  for (const double square : short_squares)
+    if (square < 1e-14 * longest) ++t_.counts.near_duplicates;
 }
 
-// Fills `places_` with the v-points on the circle of the ball, counter-clockwise. The triangles around the ball come
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::list_edges_at_points() {
+  edges_begin_.assign(t_.v_points.size() + 1, 0);
+  for (const VEdge& edge : t_.v_edges)
+    for (const Slot v : edge.v) ++edges_begin_[v];
+  Slot end = 0;
+  for (Slot& begin : edges_begin_) begin = end += begin;
+  edges_at_.resize(end);
+  for (Slot e = static_cast<Slot>(t_.v_edges.size()); e-- > 0;) {
+    const auto& v = t_.v_edges[e].v;
+    edges_at_[--edges_begin_[v[0]]] = {v[1], e};
+    edges_at_[--edges_begin_[v[1]]] = {v[0], e};
+  }
+}
+
+template <class Balls, class Points>
+Slot UnionPipeline<Balls, Points>::v_edge_between(Slot from, Slot to) const {
+  const auto degree = [this](Slot v) { return edges_begin_[v + 1] - edges_begin_[v]; };
+  if (degree(to) < degree(from)) std::swap(from, to);
+  for (Slot i = edges_begin_[from]; i < edges_begin_[from + 1]; ++i)
+    if (edges_at_[i].to == to) return edges_at_[i].edge;
+  return kNoSlot;
+}
+
+// Fills `places` with the v-points on the circle of the ball, counter-clockwise. The triangles around the ball come
 // in the same order as the corners of its power cell, and those corners that lie on the circle are v-points.
 template <class Balls, class Points>
-void UnionPipeline<Balls, Points>::walk_around(Slot ball) {
-  places_.clear();
-  std::vector<Spoke>& star = star_;
+void UnionPipeline<Balls, Points>::walk_around(Slot ball, Findings& found) const {
+  std::vector<Place>& places = found.places;
+  places.clear();
+  std::vector<Spoke>& star = found.star;
   star.clear();
   if (rt_.dimension == 2) {
     const Slot start = some_face_[ball];
@@ -597,7 +661,7 @@ void UnionPipeline<Balls, Points>::walk_around(Slot ball) {
   const auto is_in = [&](Slot face) { return face != kNoSlot && face_sign_[face] <= 0; };
   const auto push = [&](Slot v, Arc before) {
     if (v == kNoSlot) return;
-    if (places_.empty() || places_.back().v != v) places_.push_back({v, before});
+    if (places.empty() || places.back().v != v) places.push_back({v, before});
   };
   const auto push_group = [&](Slot face) {
     if (is_in(face) && zero_group_[face] != kNoSlot) push(group_v_[zero_group_[face]], Arc::covered);
@@ -619,64 +683,83 @@ void UnionPipeline<Balls, Points>::walk_around(Slot ball) {
     }
     push_group(star[at].left);
   }
-  if (places_.size() > 1 && places_.front().v == places_.back().v) {
-    places_.front().before = places_.back().before;
-    places_.pop_back();
+  if (places.size() > 1 && places.front().v == places.back().v) {
+    places.front().before = places.back().before;
+    places.pop_back();
   }
 }
 
 template <class Balls, class Points>
-void UnionPipeline<Balls, Points>::add_event(Slot ball, Slot from, Slot to, Arc arc) {
-  typename Dt::Face_handle f;
-  int i = 0;
-  if (!dt_.is_edge(v_vertex_[from], v_vertex_[to], f, i)) {
-    ++t_.counts.lost_crossings;
+void UnionPipeline<Balls, Points>::add_event(Slot ball, Slot from, Slot to, Arc arc, Findings& found) const {
+  const Slot edge = v_edge_between(from, to);
+  if (edge == kNoSlot) {
+    ++found.lost_crossings;
     return;
   }
-  const Slot edge = f->info().edge[i];
   // The arc runs from `from` to `to` to the right of the straight way.
   const std::uint8_t side = t_.v_edges[edge].v[0] == from ? 1 : 0;
-  events_.push_back({edge, ball, side, arc});
-  VEdgeKind& kind = t_.v_edges[edge].kind;
-  if (arc == Arc::singular) {
-    kind = VEdgeKind::alpha;
-  } else if (kind == VEdgeKind::plain) {
-    kind = VEdgeKind::crossing;
-  }
+  found.events.push_back({edge, ball, side, arc});
 }
 
 // All triangles between the v-points of one circle have its centre as circumcentre.
 template <class Balls, class Points>
-void UnionPipeline<Balls, Points>::mark_polygon(Slot ball, const std::vector<Slot>& points) {
-  stamp_.resize(t_.v_points.size(), 0);
-  ++now_;
-  for (const Slot v : points) stamp_[v] = now_;
-  const auto is_on_circle = [&](typename Dt::Face_handle f) {
-    for (int i = 0; i < 3; ++i)
-      if (dt_.is_infinite(f->vertex(i)) || stamp_[f->vertex(i)->info().slot] != now_) return false;
-    return true;
-  };
-  std::vector<typename Dt::Face_handle>& stack = stack_;
+void UnionPipeline<Balls, Points>::mark_polygon(Slot ball, Findings& found) const {
+  found.point_stamp.resize(t_.v_points.size(), 0);
+  found.face_stamp.resize(t_.v_faces.size(), 0);
+  const std::uint32_t now = ++found.now;
+  for (const Place& place : found.places) found.point_stamp[place.v] = now;
+  std::vector<Slot>& stack = found.stack;
   stack.clear();
-  const auto visit = [&](typename Dt::Face_handle f) {
-    if (!is_on_circle(f)) return;
-    // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
-    Slot& owner = t_.v_faces[f->info().slot].ball;
-    if (owner == ball || (owner != kNoSlot && comes_before(owner, ball))) return;
-    owner = ball;
-    stack.push_back(f);
+  const auto visit = [&](Slot face) {
+    if (face == kNoSlot || found.face_stamp[face] == now) return;
+    for (const Slot v : t_.v_faces[face].v)
+      if (found.point_stamp[v] != now) return;
+    found.face_stamp[face] = now;
+    found.on_circle.push_back({face, ball});
+    stack.push_back(face);
   };
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    typename Dt::Face_handle f;
-    int i = 0;
-    if (!dt_.is_edge(v_vertex_[points[k]], v_vertex_[points[(k + 1) % points.size()]], f, i)) continue;
-    visit(f);
-    visit(f->neighbor(i));
+  for (std::size_t k = 0; k < found.places.size(); ++k) {
+    const Slot edge = v_edge_between(found.places[k].v, found.places[(k + 1) % found.places.size()].v);
+    if (edge == kNoSlot) continue;
+    for (const Slot face : t_.v_edges[edge].f) visit(face);
   }
   while (!stack.empty()) {
-    const auto f = stack.back();
+    const Slot at = stack.back();
     stack.pop_back();
-    for (int i = 0; i < 3; ++i) visit(f->neighbor(i));
+    for (const Slot edge : v_face_edge_[at])
+      for (const Slot face : t_.v_edges[edge].f) visit(face);
+  }
+}
+
+// Calls `look(ball, findings)` for every ball, and takes what they found in the order of the balls.
+template <class Balls, class Points>
+template <class Look>
+void UnionPipeline<Balls, Points>::ask_balls(Look look) {
+  std::vector<Findings> parts(part_count(input_.size()));
+  in_parts(input_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    for (std::size_t ball = begin; ball < end; ++ball) {
+      if ((ball & 0x3fU) == 0) job_.checkpoint(2 * input_.size() + ball, 4 * input_.size());
+      look(static_cast<Slot>(ball), parts[part]);
+    }
+  });
+  std::size_t events = 0;
+  std::size_t arcs = 0;
+  for (const Findings& found : parts) {
+    events += found.events.size();
+    arcs += found.arcs.size();
+  }
+  events_.reserve(events);
+  t_.arcs.reserve(arcs);
+  for (const Findings& found : parts) {
+    events_.insert(events_.end(), found.events.begin(), found.events.end());
+    t_.arcs.insert(t_.arcs.end(), found.arcs.begin(), found.arcs.end());
+    t_.counts.lost_crossings += found.lost_crossings;
+    for (const auto& [face, ball] : found.on_circle) {
+      // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
+      Slot& owner = t_.v_faces[face].ball;
+      if (owner == kNoSlot || comes_before(ball, owner)) owner = ball;
+      t_.v_faces[face].is_inside = 1;
+    }
   }
 }
 
@@ -687,48 +770,46 @@ void UnionPipeline<Balls, Points>::gather_events() {
     for (Slot e = 0; e < rt_.edges.size(); ++e)
       for (const Slot ball : rt_.edges[e].v) line_edges_[ball].push_back(e);
   std::vector<bool> has_edge(input_.size(), false);
-  for (const auto& edge : rt_.edges)
-    if (dual_of_edge_[static_cast<std::size_t>(&edge - rt_.edges.data())] != kNoSlot)
-      has_edge[edge.v[0]] = has_edge[edge.v[1]] = true;
+  for (Slot e = 0; e < rt_.edges.size(); ++e)
+    if (dual_of_edge_[e] != kNoSlot) has_edge[rt_.edges[e].v[0]] = has_edge[rt_.edges[e].v[1]] = true;
   std::vector<bool> is_covered(input_.size(), false);
   for (const auto& edge : rt_.edges)
     for (std::size_t i = 0; i < 2; ++i)
       if (!has_edge[edge.v[i]] && loses_center_to<Balls>(ball_[edge.v[i]], ball_[edge.v[1 - i]]))
         is_covered[edge.v[i]] = true;
-  for (Slot ball = 0; ball < input_.size(); ++ball) {
-    if ((ball & 0x3fU) == 0) job_.checkpoint(2 * input_.size() + ball, 4 * input_.size());
-    if (rt_.state[ball] != BallState::visible) continue;
-    const Slot row = input_[ball].row;
-    if (!has_edge[ball]) {
-      // Its cell may lie outside of the ball, which is then part of another one.
-      t_.balls[row] = is_covered[ball] ? BallState::hidden : BallState::isolated;
-      if (is_covered[ball]) continue;
-      t_.arcs.push_back({row, {}, {}, 1});
-      continue;
-    }
-    walk_around(ball);
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      const Place& to = places_[k];
-      const Place& from = places_[(k + places_.size() - 1) % places_.size()];
-      if (to.before == Arc::free)
-        t_.arcs.push_back({row, t_.v_points[from.v].position, t_.v_points[to.v].position,
-                           static_cast<std::uint8_t>(places_.size() == 1 ? 1 : 0)});
-    }
-    take_places(ball);
+  ask_balls([&](Slot ball, Findings& found) { look_at(ball, has_edge[ball], is_covered[ball], found); });
+}
+
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::look_at(Slot ball, bool has_edge, bool is_covered, Findings& found) {
+  if (rt_.state[ball] != BallState::visible) return;
+  const Slot row = input_[ball].row;
+  if (!has_edge) {
+    // Its cell may lie outside of the ball, which is then part of another one.
+    t_.balls[row] = is_covered ? BallState::hidden : BallState::isolated;
+    if (!is_covered) found.arcs.push_back({row, {}, {}, 1});
+    return;
   }
+  walk_around(ball, found);
+  const std::vector<Place>& places = found.places;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Place& to = places[k];
+    const Place& from = places[(k + places.size() - 1) % places.size()];
+    if (to.before == Arc::free)
+      found.arcs.push_back({row, t_.v_points[from.v].position, t_.v_points[to.v].position,
+                            static_cast<std::uint8_t>(places.size() == 1 ? 1 : 0)});
+  }
+  take_places(ball, found);
 }
 
 // What the v-points on the circle of a ball say of the Voronoi edges through its centre.
 template <class Balls, class Points>
-void UnionPipeline<Balls, Points>::take_places(Slot ball) {
-  if (places_.size() < 2) return;
-  std::vector<Slot>& points = points_;
-  points.clear();
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    points.push_back(places_[k].v);
-    add_event(ball, places_[(k + places_.size() - 1) % places_.size()].v, places_[k].v, places_[k].before);
-  }
-  if (dt_.dimension() == 2 && points.size() >= 3) mark_polygon(ball, points);
+void UnionPipeline<Balls, Points>::take_places(Slot ball, Findings& found) const {
+  const std::vector<Place>& places = found.places;
+  if (places.size() < 2) return;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    add_event(ball, places[(k + places.size() - 1) % places.size()].v, places[k].v, places[k].before, found);
+  if (crossings_.dimension == 2 && places.size() >= 3) mark_polygon(ball, found);
 }
 
 template <class Balls, class Points>
@@ -736,185 +817,225 @@ UnionTables UnionPipeline<Balls, Points>::run_v_diagram(const KnownVPoints& know
   for (const PipelineBall& ball : input_) ball_in_points_.push_back(ball_in<PointNumber>(ball));
   for (std::size_t i = 0; i < known.points.size(); ++i) {
     const Vec2 p = known.points[i];
-    const auto vertex = dt_.insert(typename Points::Point_2(PointNumber(p.x), PointNumber(p.y)), hint_);
-    hint_ = vertex->face();
-    MES_ASSERT(vertex->info().slot == kNoSlot);
-    vertex->info().slot = static_cast<Slot>(i);
-    v_vertex_.push_back(vertex);
+    raw_point_.emplace_back(PointNumber(p.x), PointNumber(p.y));
+    row_of_point_.push_back(static_cast<Slot>(i));
     t_.v_points.push_back({p, known.sites[i], 1});
+    if constexpr (!kIsDouble) v_at_.push_back(raw_point_.back());
   }
+  crossings_ = point_triangulation<Points>(raw_point_, job_);
+  for (Slot i = 0; i < raw_point_.size(); ++i) MES_ASSERT(crossings_.same_as[i] == i);
   triangulate_v_points();
-  for (Slot ball = 0; ball < input_.size(); ++ball) {
-    places_ = known.places[ball];
-    take_places(ball);
-  }
+  ask_balls([&](Slot ball, Findings& found) {
+    found.places = known.places[ball];
+    take_places(ball, found);
+  });
   cut_edges();
-  t_.axis.clear();
+  spread_labels();
+  place_faces();
   return std::move(t_);
 }
 
 template <class Balls, class Points>
-Slot UnionPipeline<Balls, Points>::node_of(Slot face) const {
-  const Slot ball = t_.v_faces[face].ball;
-  return ball != kNoSlot ? input_[ball].row : static_cast<Slot>(t_.balls.size()) + face;
-}
-
-template <class Balls, class Points>
-Circle UnionPipeline<Balls, Points>::circle_of(typename Dt::Face_handle face) {
+Circle UnionPipeline<Balls, Points>::circle_of(Slot face) const {
+  const auto& v = t_.v_faces[face].v;
   if constexpr (std::is_same_v<PointNumber, double>) {
     Vec2 corner[3];
-    for (int i = 0; i < 3; ++i) corner[i] = {face->vertex(i)->point().x(), face->vertex(i)->point().y()};
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = t_.v_points[v[i]].position;
     std::ranges::rotate(corner, std::ranges::min_element(corner, lexicographically_less));
     return circumcircle(corner[0], corner[1], corner[2]);
   } else {
-    const auto center =
-        CGAL::circumcenter(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
+    const auto center = CGAL::circumcenter(v_at_[v[0]], v_at_[v[1]], v_at_[v[2]]);
     const Vec2 at{rounded(center.x()), rounded(center.y())};
-    const Vec2 corner{rounded(face->vertex(0)->point().x()), rounded(face->vertex(0)->point().y())};
-    return {at, distance(at, corner)};
+    return {at, distance(at, t_.v_points[v[0]].position)};
   }
 }
 
-// Stable; O(events + edges).
+// Stable; O(events + edges). Gives where the events of each edge begin.
 template <class Balls, class Points>
-void UnionPipeline<Balls, Points>::sort_by_edge(std::vector<Event>& events) const {
-  std::vector<Slot> start(t_.v_edges.size() + 1, 0);
-  for (const Event& event : events) ++start[event.edge + 1];
-  for (std::size_t e = 1; e < start.size(); ++e) start[e] += start[e - 1];
+std::vector<Slot> UnionPipeline<Balls, Points>::sort_by_edge(std::vector<Event>& events) const {
+  std::vector<Slot> begin(t_.v_edges.size() + 1, 0);
+  for (const Event& event : events) ++begin[event.edge];
+  Slot end = 0;
+  for (Slot& place : begin) place = end += place;
   std::vector<Event> sorted(events.size());
-  for (const Event& event : events) sorted[start[event.edge]++] = event;
+  for (std::size_t i = events.size(); i-- > 0;) sorted[--begin[events[i].edge]] = events[i];
   events.swap(sorted);
+  return begin;
 }
 
-// Cuts the Voronoi edges of the v-points at the centres on them and keeps what lies in |R|.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::list_balls(std::span<const Event> events, std::vector<Slot>& balls) {
+  balls.clear();
+  for (const Event& event : events)
+    if (std::ranges::find(balls, event.ball) == balls.end()) balls.push_back(event.ball);
+}
+
+// Cuts a Voronoi edge of the v-points at the centres on it; labels say what lies between.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::cut_edge(Slot e, std::span<const Event> events, Cutter& cutter) {
+  VEdge& edge = t_.v_edges[e];
+  for (const Event& event : events) {
+    if (event.arc == Arc::singular) {
+      edge.kind = VEdgeKind::alpha;
+    } else if (edge.kind == VEdgeKind::plain) {
+      edge.kind = VEdgeKind::crossing;
+    }
+  }
+  std::vector<Slot>& on_edge = cutter.on_edge;
+  list_balls(events, on_edge);
+  if (on_edge.size() > 1) {
+    const auto center_of = [&](Slot ball) { return Point(ball_in_points_[ball].x, ball_in_points_[ball].y); };
+    const Point p = point_of(edge.v[0]);
+    const Point q = point_of(edge.v[1]);
+    std::ranges::sort(on_edge, [&](Slot a, Slot b) {
+      const auto order = typename Points::Compare_signed_distance_to_line_2()(p, q, center_of(a), center_of(b));
+      return order == CGAL::LARGER || (order == CGAL::EQUAL && comes_before(a, b));
+    });
+  }
+  const auto label_towards = [&](Slot ball, std::uint8_t side) {
+    Label label = Label::unknown;
+    for (const Event& event : events) {
+      if (event.ball != ball || event.side != side) continue;
+      label = std::max(
+          label, event.arc == Arc::covered ? Label::in : (event.arc == Arc::free ? Label::out : Label::singular));
+    }
+    return label;
+  };
+  for (std::size_t k = 0; k <= on_edge.size(); ++k) {
+    const Slot a = k == 0 ? kNoSlot : on_edge[k - 1];
+    const Slot b = k == on_edge.size() ? kNoSlot : on_edge[k];
+    const Label from_a = a == kNoSlot ? Label::unknown : label_towards(a, 1);
+    const Label from_b = b == kNoSlot ? Label::unknown : label_towards(b, 0);
+    if (from_a != Label::unknown && from_b != Label::unknown && from_a != from_b) ++cutter.contradictions;
+    cuts_[cuts_begin_[e] + k] = {e, {a, b}, std::max(from_a, from_b)};
+  }
+}
+
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::cut_edges() {
-  // With doubles the two ends of a piece may contradict each other; then the greater counts.
-  enum class Label : std::uint8_t { unknown, out, singular, in };
-  struct Cut {
-    Slot edge;
-    Slot end[2];  // balls (positions in the input), or kNoSlot: the end of the Voronoi edge
-    Label label;
+  const std::size_t edges = t_.v_edges.size();
+  const std::vector<Slot> events_begin = sort_by_edge(events_);
+  const auto events_of = [&](std::size_t e) {
+    return std::span<const Event>(events_).subspan(events_begin[e], events_begin[e + 1] - events_begin[e]);
   };
-  std::vector<Cut> cuts;
-  cuts.reserve(t_.v_edges.size() + events_.size());
-  sort_by_edge(events_);
-  std::vector<Slot> on_edge;
-  for (std::size_t begin = 0, e = 0; e < t_.v_edges.size(); ++e) {
-    std::size_t end = begin;
-    while (end < events_.size() && events_[end].edge == e) ++end;
-    on_edge.clear();
-    for (std::size_t k = begin; k < end; ++k)
-      if (std::ranges::find(on_edge, events_[k].ball) == on_edge.end()) on_edge.push_back(events_[k].ball);
-    if (on_edge.size() > 1) {
-      const auto point_of = [&](Slot ball) {
-        return typename Points::Point_2(ball_in_points_[ball].x, ball_in_points_[ball].y);
-      };
-      const auto& p = v_vertex_[t_.v_edges[e].v[0]]->point();
-      const auto& q = v_vertex_[t_.v_edges[e].v[1]]->point();
-      std::ranges::sort(on_edge, [&](Slot a, Slot b) {
-        const auto order = typename Points::Compare_signed_distance_to_line_2()(p, q, point_of(a), point_of(b));
-        return order == CGAL::LARGER || (order == CGAL::EQUAL && comes_before(a, b));
-      });
+  std::vector<Cutter> parts(part_count(edges));
+  cuts_begin_.assign(edges + 1, 0);
+  in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
+    for (std::size_t e = begin; e < end; ++e) {
+      list_balls(events_of(e), parts[part].on_edge);
+      cuts_begin_[e + 1] = static_cast<Slot>(parts[part].on_edge.size() + 1);
     }
-    const auto label_towards = [&](Slot ball, std::uint8_t side) {
-      Label label = Label::unknown;
-      for (std::size_t k = begin; k < end; ++k) {
-        if (events_[k].ball != ball || events_[k].side != side) continue;
-        const Arc arc = events_[k].arc;
-        label = std::max(label, arc == Arc::covered ? Label::in : (arc == Arc::free ? Label::out : Label::singular));
-      }
-      return label;
-    };
-    for (std::size_t k = 0; k <= on_edge.size(); ++k) {
-      const Slot a = k == 0 ? kNoSlot : on_edge[k - 1];
-      const Slot b = k == on_edge.size() ? kNoSlot : on_edge[k];
-      const Label from_a = a == kNoSlot ? Label::unknown : label_towards(a, 1);
-      const Label from_b = b == kNoSlot ? Label::unknown : label_towards(b, 0);
-      if (from_a != Label::unknown && from_b != Label::unknown && from_a != from_b) ++t_.counts.contradictions;
-      cuts.push_back({static_cast<Slot>(e), {a, b}, std::max(from_a, from_b)});
-    }
-    begin = end;
-  }
-  // An end of a piece at a face: the face, unless its circumcentre is a ball's centre.
-  const auto face_at = [&](const Cut& cut, std::size_t i) {
-    return cut.end[i] == kNoSlot ? t_.v_edges[cut.edge].f[i] : kNoSlot;
-  };
-  const auto is_plain = [&](Slot face) { return face != kNoSlot && t_.v_faces[face].ball == kNoSlot; };
-  std::vector<std::array<Slot, 3>> cuts_at(t_.v_faces.size(), {kNoSlot, kNoSlot, kNoSlot});
-  std::vector<Slot> queue;
-  const auto settle = [&](Slot face) {
-    if (!is_plain(face) || t_.v_faces[face].is_inside != 0) return;
-    t_.v_faces[face].is_inside = 1;
-    queue.push_back(face);
-  };
-  for (Slot c = 0; c < cuts.size(); ++c) {
+  });
+  for (std::size_t e = 0; e < edges; ++e) cuts_begin_[e + 1] += cuts_begin_[e];
+  cuts_.resize(cuts_begin_[edges]);
+  in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
+    for (std::size_t e = begin; e < end; ++e) cut_edge(static_cast<Slot>(e), events_of(e), parts[part]);
+  });
+  for (const Cutter& part : parts) t_.counts.contradictions += part.contradictions;
+}
+
+// What lies in |R| at one end does so up to the next centre, through all faces on the way.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::spread_labels() {
+  std::vector<Slot> stack;
+  const auto settle = [&](const Cut& cut) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const Slot face = face_at(cuts[c], i);
-      if (!is_plain(face)) continue;
-      for (Slot& place : cuts_at[face]) {
-        if (place != kNoSlot) continue;
-        place = c;
-        break;
+      const Slot face = face_at(cut, i);
+      if (!is_plain(face) || t_.v_faces[face].is_inside != 0) continue;
+      t_.v_faces[face].is_inside = 1;
+      stack.push_back(face);
+    }
+  };
+  for (const Cut& seed : cuts_) {
+    if (seed.label != Label::in) continue;
+    settle(seed);
+    while (!stack.empty()) {
+      const Slot face = stack.back();
+      stack.pop_back();
+      for (const Slot e : v_face_edge_[face]) {
+        Cut& cut = cuts_[t_.v_edges[e].f[0] == face ? cuts_begin_[e] : cuts_begin_[e + 1] - 1];
+        if (cut.label == Label::out) ++t_.counts.contradictions;
+        if (cut.label == Label::unknown) cut.label = Label::in;
+        settle(cut);
       }
     }
   }
-  for (VFace& face : t_.v_faces)
-    if (face.ball != kNoSlot) face.is_inside = 1;
-  for (const Cut& cut : cuts)
-    if (cut.label == Label::in)
-      for (std::size_t i = 0; i < 2; ++i) settle(face_at(cut, i));
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    for (const Slot c : cuts_at[queue[next]]) {
-      if (c == kNoSlot) continue;
-      if (cuts[c].label == Label::out) ++t_.counts.contradictions;
-      if (cuts[c].label == Label::unknown) cuts[c].label = Label::in;
-      for (std::size_t i = 0; i < 2; ++i) settle(face_at(cuts[c], i));
+}
+
+// Circumcentres where something is drawn.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::place_faces() {
+  in_parts(t_.v_faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      VFace& face = t_.v_faces[slot];
+      if (face.ball != kNoSlot) {
+        face.center = input_[face.ball].disk.center;
+        face.radius = input_[face.ball].radius();
+        face.ball = input_[face.ball].row;
+      } else {
+        const Circle circle = circle_of(static_cast<Slot>(slot));
+        face.center = circle.center;
+        face.radius = circle.radius;
+      }
     }
-  }
-  // Circumcentres where something is drawn.
-  for (Slot slot = 0; slot < v_handle_.size(); ++slot) {
-    VFace& face = t_.v_faces[slot];
-    if (face.ball != kNoSlot) {
-      face.center = input_[face.ball].disk.center;
-      face.radius = input_[face.ball].radius();
-    } else {
-      const Circle circle = circle_of(v_handle_[slot]);
-      face.center = circle.center;
-      face.radius = circle.radius;
-    }
-  }
-  struct End {
-    Slot node;
-    Vec2 at;
-    double radius;
+  });
+}
+
+template <class Balls, class Points>
+Slot UnionPipeline<Balls, Points>::node_at(const Cut& cut, std::size_t i) const {
+  if (cut.end[i] != kNoSlot) return input_[cut.end[i]].row;
+  const Slot face = t_.v_edges[cut.edge].f[i];
+  if (face == kNoSlot) return kNoSlot;
+  const Slot ball = t_.v_faces[face].ball;
+  return ball != kNoSlot ? ball : static_cast<Slot>(t_.balls.size()) + face;
+}
+
+template <class Balls, class Points>
+AxisPiece UnionPipeline<Balls, Points>::piece_of(const Cut& cut) const {
+  const VEdge& edge = t_.v_edges[cut.edge];
+  const auto disk_at = [&](std::size_t i) {
+    if (cut.end[i] != kNoSlot) return Disk{input_[cut.end[i]].disk.center, input_[cut.end[i]].radius()};
+    const VFace& face = t_.v_faces[edge.f[i]];
+    return Disk{face.center, face.radius};
   };
-  const auto end_of = [&](const Cut& cut, std::size_t i) -> std::optional<End> {
-    if (cut.end[i] != kNoSlot) {
-      const PipelineBall& ball = input_[cut.end[i]];
-      return End{ball.row, ball.disk.center, ball.radius()};
-    }
-    const Slot face = t_.v_edges[cut.edge].f[i];
-    if (face == kNoSlot) return std::nullopt;
-    return End{node_of(face), t_.v_faces[face].center, t_.v_faces[face].radius};
+  const Disk a = disk_at(0);
+  const Disk b = disk_at(1);
+  AxisPiece piece{a.center, b.center, a.radius, b.radius, {node_at(cut, 0), node_at(cut, 1)}, {edge.v[0], edge.v[1]}};
+  if (is_plain(face_at(cut, 0)) && is_plain(face_at(cut, 1))) piece.is_zero = piece.a == piece.b ? 1 : 0;
+  return piece;
+}
+
+// The cuts that lie in |R|, and the singular dual edges.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::make_axis() {
+  // Cuts between two triangles of one circle have no length.
+  const auto is_kept = [this](const Cut& cut) {
+    if (cut.label != Label::in) return false;
+    const Slot a = node_at(cut, 0);
+    const Slot b = node_at(cut, 1);
+    return a != kNoSlot && b != kNoSlot && a != b;
   };
-  for (const Cut& cut : cuts) {
-    const VEdge& edge = t_.v_edges[cut.edge];
-    if (cut.label != Label::in) {
-      // Between two triangles of one circle nothing is left to be labelled.
-      continue;
+  std::vector<std::size_t> place(part_count(cuts_.size()) + 1, 0);
+  std::vector<std::int64_t> unbounded(place.size(), 0);
+  in_parts(cuts_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    std::size_t kept = 0;
+    for (std::size_t c = begin; c < end; ++c) {
+      if (is_kept(cuts_[c])) ++kept;
+      if (cuts_[c].label == Label::in && (node_at(cuts_[c], 0) == kNoSlot || node_at(cuts_[c], 1) == kNoSlot))
+        ++unbounded[part];
     }
-    const auto a = end_of(cut, 0);
-    const auto b = end_of(cut, 1);
-    if (!a || !b) {
-      ++t_.counts.contradictions;
-      continue;
-    }
-    if (a->node == b->node) continue;
-    AxisPiece piece{a->at, b->at, a->radius, b->radius, {a->node, b->node}, {edge.v[0], edge.v[1]}};
-    if (is_plain(face_at(cut, 0)) && is_plain(face_at(cut, 1))) piece.is_zero = a->at == b->at ? 1 : 0;
-    t_.axis.push_back(piece);
-  }
+    place[part + 1] = kept;
+  });
+  for (std::size_t part = 1; part < place.size(); ++part) place[part] += place[part - 1];
+  for (const std::int64_t count : unbounded) t_.counts.contradictions += count;
+  const auto singular = std::ranges::count(t_.dual_edges, DualClass::singular, &DualEdge::kind);
+  t_.axis.reserve(place.back() + static_cast<std::size_t>(singular));
+  t_.axis.resize(place.back());
+  in_parts(cuts_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    std::size_t at = place[part];
+    for (std::size_t c = begin; c < end; ++c)
+      if (is_kept(cuts_[c])) t_.axis[at++] = piece_of(cuts_[c]);
+  });
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
     const Slot row = dual_of_edge_[e];
     if (row == kNoSlot || t_.dual_edges[row].kind != DualClass::singular) continue;
@@ -928,8 +1049,6 @@ void UnionPipeline<Balls, Points>::cut_edges() {
                        {crossing_[row][0], crossing_[row][1]},
                        1});
   }
-  for (VFace& face : t_.v_faces)
-    if (face.ball != kNoSlot) face.ball = input_[face.ball].row;
 }
 
 }  // namespace mes

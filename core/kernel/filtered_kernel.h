@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `FastKernel` with two more steps in the predicate that regular triangulations ask most. Balls that touch one sample
+// have nearly one point of equal power: where samples make the balls, intervals fail as a rule, and integers of any
+// length took a third of the time.
+#pragma once
+
+#include <type_traits>
+
+#include "core/kernel/ball_signs.h"
+#include "core/kernel/kernels.h"
+
+namespace mes {
+
+/// The kernel's own predicates, but for the one declared here; all answers are the same.
+struct FilteredKernel : FastKernel {
+  class Power_side_of_oriented_power_circle_2 : public FastKernel::Power_side_of_oriented_power_circle_2 {
+   public:
+    using Base = FastKernel::Power_side_of_oriented_power_circle_2;
+    using Base::operator();
+    CGAL::Oriented_side operator()(const Weighted_point_2& a, const Weighted_point_2& b, const Weighted_point_2& c,
+                                   const Weighted_point_2& d) const {
+      const auto ball = [](const Weighted_point_2& p) { return BallOf<double>{p.x(), p.y(), p.weight()}; };
+      return static_cast<CGAL::Oriented_side>(
+          -sign_of_excess_at_center<FastKernel>(ball(a), ball(b), ball(c), ball(d)));
+    }
+  };
+  Power_side_of_oriented_power_circle_2 power_side_of_oriented_power_circle_2_object() const { return {}; }
+};
+
+/// With which triangulations that belong to a kernel are made.
+template <class Kernel>
+using TriangulationTraits = std::conditional_t<std::is_same_v<Kernel, FastKernel>, FilteredKernel, Kernel>;
+
+}  // namespace mes
+
+/// Walks begin with doubles here as with the kernel itself.
+template <>
+struct CGAL::Triangulation_structural_filtering_traits<mes::FilteredKernel> {
+  using Use_structural_filtering_tag = Tag_true;
+};
