@@ -51,9 +51,10 @@ void OneStepCrust::rebuild(JobControl& job) {
   std::vector<FilterCounts> counts(chunk_count(delaunay_.edge_rows()));
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     job.checkpoint();
+    FilterCounts own;  // not counted in place: the threads would take a cache line from each other all the time
     for (std::size_t edge = begin; edge < end; ++edge)
-      if (delaunay_.edge(static_cast<Slot>(edge)).is_alive())
-        flags_[edge] = flags_for(static_cast<Slot>(edge), counts[chunk]);
+      if (delaunay_.edge(static_cast<Slot>(edge)).is_alive()) flags_[edge] = flags_for(static_cast<Slot>(edge), own);
+    counts[chunk] = own;
   });
   for (const FilterCounts& part : counts) counts_ += part;
   parallel_for(delaunay_.face_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
