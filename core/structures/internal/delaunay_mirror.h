@@ -467,13 +467,20 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
 
   // The triangulation is only read here, and every row and every field of it is written by one thread.
   void mirror_all() {
+    const std::size_t count = triangulation_.tds().number_of_faces();
     std::vector<FaceHandle> handles;
-    handles.reserve(triangulation_.tds().number_of_faces());
-    for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
-      f->info().slot = static_cast<Slot>(handles.size());
-      handles.push_back(f);
-    }
-    d_.face_.resize(handles.size());
+    run_tasks(2, [&](std::size_t task) {
+      if (task == 0) {
+        handles.reserve(count);
+        for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
+          f->info().slot = static_cast<Slot>(handles.size());
+          handles.push_back(f);
+        }
+      } else {
+        d_.face_.resize(count);
+        d_.edge_.resize(count / 2 * 3);  // more by those to infinity
+      }
+    });
     std::vector<std::size_t> first_edge(chunk_count(handles.size()) + 1, 0);
     parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       std::size_t edges =
