@@ -38,11 +38,13 @@ class TaskQueue {
       tasks_.push_back(std::move(task));
     }
     if (threads_.size() + 1 < worker_count()) {
-      threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+      threads_.emplace_back([this] { work(); });
     } else {
       there_is_more_.notify_one();
     }
   }
+  /// No task was added since the start or the last `finish` or `drop`.
+  bool is_empty() const { return tasks_.empty(); }
   /// Returns when every task is done.
   void finish() {
     if (tasks_.empty()) return;
@@ -60,11 +62,12 @@ class TaskQueue {
   }
 
  private:
-  void work(const std::stop_token& stop) {
+  void work() {
     for (;;) {
       {
         std::unique_lock lock(mutex_);
-        if (!there_is_more_.wait(lock, stop, [this] { return next_ < tasks_.size(); })) return;
+        there_is_more_.wait(lock, [this] { return next_ < tasks_.size() || ends_; });
+        if (next_ == tasks_.size()) return;
       }
       if (const auto task = next()) task();
     }
@@ -74,16 +77,22 @@ class TaskQueue {
     return next_ < tasks_.size() ? std::move(tasks_[next_++]) : nullptr;
   }
   void stop() {
-    for (std::jthread& thread : threads_) thread.request_stop();
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    there_is_more_.notify_all();
     threads_.clear();
     tasks_.clear();
     next_ = 0;
+    ends_ = false;
   }
 
   std::mutex mutex_;
-  std::condition_variable_any there_is_more_;
+  std::condition_variable there_is_more_;
   std::vector<std::function<void()>> tasks_;
   std::size_t next_ = 0;
+  bool ends_ = false;
   std::vector<std::jthread> threads_;
 };
 

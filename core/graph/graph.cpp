@@ -188,8 +188,6 @@ void Graph::follow_extent() {
 LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
   if (out.layers.size() <= out.layer_count) out.layers.emplace_back();
   LayerPatch& patch = out.layers[out.layer_count++];
-  const LayerNode& node = layer_nodes_[index];
-  begun_.push_back({index, node.state, node.sent, node.synced});
   patch.layer = index;
   patch.has_scalars = !layers_[index].descriptor.scalar.empty();
   for (KindPatch& kind : patch.kinds) {
@@ -232,29 +230,37 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   return may_update ? Emission::update : Emission::reset;
 }
 
-// Layers only read tables, and those of the structures up to here do not change any more. So a layer that is to be
-// sent whole is given away at once.
+void Graph::begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  LayerPatch& patch = begin_patch(index, out);
+  layer_nodes_[index].sent = false;
+  tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
+}
+
+// Layers only read tables, and those of the structures up to a rebuilt one do not change any more. So layers that
+// waited for it are given away at once.
 void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job) {
   for (const LayerIndex index : node.completes) {
-    if (!layer_nodes_[index].demanded) continue;
-    const Emission emission = emission_of(index, out);
-    if (emission == Emission::update) updates_.push_back(index);
-    if (emission != Emission::reset) continue;
-    LayerPatch& patch = begin_patch(index, out);
-    layer_nodes_[index].sent = false;
-    has_resets_ = true;
-    tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
+    LayerNode& layer = layer_nodes_[index];
+    if (!layer.demanded) continue;
+    begun_.push_back({index, layer.state, layer.sent, layer.synced});
+    layer.begun = run_;
+    if (emission_of(index, out) != Emission::none) begin_reset(index, out, tasks, job);
   }
 }
 
-void Graph::finish_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
-  for (const LayerIndex index : updates_) {
+void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  for (LayerIndex index = 0; index < layer_nodes_.size(); ++index) {
+    LayerNode& node = layer_nodes_[index];
+    if (!node.demanded || node.begun == run_) continue;
+    const Emission emission = emission_of(index, out);
+    if (emission == Emission::reset) begin_reset(index, out, tasks, job);
+    if (emission != Emission::update) continue;
+    node.sent = false;
     LayerPatch& patch = begin_patch(index, out);
-    layer_nodes_[index].sent = false;
-    fill(patch, Emission::update, job);
+    fill(patch, emission, job);
     if (patch.is_empty()) --out.layer_count;
   }
-  if (!has_resets_) return;
+  if (tasks.is_empty()) return;
   if (on_task_) on_task_("layers");
   tasks.finish();
   job.checkpoint();
@@ -377,8 +383,6 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   out.complete = true;
   if (demand_changed_) mark_needed();
   begun_.clear();
-  updates_.clear();
-  has_resets_ = false;
   out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
   lap_ms();
   TaskQueue tasks;
@@ -391,10 +395,10 @@ bool Graph::run(FramePatch& out, JobControl& job) {
         bring_up_to_date(node, job);
       }
       if (i == last_source_) follow_extent();
-      begin_layers(node, out, tasks, job);
+      if (i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
     }
     has_tables = true;
-    finish_layers(out, tasks, job);
+    emit_layers(out, tasks, job);
   } catch (const Cancelled&) {
     out.complete = false;
     dirty_ = true;

@@ -88,6 +88,7 @@ class Graph {
     bool sent = false;  ///< the consumer holds its instances
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;
+    std::uint64_t begun = 0;  ///< run in which it did not wait for all structures
     double ms = 0.0;
     std::string reason;
   };
@@ -95,12 +96,13 @@ class Graph {
   void mark_needed();
   void bring_up_to_date(StructureNode& node, JobControl& job);
   void compute(StructureNode& node, bool may_update, JobControl& job);
+  void begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job);
   void begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job);
   LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
   void withdraw(LayerIndex index, FramePatch& out);
   enum class Emission : std::uint8_t { none, update, reset };
   Emission emission_of(LayerIndex index, FramePatch& out);
-  void finish_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
+  void emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
   void take_back(FramePatch& out);
   void fill(LayerPatch& patch, Emission emission, JobControl& job);
   void follow_extent();
@@ -133,9 +135,7 @@ class Graph {
     bool sent;
     std::uint64_t synced;
   };
-  std::vector<LayerBefore> begun_;   // layers with a patch, as they were
-  std::vector<LayerIndex> updates_;  // layers to follow when all structures are done
-  bool has_resets_ = false;
+  std::vector<LayerBefore> begun_;  // layers that did not wait for all structures, as they were
 };
 
 }  // namespace mes
