@@ -7,7 +7,6 @@
 #include <new>
 #include <utility>
 
-#include "core/base/parallel.h"
 #include "core/graph/explain.h"
 
 namespace mes {
@@ -23,12 +22,18 @@ Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Sample
     node.structure = structure.get();
     node.source = dynamic_cast<SourceStructure*>(structure.get());
     for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
+    if (node.source != nullptr) last_source_ = nodes_.size();
     nodes_.push_back(std::move(node));
   }
   layers_ = make_layers(structures_);
   for (const Layer& layer : layers_) {
     LayerNode node;
-    for (const Structure* structure : layer.structures) node.structures.push_back(position_of(structure));
+    std::size_t last = last_source_;  // the sources have a say in all layers: the drawing frame follows them
+    for (const Structure* structure : layer.structures) {
+      node.structures.push_back(position_of(structure));
+      last = std::max(last, node.structures.back());
+    }
+    nodes_[last].completes.push_back(static_cast<LayerIndex>(layer_nodes_.size()));
     layer_nodes_.push_back(std::move(node));
   }
 }
@@ -154,7 +159,7 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
 
 // The frame in which the pictures are drawn follows the samples only when they leave it by far, because a new one
 // means that every instance is sent again.
-void Graph::follow_extent(FramePatch& out) {
+void Graph::follow_extent() {
   Box2 box;
   bool replaced = false;
   for (const StructureNode& node : nodes_) {
@@ -178,7 +183,6 @@ void Graph::follow_extent(FramePatch& out) {
       frame_ = frame;
     }
   }
-  out.frame = frame_;
 }
 
 LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
@@ -226,27 +230,52 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   return may_update ? Emission::update : Emission::reset;
 }
 
-void Graph::emit_layers(FramePatch& out, JobControl& job) {
-  resets_.clear();
+void Graph::begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  LayerPatch& patch = begin_patch(index, out);
+  layer_nodes_[index].sent = false;
+  tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
+}
+
+// Layers only read tables, and those of the structures up to a rebuilt one do not change any more. So layers that
+// waited for it are given away at once.
+void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  for (const LayerIndex index : node.completes) {
+    LayerNode& layer = layer_nodes_[index];
+    if (!layer.demanded) continue;
+    begun_.push_back({index, layer.state, layer.sent, layer.synced});
+    layer.begun = run_;
+    if (emission_of(index, out) != Emission::none) begin_reset(index, out, tasks, job);
+  }
+}
+
+void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
   for (LayerIndex index = 0; index < layer_nodes_.size(); ++index) {
-    if (!layer_nodes_[index].demanded) continue;
-    const Emission emission = emission_of(index, out);
-    if (emission == Emission::none) continue;
     LayerNode& node = layer_nodes_[index];
+    if (!node.demanded || node.begun == run_) continue;
+    const Emission emission = emission_of(index, out);
+    if (emission == Emission::reset) begin_reset(index, out, tasks, job);
+    if (emission != Emission::update) continue;
     node.sent = false;
     LayerPatch& patch = begin_patch(index, out);
-    if (emission == Emission::reset) {
-      resets_.push_back(out.layer_count - 1);
-      continue;
-    }
     fill(patch, emission, job);
     if (patch.is_empty()) --out.layer_count;
   }
-  if (resets_.empty()) return;
+  if (tasks.is_empty()) return;
   if (on_task_) on_task_("layers");
-  // Layers only read the tables, so those that are sent whole are made side by side.
-  run_tasks(resets_.size(), [&](std::size_t i) { fill(out.layers[resets_[i]], Emission::reset, job); });
+  tasks.finish();
   job.checkpoint();
+}
+
+// A run that ends among the structures brings nothing: half of its layers would show another state than the rest.
+void Graph::take_back(FramePatch& out) {
+  for (const LayerBefore& before : begun_) {
+    LayerNode& node = layer_nodes_[before.layer];
+    node.state = before.state;
+    node.sent = before.sent;
+    node.synced = before.synced;
+  }
+  out.layer_count = 0;
+  if (frame_changed_ == run_) ++frame_changed_;  // the next run brings the new frame
 }
 
 // Whatever ends this early leaves an empty patch, and the layer is sent whole next time.
@@ -353,20 +382,31 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   out.layer_count = 0;
   out.complete = true;
   if (demand_changed_) mark_needed();
+  begun_.clear();
+  out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
   lap_ms();
+  TaskQueue tasks;
+  bool has_tables = false;
   try {
-    for (StructureNode& node : nodes_) {
-      if (!node.needed && node.source == nullptr) continue;
-      job.reset_progress();
-      bring_up_to_date(node, job);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      StructureNode& node = nodes_[i];
+      if (node.needed || node.source != nullptr) {
+        job.reset_progress();
+        bring_up_to_date(node, job);
+      }
+      if (i == last_source_) follow_extent();
+      if (i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
     }
-    follow_extent(out);
-    emit_layers(out, job);
+    has_tables = true;
+    emit_layers(out, tasks, job);
   } catch (const Cancelled&) {
     out.complete = false;
     dirty_ = true;
+    tasks.drop();
+    if (!has_tables) take_back(out);
   }
-  out.frame = frame_;
+  if (has_tables) sent_frame_ = frame_;
+  out.frame = sent_frame_;
   out.document_revision = samples_.document_revision();
   report(out);
   out.provenance.reset();

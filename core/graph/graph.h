@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/job_control.h"
+#include "core/base/task_queue.h"
 #include "core/graph/layer.h"
 #include "core/graph/patch.h"
 #include "core/structures/samples.h"
@@ -36,7 +37,8 @@ namespace mes {
 ///     JobControl job;
 ///     graph.run(patch, job);
 ///
-/// Threads: none inside; `Engine` runs it on its own.
+/// Threads: `Engine` runs it on a thread of its own. Inside `run`, layers that are sent whole are made on other cores
+/// as soon as their structures are done, while it goes on with the structures after those; none is left at its end.
 class Graph {
  public:
   Graph();
@@ -63,6 +65,7 @@ class Graph {
     Structure* structure = nullptr;
     SourceStructure* source = nullptr;  ///< the structure, if it is one
     std::vector<std::size_t> inputs;
+    std::vector<LayerIndex> completes;  ///< layers for which this is the last structure to wait for
     bool needed = false;
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
@@ -85,6 +88,7 @@ class Graph {
     bool sent = false;  ///< the consumer holds its instances
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;
+    std::uint64_t begun = 0;  ///< run in which it did not wait for all structures
     double ms = 0.0;
     std::string reason;
   };
@@ -92,13 +96,16 @@ class Graph {
   void mark_needed();
   void bring_up_to_date(StructureNode& node, JobControl& job);
   void compute(StructureNode& node, bool may_update, JobControl& job);
+  void begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job);
+  void begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job);
   LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
   void withdraw(LayerIndex index, FramePatch& out);
   enum class Emission : std::uint8_t { none, update, reset };
   Emission emission_of(LayerIndex index, FramePatch& out);
-  void emit_layers(FramePatch& out, JobControl& job);
+  void emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
+  void take_back(FramePatch& out);
   void fill(LayerPatch& patch, Emission emission, JobControl& job);
-  void follow_extent(FramePatch& out);
+  void follow_extent();
   void report(FramePatch& out);
   Provenance answer(const ProvenanceQuestion& question) const;
   double lap_ms();
@@ -106,9 +113,11 @@ class Graph {
   StructureSet structures_;
   Samples& samples_;
   std::vector<StructureNode> nodes_;
+  std::size_t last_source_ = 0;
   std::vector<Layer> layers_;
   std::vector<LayerNode> layer_nodes_;
   DrawingFrame frame_;
+  DrawingFrame sent_frame_;  ///< of the last patch: a cancelled run keeps the one before
   std::uint64_t frame_changed_ = 0;
   std::uint64_t run_ = 0;
   bool dirty_ = false;
@@ -118,7 +127,15 @@ class Graph {
   std::optional<ProvenanceQuestion> question_;
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
-  std::vector<std::size_t> resets_;  // work space: patches to fill from all rows
+
+  // Work space of one run.
+  struct LayerBefore {
+    LayerIndex layer;
+    NodeState state;
+    bool sent;
+    std::uint64_t synced;
+  };
+  std::vector<LayerBefore> begun_;  // layers that did not wait for all structures, as they were
 };
 
 }  // namespace mes

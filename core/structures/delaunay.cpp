@@ -2,7 +2,6 @@
 #include "core/structures/delaunay.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/base/circumcircle.h"
 #include "core/structures/internal/delaunay_mirror.h"
@@ -82,26 +81,11 @@ void Delaunay::rebuild(JobControl& job) {
   clear_tables();
   mirror_->clear();
 
-  // Biased randomised insertion order (Amenta, Choi, Rote 2003): rounds of doubling size, each along a Hilbert curve.
-  // The rounds keep bad inputs from being bad; the curve keeps the walk to each new site short.
-  std::vector<KeyedSlot> order;
-  order.reserve(samples_.count());
-  constexpr int kRoundBits = 3;
-  const HilbertGrid grid(samples_.extent());
-  const int rounds = std::max(0, static_cast<int>(std::bit_width(samples_.count())) - 6) / kRoundBits;
-  for (Slot sample = 0; sample < samples_.row_count(); ++sample) {
-    if (!samples_.is_alive(sample)) continue;
-    const std::uint32_t hash = (sample + 1U) * 2654435769U;
-    const int round = rounds - std::min(rounds, std::countl_zero(hash ^ (hash << 15U)) / kRoundBits);
-    order.push_back(
-        {(std::uint64_t(static_cast<unsigned>(round)) << 32U) | grid.key(samples_.position(sample)), sample});
-  }
-  std::vector<KeyedSlot> scratch;
-  radix_sort(order, scratch, 38);
-  site_position_.reserve(order.size());
-  site_sample_.reserve(order.size());
-  site_face_.reserve(order.size());
-  mirror_->build(order, job);
+  std::vector<Slot> alive;
+  alive.reserve(samples_.count());
+  for (Slot sample = 0; sample < samples_.row_count(); ++sample)
+    if (samples_.is_alive(sample)) alive.push_back(sample);
+  mirror_->build(std::move(alive), job);
 }
 
 bool Delaunay::update(JobControl& job) {

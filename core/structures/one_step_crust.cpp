@@ -2,6 +2,7 @@
 #include "core/structures/one_step_crust.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
@@ -48,30 +49,35 @@ void OneStepCrust::rebuild(JobControl& job) {
   flags_.assign(delaunay_.edge_rows(), 0);
   face_bits_.assign(delaunay_.face_rows(), 0);
   degree_.assign(delaunay_.site_rows(), 0);
-  std::vector<FilterCounts> counts(chunk_count(delaunay_.edge_rows()));
+  struct Tally {
+    FilterCounts filter;
+    std::size_t cocircular = 0;
+  };
+  std::vector<Tally> tallies(chunk_count(delaunay_.edge_rows()));
+  // Edges of different threads may have a site or a face in common.
+  const auto add = [](std::uint8_t& sum, unsigned term) {
+    std::atomic_ref(sum).fetch_add(static_cast<std::uint8_t>(term), std::memory_order_relaxed);
+  };
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     job.checkpoint();
-    for (std::size_t edge = begin; edge < end; ++edge)
-      if (delaunay_.edge(static_cast<Slot>(edge)).is_alive())
-        flags_[edge] = flags_for(static_cast<Slot>(edge), counts[chunk]);
-  });
-  for (const FilterCounts& part : counts) counts_ += part;
-  parallel_for(delaunay_.face_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t face = begin; face < end; ++face) {
-      const FaceRow& row = delaunay_.face(static_cast<Slot>(face));
-      unsigned bits = 0;
-      for (unsigned i = 0; i < 3; ++i)
-        if (row.e[i] != kNoSlot && is_crust(row.e[i])) bits |= 1U << i;
-      face_bits_[face] = static_cast<std::uint8_t>(bits);
+    Tally own;  // not counted in place: the threads would take a cache line from each other all the time
+    for (auto edge = static_cast<Slot>(begin); edge < end; ++edge) {
+      const EdgeRow& row = delaunay_.edge(edge);
+      if (!row.is_alive()) continue;
+      flags_[edge] = flags_for(edge, own.filter);
+      own.cocircular += is_cocircular(edge) ? 1U : 0U;
+      if (!is_crust(edge)) continue;
+      for (const Slot site : row.v) add(degree_[site], 1);
+      for (const Slot face : row.f)
+        if (face != kNoSlot)
+          add(face_bits_[face], 1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
     }
+    tallies[chunk] = own;
   });
   cocircular_count_ = 0;
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
-    if (flags_[edge] == 0) continue;
-    cocircular_count_ += is_cocircular(edge) ? 1U : 0U;
-    if (!is_crust(edge)) continue;
-    ++degree_[delaunay_.edge(edge).v[0]];
-    ++degree_[delaunay_.edge(edge).v[1]];
+  for (const Tally& part : tallies) {
+    counts_ += part.filter;
+    cocircular_count_ += part.cocircular;
   }
   odd_count_ = 0;
   for (Slot site = 0; site < degree_.size(); ++site) odd_count_ += is_odd(site) ? 1U : 0U;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
+#include "core/structures/delaunay.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
@@ -54,8 +55,32 @@ void check_grown(const std::vector<Vec2>& positions) {
 
 }  // namespace
 
+// From 40000 samples on, triangulations are made in parts.
 TEST_CASE("a large smooth curve") {
-  check_grown(shuffled(benchmark_curve(30000)));
+  check_grown(shuffled(benchmark_curve(42000)));
+}
+
+TEST_CASE("duplicates in many parts") {
+  const std::vector<Vec2> positions = duplicate_heavy(90000);
+  const Workbench bench(positions);
+  CHECK(broken_row(bench.graph()) == "");
+  std::vector<Vec2> once = positions;
+  std::ranges::sort(once, lexicographically_less);
+  once.erase(std::ranges::unique(once).begin(), once.end());
+  CHECK(bench.get<Delaunay>().site_count() == once.size());
+}
+
+TEST_CASE("parts that lie on a line") {
+  // Three sides of a frame, and many samples in one place beside it.
+  std::vector<Vec2> positions(2000, Vec2{-1.0, -1.0});
+  for (int i = 0; i < 30000; ++i)
+    for (const Vec2 p : {Vec2{0.0, 1.0 * i}, Vec2{30000.0, 1.0 * i}, Vec2{1.0 * i, 0.0}}) positions.push_back(p);
+  Workbench bench;
+  bench.show({"curve", "medial-axis"});
+  bench.replace(shuffled(positions));
+  CHECK(broken_row(bench.graph()) == "");
+  CHECK(bench.get<Delaunay>().site_count() == 90000);
+  CHECK(bench.count("delaunay", "hull_edges") == 30002);
 }
 
 TEST_CASE("a large curve with corners") {

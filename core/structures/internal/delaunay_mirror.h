@@ -6,13 +6,16 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/delaunay.h"
-#include "core/structures/internal/hilbert.h"
+#include "core/structures/internal/delaunay_stitch.h"
+#include "core/structures/internal/insertion_order.h"
 #include "core/structures/internal/location_hints.h"
 
 namespace mes {
@@ -26,8 +29,8 @@ class Delaunay::MirrorBase {
  public:
   virtual ~MirrorBase() = default;
   virtual void clear() = 0;
-  /// Inserts all samples in the given order and fills the tables.
-  virtual void build(const std::vector<KeyedSlot>& order, JobControl& job) = 0;
+  /// Triangulates the samples and fills the tables.
+  virtual void build(std::vector<Slot> samples, JobControl& job) = 0;
   // Local edits in dimension 2; false when the dimension drops and the tables must be rebuilt.
   virtual bool insert(Slot sample, Vec2 position) = 0;
   virtual bool remove(Slot sample) = 0;
@@ -56,18 +59,16 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     last_face_ = FaceHandle();
   }
 
-  void build(const std::vector<KeyedSlot>& order, JobControl& job) override {
-    vertex_.reserve(order.size());
-    FaceHandle hint;
-    std::uint64_t done = 0;
-    for (const KeyedSlot& item : order) {
-      if ((++done & 1023U) == 0) job.checkpoint(done, order.size());
-      const Vec2 p = d_.samples_.position(item.slot);
-      const VertexHandle v = triangulation_.insert(Point(p.x, p.y), hint);
-      hint = v->face();
-      if (v->info().slot == kNoSlot) v->info().slot = bind_new_site(v, p);
-      d_.attach_sample(item.slot, v->info().slot);
-    }
+  void build(std::vector<Slot> samples, JobControl& job) override {
+    const std::size_t count = samples.size();
+    vertex_.assign(count, VertexHandle());
+    d_.site_position_.assign(count, Vec2{});
+    d_.site_sample_.assign(count, kNoSlot);
+    d_.site_face_.assign(count, kNoSlot);
+    triangulate(std::move(samples), job);
+    for (Slot site = 0; site < count; ++site)
+      if (!d_.is_site(site)) d_.free_sites_.push_back(site);
+    d_.site_count_ = count - d_.free_sites_.size();
     d_.dimension_ = triangulation_.dimension();
     if (d_.dimension_ == 2) {
       mirror_all();
@@ -102,6 +103,94 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   }
 
  private:
+  /// Samples that lie together. Their sites take rows of their own, from `first_site` on and as many as there are
+  /// samples, so that parts can be made side by side. Duplicates leave rows free.
+  struct Part {
+    std::vector<Slot> samples;
+    Slot first_site = 0;
+    Triangulation triangulation;
+    SweepOrder before;  ///< of the cut that has this part on its far side
+  };
+
+  Vec2 position_of(Slot sample) const { return d_.samples_.position(sample); }
+
+  // Many samples are cut into parts, whose triangulations are made side by side and stitched. How many depends on the
+  // number of samples alone, so that the result does not depend on the machine. Small parts stay in the caches, but
+  // have more to be stitched: along a curve it is the larger share that changes.
+  static std::size_t part_count(std::size_t samples) {
+    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kLeastInPart = 20000;
+    return std::min(kMost, std::bit_floor(std::max<std::size_t>(1, samples / kLeastInPart)));
+  }
+
+  void triangulate(std::vector<Slot> samples, JobControl& job) {
+    std::vector<Part> parts(part_count(samples.size()));
+    parts.front().samples = std::move(samples);
+    for (std::size_t step = parts.size() / 2; step != 0; step /= 2)
+      run_tasks(parts.size() / (2 * step),
+                [&](std::size_t i) { cut(parts[2 * step * i], parts[2 * step * i + step]); });
+    run_tasks(parts.size(), [&](std::size_t i) { insert_all(parts[i], job); });
+    for (std::size_t step = 1; step < parts.size(); step *= 2) {
+      job.checkpoint();
+      run_tasks(parts.size() / (2 * step),
+                [&](std::size_t i) { join(parts[2 * step * i], parts[2 * step * i + step], job); });
+    }
+    triangulation_.swap(parts.front().triangulation);
+  }
+
+  void cut(Part& part, Part& far) {
+    Halves halves = cut_in_two(part.samples, [this](Slot sample) { return position_of(sample); });
+    part.samples = std::move(halves.near);
+    far.samples = std::move(halves.far);
+    far.before = halves.before;
+    far.first_site = static_cast<Slot>(part.first_site + part.samples.size());
+  }
+
+  void insert_all(Part& part, JobControl& job) {
+    const auto order =
+        insertion_order(part.samples, d_.samples_.extent(), [this](Slot sample) { return position_of(sample); });
+    FaceHandle hint;
+    Slot site = part.first_site;
+    std::uint64_t done = 0;
+    for (const KeyedSlot& item : order) {
+      if ((++done & 1023U) == 0) job.checkpoint(done, order.size());
+      const Vec2 p = position_of(item.slot);
+      const VertexHandle v = part.triangulation.insert(Point(p.x, p.y), hint);
+      hint = v->face();
+      if (v->info().slot == kNoSlot) {
+        v->info().slot = site;
+        vertex_[site] = v;
+        d_.site_position_[site] = p;
+        ++site;
+      }
+      d_.attach_sample(item.slot, v->info().slot);
+    }
+  }
+
+  void join(Part& part, Part& far, JobControl& job) {
+    if (part.triangulation.dimension() == 2 && far.triangulation.dimension() == 2) {
+      DelaunayStitch<Triangulation>::run(part.triangulation, far.triangulation, far.before);
+      return;
+    }
+    // What lies on a line has no sides to be stitched at: its sites are given vertices of the other triangulation.
+    if (part.triangulation.dimension() < far.triangulation.dimension()) {
+      part.triangulation.swap(far.triangulation);
+      part.samples.swap(far.samples);
+    }
+    FaceHandle hint;
+    std::uint64_t done = 0;
+    for (const Slot sample : far.samples) {
+      if ((++done & 1023U) == 0) job.checkpoint(done, far.samples.size());
+      const Slot site = d_.site_of_sample_[sample];
+      const Vec2 p = d_.site_position_[site];
+      const VertexHandle v = part.triangulation.insert(Point(p.x, p.y), hint);
+      v->info().slot = site;
+      vertex_[site] = v;
+      hint = v->face();
+    }
+    part.samples.insert(part.samples.end(), far.samples.begin(), far.samples.end());
+  }
+
   static Slot site_of(VertexHandle v) { return v->info().slot; }
   static Slot row_of(FaceHandle f) { return f->info().slot; }
   void expect_row(FaceHandle f) const {
@@ -378,23 +467,33 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
 
   // The triangulation is only read here, and every row and every field of it is written by one thread.
   void mirror_all() {
+    const std::size_t count = triangulation_.tds().number_of_faces();
     std::vector<FaceHandle> handles;
-    handles.reserve(triangulation_.tds().number_of_faces());
-    for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
-      f->info().slot = static_cast<Slot>(handles.size());
-      handles.push_back(f);
-    }
-    d_.face_.resize(handles.size());
+    run_tasks(2, [&](std::size_t task) {
+      if (task == 0) {
+        handles.reserve(count);
+        for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
+          f->info().slot = static_cast<Slot>(handles.size());
+          handles.push_back(f);
+        }
+      } else {
+        d_.face_.resize(count);
+        d_.edge_.resize(count / 2 * 3);  // more by those to infinity
+      }
+    });
     std::vector<std::size_t> first_edge(chunk_count(handles.size()) + 1, 0);
     parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      std::size_t edges =
+          0;  // not counted in place: the threads would take a cache line from each other all the time
       for (std::size_t slot = begin; slot < end; ++slot) {
         const FaceHandle f = handles[slot];
         read_corners(f);
         for (int i = 0; i < 3; ++i) {
           d_.face_[slot].n[i] = row_of(f->neighbor(i));
-          first_edge[chunk + 1] += owns_edge(static_cast<Slot>(slot), i) ? 1U : 0U;
+          edges += owns_edge(static_cast<Slot>(slot), i) ? 1U : 0U;
         }
       }
+      first_edge[chunk + 1] = edges;
     });
     for (std::size_t chunk = 1; chunk < first_edge.size(); ++chunk) first_edge[chunk] += first_edge[chunk - 1];
     d_.edge_.resize(first_edge.back());
@@ -413,7 +512,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       }
     });
     parallel_for(d_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t site = begin; site < end; ++site) d_.site_face_[site] = row_of(vertex_[site]->face());
+      for (std::size_t site = begin; site < end; ++site)
+        if (d_.is_site(static_cast<Slot>(site))) d_.site_face_[site] = row_of(vertex_[site]->face());
     });
   }
 
