@@ -10,6 +10,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/messages.h"
 #include "app/window/run_window.h"
+#include "core/base/keep_memory.h"
 
 namespace {
 
@@ -37,6 +38,7 @@ namespace {
 }  // namespace
 
 int main(int argc, char** argv) {
+  mes::keep_freed_memory();
   std::set_terminate(end_in_one_line);
   // A reader that goes away and a file that grows too large are errors of a write, not reasons to die in silence.
   std::signal(SIGPIPE, SIG_IGN);

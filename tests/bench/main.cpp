@@ -5,9 +5,11 @@
 
 #include <cstdio>
 
+#include "core/base/keep_memory.h"
 #include "tests/bench/ratios.h"
 
 int main(int argc, char** argv) {
+  mes::keep_freed_memory();  // as the program does
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
 #ifndef NDEBUG
