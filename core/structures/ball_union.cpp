@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/isolated.h"
+#include "core/base/parallel.h"
 #include "core/structures/internal/hilbert.h"
 #include "core/structures/internal/union_runs.h"
 #include "core/structures/internal/voronoi_balls.h"
@@ -235,20 +236,38 @@ namespace {
 
 // Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
 std::vector<Slot> rows_by_place(const BallFamily& family) {
-  std::vector<KeyedSlot> order;
-  std::vector<Vec2> centers;
-  order.reserve(family.rows());
-  centers.reserve(family.rows());
+  struct Found {
+    std::vector<KeyedSlot> rows;
+    std::vector<Vec2> centers;
+    Box2 box;
+  };
+  std::vector<Found> parts(chunk_count(family.rows()));
+  parallel_for(family.rows(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    Found found;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto row = static_cast<Slot>(i);
+      if (!family.is_ball(row)) continue;
+      found.rows.push_back({0, row});
+      found.centers.push_back(family.disk(row).center);
+      if (is_finite(found.centers.back())) found.box.add(found.centers.back());
+    }
+    parts[part] = std::move(found);
+  });
   Box2 box;
-  for (Slot row = 0; row < family.rows(); ++row) {
-    if (!family.is_ball(row)) continue;
-    order.push_back({0, row});
-    centers.push_back(family.disk(row).center);
-    if (is_finite(centers.back())) box.add(centers.back());
+  for (const Found& part : parts) {
+    if (part.box.is_empty()) continue;
+    box.add(part.box.low);
+    box.add(part.box.high);
   }
   const HilbertGrid grid(box);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (is_finite(centers[i])) order[i].key = grid.key(centers[i]);
+  run_tasks(parts.size(), [&](std::size_t part) {
+    Found& found = parts[part];
+    for (std::size_t i = 0; i < found.rows.size(); ++i)
+      if (is_finite(found.centers[i])) found.rows[i].key = grid.key(found.centers[i]);
+  });
+  std::vector<KeyedSlot> order;
+  order.reserve(family.rows());
+  for (const Found& part : parts) order.insert(order.end(), part.rows.begin(), part.rows.end());
   std::vector<KeyedSlot> scratch;
   radix_sort(order, scratch, 32);
   // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
@@ -268,18 +287,21 @@ std::vector<Slot> rows_by_place(const BallFamily& family) {
   return rows;
 }
 
-}  // namespace
+/// The balls of some rows, as they are.
+struct PlainBalls {
+  std::vector<PipelineBall> balls;
+  std::vector<TouchedSample> samples;
+  std::vector<std::size_t> first_sample;  // by ball
+  std::size_t ignored = 0;
+  double largest = 0.0;  // coordinate or radius
+};
 
-ScaledBalls scaled_balls(const BallFamily& family) {
-  ScaledBalls out;
-  // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
-  double largest = 0.0;
-  std::vector<std::size_t> first_sample;
-  const auto note_size = [&largest](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
-  const std::vector<Slot> rows = rows_by_place(family);
+PlainBalls plain_balls(const BallFamily& family, std::span<const Slot> rows) {
+  PlainBalls out;
   out.balls.reserve(rows.size());
-  first_sample.reserve(rows.size() + 1);
+  out.first_sample.reserve(rows.size());
   if (family.touch_samples()) out.samples.reserve(3 * rows.size());
+  const auto note_size = [&out](Vec2 p) { out.largest = std::max({out.largest, std::abs(p.x), std::abs(p.y)}); };
   for (const Slot row : rows) {
     PipelineBall ball;
     ball.row = row;
@@ -296,20 +318,50 @@ ScaledBalls scaled_balls(const BallFamily& family) {
     note_size(ball.disk.center);
     note_size({radius, 0.0});
     for (const Vec2 corner : ball.corner) note_size(corner);
-    first_sample.push_back(out.samples.size());
+    out.first_sample.push_back(out.samples.size());
     if (family.touch_samples()) family.touched_samples(row, out.samples);
     if (ball.origin == BallOrigin::through_sample) ball.corner[0] = out.samples.back().position;
     out.balls.push_back(ball);
   }
-  first_sample.push_back(out.samples.size());
+  return out;
+}
+
+}  // namespace
+
+ScaledBalls scaled_balls(const BallFamily& family) {
+  const std::vector<Slot> rows = rows_by_place(family);
+  std::vector<PlainBalls> parts(chunk_count(rows.size()));
+  parallel_for(rows.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    parts[part] = plain_balls(family, std::span(rows).subspan(begin, end - begin));
+  });
+  // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
+  double largest = 0.0;
+  std::size_t balls = 0;
+  std::size_t samples = 0;
+  ScaledBalls out;
+  for (const PlainBalls& part : parts) {
+    largest = std::max(largest, part.largest);
+    out.ignored += part.ignored;
+    balls += part.balls.size();
+    samples += part.samples.size();
+  }
   out.rows = family.rows();
   out.exponent = largest > 1e60 || (largest < 1e-60 && largest > 0.0) ? std::ilogb(largest) : 0;
+  out.balls.reserve(balls);
+  out.samples.reserve(samples);
+  for (PlainBalls& part : parts) {
+    part.first_sample.push_back(part.samples.size());
+    const std::span<const TouchedSample> here(out.samples.data() + out.samples.size(), part.samples.size());
+    out.samples.insert(out.samples.end(), part.samples.begin(), part.samples.end());
+    for (std::size_t i = 0; i < part.balls.size(); ++i) {
+      part.balls[i].samples = here.subspan(part.first_sample[i], part.first_sample[i + 1] - part.first_sample[i]);
+      out.balls.push_back(part.balls[i]);
+    }
+  }
   if (out.exponent != 0) {
     for (PipelineBall& ball : out.balls) scale(ball, -out.exponent);
     for (TouchedSample& sample : out.samples) sample.position = scaled(sample.position, -out.exponent);
   }
-  for (std::size_t i = 0; i < out.balls.size(); ++i)
-    out.balls[i].samples = std::span(out.samples).subspan(first_sample[i], first_sample[i + 1] - first_sample[i]);
   return out;
 }
 

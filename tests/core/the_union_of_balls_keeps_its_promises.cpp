@@ -442,3 +442,37 @@ TEST_CASE("the measures of a union agree with counting points") {
   const double cell = (14.0 / kGrid) * (14.0 / kGrid);
   CHECK(analysis.measure("b-union", "area") == Approx(static_cast<double>(inside) * cell).epsilon(2e-3));
 }
+
+TEST_CASE("as many balls as several threads share have a union without contradictions, each time the same") {
+  Rng rng(11);
+  SampleData data;
+  for (int i = 0; i < 40000; ++i)
+    data.balls.push_back({{rng.uniform(0.0, 200.0), rng.uniform(0.0, 200.0)}, rng.uniform(0.3, 0.8)});
+  Analysis analysis(data, Precision::fast, false, {"b-ball-medial-axis"});
+  CHECK(analysis.count("b-union", "balls") == 40000);
+  CHECK(analysis.count("b-union", "hidden") > 1000);
+  CHECK(analysis.count("b-union", "contradictions") == 0);
+  CHECK(analysis.count("b-union", "lost_crossings") == 0);
+  CHECK(analysis.count("b-union", "chi") == analysis.count("b-union", "chi_dual"));
+  const std::int64_t v_points = analysis.count("b-union", "v_points");
+  const double length = analysis.measure("b-union", "length");
+  const double area = analysis.measure("b-union", "area");
+  analysis.choose(Precision::naive, false);
+  analysis.choose(Precision::fast, false);
+  CHECK(analysis.count("b-union", "v_points") == v_points);
+  CHECK(analysis.measure("b-union", "length") == length);
+  CHECK(analysis.measure("b-union", "area") == area);
+}
+
+TEST_CASE("circumdisks that several threads look at are those of one") {
+  Analysis analysis({benchmark_curve(40000), {}, {}}, Precision::fast, false, {"a-ball-medial-axis"});
+  const std::int64_t balls = analysis.count("a-union", "balls");
+  const double length = analysis.measure("a-union", "length");
+  CHECK(balls > 39000);
+  for (int i = 0; i < 3; ++i) {
+    analysis.choose(Precision::fast, true);
+    CHECK(analysis.count("a-union", "balls") == balls);
+    analysis.choose(Precision::fast, false);
+    CHECK(analysis.measure("a-union", "length") == length);
+  }
+}

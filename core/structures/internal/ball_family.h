@@ -25,6 +25,7 @@ enum class BallOrigin : std::uint8_t {
   through_sample,  ///< with the centre as it stands, and the one sample it touches on its circle
 };
 
+/// Threads: const is safe.
 class BallFamily {
  public:
   virtual ~BallFamily() = default;

@@ -291,12 +291,14 @@ class UnionPipeline {
 
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::triangulate() {
-  ball_.reserve(input_.size());
-  ball_in_points_.reserve(input_.size());
-  for (const PipelineBall& ball : input_) {
-    ball_.push_back(ball_in<BallNumber>(ball));
-    ball_in_points_.push_back(ball_in<PointNumber>(ball));
-  }
+  ball_.resize(input_.size());
+  ball_in_points_.resize(input_.size());
+  in_parts(input_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      ball_[i] = ball_in<BallNumber>(input_[i]);
+      ball_in_points_[i] = ball_in<PointNumber>(input_[i]);
+    }
+  });
   rt_ = regular_triangulation<Balls>(ball_, job_);
   leave_out_covered();
   for (Slot i = 0; i < input_.size(); ++i) t_.balls[input_[i].row] = rt_.state[i];
@@ -344,11 +346,12 @@ void UnionPipeline<Balls, Points>::leave_out_covered() {
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::classify() {
   face_sign_.assign(rt_.faces.size(), 2);
-  const auto judge = [this](Slot f) {
+  std::vector<std::uint8_t> has_sample(rt_.faces.size(), 0);
+  const auto judge = [&](Slot f) {
+    if (is_infinite(f)) return;
     const auto& v = rt_.faces[f].v;
-    if (!is_infinite(f))
-      face_sign_[f] =
-          static_cast<std::int8_t>(sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]));
+    face_sign_[f] = static_cast<std::int8_t>(sign_of_orthogonal_radius<Balls>(ball_[v[0]], ball_[v[1]], ball_[v[2]]));
+    has_sample[f] = common_sample(input_[v[0]], input_[v[1]], input_[v[2]]) != nullptr ? 1 : 0;
   };
   in_parts(rt_.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t f = begin; f < end; ++f) {
@@ -363,13 +366,12 @@ void UnionPipeline<Balls, Points>::classify() {
     if (is_infinite(f)) continue;
     const auto& v = rt_.faces[f].v;
     const int sign = face_sign_[f];
-    const bool touches_sample = common_sample(input_[v[0]], input_[v[1]], input_[v[2]]) != nullptr;
+    const bool touches_sample = has_sample[f] != 0;
     if (touches_sample && sign != 0) ++t_.counts.sign_flips;
     if (sign < 0 && !touches_sample) ++t_.counts.negative_faces;
     if (sign > 0) continue;
-    t_.dual_faces.push_back({{input_[v[0]].row, input_[v[1]].row, input_[v[2]].row},
-                             static_cast<std::int8_t>(sign),
-                             static_cast<std::uint8_t>(touches_sample ? 1 : 0)});
+    t_.dual_faces.push_back(
+        {{input_[v[0]].row, input_[v[1]].row, input_[v[2]].row}, static_cast<std::int8_t>(sign), has_sample[f]});
   }
   group_zero_faces();
   dual_of_edge_.assign(rt_.edges.size(), kNoSlot);

@@ -23,18 +23,16 @@ class VoronoiBalls : public BallFamily {
             delaunay_.site_position(face.v[2])};
   }
   void touched_samples(Slot row, std::vector<TouchedSample>& out) const override {
-    sites_.clear();
-    vertices_.append_sites(row, sites_);
-    for (const Slot site : sites_) out.push_back({site, delaunay_.site_position(site)});
+    thread_local std::vector<Slot> sites;  // kept for its memory
+    sites.clear();
+    vertices_.append_sites(row, sites);
+    for (const Slot site : sites) out.push_back({site, delaunay_.site_position(site)});
   }
   const ChangeSet& changes() const override { return vertices_.changes(); }
 
  protected:
   const Delaunay& delaunay_;
   const VoronoiVertices& vertices_;
-
- private:
-  mutable std::vector<Slot> sites_;  // work space
 };
 
 }  // namespace mes
