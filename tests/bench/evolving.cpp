@@ -42,7 +42,7 @@ void smoothing(benchmark::State& state, RatioTable& table, const std::vector<Vec
       if (k + 9 >= kLate) late.push_back(taken);
     }
   }
-  table.add({"smoothing, step 1000", points.size(), median(late), median(first), 1.5, "step 1"});
+  table.add({"smoothing, step 1000", points.size(), median(late), median(first), 1.2, "step 1"});
 }
 
 }  // namespace
