@@ -128,6 +128,7 @@ void GlfwWindow::install_callbacks() {
   // Dear ImGui hears of everything too; who acts on it is decided by the listener.
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
     GlfwWindow* self = self_of(window);
+    self->pointer_ = {x, y};
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
     self->listener_->on_pointer_moved(self->to_framebuffer(x, y), modifiers_now(window));
@@ -142,6 +143,7 @@ void GlfwWindow::install_callbacks() {
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int bits) {
     GlfwWindow* self = self_of(window);
     ImGui_ImplGlfw_MouseButtonCallback(window, button, action, bits);
+    if (action == GLFW_PRESS && !self->press_) self->press_ = self->pointer_;
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
     // It happened where the last move ended; asking for the position now would give that of later events.

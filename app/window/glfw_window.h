@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/canvas/canvas.h"
@@ -60,6 +62,9 @@ class GlfwWindow {
   void swap();
   void set_title(const std::string& title);
   void set_pointer_shape(PointerShape shape);
+  /// Where a button went down since the last call, in screen coordinates: by the time of a late frame the pointer may
+  /// be elsewhere, and the panels would take the press for one there.
+  std::optional<Vec2> take_press() { return std::exchange(press_, std::nullopt); }
   struct Size {
     int width = 0;
     int height = 0;
@@ -87,6 +92,8 @@ class GlfwWindow {
   GLFWcursor* hand_ = nullptr;
   PointerShape shape_ = PointerShape::arrow;
   std::string title_;
+  Vec2 pointer_;  // as of the last event, in screen coordinates
+  std::optional<Vec2> press_;
   struct Release {
     int key;
     int scancode;

@@ -181,7 +181,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   const Screenshot before_drag = screen.settled();
   screen.drag({names, row(kAxis).middle()[1]}, target, 8);
   // The line that says where the row would go.
-  REQUIRE(eventually([&] { return screen.shoot().differences(before_drag, 30) > 200; }));
+  REQUIRE(eventually([&] { return screen.settled().differences(before_drag, 30) > 200; }));
   screen.xdotool("mouseup 1");
   REQUIRE(eventually([&] { return row(kAxis).top > row(kCurve).top; }));
 
