@@ -2,9 +2,9 @@
 // Ctrl-C and its kin: end at once, with nothing half written.
 #pragma once
 
-#include <csignal>
 #include <mutex>
-#include <thread>
+
+#include "app/signal_watch.h"
 
 namespace mes::cli {
 
@@ -14,10 +14,7 @@ namespace mes::cli {
 /// Make it before any other thread is started: they inherit that these signals are left to it.
 class Interruption {
  public:
-  Interruption();
-  ~Interruption();
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
+  Interruption() : watch_([this](int signal) { end(signal); }) {}
 
   template <class Work>
   auto uninterrupted(Work work) {
@@ -26,13 +23,10 @@ class Interruption {
   }
 
  private:
-  void watch();
+  [[noreturn]] void end(int signal);
 
-  sigset_t signals_{};
-  sigset_t mask_before_{};
   std::mutex mutex_;
-  bool finished_ = false;
-  std::thread thread_;
+  SignalWatch watch_;
 };
 
 }  // namespace mes::cli

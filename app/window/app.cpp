@@ -85,8 +85,8 @@ double App::next_wait() const {
   if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
   if (const auto due = evolution_.next_due(ImGui::GetTime())) return std::clamp(*due, 1e-3, kProgressInterval);
-  if (status.busy || evolution_.is_waiting() || files_.is_reading() || files_.is_saving() || background_.is_reading() ||
-      gui_.is_about_to_rest())
+  if (status.busy || evolution_.is_waiting() || files_.is_reading() || files_.is_saving() ||
+      background_.is_reading() || gui_.is_about_to_rest())
     return kProgressInterval;
   return 0.0;
 }

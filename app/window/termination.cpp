@@ -1,42 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/termination.h"
 
-#include <pthread.h>
 #include <unistd.h>
 
 #include <utility>
 
 namespace mes {
 
-Termination::Termination(std::function<void()> wake) : wake_(std::move(wake)) {
-  sigemptyset(&signals_);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction present {};
-    if (::sigaction(signal, nullptr, &present) == 0 && present.sa_handler != SIG_IGN) sigaddset(&signals_, signal);
-  }
-  // How the destructor ends the watcher, whatever else is ignored.
-  sigaddset(&signals_, SIGUSR1);
-  ::pthread_sigmask(SIG_BLOCK, &signals_, &mask_before_);
-  thread_ = std::thread([this] { watch(); });
-}
+Termination::Termination(std::function<void()> wake)
+    : wake_(std::move(wake)), watch_([this](int signal) { hear(signal); }) {}
 
-Termination::~Termination() {
-  is_over_ = true;
-  ::pthread_kill(thread_.native_handle(), SIGUSR1);
-  thread_.join();
-  ::pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
-}
-
-void Termination::watch() {
-  for (;;) {
-    int signal = 0;
-    if (::sigwait(&signals_, &signal) != 0) continue;
-    if (is_over_) return;
-    if (signal == SIGUSR1) continue;
-    if (signal_ != 0) ::_exit(128 + signal);
-    signal_ = signal;
-    wake_();
-  }
+void Termination::hear(int signal) {
+  if (signal_ != 0) ::_exit(128 + signal);
+  signal_ = signal;
+  wake_();
 }
 
 }  // namespace mes

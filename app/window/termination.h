@@ -3,9 +3,9 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
 #include <functional>
-#include <thread>
+
+#include "app/signal_watch.h"
 
 namespace mes {
 
@@ -16,22 +16,16 @@ namespace mes {
 class Termination {
  public:
   explicit Termination(std::function<void()> wake);
-  ~Termination();
-  Termination(const Termination&) = delete;
-  Termination& operator=(const Termination&) = delete;
 
   /// The signal that asked for it, or 0.
   int signal() const { return signal_; }
 
  private:
-  void watch();
+  void hear(int signal);
 
   std::function<void()> wake_;
   std::atomic<int> signal_ = 0;
-  std::atomic<bool> is_over_ = false;
-  sigset_t signals_{};
-  sigset_t mask_before_{};
-  std::thread thread_;
+  SignalWatch watch_;
 };
 
 }  // namespace mes

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/graph/layer_descriptor.h"
 #include "app/canvas_look.h"
+#include "core/graph/layer_descriptor.h"
 
 using namespace mes;
 
