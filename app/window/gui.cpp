@@ -80,10 +80,16 @@ void Gui::begin_frame(const Settings& settings) {
   const double scale = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
   const bool is_new_scale = scale != font_scale_;
   if (is_new_scale) {
+    const bool is_first = font_scale_ == 0.0;
     font_scale_ = scale;
     unit_ = static_cast<float>(scale / ratio);
     load_fonts(scale);
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    // Destroying all device objects would be wrong: the library remembers the sizes of its old buffers, so it would
+    // write beyond the new, empty ones and draw nothing from then on. The first texture comes with those objects.
+    if (!is_first) {
+      ImGui_ImplOpenGL3_DestroyFontsTexture();
+      ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
   }
   if (is_new_scale || settings.theme != theme_ || settings.for_projector != for_projector_) {
     theme_ = settings.theme;
