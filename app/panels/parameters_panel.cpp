@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/changed_parameters.h"
 #include "app/panels/icons.h"
 #include "app/window/theme.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
-
-bool is_switch(const ParameterDescriptor& descriptor) {
-  return descriptor.is_whole && descriptor.low == 0.0 && descriptor.high == 1.0;
-}
 
 bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
   const auto lower = [](std::string_view text) {
@@ -23,14 +20,6 @@ bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
   };
   return lower(std::string(descriptor.id) + ' ' + std::string(descriptor.explanation)).find(lower(search)) !=
          std::string::npos;
-}
-
-// "medial-sampling-angle" -> "Medial sampling angle".
-std::string title_of(const ParameterDescriptor& descriptor) {
-  std::string out(descriptor.id);
-  std::ranges::replace(out, '-', ' ');
-  if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
-  return out;
 }
 
 std::string explanation(const ParameterDescriptor& descriptor) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/panels/changed_chips.h"
 #include "app/panels/icons.h"
 #include "app/panels/verdict.h"
 #include "app/window/theme.h"
@@ -159,11 +160,17 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
     const float end = ImGui::GetContentRegionMax().x;
     const float verdict_at = end - verdict_width(context);
     const float before_verdict = verdict_at - 14 * unit - count_width;
-    // Where all has no room, what is being done or can be done says more than where the pointer is.
-    const bool has_room = before_verdict > (kCoordinatesWidth + kLeastRemark) * unit;
-    const float counts_at = std::max(0.0F, before_verdict - (has_room ? kCoordinatesWidth * unit : 0.0F));
+    const ChangedChips chips(context);
+    // Where all has no room, what is being done or can be done says more than where the pointer is, and what changes
+    // the picture unseen says more than either.
+    const bool has_room = before_verdict > (kCoordinatesWidth + kLeastRemark) * unit + chips.full_width();
+    const bool has_counts = before_verdict > chips.width_in(0.0F);
+    const float counts_at = has_counts ? std::max(0.0F, before_verdict - (has_room ? kCoordinatesWidth * unit : 0.0F))
+                                       : verdict_at - 14 * unit;
+    const float chips_room = counts_at - kLeastRemark * unit;
+    const float chips_at = std::max(0.0F, counts_at - chips.width_in(chips_room));
     const ImVec2 clip_from = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(clip_from, {clip_from.x + counts_at - 16 * unit, area.at.y + area.size.y}, true);
+    ImGui::PushClipRect(clip_from, {clip_from.x + chips_at - 16 * unit, area.at.y + area.size.y}, true);
     draw_recording(context);
     if (!draw_work(context)) {
       const std::string& remark = context.messages.remark();
@@ -185,8 +192,12 @@ void draw_status_bar(const PanelContext& context, const PanelArea& area) {
               "mesecina render have them all");
     }
     ImGui::PopClipRect();
-    ImGui::SameLine(counts_at);
-    ImGui::TextUnformatted(count_text.c_str());
+    ImGui::SameLine(chips_at);
+    chips.draw(chips_room);
+    if (has_counts) {
+      ImGui::SameLine(counts_at);
+      ImGui::TextUnformatted(count_text.c_str());
+    }
     if (has_room) {
       ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
       ImGui::TextDisabled("%s", right_text.c_str());

@@ -111,13 +111,15 @@ class App final : private WindowListener {
   // app_files.cpp
   void open_first(const WindowOptions& options);
   void with_saved_work(std::function<void()> then);
-  void open_files(const std::vector<std::string>& files);
+  /// The picture, if any, is to be traced in what the files bring.
+  void open_files(const std::vector<std::string>& files, const std::filesystem::path& picture = {});
   void open_shape(const SampleShape& shape);
   void save();
   void ask_save_as();
   void take_saved();
   void say_saved(const std::string& files);
   void take_read_file();
+  void leave_document();
   void draw_dialogs();
   void remember_settings();
 
@@ -217,7 +219,8 @@ class App final : private WindowListener {
   };
   bool wants_fit_again(const Room& room) const;
   std::optional<Fitted> fitted_;
-  Fit fit_wanted_ = Fit::none;  // done in the next frame, when the panels are where they will be
+  Fit fit_wanted_ = Fit::none;              // done in the next frame, when the panels are where they will be
+  std::filesystem::path traced_with_next_;  // when what is being read is there
   bool had_first_file_ = false;
   bool is_closing_ = false;
   int frames_wanted_ = 3;  // the panels need a few frames to settle after an event

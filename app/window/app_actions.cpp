@@ -22,7 +22,9 @@ void App::bind_actions() {
 void App::bind_file_actions() {
   actions_.bind(ActionId::new_document, {[this] {
                   with_saved_work([this] {
+                    end_demo(true);
                     files_.start_empty();
+                    leave_document();
                     messages_.clear_problem();
                   });
                 }});

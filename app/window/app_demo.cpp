@@ -29,6 +29,7 @@ void App::start_demo() {
     return;
   }
   files_.start_empty();
+  leave_document();
   std::vector<PlayStep> steps = steps_of(session->entries);
   demo_ = LiveDemo{.session = std::move(*session),
                    .steps = std::move(steps),

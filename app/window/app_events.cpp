@@ -134,9 +134,9 @@ void App::on_files_dropped(std::vector<std::string> files) {
   // Of several pictures the last is on top; the others would not be seen.
   const auto first_picture = std::stable_partition(
       files.begin(), files.end(), [](const std::string& file) { return !render::is_picture_file(file); });
-  if (first_picture != files.end()) trace_picture(files.back());
+  const std::string picture = first_picture == files.end() ? std::string() : files.back();
   files.erase(first_picture, files.end());
-  if (!files.empty()) open_files(files);
+  open_files(files, picture);
 }
 
 void App::on_close_wanted() {

@@ -33,20 +33,37 @@ void App::with_saved_work(std::function<void()> then) {
   ask_unsaved_.ask(files_.title(), std::move(then));
 }
 
-void App::open_files(const std::vector<std::string>& files) {
+void App::open_files(const std::vector<std::string>& files, const fs::path& picture) {
   std::vector<fs::path> paths = without_bundles(files);
-  if (paths.empty()) return;
-  with_saved_work([this, paths = std::move(paths)] { files_.open(paths); });
+  if (paths.empty()) {
+    if (!picture.empty()) trace_picture(picture);
+    return;
+  }
+  with_saved_work([this, paths = std::move(paths), picture] {
+    files_.open(paths);
+    traced_with_next_ = picture;
+  });
 }
 
 void App::open_shape(const SampleShape& shape) {
-  with_saved_work([this, shape] { files_.open_shape(shape.file, shape.name); });
+  with_saved_work([this, shape] {
+    traced_with_next_.clear();
+    files_.open_shape(shape.file, shape.name);
+  });
+}
+
+// Another document takes the place of this one: what belongs to this one alone goes (docs/decisions.md).
+void App::leave_document() {
+  animation_.stop();
+  evolution_.resume(evolution_.choice(), 0);
+  set_computation(for_another_document(computation_));
+  layers_.set_image({});
 }
 
 void App::take_read_file() {
   const auto outcome = files_.poll();
   if (!outcome) return;
-  if (!outcome->error) end_demo(true);
+  const fs::path picture = std::exchange(traced_with_next_, {});
   frames_wanted_ = 3;
   if (outcome->error) {
     report(*outcome->error);
@@ -54,7 +71,10 @@ void App::take_read_file() {
     if (!fs::exists(outcome->file)) std::erase(settings_.recent_files, text);
     return;
   }
+  end_demo(true);
+  leave_document();
   if (outcome->session) show_as_in(*outcome->session);
+  if (!picture.empty()) trace_picture(picture);
   fit_wanted_ = had_first_file_ ? Fit::glide : Fit::at_once;
   // What is to be told at the start stays to be read.
   if (had_first_file_) messages_.clear_problem();
@@ -166,7 +186,10 @@ void App::draw_dialogs() {
     if (const auto then = std::exchange(when_chosen_, {})) {
       then(*chosen);
     } else if (!was_saving) {
-      if (const std::vector<fs::path> files = without_bundles({chosen->string()}); !files.empty()) files_.open(files);
+      if (const std::vector<fs::path> files = without_bundles({chosen->string()}); !files.empty()) {
+        traced_with_next_.clear();
+        files_.open(files);
+      }
     } else {
       files_.save_as(*chosen);
     }

@@ -74,11 +74,13 @@ void App::offer_left_work() {
 }
 
 void App::recover(LeftWork work) {
+  end_demo(true);
   if (const auto done = files_.recover(work.session()); !done) {
     report(done.error());
     return;
   }
   messages_.remark("Recovered " + files_.title() + "; no file holds it yet");
+  leave_document();
   show_as_in(work.session());
   fit_wanted_ = Fit::at_once;
   had_first_file_ = true;

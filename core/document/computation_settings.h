@@ -23,4 +23,11 @@ struct ComputationSettings {
   friend bool operator==(const ComputationSettings&, const ComputationSettings&) = default;
 };
 
+/// What another document begins with: what belongs to a document is at its default, what is the user's stays.
+constexpr ComputationSettings for_another_document(ComputationSettings settings) {
+  for (std::size_t i = 0; i < kParameters; ++i)
+    if (parameter_descriptors()[i].is_of_document) settings.values[i] = parameter_descriptors()[i].default_value;
+  return settings;
+}
+
 }  // namespace mes

@@ -27,7 +27,8 @@ struct ParameterDescriptor {
   double low = 0.0;
   double high = 1.0;
   double default_value = 0.0;
-  bool is_whole = false;  ///< whole numbers only
+  bool is_whole = false;        ///< whole numbers only
+  bool is_of_document = false;  ///< another document begins with the default; else it is the user's and stays
 };
 
 inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{
@@ -41,11 +42,15 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       "Sampled balls are added until neighbouring circles cross at this angle or more; nearer to 180 is denser",
       "degrees", 90.0, 179.9, 175.0},
      {"a-scale", "The radii of the inner Voronoi balls are multiplied by it, exactly, before their union is taken",
-      "", 0.01, 100.0, 1.0},
+      "", 0.01, 100.0, 1.0, false, true},
      {"p-scale", "The radii of the inner polar balls are multiplied by it, exactly, before their union is taken", "",
-      0.01, 100.0, 1.0},
+      0.01, 100.0, 1.0, false, true},
      {"b-scale", "The radii of your own balls are multiplied by it, exactly, before their union is taken", "", 0.01,
-      100.0, 1.0}}};
+      100.0, 1.0, false, true}}};
+
+constexpr bool is_switch(const ParameterDescriptor& descriptor) {
+  return descriptor.is_whole && descriptor.low == 0.0 && descriptor.high == 1.0;
+}
 
 /// Every parameter.
 constexpr std::span<const ParameterDescriptor> parameter_descriptors() {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters that are not at their defaults, in words, so that no picture depends on a number nobody sees.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/document/computation_settings.h"
+
+namespace mes {
+
+struct ChangedParameter {
+  Parameter parameter{};
+  std::string text{};  ///< "A scale 2.14 ×", "Union shortcut off"
+};
+
+/// Those of the document first, else in the order of the table.
+std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings);
+
+/// "medial-sampling-angle" -> "Medial sampling angle".
+std::string title_of(const ParameterDescriptor& descriptor);
+/// "2.14 ×", "150°", "on".
+std::string value_text(const ParameterDescriptor& descriptor, double value);
+
+/// How many things of these widths, from the first and with `gap` between them, fit into `room`. If not all do, there
+/// is room for one more of the width `rest` after them, as long as `room` is not smaller than that.
+std::size_t how_many_fit(std::span<const float> widths, float gap, float rest, float room);
+
+}  // namespace mes

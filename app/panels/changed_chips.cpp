@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/changed_chips.h"
+
+#include "app/panels/icons.h"
+#include "app/window/theme.h"
+
+namespace mes {
+namespace {
+
+// Logical pixels.
+constexpr float kGap = 6;
+constexpr float kGapAfter = 16;
+constexpr float kPadding = 7;
+constexpr float kCross = 13;
+
+std::string explanation(Parameter parameter) {
+  const ParameterDescriptor& descriptor = descriptor_of(parameter);
+  return std::string(descriptor.explanation) + "\n\nClick: back to the default, " +
+         value_text(descriptor, descriptor.default_value);
+}
+
+}  // namespace
+
+ChangedChips::ChangedChips(const PanelContext& context)
+    : context_(context), changed_(changed_parameters(context.computation)) {
+  for (const ChangedParameter& changed : changed_)
+    widths_.push_back(text_width(changed.text) + (kCross + 2) * context.gui.unit());
+}
+
+float ChangedChips::text_width(const std::string& text) const {
+  const ImFont& font = *context_.gui.small();
+  const float size = font.FontSize * ImGui::GetIO().FontGlobalScale;
+  return font.CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x + 2 * kPadding * context_.gui.unit();
+}
+
+std::string ChangedChips::rest_text(std::size_t shown) const {
+  return "+" + std::to_string(changed_.size() - shown);
+}
+
+float ChangedChips::row_width(std::size_t shown) const {
+  const float unit = context_.gui.unit();
+  float out = kGapAfter * unit;
+  for (std::size_t i = 0; i < shown; ++i) out += widths_[i] + (i == 0 ? 0.0F : kGap * unit);
+  if (shown < changed_.size()) out += (shown == 0 ? 0.0F : kGap * unit) + text_width(rest_text(shown));
+  return out;
+}
+
+std::size_t ChangedChips::shown_in(float room) const {
+  const float unit = context_.gui.unit();
+  return how_many_fit(widths_, kGap * unit, text_width(rest_text(0)), room - kGapAfter * unit);
+}
+
+float ChangedChips::full_width() const {
+  return is_empty() ? 0.0F : row_width(changed_.size());
+}
+
+float ChangedChips::width_in(float room) const {
+  return is_empty() ? 0.0F : row_width(shown_in(room));
+}
+
+void ChangedChips::reset(Parameter parameter) const {
+  if (context_.animation.is_running() && context_.animation.parameter == parameter) context_.animation.stop();
+  const ParameterDescriptor& descriptor = descriptor_of(parameter);
+  ComputationSettings settings = context_.computation;
+  settings[parameter] = descriptor.default_value;
+  context_.set_computation(settings);
+  context_.messages.remark(title_of(descriptor) + ": " + value_text(descriptor, descriptor.default_value) + " again");
+}
+
+bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_cross) const {
+  const float unit = context_.gui.unit();
+  const ThemeColors& colors = context_.gui.colors();
+  const ImVec2 size(text_width(text) + (has_cross ? (kCross + 2) * unit : 0.0F), ImGui::GetFrameHeight());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool is_clicked = ImGui::InvisibleButton(id, size);
+  const bool is_hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  list.AddRectFilled(at, end, is_hovered ? colors.accent_soft : colors.accent_faint, 0.5F * size.y);
+  list.AddRect(at, end, colors.accent, 0.5F * size.y, 0, unit);
+  ImFont* const font = context_.gui.small();
+  const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  list.AddText(font, height, {at.x + kPadding * unit, at.y + 0.5F * (size.y - height)}, colors.text, text.c_str());
+  if (has_cross)
+    draw_icon(list, Icon::close, {end.x - (kCross + 5) * unit, at.y + 0.5F * (size.y - kCross * unit)}, kCross * unit,
+              is_hovered ? colors.text : colors.text_quiet);
+  return is_clicked;
+}
+
+void ChangedChips::draw_rest(std::size_t shown) const {
+  const float unit = context_.gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (draw_chip("rest", rest_text(shown), false)) ImGui::OpenPopup("##changed");
+  tooltip(context_.gui, "More parameters that are not at their defaults");
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
+  // Above the bar, towards the middle of the window.
+  const bool is_right = at.x > 0.5F * ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({at.x, at.y - 9 * unit}, ImGuiCond_Always, {is_right ? 1.0F : 0.0F, 1.0F});
+  if (ImGui::BeginPopup("##changed")) {
+    for (std::size_t i = shown; i < changed_.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
+      tooltip(context_.gui, explanation(changed_[i].parameter));
+      ImGui::PopID();
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+void ChangedChips::draw(float room) const {
+  if (is_empty()) return;
+  const float unit = context_.gui.unit();
+  const std::size_t shown = shown_in(room);
+  ImGui::PushID("chips");
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) ImGui::SameLine(0, kGap * unit);
+    ImGui::PushID(static_cast<int>(changed_[i].parameter));
+    if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
+    tooltip(context_.gui, explanation(changed_[i].parameter));
+    ImGui::PopID();
+  }
+  if (shown < changed_.size()) {
+    if (shown > 0) ImGui::SameLine(0, kGap * unit);
+    draw_rest(shown);
+  }
+  ImGui::PopID();
+}
+
+}  // namespace mes

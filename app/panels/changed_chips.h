@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chips in the status bar: each a parameter that is not at its default, which a click gives back to it.
+#pragma once
+
+#include "app/changed_parameters.h"
+#include "app/panels/panel_context.h"
+
+namespace mes {
+
+/// What it guarantees: with any parameter changed there is something to see, if only "+3", whose popup has them all.
+///
+/// Smallest use:
+///     const ChangedChips chips(context);
+///     const float width = chips.width_in(room);
+///     ... ImGui::SetCursorPosX(end - width); chips.draw(width);
+///
+/// Threads: the window's; lives for a frame.
+class ChangedChips {
+ public:
+  explicit ChangedChips(const PanelContext& context);
+
+  bool is_empty() const { return changed_.empty(); }
+  /// Of all of them, with the gap before what follows.
+  float full_width() const;
+  /// Of those that fit into the room and the button of the rest; at least of that button.
+  float width_in(float room) const;
+  /// From the cursor on, those of `width_in`.
+  void draw(float room) const;
+
+ private:
+  std::size_t shown_in(float room) const;
+  float row_width(std::size_t shown) const;
+  std::string rest_text(std::size_t shown) const;
+  float text_width(const std::string& text) const;
+  bool draw_chip(const char* id, const std::string& text, bool has_cross) const;
+  void draw_rest(std::size_t shown) const;
+  void reset(Parameter parameter) const;
+
+  const PanelContext& context_;
+  std::vector<ChangedParameter> changed_;
+  std::vector<float> widths_;
+};
+
+}  // namespace mes
