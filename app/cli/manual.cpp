@@ -186,6 +186,16 @@ void write_formats(Markdown& page) {
       "The format is found by what a file holds, then by its name; `--from ID` overrides both. `mesecina export`\n"
       "writes the geometry of a layer. Files appear complete or not at all.");
 
+  page.subsection("POFF and WPOFF");
+  page.paragraph(
+      "`POFF n 0 0`, then x and y of each of n points; `WPOFF n 0 0`, then x, y and radius of each of n balls. "
+      "White\n"
+      "space is free: numbers may be spread over lines in any way, `#` begins a comment. But lines that all have "
+      "another\n"
+      "number of columns, such as three in POFF, are an error; so is a line that stands out where each other line "
+      "is\n"
+      "one point.");
+
   page.subsection("Sessions");
   page.paragraph(
       "One JSON object: the data as they were opened, everything that happened since, and how they are looked at.\n"

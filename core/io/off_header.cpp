@@ -2,6 +2,7 @@
 #include "core/io/off_header.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mes {
 namespace {
@@ -46,7 +47,39 @@ Expected<std::uint64_t> OffReader::read_header() {
       return fail("the header must end with two integers, \"0 0\"; found " + in_quotes(scanner_.token()));
   }
   count_ = *count;
+  layout_ = LineLayout(kind_.numbers_each, scanner_.line());
+  if (auto good = survey(); !good) return std::unexpected(good.error());
   return count_;
+}
+
+bool OffReader::next() {
+  if (!scanner_.next()) {
+    layout_.end();
+    return false;
+  }
+  layout_.add(scanner_.line(), scanner_.column(), scanner_.token().size());
+  return true;
+}
+
+Expected<void> OffReader::survey() const {
+  Scanner ahead = scanner_;
+  LineLayout layout = layout_;
+  while (!layout.is_free() && ahead.next()) layout.add(ahead.line(), ahead.column(), ahead.token().size());
+  if (layout.is_free()) return {};
+  layout.end();
+  if (auto error = contradiction(layout)) return std::unexpected(std::move(*error));
+  return {};
+}
+
+std::optional<Error> OffReader::contradiction(const LineLayout& layout) const {
+  const auto line = layout.contradiction(count_);
+  if (!line) return std::nullopt;
+  const std::string found = std::to_string(line->columns) + (line->columns == 1 ? " number" : " numbers");
+  const std::string wanted = std::string(kind_.things) + " have " + std::to_string(kind_.numbers_each);
+  std::string text = found + (line->are_all_alike ? " a line, but " : " on this line, but ") + wanted;
+  if (const std::string_view guess = kind_.guess(line->columns); line->are_all_alike && !guess.empty())
+    text += ": probably " + std::string(guess);
+  return Error{ErrorCode::bad_input, std::move(text), name_, line->place.line, line->place.column};
 }
 
 std::size_t OffReader::likely_count() const {
@@ -56,9 +89,11 @@ std::size_t OffReader::likely_count() const {
 
 Expected<void> OffReader::read_next(std::span<double> numbers) {
   for (double& number : numbers) {
-    if (!scanner_.next())
+    if (!next()) {
+      if (auto error = contradiction(layout_)) return std::unexpected(std::move(*error));
       return fail("the file ends after " + std::to_string(numbers_read_) + " of " +
                   std::to_string(kind_.numbers_each * count_) + ' ' + std::string(kind_.numbers));
+    }
     const auto value = parse_number(scanner_.token());
     if (!value) return fail(describe(value.error(), scanner_.token()));
     number = *value;
@@ -67,13 +102,14 @@ Expected<void> OffReader::read_next(std::span<double> numbers) {
   return {};
 }
 
-std::vector<std::string> OffReader::finish() {
+Expected<std::vector<std::string>> OffReader::finish() {
   std::vector<std::string> warnings;
-  if (!scanner_.next()) return warnings;
+  if (!next()) return warnings;
   warnings.push_back(warning("everything after the " + std::to_string(count_) + " announced " +
                              std::string(kind_.things) + " is ignored"));
-  while (scanner_.next()) {
+  while (next()) {
   }
+  if (auto error = contradiction(layout_)) return std::unexpected(std::move(*error));
   return warnings;
 }
 

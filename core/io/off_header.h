@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/line_layout.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -19,13 +21,16 @@ struct OffKind {
   std::string_view things;   ///< what is counted, in the plural
   std::string_view numbers;  ///< what one of them consists of, in the plural
   std::size_t numbers_each = 2;
+  /// What a file is that has so many numbers a line instead; empty: who knows.
+  std::string_view (*guess)(std::size_t columns) = nullptr;
 };
 
 /// Whether the first word is the magic one.
 bool has_off_magic(std::string_view bytes, const OffKind& kind);
 
 /// Reads header and numbers in the order of the file; no more memory than the bytes deserve, whatever the header
-/// says. Errors have line and column.
+/// says. White space is free, but lines that contradict such a reading are an error (`LineLayout`). Errors have line
+/// and column.
 class OffReader {
  public:
   /// The scanner stands at the beginning; `bytes` is all it reads, `name` stands for the file in messages.
@@ -43,15 +48,21 @@ class OffReader {
   /// A remark where the scanner stands, as one line.
   std::string warning(std::string text) const;
   /// Reads on to the end of the file; a remark if there is something.
-  std::vector<std::string> finish();
+  Expected<std::vector<std::string>> finish();
 
  private:
+  /// Goes to the next number.
+  bool next();
+  /// Looks at the lines ahead, as far as their layout is in doubt.
+  Expected<void> survey() const;
+  std::optional<Error> contradiction(const LineLayout& layout) const;
   const OffKind& kind_;
   Scanner& scanner_;
   std::string_view bytes_;
   const std::string& name_;
   std::uint64_t count_ = 0;
   std::uint64_t numbers_read_ = 0;
+  LineLayout layout_{0, 0};  // of the numbers seen so far
 };
 
 }  // namespace mes

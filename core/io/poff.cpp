@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// POFF: "POFF n 0 0" and n pairs of numbers, white space anywhere.
+// POFF: "POFF n 0 0" and n pairs of numbers, white space anywhere unless the lines say that they are no pairs.
 //
 // Two ways to say how the points follow each other on curves: lines `# loop closed i0 i1 ...` (or `open`), which old
 // readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,
@@ -17,7 +17,12 @@
 namespace mes {
 namespace {
 
-constexpr OffKind kPoints{.magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2};
+std::string_view what_else(std::size_t columns) {
+  return columns == 3 ? "balls (WPOFF) or points in space" : "";
+}
+
+constexpr OffKind kPoints{
+    .magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2, .guess = what_else};
 
 /// Notes the comments that speak of loops; they cannot be judged before the points are known.
 class PoffScanner final : public Scanner {
@@ -89,7 +94,9 @@ Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name) 
     if (auto read = reader.read_next(point); !read) return std::unexpected(read.error());
     file.data.positions.push_back({point[0], point[1]});
   }
-  file.warnings = reader.finish();
+  auto remarks = reader.finish();
+  if (!remarks) return std::unexpected(remarks.error());
+  file.warnings = std::move(*remarks);
   for (const PoffScanner::Note& note : scanner.notes()) {
     auto loop = read_loop(note, file.data.positions.size(), name);
     if (!loop) {

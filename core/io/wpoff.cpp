@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// WPOFF: "WPOFF n 0 0" and n times "x y radius", white space anywhere. Radii are taken as they stand.
+// WPOFF: "WPOFF n 0 0" and n times "x y radius", white space anywhere unless the lines say otherwise. Radii are taken
+// as they stand.
 #include <array>
 
 #include "core/io/format_registry.h"
@@ -8,7 +9,12 @@
 namespace mes {
 namespace {
 
-constexpr OffKind kBalls{.magic = "WPOFF", .things = "balls", .numbers = "numbers", .numbers_each = 3};
+std::string_view what_else(std::size_t columns) {
+  return columns == 2 ? "points (POFF)" : (columns == 4 ? "balls in space" : "");
+}
+
+constexpr OffKind kBalls{
+    .magic = "WPOFF", .things = "balls", .numbers = "numbers", .numbers_each = 3, .guess = what_else};
 
 Match match_wpoff(std::string_view bytes) {
   return has_off_magic(bytes, kBalls) ? Match::surely : Match::no;
@@ -37,7 +43,9 @@ Expected<LoadedFile> read_wpoff(std::string_view bytes, const std::string& name)
         at_first_zero + (zeros == 1 ? "a ball has radius zero; it is kept, but adds nothing to unions"
                                     : std::to_string(zeros) + " balls have radius zero, the first of them here; they "
                                                               "are kept, but add nothing to unions"));
-  for (std::string& warning : reader.finish()) file.warnings.push_back(std::move(warning));
+  auto remarks = reader.finish();
+  if (!remarks) return std::unexpected(remarks.error());
+  for (std::string& remark : *remarks) file.warnings.push_back(std::move(remark));
   return file;
 }
 

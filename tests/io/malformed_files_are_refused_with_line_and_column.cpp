@@ -100,7 +100,7 @@ TEST_CASE("WPOFF files that are wrong are refused where they are wrong") {
       {"a.wpoff", "WPOFF 1 0.5 0\n1 2 3\n", 1, 9, "found \"0.5\""},
       {"a.wpoff", "WPOFF 2 0 0\n1 2 3\n4 5", 3, 4, "after 5 of 6 numbers"},
       // Radii forgotten: a file of points under the wrong name.
-      {"a.wpoff", "WPOFF 2 0 0\n1 2\n4 5\n", 4, 1, "after 4 of 6 numbers"},
+      {"a.wpoff", "WPOFF 2 0 0\n1 2\n4 5\n", 2, 4, "2 numbers a line, but balls have 3: probably points"},
       {"a.wpoff", "WPOFF 1 0 0\n1 2 nan\n", 2, 5, "\"nan\" is not a finite number"},
       {"a.wpoff", "WPOFF 1 0 0\n1 inf 3\n", 2, 3, "\"inf\" is not a finite number"},
       {"a.wpoff", "WPOFF 1 0 0\n1 2 1e309\n", 2, 5, "too large"},
