@@ -93,8 +93,7 @@ struct Autosave::Journal {
       if (n <= 0) {
         const int error = n < 0 ? errno : ENOSPC;
         // A torn line in the middle would hide all that comes after it.
-        static_cast<void>(::ftruncate(fd, length));
-        return error;
+        return ::ftruncate(fd, length) == 0 ? error : errno;
       }
       done += static_cast<std::size_t>(n);
     }
