@@ -10,6 +10,8 @@
 #include <new>
 #include <vector>
 
+#include "render/picture_guard.h"
+
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
@@ -58,8 +60,9 @@ Image halved(const Image& image) {
 
 }  // namespace
 
-Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name) {
+Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name, std::size_t most_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
+  if (!is_safe_to_decode(bytes)) return fail("the picture is broken: it announces more than it can hold", name);
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   int width = 0;
@@ -69,7 +72,7 @@ Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::stri
     return fail("this is no PNG or JPEG picture", name);
   const std::string extent = std::to_string(width) + "x" + std::to_string(height);
   if (width < 1 || height < 1 || width > kLongestPictureSide || height > kLongestPictureSide ||
-      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMostPicturePixels)
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most_pixels)
     return fail("a picture of " + extent + " pixels is too large to trace", name);
   try {
     const std::unique_ptr<stbi_uc, FreePixels> pixels(

@@ -17,8 +17,10 @@ namespace mes::render {
 inline constexpr int kLongestPictureSide = 32768;
 inline constexpr std::size_t kMostPicturePixels = std::size_t{1} << 27U;  ///< half a gibibyte
 
-/// PNG or JPEG, known by its first bytes; `name` stands for the file in messages. Error: `bad_input`.
-Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name);
+/// PNG or JPEG, known by its first bytes; `name` stands for the file in messages. Error: `bad_input`, also for more
+/// than `most_pixels`.
+Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name,
+                               std::size_t most_pixels = kMostPicturePixels);
 Expected<Image> read_picture(const std::filesystem::path& file);
 
 /// By the extension of its name.

@@ -165,3 +165,32 @@ TEST_CASE("what was written as PNG is read back, and broken bytes are an error o
   CHECK(render::decode_picture(huge, "a.png").error().message() ==
         "a.png: a picture of 28784x8192 pixels is too large to trace");
 }
+
+TEST_CASE("a picture that announces more than it can hold is refused before it is decoded") {
+  const auto refused = [](std::span<const std::byte> bytes) {
+    const auto read = render::decode_picture(bytes, "a");
+    return !read && read.error().message() == "a: the picture is broken: it announces more than it can hold";
+  };
+  const auto jpeg = [](std::initializer_list<int> values) {
+    std::vector<std::byte> out{std::byte{0xFF}, std::byte{0xD8}};
+    for (const int value : values) out.push_back(static_cast<std::byte>(value));
+    return out;
+  };
+  // A table of 255 + 1 symbols, and one of 255 + 2.
+  CHECK_FALSE(refused(jpeg({0xFF, 0xC4, 0x01, 0x13, 0, 255, 1})));
+  CHECK(refused(jpeg({0xFF, 0xC4, 0x01, 0x14, 0, 255, 2})));
+  // Behind fill bytes, behind another segment, and in a table that begins at the end of its segment.
+  CHECK(refused(jpeg({0xFF, 0xFF, 0xC4, 0x01, 0x14, 0, 255, 2})));
+  CHECK(refused(jpeg({0xFF, 0xFE, 0x00, 0x03, 0xFF, 0xFF, 0xC4, 0x01, 0x14, 0, 255, 2})));
+  CHECK(refused(jpeg({0xFF, 0xC4, 0x00, 0x14, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 2})));
+  // Within another segment it is no table.
+  CHECK_FALSE(refused(jpeg({0xFF, 0xFE, 0x00, 0x09, 0xFF, 0xC4, 0x01, 0x14, 0, 255, 2})));
+
+  const auto png = render::encode_png(three_fields(5, 4));
+  REQUIRE(png);
+  CHECK_FALSE(refused(*png));
+  std::vector<std::byte> longer = *png;
+  constexpr std::size_t kLengthOfData = 33;  // behind the signature and the header
+  longer[kLengthOfData] = std::byte{0x3F};
+  CHECK(refused(longer));
+}
