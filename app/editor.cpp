@@ -5,6 +5,35 @@
 
 namespace mes {
 
+namespace {
+
+Vec2& place_of(Vec2& p) {
+  return p;
+}
+Vec2& place_of(Disk& disk) {
+  return disk.center;
+}
+template <class Id, class Thing>
+Vec2& place_of(std::pair<Id, Thing>& thing) {
+  return place_of(thing.second);
+}
+
+// Places as tools give them, with coordinates that are nothing beside the others of the document set to zero: a
+// pointer close to an axis, or a nudge onto it, means the axis. Radii stay as they are, lest a ball vanish.
+template <class Thing>
+std::vector<Thing> placed(const Document& document, std::span<const Thing> things) {
+  std::vector<Thing> out(things.begin(), things.end());
+  Magnitudes all = document.magnitudes();
+  for (Thing& thing : out) for_each_number(place_of(thing), [&all](double x) { all.add(x); });
+  for (Thing& thing : out) {
+    Vec2& p = place_of(thing);
+    p = {without_traces(p.x, all.most), without_traces(p.y, all.most)};
+  }
+  return out;
+}
+
+}  // namespace
+
 Editor::Editor(Listener listener) : index_(document_), listener_(std::move(listener)) {}
 
 void Editor::apply(const DocumentDelta& delta) {
@@ -66,7 +95,7 @@ void Editor::record(const DocumentDelta& delta, const std::string& name, bool co
 }
 
 Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, const std::string& name) {
-  auto delta = insert_samples(document_, positions);
+  auto delta = insert_samples(document_, placed(document_, positions));
   if (!delta) return std::unexpected(delta.error());
   std::vector<Slot> slots;
   slots.reserve(delta->edits.size());
@@ -76,7 +105,7 @@ Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, cons
 }
 
 Expected<std::vector<Slot>> Editor::insert_balls(std::span<const Disk> disks, const std::string& name) {
-  auto delta = mes::insert_balls(document_, disks);
+  auto delta = mes::insert_balls(document_, placed(document_, disks));
   if (!delta) return std::unexpected(delta.error());
   std::vector<Slot> slots;
   slots.reserve(delta->ball_edits.size());
@@ -93,12 +122,14 @@ Expected<void> Editor::perform(const Expected<DocumentDelta>& delta, const std::
 
 Expected<void> Editor::move(std::span<const std::pair<SampleId, Vec2>> samples,
                             std::span<const std::pair<BallId, Disk>> balls, const std::string& name) {
-  return perform(together(move_samples(document_, samples), change_balls(document_, balls)), name);
+  return perform(
+      change_document(document_, {.moved = placed(document_, samples), .changed_balls = placed(document_, balls)}),
+      name);
 }
 
 Expected<void> Editor::remove(std::span<const SampleId> samples, std::span<const BallId> balls,
                               const std::string& name) {
-  return perform(together(remove_samples(document_, samples), remove_balls(document_, balls)), name);
+  return perform(change_document(document_, {.removed = samples, .removed_balls = balls}), name);
 }
 
 Expected<void> Editor::remove_selection() {

@@ -24,7 +24,10 @@ namespace mes {
 ///     order. A refused command changes nothing.
 ///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step.
 ///  3. The timeline tells of each change, once and in order; replaying it gives this document and this history.
-///  4. `is_modified` compares document states: undoing back to what was saved is "not modified".
+///  4. Coordinates that are given here and are nothing beside the others of the document
+///  (core/base/coordinate_range.h)
+///     are set to zero; other numbers out of range are refused.
+///  5. `is_modified` compares document states: undoing back to what was saved is "not modified".
 ///
 /// Smallest use:
 ///     Editor editor([&](auto delta) { engine.post(std::move(delta)); });

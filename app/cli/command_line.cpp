@@ -16,6 +16,7 @@
 #include "app/cli/requests.h"
 #include "app/cli/style_request.h"
 #include "core/base/assert.h"
+#include "core/base/coordinate_range.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 
@@ -51,6 +52,26 @@ std::string ids_of(const auto& descriptors) {
     if (!out.empty()) out += ", ";
     out += descriptor.id;
   }
+  return out;
+}
+
+/// In lines of some hundred characters, all but the first indented.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  constexpr std::size_t kWidth = 100;
+  std::string out;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (column + end > kWidth) {
+      out.back() = '\n';
+      out.append(indent, ' ');
+      column = indent;
+    }
+    out.append(text.substr(0, end)) += ' ';
+    column += end + 1;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  out.pop_back();
   return out;
 }
 
@@ -191,7 +212,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
     for (CLI::Option* const option : command->get_options())
       if (option->get_expected_max() > 0) option->check(is_not_empty);
   // At the end, or each command would have it too.
-  app.footer(kExamples);
+  app.footer(std::string(kExamples) + "\n\nInput: " + wrapped(coordinate_range_in_words(), 7));
 }
 
 /// The help pages, that of the program itself first.

@@ -12,6 +12,7 @@
 #include "app/cli/requests.h"
 #include "app/color_maps.h"
 #include "app/sample_shapes.h"
+#include "core/base/coordinate_range.h"
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/layer_descriptor.h"
@@ -185,6 +186,18 @@ void write_formats(Markdown& page) {
   page.paragraph(
       "The format is found by what a file holds, then by its name; `--from ID` overrides both. `mesecina export`\n"
       "writes the geometry of a layer. Files appear complete or not at all.");
+
+  page.subsection("The range of coordinates");
+  page.paragraph(
+      "Whatever brings them, files, sessions, tools or evolutions: " + std::string(coordinate_range_in_words()) +
+      ".\nNumbers are compared by their binary exponents, which differ by at most 100, so a little more than that "
+      "may\n"
+      "pass. What is out of range is refused with its place, and never changed. In the window, and in the steps of\n"
+      "an evolution, a coordinate that is too small beside the others becomes 0.\n"
+      "Inside the range all lengths, radii and positions are finite, and decisions about samples exact. An area is\n"
+      "finite as long as no coordinate is above 2^180 (1e54); beyond that the disk of a very flat triangle can be\n"
+      "larger than any double. Multiplied by a power of two that stays in range, an input gives the same picture\n"
+      "multiplied by it.");
 
   page.subsection("POFF and WPOFF");
   page.paragraph(

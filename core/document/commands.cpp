@@ -31,12 +31,30 @@ DocumentDelta delta_from(const Document& document) {
 }
 
 // What all samples and all balls must satisfy; empty when they do.
+template <class Value>
+std::string range_fault_of(const Value& value) {
+  std::string out;
+  for_each_number(value, [&out](double x) {
+    if (const auto fault = mes::range_fault_of(x); fault && out.empty()) out = describe(*fault, x);
+  });
+  return out;
+}
 std::string fault_of(Vec2 p) {
-  return is_finite(p) ? std::string() : "a coordinate is not a finite number";
+  return range_fault_of(p);
 }
 std::string fault_of(const Disk& disk) {
-  if (!is_finite(disk)) return "a coordinate or a radius is not a finite number";
-  return disk.radius < 0.0 ? "a radius is negative" : std::string();
+  return disk.radius < 0.0 ? "a radius is negative" : range_fault_of(disk);
+}
+
+// What all of them together must satisfy.
+Expected<DocumentDelta> fitting(const Document& document, DocumentDelta delta) {
+  const Magnitudes after = document.magnitudes_after(delta);
+  if (after.fit()) return delta;
+  std::string text;
+  for_each_new_number(delta, [&](double x) {
+    if (const auto fault = after.fault_of(x); fault && text.empty()) text = describe(*fault, x, after);
+  });
+  return refuse(std::move(text));
 }
 
 bool has_room(std::uint32_t next_id, std::size_t wanted) {
@@ -74,93 +92,72 @@ Expected<void> number(std::span<const Value> wanted, SomeId first, std::string_v
 
 }  // namespace
 
-Expected<DocumentDelta> insert_samples(const Document& document, std::span<const Vec2> positions) {
-  DocumentDelta delta = delta_from(document);
-  delta.edits.reserve(positions.size());
-  const std::uint32_t first = document.next_id().value;
-  if (!has_room(first, positions.size())) return refuse("too many samples in one session");
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (auto fault = fault_of(positions[i]); !fault.empty()) return refuse(std::move(fault));
-    delta.edits.push_back({SampleEdit::Kind::insert, SampleId{first + static_cast<std::uint32_t>(i)},
-                           document.slot_for_new_sample(i), Vec2{}, without_negative_zero(positions[i])});
-  }
-  return delta;
-}
+namespace {
 
-Expected<DocumentDelta> remove_samples(const Document& document, std::span<const SampleId> ids) {
-  DocumentDelta delta = delta_from(document);
-  delta.edits.reserve(ids.size());
-  std::unordered_set<SampleId> seen;
-  for (const SampleId id : ids) {
+// What differs between samples and balls where they are changed.
+struct Samples {
+  using SomeId = SampleId;
+  using Edit = SampleEdit;
+  static constexpr auto kChange = SampleEdit::Kind::move;
+  static constexpr std::string_view kKind = "samples";
+  static std::uint32_t next_id(const Document& document) { return document.next_id().value; }
+  static Slot slot_for_new(const Document& document, std::size_t i) { return document.slot_for_new_sample(i); }
+  static Vec2 value(const Document& document, Slot slot) { return document.position(slot); }
+};
+struct Balls {
+  using SomeId = BallId;
+  using Edit = BallEdit;
+  static constexpr auto kChange = BallEdit::Kind::change;
+  static constexpr std::string_view kKind = "balls";
+  static std::uint32_t next_id(const Document& document) { return document.next_ball_id().value; }
+  static Slot slot_for_new(const Document& document, std::size_t i) { return document.slot_for_new_ball(i); }
+  static Disk value(const Document& document, Slot slot) { return document.disk(slot); }
+};
+
+/// Appends the edits.
+template <class Things, class Value>
+Expected<void> add_edits(const Document& document, std::span<const typename Things::SomeId> removed,
+                         std::span<const std::pair<typename Things::SomeId, Value>> changed,
+                         std::span<const Value> inserted, std::vector<typename Things::Edit>& edits) {
+  using Kind = typename Things::Edit::Kind;
+  // A removed row would be given to what is inserted.
+  MES_ASSERT(removed.empty() || (changed.empty() && inserted.empty()));
+  edits.reserve(removed.size() + changed.size() + inserted.size());
+  std::unordered_set<typename Things::SomeId> seen;
+  for (const auto id : removed) {
     const auto slot = live_slot(document, id, seen);
     if (!slot) return std::unexpected(slot.error());
-    delta.edits.push_back({SampleEdit::Kind::remove, id, *slot, document.position(*slot), Vec2{}});
+    edits.push_back({Kind::remove, id, *slot, Things::value(document, *slot), Value{}});
   }
-  return delta;
-}
-
-Expected<DocumentDelta> move_samples(const Document& document, std::span<const std::pair<SampleId, Vec2>> targets) {
-  DocumentDelta delta = delta_from(document);
-  delta.edits.reserve(targets.size());
-  std::unordered_set<SampleId> seen;
-  for (const auto& [id, to] : targets) {
-    const auto slot = live_slot(document, id, seen);
-    if (!slot) return std::unexpected(slot.error());
-    if (auto fault = fault_of(to); !fault.empty()) return refuse(std::move(fault));
-    const Vec2 target = without_negative_zero(to);
-    if (target == document.position(*slot)) continue;
-    delta.edits.push_back({SampleEdit::Kind::move, id, *slot, document.position(*slot), target});
-  }
-  return delta;
-}
-
-Expected<DocumentDelta> insert_balls(const Document& document, std::span<const Disk> disks) {
-  DocumentDelta delta = delta_from(document);
-  delta.ball_edits.reserve(disks.size());
-  const std::uint32_t first = document.next_ball_id().value;
-  if (!has_room(first, disks.size())) return refuse("too many balls in one session");
-  for (std::size_t i = 0; i < disks.size(); ++i) {
-    if (auto fault = fault_of(disks[i]); !fault.empty()) return refuse(std::move(fault));
-    delta.ball_edits.push_back({BallEdit::Kind::insert, BallId{first + static_cast<std::uint32_t>(i)},
-                                document.slot_for_new_ball(i), Disk{}, without_negative_zero(disks[i])});
-  }
-  return delta;
-}
-
-Expected<DocumentDelta> remove_balls(const Document& document, std::span<const BallId> ids) {
-  DocumentDelta delta = delta_from(document);
-  delta.ball_edits.reserve(ids.size());
-  std::unordered_set<BallId> seen;
-  for (const BallId id : ids) {
-    const auto slot = live_slot(document, id, seen);
-    if (!slot) return std::unexpected(slot.error());
-    delta.ball_edits.push_back({BallEdit::Kind::remove, id, *slot, document.disk(*slot), Disk{}});
-  }
-  return delta;
-}
-
-Expected<DocumentDelta> change_balls(const Document& document, std::span<const std::pair<BallId, Disk>> targets) {
-  DocumentDelta delta = delta_from(document);
-  delta.ball_edits.reserve(targets.size());
-  std::unordered_set<BallId> seen;
-  for (const auto& [id, to] : targets) {
+  for (const auto& [id, to] : changed) {
     const auto slot = live_slot(document, id, seen);
     if (!slot) return std::unexpected(slot.error());
     if (auto fault = fault_of(to); !fault.empty()) return refuse(std::move(fault));
-    const Disk target = without_negative_zero(to);
-    if (target == document.disk(*slot)) continue;
-    delta.ball_edits.push_back({BallEdit::Kind::change, id, *slot, document.disk(*slot), target});
+    const Value target = without_negative_zero(to);
+    if (target == Things::value(document, *slot)) continue;
+    edits.push_back({Things::kChange, id, *slot, Things::value(document, *slot), target});
   }
-  return delta;
+  const std::uint32_t first = Things::next_id(document);
+  if (!has_room(first, inserted.size())) return refuse("too many " + std::string(Things::kKind) + " in one session");
+  for (std::size_t i = 0; i < inserted.size(); ++i) {
+    if (auto fault = fault_of(inserted[i]); !fault.empty()) return refuse(std::move(fault));
+    edits.push_back({Kind::insert, typename Things::SomeId{first + static_cast<std::uint32_t>(i)},
+                     Things::slot_for_new(document, i), Value{}, without_negative_zero(inserted[i])});
+  }
+  return {};
 }
 
-Expected<DocumentDelta> together(Expected<DocumentDelta> samples, const Expected<DocumentDelta>& balls) {
-  if (!samples) return samples;
-  if (!balls) return balls;
-  MES_ASSERT(samples->from_revision == balls->from_revision && samples->ball_edits.empty() && balls->edits.empty());
-  MES_ASSERT(!samples->replaces_all() && !balls->replaces_all());
-  samples->ball_edits = balls->ball_edits;
-  return samples;
+}  // namespace
+
+Expected<DocumentDelta> change_document(const Document& document, const DocumentChange& change) {
+  DocumentDelta delta = delta_from(document);
+  if (auto done = add_edits<Samples>(document, change.removed, change.moved, change.inserted, delta.edits); !done)
+    return std::unexpected(done.error());
+  if (auto done = add_edits<Balls>(document, change.removed_balls, change.changed_balls, change.inserted_balls,
+                                   delta.ball_edits);
+      !done)
+    return std::unexpected(done.error());
+  return fitting(document, std::move(delta));
 }
 
 Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
@@ -174,13 +171,10 @@ Expected<DocumentDelta> arrange_samples(const Document& document, std::span<cons
     targets.emplace_back(document.id(slot), positions[targets.size()]);
     ids.push_back(document.id(slot));
   }
-  auto delta = move_samples(document, targets);
-  if (!delta) return delta;
-  const auto inserted = insert_samples(document, positions.subspan(targets.size()));
-  if (!inserted) return inserted;
-  delta->edits.insert(delta->edits.end(), inserted->edits.begin(), inserted->edits.end());
-  if (contours.empty()) return delta;
-  for (const SampleEdit& edit : inserted->edits) ids.push_back(edit.id);
+  auto delta = change_document(document, {.moved = targets, .inserted = positions.subspan(targets.size())});
+  if (!delta || contours.empty()) return delta;
+  for (const SampleEdit& edit : delta->edits)
+    if (edit.kind == SampleEdit::Kind::insert) ids.push_back(edit.id);
   auto curve = std::make_shared<CurveOrder>();
   for (const SampleData::Contour& contour : contours) {
     CurveOrder::Contour& out = curve->contours.emplace_back(CurveOrder::Contour{contour.closed, {}});
@@ -221,7 +215,7 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
   delta.balls_before = document.ball_snapshot();
   delta.balls_after = std::move(balls_after);
   delta.curve_after = std::move(curve);
-  return delta;
+  return fitting(document, std::move(delta));
 }
 
 }  // namespace mes

@@ -12,29 +12,43 @@
 
 namespace mes {
 
-/// Adds samples at the given positions, in that order. Error: a coordinate that is not finite.
-Expected<DocumentDelta> insert_samples(const Document& document, std::span<const Vec2> positions);
+/// What is to happen in one delta. Samples (balls) are not removed together with other changes of samples (balls).
+struct DocumentChange {
+  std::span<const SampleId> removed{};
+  std::span<const std::pair<SampleId, Vec2>> moved{};
+  std::span<const Vec2> inserted{};  ///< in that order
+  std::span<const BallId> removed_balls{};
+  std::span<const std::pair<BallId, Disk>> changed_balls{};
+  std::span<const Disk> inserted_balls{};
+};
 
-/// Removes live samples. Error: an id that is not alive, or one named twice.
-Expected<DocumentDelta> remove_samples(const Document& document, std::span<const SampleId> ids);
+/// Error: an id that is not alive, or one named twice; a number outside the range of coordinates, by itself or beside
+/// the others that the document then has; a negative radius. A change that moves everything to numbers of another
+/// size is judged as a whole.
+Expected<DocumentDelta> change_document(const Document& document, const DocumentChange& change);
 
-/// Moves live samples to new positions. Error: an id that is not alive or named twice, a coordinate that is not
-/// finite.
-Expected<DocumentDelta> move_samples(const Document& document, std::span<const std::pair<SampleId, Vec2>> targets);
-
-/// Adds balls, in that order. Error: a number that is not finite, a negative radius.
-Expected<DocumentDelta> insert_balls(const Document& document, std::span<const Disk> disks);
-
-/// Removes live balls. Error: an id that is not alive, or one named twice.
-Expected<DocumentDelta> remove_balls(const Document& document, std::span<const BallId> ids);
-
-/// Gives live balls new centres and radii. Error: an id that is not alive or named twice, a number that is not
-/// finite, a negative radius.
-Expected<DocumentDelta> change_balls(const Document& document, std::span<const std::pair<BallId, Disk>> targets);
-
-/// A delta of samples and one of balls, both of the same document state, as one: a gesture that takes both along then
-/// stays one delta, however long it lasts.
-Expected<DocumentDelta> together(Expected<DocumentDelta> samples, const Expected<DocumentDelta>& balls);
+// One kind of change each; errors as above.
+inline Expected<DocumentDelta> insert_samples(const Document& document, std::span<const Vec2> positions) {
+  return change_document(document, {.inserted = positions});
+}
+inline Expected<DocumentDelta> remove_samples(const Document& document, std::span<const SampleId> ids) {
+  return change_document(document, {.removed = ids});
+}
+inline Expected<DocumentDelta> move_samples(const Document& document,
+                                            std::span<const std::pair<SampleId, Vec2>> targets) {
+  return change_document(document, {.moved = targets});
+}
+inline Expected<DocumentDelta> insert_balls(const Document& document, std::span<const Disk> disks) {
+  return change_document(document, {.inserted_balls = disks});
+}
+inline Expected<DocumentDelta> remove_balls(const Document& document, std::span<const BallId> ids) {
+  return change_document(document, {.removed_balls = ids});
+}
+/// Gives balls new centres and radii.
+inline Expected<DocumentDelta> change_balls(const Document& document,
+                                            std::span<const std::pair<BallId, Disk>> targets) {
+  return change_document(document, {.changed_balls = targets});
+}
 
 /// Data to replace a document with, e.g. the contents of a file.
 struct SampleData {

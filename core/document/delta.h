@@ -82,6 +82,29 @@ struct DocumentDelta {
   DocumentDelta inverted() const;
 };
 
+template <class Visit>
+void for_each_number(Vec2 p, Visit visit) {
+  visit(p.x);
+  visit(p.y);
+}
+template <class Visit>
+void for_each_number(const Disk& disk, Visit visit) {
+  for_each_number(disk.center, visit);
+  visit(disk.radius);
+}
+/// Calls `visit(x)` for each coordinate and radius that the delta brings, in order.
+template <class Visit>
+void for_each_new_number(const DocumentDelta& delta, Visit visit) {
+  if (delta.replaces_all()) {
+    for (const Vec2 p : delta.after->position) for_each_number(p, visit);
+    for (const Disk& disk : delta.balls_after->disk) for_each_number(disk, visit);
+  }
+  for (const SampleEdit& edit : delta.edits)
+    if (edit.kind != SampleEdit::Kind::remove) for_each_number(edit.to, visit);
+  for (const BallEdit& edit : delta.ball_edits)
+    if (edit.kind != BallEdit::Kind::remove) for_each_number(edit.to, visit);
+}
+
 /// What several deltas do one after the other, as one. None replaces everything, and each begins where the one before
 /// ends; there is at least one.
 DocumentDelta one_after_the_other(std::span<const DocumentDelta> deltas);

@@ -21,6 +21,25 @@ std::uint64_t bits_of(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
+// What an edit brings and what it takes away; nothing where a thing is not yet or no more.
+template <class Edit>
+void count(const Edit& edit, MagnitudeCounts& counts) {
+  if (edit.kind != Edit::Kind::insert) for_each_number(edit.from, [&counts](double x) { counts.remove(x); });
+  if (edit.kind != Edit::Kind::remove) for_each_number(edit.to, [&counts](double x) { counts.add(x); });
+}
+
+void count(const DocumentDelta& delta, MagnitudeCounts& counts) {
+  const auto add = [&counts](double x) { counts.add(x); };
+  if (delta.replaces_all()) {
+    counts = {};
+    // Dead rows hold zeros, which do not count.
+    for (const Vec2 p : delta.after->position) for_each_number(p, add);
+    for (const Disk& disk : delta.balls_after->disk) for_each_number(disk, add);
+  }
+  for (const SampleEdit& edit : delta.edits) count(edit, counts);
+  for (const BallEdit& edit : delta.ball_edits) count(edit, counts);
+}
+
 }  // namespace
 
 Document::Document() : curve_(std::make_shared<const CurveOrder>()) {}
@@ -74,10 +93,26 @@ std::shared_ptr<const BallSnapshot> Document::ball_snapshot() const {
       BallSnapshot{balls_.values(), balls_.ids(), balls_.free_slots(), first_ball_id()});
 }
 
+Magnitudes Document::magnitudes_after(const DocumentDelta& delta) const {
+  if (!delta.replaces_all()) {
+    const Magnitudes now = magnitudes();
+    Magnitudes with_new = now;
+    for_each_new_number(delta, [&with_new](double x) { with_new.add(x); });
+    if (with_new.least == now.least && with_new.most == now.most) return now;
+    // What fits with what is taken away fits without it.
+    if (with_new.fit()) return with_new;
+  }
+  MagnitudeCounts after = magnitudes_;
+  count(delta, after);
+  return after.magnitudes();
+}
+
 void Document::apply(const DocumentDelta& delta) {
   MES_ASSERT(delta.from_revision == revision_);
+  MES_ASSERT(magnitudes_after(delta).fit());
   // History does not record what changes nothing, so it must not make a revision either.
   if (delta.is_empty()) return;
+  count(delta, magnitudes_);
   if (delta.replaces_all()) {
     MES_ASSERT(delta.balls_after != nullptr);
     samples_.replace(delta.after->position, delta.after->id, delta.after->free_slots, delta.after->first);

@@ -5,7 +5,8 @@
 //  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never given twice.
 //  2. A slot is stable while its sample (ball) lives. Several samples may share one position, several balls one disk;
 //     each keeps its own record.
-//  3. Numbers are finite, and never -0.0; radii are not negative. A ball may have radius zero.
+//  3. Numbers are within the range of coordinates (core/base/coordinate_range.h), each and all together, and never
+//     -0.0; radii are not negative. A ball may have radius zero.
 //  4. Commands (commands.h) compute a delta and change nothing; only `apply` changes the document. A delta that
 //     does not fit the present revision is refused by an assertion, never half applied.
 //  5. Undo restores everything, free rows included, so that redo meets the state it was recorded in.
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/base/coordinate_range.h"
 #include "core/document/delta.h"
 #include "core/document/rows.h"
 
@@ -65,7 +67,7 @@ class Document {
   std::vector<Slot> ball_slots_in_input_order() const { return balls_.by_age(); }
 
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
-  /// Bounding box of samples and balls, O(n).
+  /// Bounding box of samples and balls; finite. O(n).
   Box2 bounding_box() const;
   /// Order-independent digest of ids, counted from the first, positions and disks: equal work on equal data gives
   /// equal digests, whatever was open before.
@@ -74,7 +76,13 @@ class Document {
   /// Zero when there are no balls.
   std::uint64_t ball_digest() const;
 
-  /// Changes the document. `delta.from_revision` must be the present revision.
+  /// Of all coordinates and radii.
+  Magnitudes magnitudes() const { return magnitudes_.magnitudes(); }
+  /// Of all that there are after the delta, and perhaps of some that it takes away, if these fit. Each number must be
+  /// in range by itself. O(edits).
+  Magnitudes magnitudes_after(const DocumentDelta& delta) const;
+
+  /// Changes the document. `delta.from_revision` must be the present revision, and the magnitudes after it must fit.
   void apply(const DocumentDelta& delta);
 
   // For commands.
@@ -89,6 +97,7 @@ class Document {
  private:
   Rows<Vec2, SampleTag> samples_;
   Rows<Disk, BallTag> balls_;
+  MagnitudeCounts magnitudes_;
   std::shared_ptr<const CurveOrder> curve_;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;

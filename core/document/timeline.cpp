@@ -225,17 +225,16 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
   if (!all_known(edit.removed, known) || !all_known(edit.moved, known)) return refuse("an edit of no sample");
   if (!all_known(edit.removed_balls, known_balls) || !all_known(edit.changed_balls, known_balls))
     return refuse("an edit of no ball");
-  auto samples = edit.removed.empty() ? move_samples(document, places_of(edit.moved, first))
-                                      : remove_samples(document, ids_of(edit.removed, first));
-  if (samples && !edit.inserted.empty()) {
-    auto inserted = insert_samples(document, edit.inserted);
-    if (!inserted) return inserted;
-    samples->edits.insert(samples->edits.end(), inserted->edits.begin(), inserted->edits.end());
-  }
-  auto balls = !edit.removed_balls.empty()    ? remove_balls(document, ids_of(edit.removed_balls, first_ball))
-               : !edit.inserted_balls.empty() ? insert_balls(document, edit.inserted_balls)
-                                              : change_balls(document, places_of(edit.changed_balls, first_ball));
-  auto out = together(std::move(samples), balls);
+  const auto removed = ids_of(edit.removed, first);
+  const auto moved = places_of(edit.moved, first);
+  const auto removed_balls = ids_of(edit.removed_balls, first_ball);
+  const auto changed_balls = places_of(edit.changed_balls, first_ball);
+  auto out = change_document(document, {.removed = removed,
+                                        .moved = moved,
+                                        .inserted = edit.inserted,
+                                        .removed_balls = removed_balls,
+                                        .changed_balls = changed_balls,
+                                        .inserted_balls = edit.inserted_balls});
   if (!out || !edit.curve) return out;
   auto curve = std::make_shared<CurveOrder>();
   for (const SampleData::Contour& contour : *edit.curve) {

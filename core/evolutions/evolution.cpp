@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "core/base/assert.h"
+#include "core/base/coordinate_range.h"
 
 namespace mes {
 namespace {
@@ -124,10 +125,16 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
   job.checkpoint();
   auto next = std::get<SampleMove>(evolutions()[choice.evolution].move)(state, {k, choice, *curve});
   if (!next) return next;
-  // Equal points have equal bits; see core/document/commands.cpp.
-  for (Vec2& p : next->positions) p = {p.x + 0.0, p.y + 0.0};
-  if (!std::ranges::all_of(next->positions, [](Vec2 p) { return is_finite(p); }))
-    return failure("step " + std::to_string(k + 1) + " leaves the range of numbers");
+  // Traces that rounding leaves where a sum is zero are none. Equal points have equal bits, as in a document.
+  Magnitudes all;
+  for (const Vec2 p : next->positions) for_each_number(p, [&all](double x) { all.add(x); });
+  for (Vec2& p : next->positions) p = {without_traces(p.x, all.most) + 0.0, without_traces(p.y, all.most) + 0.0};
+  std::string fault;
+  for (const Vec2 p : next->positions)
+    for_each_number(p, [&fault](double x) {
+      if (const auto found = range_fault_of(x); found && fault.empty()) fault = describe(*found, x);
+    });
+  if (!fault.empty()) return failure("step " + std::to_string(k + 1) + " leaves the range of coordinates: " + fault);
   return next;
 }
 

@@ -6,8 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/coordinate_range.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -33,6 +36,8 @@ json to_json(const LayerStyle& style) {
   if (style.range_low != 0.0 || style.range_high != 1.0) out["range"] = {style.range_low, style.range_high};
   return out;
 }
+
+constexpr double kAny = std::numeric_limits<double>::max();
 
 /// Reads one object; the first thing of the wrong kind is the fault.
 class Reader {
@@ -81,9 +86,13 @@ class Reader {
       complain(std::string("\"") + key + "\" is not two numbers");
       return;
     }
-    constexpr double kAny = 1e300;
     to_number((*value)[0], key, -kAny, kAny, first);
     to_number((*value)[1], key, -kAny, kAny, second);
+  }
+  /// What lies in the plane keeps the range of the plane.
+  void coordinates(std::initializer_list<double> numbers) {
+    for (const double x : numbers)
+      if (const auto fault = range_fault_of(x)) complain(describe(*fault, x));
   }
   void color(const char* key, Rgb& out) {
     std::string word = hexadecimal(out);
@@ -156,7 +165,8 @@ Expected<LayerConfiguration> layer_configuration_from(const json& value, const L
     Reader part(*image, "the traced picture", fault);
     part.text("file", kLongestPath, out.image.file);
     part.numbers("center", out.image.center.x, out.image.center.y);
-    part.number("width", 0.0, 1e300, out.image.width);
+    part.number("width", 0.0, kAny, out.image.width);
+    part.coordinates({out.image.center.x, out.image.center.y, out.image.width});
   }
   if (!fault.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});
   return out;

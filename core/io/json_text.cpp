@@ -36,8 +36,10 @@ std::size_t too_deep(std::string_view text) {
   return text.size();
 }
 
-std::unexpected<Error> complaint(std::string_view text, std::size_t offset, std::string what,
-                                 const std::string& file) {
+}  // namespace
+
+std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::string what,
+                                const std::string& file) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const auto line = static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1;
   const std::size_t newline = before.rfind('\n');
@@ -45,18 +47,16 @@ std::unexpected<Error> complaint(std::string_view text, std::size_t offset, std:
   return bad_input(std::move(what), file, line, before.size() - start + 1);
 }
 
-}  // namespace
-
 Expected<json> parse_json(std::string_view text, const std::string& file) {
   if (const std::size_t at = too_deep(text); at < text.size())
-    return complaint(text, at, "this JSON is nested too deeply", file);
+    return bad_json(text, at, "this JSON is nested too deeply", file);
   try {
     return json::parse(text);
   } catch (const json::parse_error& error) {
     // The number of bytes read, the offending one included.
-    return complaint(text, error.byte == 0 ? 0 : error.byte - 1, "this is not JSON", file);
+    return bad_json(text, error.byte == 0 ? 0 : error.byte - 1, "this is not JSON", file);
   } catch (const json::exception&) {
-    return complaint(text, 0, "a number in this JSON is too large", file);
+    return bad_json(text, 0, "a number in this JSON is too large", file);
   }
 }
 

@@ -94,8 +94,8 @@ Expected<void> OffReader::read_next(std::span<double> numbers) {
       return fail("the file ends after " + std::to_string(numbers_read_) + " of " +
                   std::to_string(kind_.numbers_each * count_) + ' ' + std::string(kind_.numbers));
     }
-    const auto value = parse_number(scanner_.token());
-    if (!value) return fail(describe(value.error(), scanner_.token()));
+    auto value = coordinates_.read(scanner_.token());
+    if (!value) return fail(std::move(value.error()));
     number = *value;
     ++numbers_read_;
   }

@@ -63,6 +63,7 @@ class OffReader {
   std::uint64_t count_ = 0;
   std::uint64_t numbers_read_ = 0;
   LineLayout layout_{0, 0};  // of the numbers seen so far
+  CoordinateReader coordinates_;
 };
 
 }  // namespace mes

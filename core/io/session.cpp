@@ -7,7 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/coordinate_range.h"
 #include "core/io/json_layers.h"
+#include "core/io/json_place.h"
 #include "core/io/json_text.h"
 
 namespace mes {
@@ -20,6 +22,7 @@ constexpr int kSchema = 1;
 /// Says where in a session something makes no sense; turned into an `Error` at the surface.
 struct Nonsense {
   std::string text;
+  std::vector<JsonStep> place{};  ///< of a number; empty: not known
 };
 
 [[noreturn]] void complain(const std::string& where, const std::string& what) {
@@ -201,6 +204,31 @@ void take(const json* at, std::pair<std::uint32_t, Place>& out, const std::strin
   take(at, out.first, where);
   take(at + 1, out.second, where);
 }
+/// The first of the numbers that no document can hold, and why; counted within the thing.
+struct BadNumber {
+  std::size_t index = 0;
+  std::string why;
+};
+std::optional<BadNumber> bad_number_of(std::uint32_t) {
+  return std::nullopt;
+}
+template <class Place>
+std::optional<BadNumber> bad_number_of(const Place& place) {
+  std::optional<BadNumber> out;
+  std::size_t index = 0;
+  for_each_number(place, [&](double x) {
+    if (const auto fault = range_fault_of(x); fault && !out) out = BadNumber{index, describe(*fault, x)};
+    ++index;
+  });
+  return out;
+}
+template <class Place>
+std::optional<BadNumber> bad_number_of(const std::pair<std::uint32_t, Place>& thing) {
+  auto out = bad_number_of(thing.second);
+  if (out) ++out->index;
+  return out;
+}
+
 template <class T>
 constexpr std::size_t kNumbersEach = 1;
 template <>
@@ -221,7 +249,35 @@ void read_flat(const json& object, const char* key, std::vector<T>& out, const s
   if (numbers.size() % each != 0)
     complain(here, "the number of numbers is not a multiple of " + std::to_string(each));
   out.resize(numbers.size() / each);
-  for (std::size_t i = 0; i < out.size(); ++i) take(numbers.data() + each * i, out[i], here);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    take(numbers.data() + each * i, out[i], here);
+    if (const auto bad = bad_number_of(out[i]))
+      throw Nonsense{here + ": " + bad->why, {JsonStep(key), JsonStep(each * i + bad->index)}};
+  }
+}
+
+/// The same, within a part of the whole.
+template <class Read>
+auto within(const std::vector<JsonStep>& place, Read read) {
+  try {
+    return read();
+  } catch (Nonsense& nonsense) {
+    if (!nonsense.place.empty()) nonsense.place.insert(nonsense.place.begin(), place.begin(), place.end());
+    throw;
+  }
+}
+
+/// The numbers of all things fit with each other and with those seen before.
+template <class T>
+void require_together(const std::vector<T>& things, const char* key, const std::string& where, Magnitudes& seen) {
+  std::size_t index = 0;
+  for (const T& thing : things)
+    for_each_number(thing, [&](double x) {
+      if (const auto fault = seen.fault_of(x))
+        throw Nonsense{where + " \"" + key + "\": " + describe(*fault, x, seen), {JsonStep(key), JsonStep(index)}};
+      seen.add(x);
+      ++index;
+    });
 }
 
 std::vector<SampleData::Contour> contours_of(const json& list, const std::string& where) {
@@ -246,6 +302,9 @@ SampleData data_of(const json& object) {
   read_flat(object, "samples", out.positions, where);
   if (const json* contours = find(object, "contours")) out.contours = contours_of(*contours, "contours");
   read_flat(object, "balls", out.balls, where);
+  Magnitudes seen;
+  require_together(out.positions, "samples", where, seen);
+  require_together(out.balls, "balls", where, seen);
   return out;
 }
 
@@ -291,13 +350,11 @@ LayerConfiguration layers_from(const json& value) {
 }
 
 Box2 view_from(const json& value) {
-  const json wrapped = {{"view", value}};
-  std::vector<Vec2> corners;
-  read_flat(wrapped, "view", corners, "the");
-  if (corners.size() != 2) complain("view", "not two corners");
+  // What is looked at may be any place, however small or far.
+  if (!value.is_array() || value.size() != 4) complain("view", "not two corners");
   Box2 out;
-  out.add(corners[0]);
-  out.add(corners[1]);
+  for (const std::size_t corner : {0U, 2U})
+    out.add(Vec2{number_of(value[corner], "view"), number_of(value[corner + 1], "view")});
   return out;
 }
 
@@ -353,6 +410,10 @@ std::optional<TimelineEntry> entry_from(const json& object) {
   return std::nullopt;
 }
 
+std::string entry_name(std::size_t i) {
+  return "entry " + std::to_string(i + 1) + " of the timeline";
+}
+
 Session session_from(const json& object) {
   if (text_at(object, "mesecina", "session") != "session") complain("session", "this is not one");
   const json* schema = find(object, "schema");
@@ -361,7 +422,8 @@ Session session_from(const json& object) {
     complain("session", "written by a later version of the program, which this one does not understand");
   Session out;
   out.title = text_at(object, "title", "session");
-  if (const json* data = find(object, "data")) out.data = std::make_shared<const SampleData>(data_of(*data));
+  if (const json* data = find(object, "data"))
+    out.data = std::make_shared<const SampleData>(within({"data"}, [&] { return data_of(*data); }));
   if (const json* layers = find(object, "layers")) out.layers = layers_from(*layers);
   if (const json* settings = find(object, "settings")) out.settings = settings_from(*settings);
   if (const json* evolution = find(object, "evolution")) out.evolution = evolution_from(*evolution);
@@ -370,9 +432,11 @@ Session session_from(const json& object) {
     if (!timeline->is_array()) complain("timeline", "not a list");
     for (std::size_t i = 0; i < timeline->size(); ++i) {
       try {
-        if (auto entry = entry_from((*timeline)[i])) out.entries.push_back(std::move(*entry));
-      } catch (const Nonsense& nonsense) {
-        complain("entry " + std::to_string(i + 1) + " of the timeline", nonsense.text);
+        auto entry = within({"timeline", i, "edit"}, [&] { return entry_from((*timeline)[i]); });
+        if (entry) out.entries.push_back(std::move(*entry));
+      } catch (Nonsense& nonsense) {
+        nonsense.text = entry_name(i) + ": " + nonsense.text;
+        throw;
       }
     }
   }
@@ -403,7 +467,8 @@ Expected<Session> read_session(std::string_view text, const std::string& file) {
   try {
     return session_from(*parsed);
   } catch (const Nonsense& nonsense) {
-    return bad(file, nonsense.text);
+    if (nonsense.place.empty()) return bad(file, nonsense.text);
+    return bad_json(text, offset_in_json(text, nonsense.place), nonsense.text, file);
   }
 }
 
@@ -422,7 +487,7 @@ Expected<void> replay_session(const Session& session, DocumentReplay& replay, co
   if (auto begun = replay.begin(*session.data); !begun) return bad(file, begun.error().text);
   for (std::size_t i = 0; i < session.entries.size(); ++i)
     if (const auto done = replay.apply(session.entries[i]); !done)
-      return bad(file, "entry " + std::to_string(i + 1) + " of the timeline: " + done.error().text);
+      return bad(file, entry_name(i) + ": " + done.error().text);
   replay.finish();
   return {};
 }

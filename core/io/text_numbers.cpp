@@ -95,6 +95,20 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
   return value;
 }
 
+std::expected<double, std::string> CoordinateReader::read(std::string_view token, bool decimal_comma) {
+  const auto value = parse_number(token, decimal_comma);
+  if (!value && value.error() == NumberFault::too_large)
+    return std::unexpected(describe(RangeFault::too_large, in_quotes(token)));
+  if (!value) return std::unexpected(describe(value.error(), token));
+  auto fault = seen_.fault_of(*value);
+  // What is nearer to zero than any double is not zero.
+  if (*value == 0.0 && token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != token.npos)
+    fault = RangeFault::too_small;
+  if (fault) return std::unexpected(describe(*fault, in_quotes(token), seen_));
+  seen_.add(*value);
+  return *value;
+}
+
 std::expected<std::uint64_t, NumberFault> parse_count(std::string_view token) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);

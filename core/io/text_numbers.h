@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/coordinate_range.h"
 #include "core/base/error.h"
 
 namespace mes {
@@ -16,6 +17,16 @@ enum class NumberFault : std::uint8_t { not_a_number, not_finite, too_large };
 /// A finite double that takes up the whole token. A leading plus is allowed, hexadecimal and infinity are not;
 /// numbers too small for a double become zero. Cost: about 50 ns, no allocation unless a decimal comma is replaced.
 std::expected<double, NumberFault> parse_number(std::string_view token, bool decimal_comma = false);
+
+/// Reads the coordinates and radii of one document, which are in range each and all together.
+class CoordinateReader {
+ public:
+  /// The number, or one line that says why it is none. Cost: as `parse_number`.
+  std::expected<double, std::string> read(std::string_view token, bool decimal_comma = false);
+
+ private:
+  Magnitudes seen_;
+};
 
 /// A decimal integer without sign that takes up the whole token.
 std::expected<std::uint64_t, NumberFault> parse_count(std::string_view token);

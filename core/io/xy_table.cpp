@@ -347,6 +347,7 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
 
   LoadedFile file;
   Grouping grouping(columns);
+  CoordinateReader coordinates;
   Lines lines(bytes);
   Fields fields;
   std::uint64_t announced = 0;
@@ -374,8 +375,8 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
       if (field.empty())
         return bad_input("expected a number for " + which + ", found nothing", name, lines.number(),
                          lines.column_of(field));
-      const auto value = parse_number(field, plan.kind.decimal_comma);
-      if (!value) return bad_input(describe(value.error(), field), name, lines.number(), lines.column_of(field));
+      auto value = coordinates.read(field, plan.kind.decimal_comma);
+      if (!value) return bad_input(std::move(value.error()), name, lines.number(), lines.column_of(field));
       *coordinate = *value;
     }
     if (file.data.positions.size() == kMostSamples)

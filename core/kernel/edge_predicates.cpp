@@ -111,9 +111,11 @@ Vec2 direction_between(Vec2 from, Vec2 to) {
 // of the two angles is brought to unit size, which changes no angle.
 Phase angle_of(const EdgeCorners& e) {
   const double m = largest_difference(e);
-  if (m > 1e-70 && m < 1e70) {
+  // Within the range of coordinates differences are at least 2^-154 of the largest: no product of four of them leaves
+  // the normal range, and the last bit is the same at every scale.
+  if (m > 0x1p-60 && m < 0x1p60) {
     const Phase phase = phase_of(e);
-    // What a product lost below the smallest double is then below 1e-30 of the whole.
+    // Nor have products lost more than 1e-30 of the whole where the differences come from elsewhere.
     if (std::abs(phase.h) > 1e-150 || std::abs(phase.i) > 1e-150) return phase;
   }
   const Vec2 pq = direction_between(e.p, e.q);

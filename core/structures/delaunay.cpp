@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/circumcircle.h"
+#include "core/kernel/circumcircle.h"
 #include "core/structures/internal/delaunay_mirror.h"
 
 namespace mes {

@@ -105,7 +105,7 @@ TEST_CASE("WPOFF files that are wrong are refused where they are wrong") {
       {"a.wpoff", "WPOFF 1 0 0\n1 inf 3\n", 2, 3, "\"inf\" is not a finite number"},
       {"a.wpoff", "WPOFF 1 0 0\n1 2 1e309\n", 2, 5, "too large"},
       {"a.wpoff", "WPOFF 2 0 0\n1 2 3\n4 5 -6\n", 3, 5, "radius is negative: \"-6\""},
-      {"a.wpoff", "WPOFF 1 0 0\n1 2 -5e-324\n", 2, 5, "radius is negative"},
+      {"a.wpoff", "WPOFF 1 0 0\n1 2 -5e-24\n", 2, 5, "radius is negative"},
       {"a.wpoff", "WPOFF 1 0 0\n1 2 3,5\n", 2, 5, "found \"3,5\""},
       {"a.wpoff", "WPOFF 1 0 0\n1 2 " + long_word, 2, 5, "(1000000 characters)"},
       {"a.wpoff", with_nul("WPOFF 1 0 0\n1 2 ", " 3\n"), 1, 1, "binary data"},

@@ -14,7 +14,7 @@ Session sample_session() {
   Session session;
   session.title = "Elephant \"1\"";
   session.data = std::make_shared<const SampleData>(
-      SampleData{{{0.1, 1e-300}, {1.0 / 3.0, -2}, {3, 1e300}}, {{true, {0, 1, 2}}, {false, {2}}}, {{{1, 2}, 0.3}}});
+      SampleData{{{0.1, 1e-15}, {1.0 / 3.0, -2}, {3, 1e15}}, {{true, {0, 1, 2}}, {false, {2}}}, {{{1, 2}, 0.3}}});
   LayerStyle style;
   style.color = {1, 2, 3};
   style.color_map = "viridis";

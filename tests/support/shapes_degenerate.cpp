@@ -94,7 +94,7 @@ std::vector<DegenerateInput> degenerate_inputs() {
   // The hypotenuse sees a right angle: a tie, and ties are crust.
   all.push_back(input("right triangle", {{0, 0}, {4, 0}, {0, 3}}, 3, 0));
   all.push_back(input("obtuse triangle", {{0, 0}, {4, 0}, {2, 1}}, 2, 2));
-  all.push_back(input("flat triangle", {{0, 0}, {1, 0}, {0.5, 1e-300}}, 2, 2));
+  all.push_back(input("flat triangle", {{0, 0}, {1, 0}, {0.5, 0x1p-100}}, 2, 2));
   all.push_back(input("square", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 4, 0));
 
   // On a line the sides see angles of 0: neighbours are crust, the two ends are odd.
@@ -118,19 +118,20 @@ std::vector<DegenerateInput> degenerate_inputs() {
   all.push_back(input("small curve three times", repeated(small_curve(), 3), 12, 0));
   all.push_back(input("zeros of both signs", {{0.0, 0.0}, {-0.0, 1.0}, {1.0, -0.0}, {-0.0, -0.0}}, 3, 0));
 
-  for (const double scale : {0x1p-996, 0x1p-500, 0x1p500, 0x1p990})
+  for (const double scale : {0x1p-500, 0x1p-400, 0x1p400, 0x1p490})
     all.push_back(input("small curve times 2^" + std::to_string(std::ilogb(scale)),
                         transformed(small_curve(), scale, {}), 12, 0));
-  all.push_back(input("small curve in denormals", transformed(small_curve(), 0x1p-1074, {}), 12, 0));
   all.push_back(input("small curve at 1e15", transformed(small_curve(), 1.0, {1e15, -1e15}), 12, 0));
   all.push_back(input("small curve in last bits at 2^52", transformed(small_curve(), 1.0, {0x1p52, 0x1p52}), 12, 0));
 
   std::vector<Vec2> spread;
-  for (int exponent = -300; exponent <= 300; exponent += 25)
+  for (int exponent = -15; exponent <= 15; ++exponent)
     spread.push_back({std::pow(10.0, exponent), std::pow(10.0, -exponent)});
-  all.push_back(input("1e-300 to 1e300 in one set", std::move(spread)));
-  all.push_back(input("the largest doubles",
-                      {{1.7e308, 1.7e308}, {-1.7e308, 1.7e308}, {-1.7e308, -1.7e308}, {1.7e308, -1.7e308}, {0, 0}}));
+  all.push_back(input("1e-15 to 1e15 in one set", std::move(spread)));
+  constexpr double kLargest = 0x1.fffffffffffffp499;
+  all.push_back(
+      input("the largest numbers",
+            {{kLargest, kLargest}, {-kLargest, kLargest}, {-kLargest, -kLargest}, {kLargest, -kLargest}, {0, 0}}));
 
   // Nearly cocircular: the filters cannot decide, exact arithmetic must.
   std::vector<Vec2> nearly = lattice_circle().positions;

@@ -3,6 +3,9 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/structures/internal/union_pipeline.h"
 
 namespace mes {
@@ -35,10 +38,15 @@ bool overlap_deeply(const PipelineBall& a, const PipelineBall& b) {
 }
 
 double cosine_at_crossing(const Disk& a, const Disk& b) {
-  const Vec2 d = b.center - a.center;
+  // Squares of lengths within the range of coordinates may leave that of doubles.
+  const int exponent = -std::ilogb(std::max(a.radius, b.radius));
+  const auto length = [exponent](double x) { return std::ldexp(x, exponent); };
+  const Vec2 d{length(b.center.x - a.center.x), length(b.center.y - a.center.y)};
+  const double r = length(a.radius);
+  const double s = length(b.radius);
   // (w_1 + w_2 - d^2) / 2 r_1 r_2, with the two large terms of nearly equal balls kept apart.
-  const double difference = a.radius - b.radius;
-  return 1.0 + (difference * difference - dot(d, d)) / (2.0 * a.radius * b.radius);
+  const double difference = r - s;
+  return 1.0 + (difference * difference - dot(d, d)) / (2.0 * r * s);
 }
 
 }  // namespace mes

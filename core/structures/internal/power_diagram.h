@@ -24,7 +24,8 @@ Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf
   const Number twice = Number(2) * (bx * cy - by * cx);
   if constexpr (std::is_same_v<Number, double>) {
     // With centres nearly in line, as of half planes along a straight side, rounding would carry the point anywhere.
-    if (!(std::abs(twice) > 1e-6 * (std::abs(bx * cy) + std::abs(by * cx)))) {
+    // Nor must products below the range of doubles decide.
+    if (!(std::abs(twice) > 1e-6 * (std::abs(bx * cy) + std::abs(by * cx)) && std::abs(twice) > 0x1p-400)) {
       using Exact = CGAL::Exact_rational;
       const auto exact = [](const BallOf<double>& ball) { return BallOf<Exact>{ball.x, ball.y, ball.w}; };
       return power_center(exact(a), exact(b), exact(c));
@@ -32,6 +33,19 @@ Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf
   }
   if (twice == Number(0)) return {rounded(a.x), rounded(a.y)};  // naive triangulations have flat triangles
   return {rounded(Number(a.x + (pb * cy - pc * by) / twice)), rounded(Number(a.y + (pc * bx - pb * cx) / twice))};
+}
+
+/// The point of equal power on the way from one centre to another, for balls alone on a line.
+inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to) {
+  // The centres may be so close together that a square of their distance is no double.
+  using Exact = CGAL::Exact_rational;
+  const Exact x = Exact(to.disk.center.x) - Exact(from.disk.center.x);
+  const Exact y = Exact(to.disk.center.y) - Exact(from.disk.center.y);
+  const Exact r = Exact(from.radius()), s = Exact(to.radius());
+  const Exact dd = x * x + y * y;
+  if (dd == 0) return from.disk.center;  // naive triangulations join equal centres
+  const Exact t = (dd + r * r - s * s) / (2 * dd);
+  return {rounded(Exact(from.disk.center.x + t * x)), rounded(Exact(from.disk.center.y + t * y))};
 }
 
 template <class Kernel>
@@ -80,9 +94,8 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
       const PipelineBall& from = in_order ? a : b;
       const PipelineBall& to = in_order ? b : a;
       const Vec2 way = to.disk.center - from.disk.center;
-      const double t = 0.5 * (1.0 + (from.radius() * from.radius() - to.radius() * to.radius()) / dot(way, way));
       row.kind = PowerEdge::Kind::line;
-      row.from = from.disk.center + t * way;
+      row.from = power_foot(from, to);
       row.to = perpendicular(way);
     }
     out.push_back(row);

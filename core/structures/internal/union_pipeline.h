@@ -27,11 +27,11 @@
 
 #include "core/base/assert.h"
 #include "core/base/box2.h"
-#include "core/base/circumcircle.h"
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
 #include "core/base/parallel.h"
 #include "core/kernel/ball_signs.h"
+#include "core/kernel/circumcircle.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/internal/point_triangulation.h"
 #include "core/structures/internal/regular_triangulation.h"

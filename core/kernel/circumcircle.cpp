@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/kernel/circumcircle.h"
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace mes {
+namespace {
+
+// In doubles, if they are good enough: nothing for collinear points, nor where the doubled area or the way from `a`
+// to the centre is so small against its terms that fewer than 24 of its bits are sure.
+//
+// Differences to `a` are taken first, so a far offset costs no accuracy. Let s be the largest of them. Coordinates
+// are multiples of 2^-153 times the largest in the document, so differences are 0 or at least 2^-154 s. For s within
+// 2^-60 and 2^60 no product of three of them leaves the normal range, and elsewhere they are scaled by a power of
+// two first. So the circle of points times a power of two is this circle times that, to the last bit.
+std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
+  Vec2 u = b - a;
+  Vec2 v = c - a;
+  const double size = std::max({std::abs(u.x), std::abs(u.y), std::abs(v.x), std::abs(v.y)});
+  if (!(size > 0.0 && std::isfinite(size))) return std::nullopt;
+  int exponent = 0;
+  if (!(size > 0x1p-60 && size < 0x1p60)) {
+    exponent = std::ilogb(size);
+    u = {std::ldexp(u.x, -exponent), std::ldexp(u.y, -exponent)};
+    v = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)};
+  }
+  // What differences and products have lost is below 2^-50 of the terms.
+  constexpr double kSure = 0x1p-26;
+  const double doubled_area = cross(u, v);
+  if (!(std::abs(doubled_area) > kSure * (std::abs(u.x * v.y) + std::abs(u.y * v.x)))) return std::nullopt;
+  const double uu = dot(u, u);
+  const double vv = dot(v, v);
+  const Vec2 n{v.y * uu - u.y * vv, u.x * vv - v.x * uu};
+  const double terms = (std::abs(v.x) + std::abs(v.y)) * uu + (std::abs(u.x) + std::abs(u.y)) * vv;
+  if (!(std::max(std::abs(n.x), std::abs(n.y)) > kSure * terms)) return std::nullopt;
+  const double scale = 0.5 / doubled_area;
+  const Vec2 d{n.x * scale, n.y * scale};
+  const double radius = std::sqrt(dot(d, d));
+  if (exponent == 0) return Circle{a + d, radius};
+  return Circle{a + Vec2{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent)}, std::ldexp(radius, exponent)};
+}
+
+Circle exact_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
+  using Rational = CGAL::Exact_rational;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return {{kNone, kNone}, kNone};
+  const auto between = [](double from, double to) { return Rational(Rational(to) - Rational(from)); };
+  const Rational ux = between(a.x, b.x), uy = between(a.y, b.y), vx = between(a.x, c.x), vy = between(a.y, c.y);
+  const Rational four_areas = 2 * (ux * vy - uy * vx);
+  if (four_areas == 0) return {{kNone, kNone}, kNone};
+  const Rational uu = ux * ux + uy * uy;
+  const Rational vv = vx * vx + vy * vy;
+  const Vec2 d{CGAL::to_double(Rational((vy * uu - uy * vv) / four_areas)),
+               CGAL::to_double(Rational((ux * vv - vx * uu) / four_areas))};
+  return {a + d, length(d)};
+}
+
+}  // namespace
+
+Circle circumcircle(Vec2 a, Vec2 b, Vec2 c) {
+  if (const auto quick = quick_circumcircle(a, b, c)) return *quick;
+  return exact_circumcircle(a, b, c);
+}
+
+}  // namespace mes
