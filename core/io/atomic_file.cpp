@@ -6,9 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <ctime>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "core/io/file_lock.h"
 
 namespace mes {
 namespace {
@@ -19,28 +23,6 @@ std::unexpected<Error> cannot_write(const fs::path& path, int code) {
   return std::unexpected(
       Error{ErrorCode::cannot_write, "cannot be written: " + std::generic_category().message(code), path.string()});
 }
-
-/// Closes and, unless told to keep it, removes the file again.
-class NewFile {
- public:
-  NewFile(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
-  ~NewFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-
-  int descriptor() const { return descriptor_; }
-  const fs::path& path() const { return path_; }
-  /// 0 or the reason.
-  int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
-  void keep() { path_.clear(); }
-
- private:
-  int descriptor_;
-  fs::path path_;
-};
 
 // 0 or the reason.
 int write_all(int descriptor, std::string_view bytes) {
@@ -58,9 +40,9 @@ int write_all(int descriptor, std::string_view bytes) {
 Expected<void> write_directly(const fs::path& path, std::string_view bytes) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) return cannot_write(path, errno);
-  NewFile file(descriptor, {});
-  if (const int reason = write_all(descriptor, bytes); reason != 0) return cannot_write(path, reason);
-  if (const int reason = file.close(); reason != 0) return cannot_write(path, reason);
+  const int reason = write_all(descriptor, bytes);
+  const int closed = ::close(descriptor) == 0 ? 0 : errno;
+  if (reason != 0 || closed != 0) return cannot_write(path, reason != 0 ? reason : closed);
   return {};
 }
 
@@ -101,17 +83,83 @@ Expected<Target> look_at(const fs::path& path) {
   return target;
 }
 
-// A new file in the folder of the target, under a short name that nobody uses.
-std::expected<std::pair<int, fs::path>, int> create_beside(const fs::path& target) {
-  constexpr int kAttempts = 100;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    fs::path path =
-        folder_of(target) / (".mesecina-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part");
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return std::pair(descriptor, std::move(path));
-    if (errno != EEXIST) return std::unexpected(errno);
+/// Which file a path names, and when it was last touched.
+struct Identity {
+  bool exists = false;
+  dev_t device = 0;
+  ino_t number = 0;
+  off_t size = 0;
+  timespec modified{};
+  timespec changed{};
+
+  static Identity of(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return {};
+    return {true, status.st_dev, status.st_ino, status.st_size, status.st_mtim, status.st_ctim};
   }
-  return std::unexpected(EEXIST);
+  friend bool operator==(const Identity& a, const Identity& b) {
+    const auto same = [](const timespec& s, const timespec& t) {
+      return s.tv_sec == t.tv_sec && s.tv_nsec == t.tv_nsec;
+    };
+    return a.exists == b.exists && a.device == b.device && a.number == b.number && a.size == b.size &&
+           same(a.modified, b.modified) && same(a.changed, b.changed);
+  }
+};
+
+/// Guards what a file is expected to hold.
+class Expectation {
+ public:
+  /// Without a fingerprint anything is as expected.
+  Expectation(fs::path path, const FileFingerprint* fingerprint)
+      : path_(std::move(path)), fingerprint_(fingerprint) {}
+
+  /// Reads the file, unless it is the one that was read the last time.
+  bool holds() {
+    if (fingerprint_ == nullptr) return true;
+    const Identity now = Identity::of(path_);
+    if (!now.exists || (seen_ && *seen_ == now)) return true;
+    if (fingerprint_of_file(path_) != *fingerprint_) return false;
+    seen_ = now;
+    return true;
+  }
+
+ private:
+  fs::path path_;
+  const FileFingerprint* fingerprint_;
+  std::optional<Identity> seen_;
+};
+
+int keep_mode(const PartFile& part, const Target& target) {
+  return !target.exists || ::fchmod(part.descriptor(), target.mode) == 0 ? 0 : errno;
+}
+
+// The new name is as durable as the folder; some file systems cannot sync one, which is no failure of ours.
+void sync_folder(const fs::path& path) {
+  const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  static_cast<void>(::fsync(folder));
+  ::close(folder);
+}
+
+Expected<Replaced> write(const fs::path& path, std::string_view bytes, const FileFingerprint* expected) {
+  const auto target = look_at(path);
+  if (!target) return std::unexpected(target.error());
+  if (target->exists && !target->is_regular) {
+    if (expected != nullptr) return Replaced::changed;
+    if (auto written = write_directly(path, bytes); !written) return std::unexpected(written.error());
+    return Replaced::done;
+  }
+  Expectation expectation(target->path, expected);
+  if (!expectation.holds()) return Replaced::changed;
+  auto part = PartFile::create_beside(target->path);
+  if (!part) return cannot_write(path, part.error());
+  if (const int reason = keep_mode(*part, *target); reason != 0) return cannot_write(path, reason);
+  if (const int reason = write_all(part->descriptor(), bytes); reason != 0) return cannot_write(path, reason);
+  if (const int reason = part->sync(); reason != 0) return cannot_write(path, reason);
+  if (!expectation.holds()) return Replaced::changed;
+  if (const int reason = part->rename_to(target->path); reason != 0) return cannot_write(path, reason);
+  sync_folder(target->path);
+  return Replaced::done;
 }
 
 }  // namespace
@@ -120,31 +168,41 @@ Expected<void> check_writable(const fs::path& path) {
   const auto target = look_at(path);
   if (!target) return std::unexpected(target.error());
   if (target->exists && !target->is_regular) return {};
-  if (::access(folder_of(target->path).c_str(), W_OK | X_OK) != 0) return cannot_write(path, errno);
+  if (const auto part = PartFile::create_beside(target->path); !part) return cannot_write(path, part.error());
   return {};
 }
 
 Expected<void> write_file_atomically(const fs::path& path, std::string_view bytes) {
+  const auto written = write(path, bytes, nullptr);
+  if (!written) return std::unexpected(written.error());
+  return {};
+}
+
+bool is_as_expected(const fs::path& path, const FileFingerprint& expected) {
+  return Expectation(path, &expected).holds();
+}
+
+Expected<Replaced> replace_file(const fs::path& path, std::string_view bytes, const FileFingerprint& expected) {
+  return write(path, bytes, &expected);
+}
+
+Expected<OutsideWriting> OutsideWriting::begin(const fs::path& path) {
   const auto target = look_at(path);
   if (!target) return std::unexpected(target.error());
-  if (target->exists && !target->is_regular) return write_directly(path, bytes);
+  if (target->exists && !target->is_regular)
+    return std::unexpected(Error{ErrorCode::cannot_write, "cannot be written: not a regular file", path.string()});
+  auto part = PartFile::create_beside(target->path);
+  if (!part) return cannot_write(path, part.error());
+  if (const int reason = keep_mode(*part, *target); reason != 0) return cannot_write(path, reason);
+  return OutsideWriting(path, target->path, std::move(*part));
+}
 
-  auto created = create_beside(target->path);
-  if (!created) return cannot_write(path, created.error());
-  NewFile file(created->first, std::move(created->second));
-  if (target->exists && ::fchmod(file.descriptor(), target->mode) != 0) return cannot_write(path, errno);
-  if (const int reason = write_all(file.descriptor(), bytes); reason != 0) return cannot_write(path, reason);
-  if (::fsync(file.descriptor()) != 0) return cannot_write(path, errno);
-  if (const int reason = file.close(); reason != 0) return cannot_write(path, reason);
-  if (::rename(file.path().c_str(), target->path.c_str()) != 0) return cannot_write(path, errno);
-  file.keep();
-
-  // The new name is as durable as the folder; some file systems cannot sync one, which is no failure of ours.
-  const int folder = ::open(folder_of(target->path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder >= 0) {
-    static_cast<void>(::fsync(folder));
-    ::close(folder);
-  }
+Expected<void> OutsideWriting::finish() {
+  // The program may have made another file under the name; what is not the one that was locked is not trusted.
+  if (!is_named(part_.path(), part_.descriptor())) return cannot_write(path_, ENOENT);
+  if (const int reason = part_.sync(); reason != 0) return cannot_write(path_, reason);
+  if (const int reason = part_.rename_to(target_); reason != 0) return cannot_write(path_, reason);
+  sync_folder(target_);
   return {};
 }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/io/file_fingerprint.h"
+#include "core/io/temporary.h"
 
 namespace mes {
 
@@ -16,7 +18,37 @@ namespace mes {
 /// (a device, a pipe) is written to directly.
 Expected<void> write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// Whether the above can be expected to succeed, for saying no before long work and not after it.
+enum class Replaced : std::uint8_t { done, changed };
+
+/// Whether the file holds what is expected, links followed. One that is not there any more does too: nothing is lost
+/// by writing it anew.
+bool is_as_expected(const std::filesystem::path& path, const FileFingerprint& expected);
+
+/// The same as `write_file_atomically`, but a file that is not as expected stays as it is. That is looked at before
+/// anything is written, and once more when everything is on the disk and only the renaming is left.
+Expected<Replaced> replace_file(const std::filesystem::path& path, std::string_view bytes,
+                                const FileFingerprint& expected);
+
+/// Whether the above can be expected to succeed, for saying no before long work and not after it: a file beside the
+/// target is made and removed again.
 Expected<void> check_writable(const std::filesystem::path& path);
+
+/// A target that another program is to write: it makes the file beside, and `finish` puts it in its place.
+class OutsideWriting {
+ public:
+  /// Error: as `check_writable`, and for a target that is no regular file.
+  static Expected<OutsideWriting> begin(const std::filesystem::path& path);
+  /// Empty, and to be written to under this name.
+  const std::filesystem::path& part() const { return part_.path(); }
+  Expected<void> finish();
+
+ private:
+  OutsideWriting(std::filesystem::path path, std::filesystem::path target, PartFile part)
+      : path_(std::move(path)), target_(std::move(target)), part_(std::move(part)) {}
+
+  std::filesystem::path path_;    // as it was asked for
+  std::filesystem::path target_;  // links followed
+  PartFile part_;
+};
 
 }  // namespace mes
