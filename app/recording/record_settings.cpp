@@ -22,6 +22,9 @@ fs::path home() {
 fs::path pictures_by_desktop(const fs::path& file) {
   constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"";
   constexpr std::string_view kHome = "$HOME";
+  std::error_code error;
+  // A pipe would be waited for.
+  if (!fs::is_regular_file(file, error)) return {};
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
     if (!line.starts_with(kKey)) continue;

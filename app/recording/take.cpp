@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <system_error>
+
+#include "core/io/read_file.h"
 
 namespace mes {
 namespace {
@@ -66,11 +66,9 @@ T value_of(const json& object, const char* key, T otherwise) {
 Expected<Manifest> read_manifest(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return Manifest{};
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  const json object = json::parse(bytes.str(), nullptr, false);
-  if (!stream || !object.is_object())
+  const auto bytes = read_regular_file(file);
+  const json object = bytes ? json::parse(*bytes, nullptr, false) : json();
+  if (!object.is_object())
     return std::unexpected(Error{ErrorCode::bad_input, "not a manifest of a take", file.string()});
   if (value_of(object, "schema", 0) != kSchema)
     return std::unexpected(Error{ErrorCode::bad_input, "a manifest of another version", file.string()});

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "core/io/bnd.h"
 #include "core/io/json_layers.h"
 #include "core/io/json_text.h"
+#include "core/io/read_file.h"
 
 namespace mes {
 namespace {
@@ -129,12 +129,9 @@ Expected<LoadedBundles> read_bundle_file(const fs::path& path, std::span<const K
   if (!fs::exists(path, error)) return refuse("there is no such file", file);
   if (!fs::is_regular_file(path, error)) return refuse("this is not a file", file);
   if (fs::file_size(path, error) > kLargestFile || error) return refuse("far too large for a file of bundles", file);
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  // Nothing read at all sets the fail bit of `bytes`, which is no fault of the file.
-  if (!stream.is_open() || stream.bad()) return refuse("cannot be read", file);
-  return read_bundles(bytes.view(), file, known);
+  const auto bytes = read_regular_file(path, {.most_bytes = kLargestFile});
+  if (!bytes) return std::unexpected(bytes.error());
+  return read_bundles(*bytes, file, known);
 }
 
 bool are_bundles_of_the_future(std::string_view bytes) {

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/format.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <new>
-#include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "core/io/bundle_file.h"
 #include "core/io/format_registry.h"
+#include "core/io/read_file.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -94,49 +90,9 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
   }
 }
 
-/// Closes the descriptor.
-struct OpenFile {
-  int descriptor;
-  explicit OpenFile(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~OpenFile() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-};
-
-std::unexpected<Error> cannot_read(const std::string& name, int code) {
-  return bad_input("cannot be read: " + std::generic_category().message(code), name, 0, 0);
-}
-
-// Reads in growing pieces rather than by the size that the system tells: devices and pipes have none, and a file that
-// begins like no text (a disk image, say) is not read to its end.
-Expected<std::string> read_to_end(int descriptor, const std::string& name) {
-  struct stat status {};
-  if (::fstat(descriptor, &status) != 0) return cannot_read(name, errno);
-  if (S_ISDIR(status.st_mode)) return cannot_read(name, EISDIR);
-  try {
-    std::string bytes;
-    std::size_t filled = 0;
-    for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
-      bytes.resize(filled + piece);
-      while (filled < bytes.size()) {
-        const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return cannot_read(name, errno);
-        filled += static_cast<std::size_t>(got);
-        if (got == 0) {
-          bytes.resize(filled);
-          return bytes;
-        }
-      }
-      if (!foreign_kind(bytes).empty()) return bytes;
-    }
-  } catch (const std::bad_alloc&) {
-    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name});
-  } catch (const std::length_error&) {
-    return std::unexpected(Error{ErrorCode::out_of_memory, "it is too large to read", name});
-  }
+// A file that begins like no text (a disk image, say) is not read to its end.
+ReadOptions text_only(std::stop_token stop) {
+  return {.is_enough = [](std::string_view bytes) { return !foreign_kind(bytes).empty(); }, .stop = std::move(stop)};
 }
 
 }  // namespace
@@ -150,20 +106,17 @@ std::span<const FormatDescriptor> format_descriptors() {
   return descriptors;
 }
 
-Expected<std::string> read_text_file(const fs::path& path) {
-  const OpenFile file(path);
-  if (file.descriptor < 0) return cannot_read(path.string(), errno);
-  return read_to_end(file.descriptor, path.string());
-}
-
-Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format) {
-  const auto bytes = read_text_file(path);
+Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, const std::stop_token& stop) {
+  const auto bytes = read_whole(path, text_only(stop));
   if (!bytes) return std::unexpected(bytes.error());
-  return read_bytes(*bytes, path.string(), format, &path);
+  auto file = read_bytes(*bytes, path.string(), format, &path);
+  std::error_code error;
+  if (file && fs::is_regular_file(path, error)) file->sources.push_back({path, fingerprint_of(*bytes)});
+  return file;
 }
 
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format) {
-  const auto bytes = read_to_end(descriptor, name);
+  const auto bytes = read_whole(descriptor, name, text_only({}));
   if (!bytes) return std::unexpected(bytes.error());
   return read_bytes(*bytes, name, format, nullptr);
 }

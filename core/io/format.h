@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/document/commands.h"
+#include "core/io/file_fingerprint.h"
 
 namespace mes {
 
@@ -21,6 +23,7 @@ struct LoadedFile {
   SampleData data;
   std::string format;                 ///< id of the format it was read as
   std::vector<std::string> warnings;  ///< one line each, already with file, line and column
+  std::vector<SourceFile> sources{};  ///< regular files that were read for it
   /// Of a session, all of it; `data` is its last state then.
   std::shared_ptr<const Session> session;
 };
@@ -37,9 +40,10 @@ struct FormatDescriptor {
 std::span<const FormatDescriptor> format_descriptors();
 
 /// Reads a file; the format is found by content first, extension second, unless `format` names one. A `.contours`
-/// file beside a POFF file is read too. Never allocates by what a header promises. Error: `bad_input` with file,
-/// line, column.
-Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {});
+/// file beside a POFF file is read too, if it is a regular file. Never allocates by what a header promises. A pipe is
+/// waited for until a stop is requested (error `cancelled`). Error: `bad_input` with file, line, column.
+Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {},
+                                      const std::stop_token& stop = {});
 
 /// The same for bytes in memory; `name` stands for the file in messages.
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {});

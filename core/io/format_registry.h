@@ -33,8 +33,4 @@ struct Format {
 /// In the order of core/io/CMakeLists.txt.
 std::span<const Format> formats();
 
-/// A whole file, or what it begins with when that shows it to be no text at all. Error: `bad_input` or
-/// `out_of_memory`.
-Expected<std::string> read_text_file(const std::filesystem::path& path);
-
 }  // namespace mes

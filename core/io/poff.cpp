@@ -12,6 +12,7 @@
 
 #include "core/io/format_registry.h"
 #include "core/io/off_header.h"
+#include "core/io/read_file.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -142,7 +143,8 @@ void read_poff_companions(const std::filesystem::path& path, LoadedFile& file) {
   beside.replace_extension(".contours");
   std::error_code error;
   if (beside == path || !std::filesystem::exists(beside, error)) return;
-  const auto bytes = read_text_file(beside);
+  const auto bytes = read_regular_file(beside);
+  if (bytes) file.sources.push_back({beside, fingerprint_of(*bytes)});
   auto contours = bytes ? read_contours(*bytes, beside.string(), file.data.positions.size())
                         : Expected<std::vector<SampleData::Contour>>(std::unexpected(bytes.error()));
   if (contours) {

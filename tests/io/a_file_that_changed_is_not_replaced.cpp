@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "core/io/atomic_file.h"
+#include "core/io/format.h"
 #include "temporary_folder.h"
 
 using namespace mes;
@@ -75,4 +76,16 @@ TEST_CASE("what took the place of a file is not written to") {
   CHECK(replace_file(folder / "link", "mine", old).value() == Replaced::changed);
   CHECK(contents_of(folder / "b") == "other");
   CHECK(fs::is_symlink(folder / "link"));
+}
+
+TEST_CASE("what was read is known by its fingerprint, with what lies beside it") {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.write("a.poff", "POFF 3 0 0\n0 0\n1 0\n0 1\n");
+  const fs::path beside = folder.write("a.contours", "3\n");
+  const auto loaded = read_sample_file(file);
+  REQUIRE(loaded);
+  REQUIRE(loaded->sources.size() == 2);
+  for (const SourceFile& source : loaded->sources) CHECK(fingerprint_of_file(source.path) == source.fingerprint);
+  CHECK(loaded->sources[0].path == beside);
+  CHECK(loaded->sources[1].path == file);
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/read_file.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLookInterval = 50;  // milliseconds between two looks at the stop token
+
+/// Closes the descriptor. Opening never waits, not even for a pipe that nobody writes to.
+struct OpenFile {
+  int descriptor;
+  explicit OpenFile(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+};
+
+std::unexpected<Error> cannot_read(const std::string& name, int code) {
+  return std::unexpected(
+      Error{ErrorCode::bad_input, "cannot be read: " + std::generic_category().message(code), name});
+}
+
+std::unexpected<Error> not_regular(const std::string& name) {
+  return std::unexpected(Error{ErrorCode::bad_input, "cannot be read: not a regular file", name});
+}
+
+std::unexpected<Error> too_large(const std::string& name) {
+  return std::unexpected(Error{ErrorCode::out_of_memory, "it is too large to read", name});
+}
+
+std::unexpected<Error> cancelled(const std::string& name) {
+  return std::unexpected(Error{ErrorCode::cancelled, "reading was cancelled", name});
+}
+
+bool is_regular(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// Until there is something, or the end, or a stop.
+void wait_for_data(int descriptor, const std::stop_token& stop) {
+  pollfd waited{descriptor, POLLIN, 0};
+  const int most = stop.stop_possible() ? kLookInterval : -1;
+  while (!stop.stop_requested() && ::poll(&waited, 1, most) == 0) continue;
+}
+
+}  // namespace
+
+Expected<std::string> read_whole(int descriptor, const std::string& name, const ReadOptions& options) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) return cannot_read(name, errno);
+  if (S_ISDIR(status.st_mode)) return cannot_read(name, EISDIR);
+  const bool may_wait = !S_ISREG(status.st_mode);
+  try {
+    std::string bytes;
+    std::size_t filled = 0;
+    // In growing pieces rather than by the size that the system tells: devices and pipes have none.
+    for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
+      bytes.resize(filled + piece);
+      while (filled < bytes.size()) {
+        if (may_wait) wait_for_data(descriptor, options.stop);
+        if (options.stop.stop_requested()) return cancelled(name);
+        const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (got < 0) return cannot_read(name, errno);
+        filled += static_cast<std::size_t>(got);
+        if (filled > options.most_bytes) return too_large(name);
+        if (got == 0) {
+          bytes.resize(filled);
+          return bytes;
+        }
+      }
+      if (options.is_enough && options.is_enough(bytes)) return bytes;
+    }
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name});
+  } catch (const std::length_error&) {
+    return too_large(name);
+  }
+}
+
+Expected<std::string> read_whole(const fs::path& path, const ReadOptions& options) {
+  const OpenFile file(path);
+  if (file.descriptor < 0) return cannot_read(path.string(), errno);
+  return read_whole(file.descriptor, path.string(), options);
+}
+
+Expected<std::string> read_regular_file(const fs::path& path, const ReadOptions& options) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return cannot_read(path.string(), errno);
+  if (!S_ISREG(status.st_mode)) return not_regular(path.string());
+  const OpenFile file(path);
+  if (file.descriptor < 0) return cannot_read(path.string(), errno);
+  if (!is_regular(file.descriptor)) return not_regular(path.string());
+  return read_whole(file.descriptor, path.string(), options);
+}
+
+}  // namespace mes
