@@ -43,6 +43,8 @@ int main(int argc, char** argv) {
   // A reader that goes away and a file that grows too large are errors of a write, not reasons to die in silence.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  // Ignored, as some parents leave it, it would keep the exit codes of children from us.
+  std::signal(SIGCHLD, SIG_DFL);
   return mes::cli::run_command_line(argc, argv, [argv](std::vector<std::string> files) {
     return mes::run_window({.files = std::move(files), .executable = argv[0]});
   });

@@ -8,7 +8,7 @@
 
 namespace mes::cli {
 
-Expected<void> run_demo(const DemoRequest& request, Interruption& interruption) {
+Expected<void> run_demo(const DemoRequest& request, Interruption& /*interruption*/) {
   FilmRequest film = request.film;
   if (film.frames.empty() && film.video.empty()) film.frames = "mesecina-demo";
   if (auto good = check(film); !good) return good;
@@ -19,7 +19,7 @@ Expected<void> run_demo(const DemoRequest& request, Interruption& interruption) 
   if (!shape) return std::unexpected(shape.error());
   const auto session = demo_session(shape->data);
   if (!session) return std::unexpected(session.error());
-  return make_film(*session, "demo", film, interruption);
+  return make_film(*session, "demo", film);
 }
 
 }  // namespace mes::cli

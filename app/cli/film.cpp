@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/film.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,6 +17,7 @@
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
 #include "app/sample_shapes.h"
+#include "core/io/temporary.h"
 #include "core/io/text_numbers.h"
 #include "render/egl_context.h"
 #include "render/gl_device.h"
@@ -71,9 +70,6 @@ Expected<Film> understand(const FilmRequest& request) {
     if (extension != ".mp4" && extension != ".webm")
       return usage_error("the name of the video must end in .mp4 or .webm");
     if (film.shard.count > 1) return usage_error("a shard is not a video; make it of the frames of all shards");
-    if (!has_video_maker())
-      return std::unexpected(
-          Error{ErrorCode::cannot_write, "a video needs the program ffmpeg, which is not installed"});
   }
   return film;
 }
@@ -81,28 +77,6 @@ Expected<Film> understand(const FilmRequest& request) {
 std::unexpected<Error> cannot_write(const std::string& text, const fs::path& file) {
   return std::unexpected(Error{ErrorCode::cannot_write, text, file.string()});
 }
-
-/// Where frames go when only the video is wanted.
-class TemporaryFolder {
- public:
-  static Expected<TemporaryFolder> make() {
-    std::error_code error;
-    std::string pattern = (fs::temp_directory_path(error) / "mesecina-film-XXXXXX").string();
-    if (error || ::mkdtemp(pattern.data()) == nullptr) return cannot_write("no folder for the frames", pattern);
-    return TemporaryFolder(pattern);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {}
-  fs::path path_;
-};
 
 Expected<void> prepare(const fs::path& folder, const Shard& shard) {
   std::error_code error;
@@ -184,16 +158,15 @@ class Studio {
 Expected<void> check(const FilmRequest& request) {
   const auto film = understand(request);
   if (!film) return std::unexpected(film.error());
-  return {};
+  return request.video.empty() ? Expected<void>() : check_video(request.video);
 }
 
-Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request,
-                         Interruption& interruption) {
+Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request) {
   const auto film = understand(request);
   if (!film) return std::unexpected(film.error());
-  std::optional<TemporaryFolder> temporary;
+  std::optional<ScratchFolder> temporary;
   if (request.frames.empty()) {
-    auto made = TemporaryFolder::make();
+    auto made = ScratchFolder::make();
     if (!made) return std::unexpected(made.error());
     temporary.emplace(std::move(*made));
   }
@@ -239,7 +212,7 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
   }
   if (auto done = writer.finish(); !done || request.video.empty()) return done;
   progress.show("making the video", 1.0);
-  return interruption.uninterrupted([&] { return make_video(folder, film->fps, request.video); });
+  return make_video(folder, film->fps, request.video);
 }
 
 }  // namespace mes::cli

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "app/cli/interruption.h"
 #include "core/base/error.h"
 #include "core/io/session.h"
 
@@ -18,11 +17,10 @@ struct FilmRequest {
   std::string shard;  ///< "3/16": every 16th frame beginning with the 3rd; empty: all
 };
 
-/// Words that make no sense, before any work is done.
+/// Words that make no sense, and a video that cannot be made or written, before any work is done.
 Expected<void> check(const FilmRequest& request);
 
 /// Error: `cannot_write` also when the folder has such frames already. `name` stands for the session in messages.
-Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request,
-                         Interruption& interruption);
+Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request);
 
 }  // namespace mes::cli

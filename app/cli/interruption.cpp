@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/interruption.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <string_view>
+
+#include "app/process_end.h"
 
 namespace mes::cli {
 
 void Interruption::end(int signal) {
   const std::lock_guard lock(mutex_);
-  if (::isatty(STDERR_FILENO) != 0) {
-    // A progress line may stand there.
+  // A progress line may stand there. A terminal that was stopped, as by Ctrl-S, would have to be waited for.
+  pollfd terminal{STDERR_FILENO, POLLOUT, 0};
+  if (::isatty(STDERR_FILENO) != 0 && ::poll(&terminal, 1, 0) == 1 && (terminal.revents & POLLOUT) != 0) {
     constexpr std::string_view kEndOfLine = "\r\x1b[K";
     static_cast<void>(!::write(STDERR_FILENO, kEndOfLine.data(), kEndOfLine.size()));
   }
-  // No destructors: other threads are in the middle of their work, and nothing is open that could be left in pieces.
-  ::_exit(128 + signal);
+  end_process(128 + signal);
 }
 
 }  // namespace mes::cli

@@ -8,8 +8,9 @@
 
 namespace mes::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP end the process immediately with exit code 130 (143, 129), except that
-/// what runs in `uninterrupted` is finished first. Signals that are ignored when it is made stay ignored.
+/// While it lives, SIGINT, SIGTERM and SIGHUP end the process immediately with exit code 130 (143, 129). What runs in
+/// `uninterrupted` is finished first if that takes less than the patience of `SignalWatch`. Signals that are ignored
+/// when it is made stay ignored.
 ///
 /// Make it before any other thread is started: they inherit that these signals are left to it.
 class Interruption {

@@ -41,7 +41,7 @@ Expected<void> run_play(const PlayRequest& request, Interruption& interruption) 
   const auto session = read(request.session);
   if (!session) return std::unexpected(session.error());
   if (!request.film.frames.empty() || !request.film.video.empty())
-    return make_film(**session, request.session, request.film, interruption);
+    return make_film(**session, request.session, request.film);
   LayerMirror mirror;
   Player player(**session, [&mirror](const FramePatch& patch) { mirror.apply(patch); });
   Progress progress;

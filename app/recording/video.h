@@ -16,9 +16,13 @@ namespace mes {
 /// Whether ffmpeg is on the PATH.
 bool has_video_maker();
 
+/// Whether a video of this name can be made: the program is there, and the file can be written. A file beside it is
+/// made and removed again.
+Expected<void> check_video(const std::filesystem::path& output);
+
 /// Frames 1, 2, ... of the folder as an MP4 (H.264), or a WebM (VP9) if the name says so; what is transparent becomes
-/// white. The file appears complete or not at all, and replaces one of the same name. Waits for the child process,
-/// which is ended when a stop is requested (error `cancelled`). Any thread.
+/// white. The file appears complete or not at all, and replaces one of the same name; if that is a link, the file it
+/// leads to. Waits for the child process, which is ended when a stop is requested (error `cancelled`). Any thread.
 Expected<void> make_video(const std::filesystem::path& take, double fps, const std::filesystem::path& output,
                           const std::stop_token& stop = {});
 

@@ -113,10 +113,16 @@ void App::run() {
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
     if (gui_.is_fading()) frames_wanted_ = std::max(frames_wanted_, 1);
   }
-  record_.end();
-  // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays.
-  if (is_closing_) autosave_.discard();
+  // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays, and is
+  // complete before anything that may take longer than a signal waits.
+  if (is_closing_) {
+    autosave_.discard();
+  } else {
+    keep_timeline();
+    autosave_.flush();
+  }
   remember_settings();
+  record_.end();
 }
 
 PanelContext App::panel_context() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/window/app.h"
+#include "core/io/temporary.h"
 
 namespace mes {
 
@@ -59,6 +60,7 @@ void App::keep_timeline() {
 
 void App::look_for_left_work() {
   left_work_ = std::async(std::launch::async, [folder = default_autosave_folder()] {
+    remove_abandoned_scratch();
     FoundWork found = find_left_work(folder);
     GlfwWindow::wake();
     return found;

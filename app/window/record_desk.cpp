@@ -37,11 +37,12 @@ Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverl
   return *file;
 }
 
-// Beside the take, under a name that is free.
+// Beside the take, under a name that is free. A link that leads nowhere has its name too.
 fs::path video_name(const fs::path& take) {
   std::error_code error;
   fs::path out = take.string() + ".mp4";
-  for (int twin = 2; fs::exists(out, error); ++twin) out = take.string() + "-" + std::to_string(twin) + ".mp4";
+  for (int twin = 2; fs::exists(fs::symlink_status(out, error)); ++twin)
+    out = take.string() + "-" + std::to_string(twin) + ".mp4";
   return out;
 }
 

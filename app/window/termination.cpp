@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/termination.h"
 
-#include <unistd.h>
-
 #include <utility>
 
 namespace mes {
@@ -11,7 +9,6 @@ Termination::Termination(std::function<void()> wake)
     : wake_(std::move(wake)), watch_([this](int signal) { hear(signal); }) {}
 
 void Termination::hear(int signal) {
-  if (signal_ != 0) ::_exit(128 + signal);
   signal_ = signal;
   wake_();
 }

@@ -9,8 +9,9 @@
 
 namespace mes {
 
-/// What it guarantees: the first such signal is noted and `wake` is called; the second ends the process at once, with
-/// exit code 128 + signal. Signals that are ignored when it is made stay ignored.
+/// What it guarantees: the first such signal is noted and `wake` is called. The second ends the process at once, and
+/// so does the end of the patience of `SignalWatch`, with exit code 128 + signal: what is unsaved by then is in the
+/// journal. Signals that are ignored when it is made stay ignored.
 ///
 /// Make it before any other thread is started: they inherit that these signals are left to it.
 class Termination {

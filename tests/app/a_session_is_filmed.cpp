@@ -97,3 +97,22 @@ TEST_CASE("the demo is computed without a display, with captions and every scene
   CHECK(documents.size() == 66);
   CHECK(pictures.size() > 100);
 }
+
+TEST_CASE("a video that cannot be written is refused before the first frame is drawn") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "bin");
+  const auto program = folder.write("bin/ffmpeg", "#!/bin/sh\nexit 1\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::vector<std::string> path{"PATH=" + (folder / "bin").string() + ":/usr/bin:/bin"};
+  const std::string frames = (folder / "frames").string();
+  const RunResult nowhere = run({"play", kSession, "--frames", frames, "--video", (folder / "no" / "a.mp4").string()},
+                                {.environment = path});
+  CHECK(nowhere.exit_code == 4);
+  CHECK(nowhere.err.find("no/a.mp4: cannot be written: No such file or directory") != std::string::npos);
+  const RunResult without = run({"play", kSession, "--frames", frames, "--video", (folder / "a.mp4").string()},
+                                {.environment = {"PATH=" + (folder / "frames").string()}});
+  CHECK(without.exit_code == 4);
+  CHECK(without.err.find("ffmpeg") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(frames));
+  CHECK(folder.file_count() == 1);
+}

@@ -27,11 +27,12 @@ struct Pipe {
   }
 };
 
-void drain(int descriptor, std::string& to) {
+void drain(int descriptor, std::string& to, const std::function<void()>& at_first = {}) {
   std::array<char, 65536> piece{};
   for (;;) {
     const ssize_t got = ::read(descriptor, piece.data(), piece.size());
     if (got <= 0) break;
+    if (at_first && to.empty()) at_first();
     to.append(piece.data(), static_cast<std::size_t>(got));
   }
   ::close(descriptor);
@@ -70,8 +71,12 @@ bool watches(pid_t child, int signal) {
 }
 
 void interrupt(pid_t child, const RunOptions& options) {
+  const auto is_time = [&] {
+    if (options.interrupt_when && !options.interrupt_when()) return false;
+    return options.interrupt_with == SIGKILL || watches(child, options.interrupt_with);
+  };
   // Bounded, so that a program that ends early, or never watches, cannot hang the test.
-  for (int i = 0; i < 20000 && !watches(child, options.interrupt_with); ++i) {
+  for (int i = 0; i < 60000 && !is_time(); ++i) {
     siginfo_t ended{};
     ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
     if (ended.si_pid == child) return;
@@ -104,7 +109,7 @@ RunResult run(const std::vector<std::string>& arguments, const RunOptions& optio
     if (!options.keep_input_open) ::close(in.write);
   });
   std::thread out_reader([&] { drain(out.read, result.out); });
-  std::thread err_reader([&] { drain(err.read, result.err); });
+  std::thread err_reader([&] { drain(err.read, result.err, options.at_first_error); });
   if (options.interrupt_with != 0) interrupt(child, options);
   int status = 0;
   ::waitpid(child, &status, 0);

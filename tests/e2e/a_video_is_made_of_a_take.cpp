@@ -98,3 +98,49 @@ TEST_CASE("a video being made can be cancelled") {
   CHECK_FALSE(job.is_running());
   CHECK(studio.folder.file_count() == before);
 }
+
+TEST_CASE("the program writes to a new file that no link leads to, and a target that is a link stays one") {
+  const Studio studio;
+  // It tells where it writes, and whether that was there before, empty and a file.
+  studio.program(kOutput +
+                 "[ -f \"$out\" ] && [ ! -L \"$out\" ] && [ ! -s \"$out\" ] || exit 3\n"
+                 "echo \"$out\" > \"$out\"\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  const fs::path video = studio.folder / "film.mp4";
+  fs::create_directory(studio.folder / "elsewhere");
+  fs::create_symlink("elsewhere/real.mp4", video);
+  REQUIRE(make_video(studio.take.folder, 30.0, video));
+  CHECK(fs::is_symlink(video));
+  const std::string first = contents_of(studio.folder / "elsewhere" / "real.mp4");
+  CHECK(fs::path(first).parent_path() == fs::canonical(studio.folder / "elsewhere"));
+  REQUIRE(make_video(studio.take.folder, 30.0, video));
+  // Another name each time.
+  CHECK(contents_of(video) != first);
+  CHECK(std::distance(fs::directory_iterator(studio.folder / "elsewhere"), {}) == 1);
+}
+
+TEST_CASE("a program that puts another file in the place of the one it was given is not believed") {
+  const Studio studio;
+  studio.program(kOutput + "rm \"$out\"\nln -s /etc/hostname \"$out\"\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  CHECK_FALSE(make_video(studio.take.folder, 30.0, studio.folder / "film.mp4"));
+  CHECK_FALSE(fs::exists(studio.folder / "film.mp4"));
+}
+
+TEST_CASE("a video that cannot be written is refused before it is made") {
+  const Studio studio;
+  studio.program(kOutput + "touch " + (studio.folder / "was-run").string() + "\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  REQUIRE(check_video(studio.folder / "film.mp4"));
+  CHECK_FALSE(fs::exists(studio.folder / "film.mp4"));
+  fs::create_directory(studio.folder / "folder.mp4");
+  REQUIRE(::mkfifo((studio.folder / "pipe.mp4").c_str(), 0600) == 0);
+  for (const fs::path& target :
+       {studio.folder / "no" / "film.mp4", studio.folder / "folder.mp4", studio.folder / "pipe.mp4"}) {
+    const auto checked = check_video(target);
+    REQUIRE_FALSE(checked);
+    CHECK(checked.error().code == ErrorCode::cannot_write);
+    CHECK_FALSE(make_video(studio.take.folder, 30.0, target));
+  }
+  CHECK_FALSE(fs::exists(studio.folder / "was-run"));
+}

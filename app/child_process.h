@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Another program that works for this one, and does not outlive it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace mes {
+
+/// A program in its own folder, with its errors in a file without a name, nothing to read, and signals at their
+/// defaults. Threads: one at a time.
+class ChildProcess {
+ public:
+  ChildProcess() = default;
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Looked for on the PATH. 0 or the reason.
+  int start(const std::vector<std::string>& words, const std::filesystem::path& folder);
+  /// Whether it ended well. It is asked to end when a stop is requested, and made to end when it does not.
+  bool wait(const std::stop_token& stop);
+  /// The last printable line it complained with.
+  std::string complaint();
+
+ private:
+  pid_t pid_ = -1;
+  std::FILE* errors_ = nullptr;
+};
+
+/// For a process that ends without destructors: kills its children and waits for their end, as far as the time
+/// allows; none is started any more.
+void kill_children(std::chrono::steady_clock::time_point until);
+
+}  // namespace mes
