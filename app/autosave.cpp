@@ -2,7 +2,7 @@
 #include "app/autosave.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
+#include <stdio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,11 +11,12 @@
 #include <chrono>
 #include <cstring>
 #include <ctime>
-#include <fstream>
-#include <sstream>
+#include <expected>
 #include <utility>
 
 #include "app/data_folder.h"
+#include "core/io/file_lock.h"
+#include "core/io/read_file.h"
 
 namespace mes {
 namespace {
@@ -32,23 +33,57 @@ std::string local_time(std::time_t when, const char* format) {
   return {text.data(), length};
 }
 
-fs::path set_aside_name(fs::path file) {
-  file += ".broken";
-  return file;
+/// Under a name that was free: nothing that was set aside before is lost. Empty: it stays where it is.
+fs::path set_aside(const fs::path& file) {
+  for (int twin = 1;; ++twin) {
+    fs::path aside = file.string() + ".broken" + (twin == 1 ? "" : '-' + std::to_string(twin));
+    if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, aside.c_str(), RENAME_NOREPLACE) == 0) return aside;
+    // Some file systems cannot do that in one step.
+    if (errno == EINVAL && ::access(aside.c_str(), F_OK) != 0 && ::rename(file.c_str(), aside.c_str()) == 0)
+      return aside;
+    constexpr int kMostTwins = 10'000;
+    if ((errno != EEXIST && errno != EINVAL) || twin == kMostTwins) return {};
+  }
 }
 
-/// A new file that nobody else has, locked.
-int create_locked(const fs::path& folder, fs::path& file) {
+/// A new file that is locked. What cannot be locked would be taken by another program as left behind, so there is
+/// none then. Error: errno.
+std::expected<int, int> create_journal(const fs::path& folder, fs::path& file) {
   const std::string stem =
       local_time(std::time(nullptr), "%Y%m%d-%H%M%S") + '-' + std::to_string(static_cast<long>(::getpid()));
   for (int attempt = 0;; ++attempt) {
     file = folder / (stem + (attempt == 0 ? "" : '-' + std::to_string(attempt)) + kExtension);
-    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (fd < 0 && errno == EEXIST) continue;
-    if (fd >= 0) static_cast<void>(::flock(fd, LOCK_EX | LOCK_NB));
-    return fd;
+    const auto created = create_locked(file, 0600);
+    if (!created && created.error() == EEXIST) continue;
+    if (!created) return std::unexpected(created.error());
+    if (created->is_locked) return created->descriptor;
+    ::unlink(file.c_str());
+    ::close(created->descriptor);
+    return std::unexpected(ENOLCK);
   }
 }
+
+/// Closes the descriptor.
+class OpenJournal {
+ public:
+  explicit OpenJournal(const fs::path& file)
+      : descriptor_(::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {}
+  ~OpenJournal() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenJournal(const OpenJournal&) = delete;
+  OpenJournal& operator=(const OpenJournal&) = delete;
+
+  /// It was left behind, and nobody else is asking about it.
+  bool is_left(const fs::path& file) const {
+    return descriptor_ >= 0 && try_lock(descriptor_) == LockTry::locked && is_named(file, descriptor_);
+  }
+  Expected<std::string> text(const fs::path& file) const { return read_whole(descriptor_, file.string()); }
+  int release() { return std::exchange(descriptor_, -1); }
+
+ private:
+  int descriptor_;
+};
 
 }  // namespace
 
@@ -82,8 +117,9 @@ struct Autosave::Journal {
     if (fd < 0) {
       std::error_code error;
       fs::create_directories(folder, error);
-      fd = create_locked(folder, file);
-      if (fd < 0) return errno;
+      const auto created = create_journal(folder, file);
+      if (!created) return created.error();
+      fd = *created;
     }
     std::size_t done = 0;
     while (done < unwritten.size()) {
@@ -249,7 +285,7 @@ LeftWork& LeftWork::operator=(LeftWork&& other) noexcept {
 void LeftWork::remove() {
   std::error_code error;
   if (is_partial_)
-    fs::rename(file_, set_aside_name(file_), error);
+    set_aside(file_);
   else
     fs::remove(file_, error);
 }
@@ -263,29 +299,22 @@ FoundWork find_left_work(const fs::path& folder) {
     if (entry->path().extension() == kExtension) files.push_back(entry->path());
   std::ranges::sort(files, std::ranges::greater());
   for (const fs::path& file : files) {
-    const int fd = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
-    if (fd < 0) continue;
-    if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
-      ::close(fd);  // its program runs, or another one is asking about it
-      continue;
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    auto journal = read_journal(text.view(), file.string());
-    if (!journal && text.view().find('\n') != std::string_view::npos) {
-      const fs::path aside = set_aside_name(file);
-      fs::rename(file, aside, error);
-      out.message =
-          "work that was left unsaved cannot be read (" + journal.error().text + "); it is kept as " + aside.string();
-      ::close(fd);
+    OpenJournal open(file);
+    if (!open.is_left(file)) continue;
+    const auto text = open.text(file);
+    // It may be readable another time.
+    if (!text) continue;
+    auto journal = read_journal(*text, file.string());
+    if (!journal && !text->empty()) {
+      const fs::path aside = set_aside(file);
+      out.message = "work that was left unsaved cannot be read (" + journal.error().text + "); it is kept as " +
+                    (aside.empty() ? file : aside).string();
     } else if (!journal || journal->unsaved_edits == 0) {
       ::unlink(file.c_str());
-      ::close(fd);
     } else {
       if (!journal->complaint.empty())
         out.message = "some of the work that was left unsaved cannot be read: " + journal->complaint;
-      out.works.emplace_back(file, fd, std::move(*journal));
+      out.works.emplace_back(file, open.release(), std::move(*journal));
     }
   }
   return out;

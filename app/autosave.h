@@ -23,7 +23,9 @@ namespace mes {
 ///  2. Whenever it is interrupted, the journal can be read up to the last line that was finished.
 ///  3. Nothing is written while nothing is edited. A document that nobody changed has no journal.
 ///  4. `follow` costs as much as what is new. Writing is done by a thread of its own.
-///  5. Journals of programs that still run are not touched: each holds a lock on its own.
+///  5. Journals of programs that still run are not touched: each holds a lock on its own from before the moment it
+///  can
+///     be seen as left behind. Where there are no locks there is no journal, and a problem says so.
 ///
 /// Smallest use:
 ///     Autosave autosave(default_autosave_folder(), [] {});
@@ -110,7 +112,7 @@ struct FoundWork {
   std::vector<LeftWork> works;  ///< newest first
   std::string message;          ///< about journals that could not be read and were set aside; empty: none
 };
-/// Journals without unsaved edits are removed on the way.
+/// Journals without unsaved edits are removed on the way; what cannot be read is kept as `.broken`.
 FoundWork find_left_work(const std::filesystem::path& folder);
 
 }  // namespace mes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 using namespace mes;
 using namespace mes::test;
 using std::chrono::milliseconds;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -115,11 +117,41 @@ TEST_CASE("a gesture that is not finished waits; an unreadable journal is set as
   found.works[0].remove();
 
   folder.write("20260101-000000-1.journal", "garbage\n");
-  folder.write("20260102-000000-1.journal", "{\"torn");
   found = find_left_work(folder.path());
   CHECK(found.works.empty());
   CHECK(found.message.find("20260101-000000-1.journal.broken") != std::string::npos);
   CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("a journal that holds anything is kept when it cannot be read, and nothing that was kept is replaced") {
+  const TemporaryFolder folder;
+  // As a loss of power can leave it, and as a full disk does.
+  const std::string zeros(5000, '\0');
+  for (const std::string& text : {zeros, std::string("{\"torn")}) {
+    folder.write("20260101-000000-1.journal", text);
+    const FoundWork found = find_left_work(folder.path());
+    CHECK(found.works.empty());
+    CHECK(found.message.find("20260101-000000-1.journal.broken") != std::string::npos);
+  }
+  CHECK(contents_of(folder / "20260101-000000-1.journal.broken") == zeros);
+  CHECK(contents_of(folder / "20260101-000000-1.journal.broken-2") == "{\"torn");
+  CHECK(folder.file_count() == 2);
+  // A journal that was just begun holds nothing.
+  folder.write("20260101-000000-2.journal", "");
+  CHECK(find_left_work(folder.path()).message.empty());
+  CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("what is not a file is not taken for a journal") {
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo((folder / "20260101-000000-1.journal").c_str(), 0600) == 0);
+  const fs::path elsewhere = folder.write("elsewhere", "garbage\n");
+  fs::create_symlink("elsewhere", folder / "20260101-000000-2.journal");
+  const FoundWork found = find_left_work(folder.path());
+  CHECK(found.works.empty());
+  CHECK(found.message.empty());
+  CHECK(folder.file_count() == 3);
+  CHECK(contents_of(elsewhere) == "garbage\n");
 }
 
 TEST_CASE("killed at any moment, a program leaves a journal that can be read, of a state that was") {
