@@ -45,7 +45,9 @@ Error unknown(const std::string& name, const std::vector<Bundle>& bundles, const
 }
 
 /// Of this name in the file; without one the first.
-Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std::string>& name) {
+Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std::string>& name,
+                                std::vector<SourceFile>& sources) {
+  if (const auto fingerprint = fingerprint_of_file(file)) sources.push_back({file, *fingerprint});
   auto loaded = read_bundle_file(file, known_layers());
   if (!loaded) return std::unexpected(loaded.error());
   for (const std::string& warning : loaded->warnings) say(warning);
@@ -79,20 +81,20 @@ std::vector<AvailableBundle> available_bundles() {
   return out;
 }
 
-Expected<Bundle> find_bundle(const std::string& name_or_file) {
+Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<SourceFile>& sources) {
   std::vector<Bundle> bundles;
   for (AvailableBundle& each : available_bundles()) bundles.push_back(std::move(each.bundle));
   if (const Bundle* bundle = named(bundles, name_or_file)) return *bundle;
   std::error_code error;
   const std::string extension = lower(fs::path(name_or_file).extension().string());
-  if (fs::exists(name_or_file, error)) return bundle_of_file(name_or_file, {});
+  if (fs::exists(name_or_file, error)) return bundle_of_file(name_or_file, {}, sources);
   // Names of files and of bundles may hold colons too.
   for (std::size_t colon = name_or_file.find(':'); colon != std::string::npos;
        colon = name_or_file.find(':', colon + 1))
     if (const std::string file = name_or_file.substr(0, colon); fs::is_regular_file(file, error))
-      return bundle_of_file(file, name_or_file.substr(colon + 1));
+      return bundle_of_file(file, name_or_file.substr(colon + 1), sources);
   if (extension == ".json" || extension == ".bnd" || name_or_file.find('/') != std::string::npos)
-    return bundle_of_file(name_or_file, {});
+    return bundle_of_file(name_or_file, {}, sources);
   Error out = unknown(name_or_file, bundles, {});
   out.text += " (mesecina list bundles)";
   return std::unexpected(std::move(out));

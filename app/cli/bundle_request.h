@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/document/bundle.h"
+#include "core/io/file_fingerprint.h"
 
 namespace mes::cli {
 
@@ -21,7 +22,7 @@ std::vector<AvailableBundle> available_bundles();
 
 /// The bundle of this name, whatever the case if that leaves one; or the first of the file of this name; or of
 /// FILE:NAME the one of that name in the file. Error: `usage` with the nearest names, or `bad_input` for a file that
-/// holds none.
-Expected<Bundle> find_bundle(const std::string& name_or_file);
+/// holds none. A file that it is read from is added to the sources.
+Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<SourceFile>& sources);
 
 }  // namespace mes::cli

@@ -88,6 +88,10 @@ void add_source(CLI::App& command, Source& source) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Overwrite the output even if it was read and has changed since");
+}
+
 void add_film(CLI::App& command, FilmRequest& film) {
   command.add_option("--frames", film.frames, "Folder for the pictures 00001.png ... and manifest.json");
   command.add_option("--video", film.video, "A video, .mp4 or .webm; needs ffmpeg");
@@ -115,6 +119,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                       "default: those visible at start");
   compute->add_flag("!--no-timing", to.compute.with_timing, "Leave out times: equal input gives equal bytes");
   compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
+  add_force(*compute, to.compute.force);
 
   CLI::App* const exported = app.add_subcommand("export", "The geometry of one layer, as text");
   add_source(*exported, to.exported.source);
@@ -126,6 +131,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "wpoff: disks, or circles")
       ->required();
   exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
+  add_force(*exported, to.exported.force);
 
   CLI::App* const render = app.add_subcommand("render", "A picture of layers, as PNG; needs no display");
   add_source(*render, to.render.source);
@@ -169,6 +175,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "With a colour map: whether its colour bar is drawn, in the corner\n"
                    "where it hides least; default: yes");
   render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
+  add_force(*render, to.render.force);
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
   play->add_option("SESSION", to.play.session, "A saved session, .json, or - for standard input")->required();
@@ -193,6 +200,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   evolve->add_option("-o,--output", to.evolve.output, "Write to this file instead of standard output");
+  add_force(*evolve, to.evolve.force);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;

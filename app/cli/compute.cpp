@@ -100,7 +100,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be UTF-8, but JSON must.
   const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-  return write_output(request.output, text, interruption);
+  return write_output(request.output, text, interruption, {input->sources, request.force});
 }
 
 }  // namespace mes::cli

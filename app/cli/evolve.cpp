@@ -72,7 +72,7 @@ Expected<void> run_evolve(const EvolveRequest& request, Interruption& interrupti
   const auto written = replace_all(document, {.positions = state->positions, .contours = contours_of(*state)});
   if (!written) return std::unexpected(written.error());
   document.apply(*written);
-  return write_output(request.output, write_poff(document), interruption);
+  return write_output(request.output, write_poff(document), interruption, {input->sources, request.force});
 }
 
 }  // namespace mes::cli

@@ -73,7 +73,7 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
   if (!result) return std::unexpected(result.error());
   const auto text = text_of(mirror, *layer, request.format, result->document);
   if (!text) return std::unexpected(text.error());
-  return write_output(request.output, *text, interruption);
+  return write_output(request.output, *text, interruption, {input->sources, request.force});
 }
 
 }  // namespace mes::cli

@@ -4,9 +4,11 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/cli/interruption.h"
 #include "core/base/error.h"
+#include "core/io/file_fingerprint.h"
 
 namespace mes::cli {
 
@@ -16,6 +18,14 @@ bool is_standard_output(const std::string& file);
 /// Says no to an output that cannot be, before the work for it begins.
 Expected<void> check_output(const std::string& file);
 
-Expected<void> write_output(const std::string& file, std::string_view bytes, Interruption& interruption);
+/// What must not get lost by writing a result.
+struct Overwriting {
+  std::vector<SourceFile>
+      sources{};       ///< files the result was made of: none of them is overwritten once it has changed
+  bool force = false;  ///< unless this is set
+};
+
+Expected<void> write_output(const std::string& file, std::string_view bytes, Interruption& interruption,
+                            const Overwriting& overwriting = {});
 
 }  // namespace mes::cli

@@ -43,6 +43,7 @@ struct Picture {
   std::optional<Rgb> background;
   BackgroundImage image;
   double scale = 1.0;
+  std::vector<SourceFile> sources;  // bundle and image
 };
 
 Expected<void> check_picture_name(const std::string& file) {
@@ -62,7 +63,7 @@ Expected<void> check_picture_name(const std::string& file) {
 
 /// Layers and styles of a bundle; what it names that is not here is told.
 Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
-  const auto bundle = find_bundle(name_or_file);
+  const auto bundle = find_bundle(name_or_file, picture.sources);
   if (!bundle) return std::unexpected(bundle.error());
   std::size_t unknown = 0;
   for (const LayerConfiguration::Entry& entry : bundle->layers.layers) {
@@ -137,6 +138,8 @@ Expected<Picture> understand(const RenderRequest& request, std::span<const rende
 /// The picture to trace: in its place, or the one it is given.
 Expected<void> add_image(Picture& picture, const Box2& samples, render::Scene& scene) {
   if (picture.image.file.empty()) return {};
+  if (const auto fingerprint = fingerprint_of_file(picture.image.file))
+    picture.sources.push_back({picture.image.file, *fingerprint});
   const auto image = read_background(picture.image.file);
   if (!image) return std::unexpected(image.error());
   if (!(picture.image.width > 0.0))
@@ -255,7 +258,10 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   if (request.with_legend) add_legend(*image, scene, views, picture->scale, picture->background);
   const auto png = render::encode_png(*image, render::kPngSmall);
   if (!png) return std::unexpected(png.error());
-  return write_output(request.output, {reinterpret_cast<const char*>(png->data()), png->size()}, interruption);
+  std::vector<SourceFile> sources = std::move(picture->sources);
+  sources.insert(sources.end(), input->sources.begin(), input->sources.end());
+  return write_output(request.output, {reinterpret_cast<const char*>(png->data()), png->size()}, interruption,
+                      {std::move(sources), request.force});
 }
 
 }  // namespace mes::cli

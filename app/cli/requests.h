@@ -26,6 +26,7 @@ struct ComputeRequest {
   std::string layers;
   bool with_timing = true;
   std::string output;
+  bool force = false;  ///< overwrites the output even if it was read and has changed since
 };
 Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption);
 
@@ -34,6 +35,7 @@ struct ExportRequest {
   std::string layer;
   std::string format;
   std::string output;
+  bool force = false;
 };
 Expected<void> run_export(const ExportRequest& request, Interruption& interruption);
 
@@ -49,6 +51,7 @@ struct RenderRequest {
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
   std::string output;
+  bool force = false;
 };
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption);
 
@@ -71,6 +74,7 @@ struct EvolveRequest {
   std::string seed = "1";
   std::vector<std::string> settings;  ///< NAME=VALUE
   std::string output;
+  bool force = false;
 };
 Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption);
 

@@ -18,6 +18,7 @@
 #include "app/evolution_player.h"
 #include "app/layer_stack.h"
 #include "app/messages.h"
+#include "app/panels/ask_conflict.h"
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
 #include "app/panels/bundles_panel.h"
@@ -121,6 +122,7 @@ class App final : private WindowListener {
   void take_read_file();
   void leave_document();
   void draw_dialogs();
+  void draw_conflict();
   void remember_settings();
 
   // app_session.cpp
@@ -194,6 +196,7 @@ class App final : private WindowListener {
   BackgroundLoader background_{[] { GlfwWindow::wake(); }};
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;
+  AskConflict ask_conflict_;
   AskRecover ask_recover_;
   SurroundingsNotes notes_;
   Autosave autosave_;

@@ -31,7 +31,7 @@ void App::follow_pointer(Vec2 px, Modifiers modifiers) {
 // Which dialog has the keys now.
 int App::dialog() const {
   return (show_help_ ? 1 : 0) + (ask_unsaved_.is_open() ? 2 : 0) + (browser_.is_open() ? 4 : 0) +
-         (ask_recover_.is_open() ? 8 : 0);
+         (ask_recover_.is_open() ? 8 : 0) + (ask_conflict_.is_open() ? 16 : 0);
 }
 
 // Events that came with one that opened or closed a dialog wait for the next frame, when it is really there (or
@@ -87,6 +87,13 @@ bool App::close_top_dialog(const KeyChord& chord) {
   }
   if (ask_unsaved_.is_open()) {
     if (is_escape) ask_unsaved_.close();
+    return true;
+  }
+  if (ask_conflict_.is_open()) {
+    if (is_escape) {
+      ask_conflict_.close();
+      after_save_ = {};
+    }
     return true;
   }
   if (browser_.is_open()) {

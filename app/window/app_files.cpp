@@ -112,6 +112,10 @@ void App::take_saved() {
     after_save_ = {};
     return;
   }
+  if (saved->conflict) {
+    ask_conflict_.ask(*saved->conflict);
+    return;
+  }
   std::string names;
   for (const fs::path& file : saved->files) {
     names += (names.empty() ? "" : " and ") + file.string();
@@ -162,6 +166,22 @@ fs::path App::browse_folder() const {
   return fs::current_path(error);
 }
 
+// What waits for the save waits for the answer too.
+void App::draw_conflict() {
+  switch (ask_conflict_.draw(gui_)) {
+    case AskConflict::Answer::none: break;
+    case AskConflict::Answer::cancel:
+      ask_conflict_.close();
+      after_save_ = {};
+      break;
+    case AskConflict::Answer::overwrite: files_.overwrite(ask_conflict_.take()); break;
+    case AskConflict::Answer::save_as:
+      ask_conflict_.close();
+      ask_save_as();
+      break;
+  }
+}
+
 void App::draw_dialogs() {
   switch (ask_unsaved_.draw(gui_)) {
     case AskUnsaved::Answer::none: break;
@@ -180,6 +200,7 @@ void App::draw_dialogs() {
     case AskRecover::Answer::discard: ask_recover_.take().remove(); break;
     case AskRecover::Answer::recover: with_saved_work([this] { recover(ask_recover_.take()); }); break;
   }
+  draw_conflict();
   const bool was_saving = browser_.is_saving();
   if (const auto chosen = browser_.draw(gui_)) {
     settings_.last_folder = chosen->parent_path().string();
@@ -195,7 +216,7 @@ void App::draw_dialogs() {
     }
   }
   if (!browser_.is_open()) {
-    if (!files_.is_saving()) after_save_ = {};
+    if (!files_.is_saving() && !ask_conflict_.is_open()) after_save_ = {};
     when_chosen_ = {};
   }
 }

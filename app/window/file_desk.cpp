@@ -30,6 +30,13 @@ bool is_session_file(const fs::path& file) {
   return extension_of(file) == ".json";
 }
 
+/// However the file was named. Links are not followed: one that leads elsewhere now holds something else.
+fs::path key_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  return (error ? file : absolute).lexically_normal();
+}
+
 }  // namespace
 
 FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake)
@@ -38,10 +45,10 @@ FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::fu
 }
 FileDesk::~FileDesk() = default;
 
-void FileDesk::read(Reading& reading) {
+void FileDesk::read(Reading& reading, const std::stop_token& stop) {
   for (const fs::path& file : reading.files) {
     try {
-      reading.results.push_back(read_sample_file(file));
+      reading.results.push_back(read_sample_file(file, {}, stop));
     } catch (const std::bad_alloc&) {
       reading.results.push_back(
           std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()}));
@@ -58,8 +65,8 @@ void FileDesk::begin(const std::vector<fs::path>& files, const std::string& shap
   reading_ = std::make_unique<Reading>();
   reading_->files = files;
   reading_->title = shape_title;
-  reading_->thread = std::jthread([reading = reading_.get(), wake = wake_] {
-    read(*reading);
+  reading_->thread = std::jthread([reading = reading_.get(), wake = wake_](const std::stop_token& stop) {
+    read(*reading, stop);
     reading->is_done = true;
     if (wake) wake();
   });
@@ -74,7 +81,9 @@ void FileDesk::open_shape(const fs::path& file, const std::string& title) {
 }
 
 void FileDesk::cancel_reading() {
-  if (reading_) given_up_.push_back(std::move(reading_));
+  if (!reading_) return;
+  reading_->thread.request_stop();
+  given_up_.push_back(std::move(reading_));
 }
 
 std::string FileDesk::reading_name() const {
@@ -111,6 +120,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     out.balls = editor_.document().ball_count();
     forget_files();
     held_.file = held_.session_file = out.file;
+    note_known(first.sources);
     note_all_as_saved();
     held_.title = out.file.filename().string();
     return out;
@@ -146,6 +156,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   forget_files();
   held_.sample_file = out.is_shape ? fs::path() : sample_file;
   held_.ball_file = out.is_shape ? fs::path() : ball_file;
+  for (const auto& loaded : reading->results) note_known(loaded->sources);
   held_.file = held_.sample_file.empty() ? held_.ball_file : held_.sample_file;
   note_all_as_saved();
   held_.title = out.is_shape ? reading->title : out.file.filename().string();
@@ -161,7 +172,12 @@ void FileDesk::start_empty() {
   }
 }
 
+void FileDesk::note_known(std::span<const SourceFile> files) {
+  for (const SourceFile& file : files) held_.known[key_of(file.path)] = file.fingerprint;
+}
+
 void FileDesk::forget_files() {
+  contested_.reset();
   held_ = {.samples = held_.samples, .balls = held_.balls, .title = held_.title};
 }
 
@@ -212,30 +228,48 @@ void FileDesk::save_as(const fs::path& file) {
   begin_saving(std::move(after));
 }
 
+void FileDesk::overwrite(const FileConflict& conflict) {
+  if (!contested_) return;
+  Held after = std::move(*contested_);
+  const fs::path key = key_of(conflict.file);
+  if (conflict.found)
+    after.known[key] = *conflict.found;
+  else
+    after.known.erase(key);
+  begin_saving(std::move(after));
+}
+
 // `after` says which files there are; of them those are written that are new, or all if none is.
 void FileDesk::begin_saving(Held after) {
   finish_saving();
+  contested_.reset();
   saving_ = std::make_unique<Saving>();
   Saving& saving = *saving_;
   const Document& now = editor_.document();
   saving.of = editor_.timeline().data();
   saving.revision = now.revision();
+  saving.document = std::make_shared<const Document>(now);
   const bool is_new = after.file != held_.file || after.sample_file != held_.sample_file ||
                       after.ball_file != held_.ball_file || after.session_file != held_.session_file;
+  const auto add = [&](const fs::path& file, std::function<std::string()> text) {
+    const auto known = after.known.find(key_of(file));
+    saving.parts.push_back(
+        {file, std::move(text), known == after.known.end() ? std::nullopt : std::optional(known->second)});
+  };
   if (!after.session_file.empty()) {
-    saving.parts.push_back({after.session_file, [session = session_now_()] { return write_session(session); }});
+    saving.session = std::make_shared<const Session>(session_now_());
+    add(after.session_file, [session = saving.session] { return write_session(*session); });
     after.samples = now.sample_digest();
     after.balls = now.ball_digest();
     saving.is_whole = true;
   } else {
-    const auto document = std::make_shared<const Document>(now);
     const auto is_wanted = [&](const fs::path& file) { return !file.empty() && (!is_new || file == after.file); };
     if (is_wanted(after.sample_file)) {
-      saving.parts.push_back({after.sample_file, [document] { return write_poff(*document); }});
+      add(after.sample_file, [document = saving.document] { return write_poff(*document); });
       after.samples = now.sample_digest();
     }
     if (is_wanted(after.ball_file)) {
-      saving.parts.push_back({after.ball_file, [document] { return write_wpoff(*document); }});
+      add(after.ball_file, [document = saving.document] { return write_wpoff(*document); });
       after.balls = now.ball_digest();
     }
     saving.is_whole = after.samples == now.sample_digest() && after.balls == now.ball_digest();
@@ -248,14 +282,39 @@ void FileDesk::begin_saving(Held after) {
   });
 }
 
+// False: there is an error or a conflict.
+bool FileDesk::write_part(Saving& saving, const Part& part) {
+  const std::string text = part.text();
+  if (part.expected) {
+    const auto written = replace_file(part.file, text, *part.expected);
+    if (!written) saving.error = written.error();
+    if (written == Replaced::changed) saving.conflict = look_into(part.file, *saving.document, saving.session.get());
+  } else if (const auto written = write_file_atomically(part.file, text); !written) {
+    saving.error = written.error();
+  }
+  if (saving.error || saving.conflict) return false;
+  // What went into a pipe is not there to be compared with.
+  std::error_code error;
+  if (fs::is_regular_file(part.file, error)) saving.written.push_back({part.file, fingerprint_of(text)});
+  return true;
+}
+
 void FileDesk::write(Saving& saving) {
-  for (const Part& part : saving.parts) {
-    try {
-      if (auto written = write_file_atomically(part.file, part.text()); !written) saving.error = written.error();
-    } catch (const std::bad_alloc&) {
-      saving.error = Error{ErrorCode::out_of_memory, "there is not enough memory to write it", part.file.string()};
+  const fs::path* at = nullptr;
+  try {
+    // Of two files none is written while there is a question about the other.
+    for (const Part& part : saving.parts) {
+      at = &part.file;
+      if (!part.expected || is_as_expected(part.file, *part.expected)) continue;
+      saving.conflict = look_into(part.file, *saving.document, saving.session.get());
+      return;
     }
-    if (saving.error) return;
+    for (const Part& part : saving.parts) {
+      at = &part.file;
+      if (!write_part(saving, part)) return;
+    }
+  } catch (const std::bad_alloc&) {
+    saving.error = Error{ErrorCode::out_of_memory, "there is not enough memory to write it", at->string()};
   }
 }
 
@@ -271,11 +330,14 @@ std::optional<FileDesk::Saved> FileDesk::finish_saving() {
   if (!saving_) return std::nullopt;
   const std::unique_ptr<Saving> saving = std::move(saving_);
   saving->thread.join();
-  Saved out{{}, std::move(saving->error)};
+  Saved out{{}, std::move(saving->error), std::move(saving->conflict)};
   for (const Part& part : saving->parts) out.files.push_back(part.file);
   // Something else may have been opened meanwhile.
-  if (out.error || saving->of != editor_.timeline().data()) return out;
-  held_ = std::move(saving->after);
+  if (saving->of != editor_.timeline().data()) return out;
+  if (out.conflict) contested_ = std::move(saving->after);
+  if (!out.error && !out.conflict) held_ = std::move(saving->after);
+  note_known(saving->written);
+  if (out.error || out.conflict) return out;
   if (saving->is_whole) editor_.mark_saved(saving->revision);
   return out;
 }

@@ -5,13 +5,17 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
+#include <stop_token>
 #include <string>
 #include <thread>
 
 #include "app/editor.h"
+#include "app/window/file_conflict.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
 
@@ -26,6 +30,9 @@ namespace mes {
 ///  3. Writing happens on a thread of its own too, and saves the document as it was when that began. A file that
 ///  cannot
 ///     be written leaves names and marks as they were. Whatever was begun is written before the object ends.
+///  4. A file that something else has written to since it was opened or saved here is not overwritten: saving ends
+///  with
+///     a conflict, and `overwrite` is the answer to it.
 ///
 /// Smallest use:
 ///     desk.open("a.poff");
@@ -71,11 +78,15 @@ class FileDesk {
   /// The same for everything when the name ends in .json, for the balls when it ends in .wpoff, else for the samples.
   /// That is their file from then on.
   void save_as(const std::filesystem::path& file);
+  /// Begins once more the saving that ended with this conflict. What is in the file now is given up, and nothing
+  /// else: if the file changes again there is another conflict.
+  void overwrite(const FileConflict& conflict);
   bool is_saving() const { return saving_ != nullptr; }
   std::string saving_name() const;
   struct Saved {
     std::vector<std::filesystem::path> files;
     std::optional<Error> error;
+    std::optional<FileConflict> conflict;  ///< nothing was written to this file
   };
   /// What became of the writing, once, when it has ended.
   std::optional<Saved> poll_saved();
@@ -105,7 +116,7 @@ class FileDesk {
     std::jthread thread;                        // last: it ends before what it writes to
   };
   void begin(const std::vector<std::filesystem::path>& files, const std::string& shape_title);
-  static void read(Reading& reading);
+  static void read(Reading& reading, const std::stop_token& stop);
   /// Which files hold what.
   struct Held {
     std::filesystem::path file{};
@@ -115,10 +126,13 @@ class FileDesk {
     std::uint64_t samples = 0;  // digests of what the files hold
     std::uint64_t balls = 0;
     std::string title = "Untitled";
+    std::map<std::filesystem::path, FileFingerprint>
+        known{};  // what was in files when they were opened or saved here
   };
   struct Part {
     std::filesystem::path file;
     std::function<std::string()> text;
+    std::optional<FileFingerprint> expected;
   };
   struct Saving {
     std::vector<Part> parts;
@@ -126,23 +140,30 @@ class FileDesk {
     std::uint64_t revision = 0;            // of the document that is written
     bool is_whole = false;                 // the parts hold all of it
     std::shared_ptr<const SampleData> of;  // what was loaded
+    std::shared_ptr<const Document> document;
+    std::shared_ptr<const Session> session;  // null: not saved as one
+    std::vector<SourceFile> written;
     std::optional<Error> error;
+    std::optional<FileConflict> conflict;
     std::atomic<bool> is_done = false;
     std::jthread thread;  // last, as above
   };
   void note_all_as_saved();
   void forget_files();
+  void note_known(std::span<const SourceFile> files);
   void begin_saving(Held after);
   static void write(Saving& saving);
+  static bool write_part(Saving& saving, const Part& part);
   Expected<void> take_over(const Session& session, const std::string& name);
 
   Editor& editor_;
   std::function<Session()> session_now_;
   std::function<void()> wake_;
   Held held_;
+  std::optional<Held> contested_;  // what a saving that ended with a conflict would have led to
   std::unique_ptr<Saving> saving_;
   std::unique_ptr<Reading> reading_;
-  std::vector<std::unique_ptr<Reading>> given_up_;  // a reader cannot be stopped, only not waited for
+  std::vector<std::unique_ptr<Reading>> given_up_;  // they wait for nothing, but may take long to end
 };
 
 }  // namespace mes

@@ -58,3 +58,63 @@ TEST_CASE("a failed command leaves an older output as it was") {
   CHECK(contents_of(output) == "old");
   CHECK(folder.file_count() == 1);
 }
+
+TEST_CASE("an input that is its own output is overwritten, unless something else has written to it meanwhile") {
+  const TemporaryFolder folder;
+  // More complaints than a pipe holds: while nobody reads them, the command has read its input and written nothing.
+  std::string samples = "POFF 3 0 0\n0 0\n1 0\n0 1\n";
+  for (int i = 0; i < 5000; ++i) samples += "# loop closed 0 1 7\n";
+  const auto file = folder.write("a.poff", samples);
+  std::filesystem::create_symlink("a.poff", folder / "link.poff");
+  const auto command = [&](const std::string& output, const std::vector<std::string>& extra = {}) {
+    std::vector<std::string> out{"export", file.string(), "--layer", "points", "--format", "poff", "-o", output};
+    out.insert(out.end(), extra.begin(), extra.end());
+    return out;
+  };
+  const RunOptions meanwhile{.at_first_error = [&] { folder.write("a.poff", "theirs"); }};
+  for (const std::string& output : {file.string(), (folder / "link.poff").string()}) {
+    folder.write("a.poff", samples);
+    const RunResult result = run(command(output), meanwhile);
+    CHECK(result.exit_code == 4);
+    CHECK_THAT(result.err, Catch::EndsWith(output + ": cannot be written: it has changed since it was read; --force "
+                                                    "overwrites it\n"));
+    CHECK(contents_of(file) == "theirs");
+  }
+  folder.write("a.poff", samples);
+  CHECK(run(command(file.string(), {"--force"}), meanwhile).exit_code == 0);
+  CHECK(contents_of(file).starts_with("POFF 3"));
+  CHECK(contents_of(file).size() < 100);
+  // Nobody else has written to it, and another file is none of its business.
+  folder.write("a.poff", samples);
+  CHECK(run(command(file.string())).exit_code == 0);
+  CHECK(contents_of(file).size() < 100);
+  folder.write("a.poff", samples);
+  CHECK(run(command((folder / "b.poff").string()), meanwhile).exit_code == 0);
+  CHECK(folder.file_count() == 3);
+}
+
+TEST_CASE("every command that reads and writes files heeds what was written to its input meanwhile") {
+  const TemporaryFolder folder;
+  std::string samples = "POFF 3 0 0\n0 0\n1 0\n0 1\n";
+  for (int i = 0; i < 5000; ++i) samples += "# loop closed 0 1 7\n";
+  const auto file = folder.write("a.poff", samples);
+  // Bundles may have any name, also that of the picture to be drawn with them.
+  const auto bundles = folder / "a.png";
+  std::filesystem::copy_file("assets/bundles/starting.json", bundles);
+  struct Case {
+    std::filesystem::path both;
+    std::vector<std::string> command;
+  };
+  for (const auto& [both, command] :
+       std::vector<Case>{{file, {"compute", file, "-o", file}},
+                         {file, {"evolve", file, "--evolution", "smooth", "--steps", "1", "-o", file}},
+                         {bundles, {"render", file, "--bundle", bundles, "--size", "16x16", "-o", bundles}}}) {
+    folder.write("a.poff", samples);
+    const RunResult result =
+        run(command, {.at_first_error = [&, name = both.filename().string()] { folder.write(name, "theirs"); }});
+    CHECK(result.exit_code == 4);
+    CHECK_THAT(result.err, Catch::Contains("it has changed since it was read"));
+    CHECK(contents_of(both) == "theirs");
+  }
+  CHECK(folder.file_count() == 2);
+}

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <thread>
 
@@ -294,4 +296,111 @@ TEST_CASE("a save that ends after something else was opened marks nothing of it"
   CHECK(bench.editor.is_modified());
   CHECK(bench.desk.title() == "Untitled");
   CHECK(bench.desk.file().empty());
+}
+
+TEST_CASE("a session that another window has saved is not overwritten, and the difference is told") {
+  Bench bench;
+  bench.add_sample();
+  const auto file = bench.folder / "a.json";
+  REQUIRE(bench.save_as(file));
+  Bench other;
+  REQUIRE_FALSE(other.open(file).error);
+  for (int i = 0; i < 2; ++i) other.add_sample();
+  other.add_ball();
+  REQUIRE(other.save());
+  const std::string theirs = contents_of(file);
+
+  bench.add_ball();
+  bench.desk.save();
+  auto saved = bench.desk.finish_saving();
+  REQUIRE(saved);
+  REQUIRE(saved->conflict);
+  CHECK_FALSE(saved->error);
+  CHECK(saved->conflict->mine == Holdings{1, 1, 2});
+  CHECK(saved->conflict->theirs == Holdings{3, 1, 4});
+  CHECK(saved->conflict->shared_edits == 1);
+  CHECK(contents_of(file) == theirs);
+  CHECK(bench.editor.is_modified());
+
+  // It was changed once more before the answer.
+  other.add_ball();
+  REQUIRE(other.save());
+  bench.desk.overwrite(*saved->conflict);
+  saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  CHECK(saved->conflict->theirs == Holdings{3, 2, 5});
+  bench.desk.overwrite(*saved->conflict);
+  REQUIRE(bench.saved());
+  CHECK_FALSE(bench.editor.is_modified());
+
+  // Each window knows what it wrote itself.
+  bench.add_sample();
+  REQUIRE(bench.save());
+  other.add_sample();
+  other.desk.save();
+  CHECK(other.desk.finish_saving()->conflict);
+  REQUIRE(other.save_as(other.folder / "b.json"));
+  CHECK_FALSE(other.editor.is_modified());
+  other.add_sample();
+  REQUIRE(other.save());
+}
+
+TEST_CASE("of two files none is written while there is a question about the other") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open({samples, balls}).error);
+  bench.add_sample();
+  bench.add_ball();
+  bench.folder.write("a.wpoff", "WPOFF 2 0 0\n0 0 2\n0 0 3\n");
+  bench.desk.save();
+  const auto saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  CHECK(saved->conflict->file == balls);
+  CHECK(saved->conflict->theirs == Holdings{0, 2});
+  CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
+  bench.desk.overwrite(*saved->conflict);
+  REQUIRE(bench.saved());
+  CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n0 0 2\n1 2 3\n");
+  CHECK(bench.is_complete());
+}
+
+TEST_CASE("a file that is gone is written anew, and one that is something else now is asked about") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  std::filesystem::remove(file);
+  REQUIRE(bench.save());
+  CHECK(contents_of(file) == "POFF 1 0 0\n5 6\n");
+
+  bench.folder.write("a.poff", "no samples at all");
+  bench.desk.save();
+  auto saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  CHECK_FALSE(saved->conflict->theirs);
+  CHECK_FALSE(saved->conflict->problem.empty());
+
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  bench.desk.save();
+  saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  bench.desk.overwrite(*saved->conflict);
+  saved = bench.desk.finish_saving();
+  REQUIRE(saved->error);
+  CHECK_THAT(saved->error->message(), Catch::Contains("Is a directory"));
+}
+
+TEST_CASE("a document is left although a file is still being waited for") {
+  const test::TemporaryFolder folder;
+  const auto pipe = folder / "pipe.poff";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  Bench bench;
+  bench.desk.open(pipe);
+  CHECK(bench.desk.is_reading());
+  bench.desk.open(pipe);
+  bench.desk.start_empty();
+  CHECK_FALSE(bench.desk.is_reading());
+  bench.desk.open(pipe);
 }
