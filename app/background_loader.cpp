@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/coordinate_range.h"
 #include "render/picture_file.h"
 
 namespace mes {
@@ -45,7 +46,13 @@ BackgroundImage placed_in(const Box2& box, const std::string& file, double heigh
   Box2 room = box;
   if (room.is_empty()) room = {{0.0, 0.0}, {1.0, 1.0}};
   const double width = std::min(room.width(), room.height() / height_by_width);
-  return {file, room.center(), width > 0.0 ? width : 1.0};
+  // A view may be deeper or farther than anything a document can hold.
+  constexpr double kLeast = 0x1p-500;
+  constexpr double kMost = 0x1.fffffffffffffp499;
+  static_assert(exponent_of(kLeast) == kLeastExponent && exponent_of(kMost) == kMostExponent);
+  const auto kept = [](double x) { return without_traces(std::clamp(x, -kMost, kMost), kLeastExponent); };
+  const Vec2 center = room.center();
+  return {file, {kept(center.x), kept(center.y)}, width > 0.0 ? std::clamp(width, kLeast, kMost) : 1.0};
 }
 
 }  // namespace mes

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/image_controls.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "app/background_loader.h"
 #include "app/window/theme.h"
+#include "core/base/coordinate_range.h"
 
 namespace mes {
 namespace {
 
 constexpr float kFieldWidth = 150.0F;
 
-/// True when a finite number was typed.
+/// True when a number was typed that a document can hold.
 bool number_field(const PanelContext& context, const char* label, double& value, const char* explanation) {
   ImGui::SetNextItemWidth(kFieldWidth * context.gui.unit());
   double typed = value;
   ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g");
-  const bool is_new = ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed);
+  const bool is_new = ImGui::IsItemDeactivatedAfterEdit() && !range_fault_of(typed);
   if (is_new) value = typed;
   tooltip(context.gui, explanation);
   return is_new;

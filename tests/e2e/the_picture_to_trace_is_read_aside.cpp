@@ -79,4 +79,11 @@ TEST_CASE("a picture is laid into the middle of a box, whatever the box is") {
   CHECK(placed_in({{0, 0}, {100, 10}}, "a.png", 0.5).width == 20.0);
   CHECK(placed_in({}, "a.png", 2.0).width == 0.5);
   CHECK(placed_in({{3, 4}, {3, 4}}, "a.png", 2.0).width == 1.0);
+  // What a view shows may be out of the range of coordinates; a place in a document is not.
+  const BackgroundImage deep = placed_in({{1e-290, 0}, {3e-290, 1e-290}}, "a.png", 0.5);
+  CHECK(deep.center == Vec2{0, 0});
+  CHECK(deep.width == 0x1p-500);
+  const BackgroundImage far = placed_in({{-1e280, 1e280}, {1e280, 2e280}}, "a.png", 0.5);
+  CHECK(far.center == Vec2{0, 0x1.fffffffffffffp499});
+  CHECK(far.width == 0x1.fffffffffffffp499);
 }
