@@ -43,8 +43,9 @@ Player::Player(const Session& session, OnPatch on_patch)
       on_patch_(std::move(on_patch)),
       layers_(layer_descriptors()),
       engine_({}),
-      replay_({},
-              [this](const DocumentDelta& delta) { engine_.post(std::make_shared<const DocumentDelta>(delta)); }) {
+      replay_({}, [this](const DocumentDelta& delta) {
+        deltas_.push_back(std::make_shared<const DocumentDelta>(delta));
+      }) {
   // A timeline that does not begin with them was made by other hands: what was there last will do.
   const auto begins_with = [this](auto is_kind) {
     for (std::size_t i = 0; i < steps_.front().end_entry; ++i)
@@ -90,8 +91,8 @@ Expected<void> Player::apply(const PlayStep& step) {
 }
 
 std::string Player::complete() {
-  engine_.set_settings(settings_);
-  engine_.set_demand(layers_.visible_layers());
+  // In one piece: some layers show what the last run changed, so runs must not depend on how fast the engine is.
+  engine_.post({.deltas = std::exchange(deltas_, {}), .settings = settings_, .demand = layers_.visible_layers()});
   std::string failure;
   while (auto patch = engine_.sync()) {
     failure.clear();

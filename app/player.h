@@ -67,6 +67,7 @@ class Player {
   Box2 view_;
   std::string caption_;
   Engine engine_;
+  std::vector<std::shared_ptr<const DocumentDelta>> deltas_;  // of the steps since the last picture
   DocumentReplay replay_;
   bool has_begun_ = false;
 };

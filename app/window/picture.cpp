@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <new>
+#include <span>
+
+#include "core/base/assert.h"
 
 namespace mes {
 namespace {
@@ -24,12 +28,22 @@ LayerStyle greyed(LayerStyle style) {
 
 }  // namespace
 
-Picture::Picture() : scene_(device_) {}
+Picture::Picture() : scene_(device_) {
+  if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
+}
+
+void Picture::check(const FramePatch& patch) {
+  mirror_->apply(patch);
+  for (const LayerPatch& layer : std::span(patch.layers).first(patch.layer_count))
+    for (const PrimitiveKind kind : kAllPrimitiveKinds)
+      MES_ASSERT(scene_.instances(layer.layer, kind) == mirror_->count(layer.layer, kind));
+}
 
 bool Picture::take_from(Engine& engine) {
   bool took = false;
   while (auto patch = engine.poll()) {
     scene_.apply(*patch);
+    if (mirror_) check(*patch);
     document_revision_ = patch->document_revision;
     reports_.swap(patch->reports);
     nodes_.swap(patch->nodes);

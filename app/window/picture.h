@@ -2,6 +2,7 @@
 // What the engine has computed, on the graphics card, with the marks of the window above it.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/legend.h"
 #include "app/window/detail.h"
 #include "core/engine/engine.h"
+#include "core/graph/layer_mirror.h"
 #include "render/frame_capture.h"
 #include "render/gl_device.h"
 #include "render/gl_handles.h"
@@ -23,7 +25,10 @@ namespace mes {
 ///  2. The layers are drawn only when the view, a style, a patch or the selection changed; a frame in which only
 ///  panels
 ///     or the pointer moved costs one copy of the last picture, however many primitives there are.
-///  3. However many large disks there are, a picture that moves is painted within a fraction of a second (detail.h).
+///  3. Where MESECINA_CHECK_PATCHES is set, as in the tests of the window, each patch goes through a `LayerMirror`
+///  too,
+///     which refuses broken ones, and what is drawn is as much as that holds.
+///  4. However many large disks there are, a picture that moves is painted within a fraction of a second (detail.h).
 ///
 /// Needs a current OpenGL context for its life. Threads: the window's.
 class Picture {
@@ -89,6 +94,7 @@ class Picture {
     std::vector<std::pair<LayerIndex, LayerStyle>> layers;
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
+  void check(const FramePatch& patch);
   std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers,
                                                               const std::optional<Rgb>& background) const;
   void mark_selection(const Editor& editor);
@@ -99,6 +105,7 @@ class Picture {
 
   render::GlDevice device_;
   render::Scene scene_;
+  std::unique_ptr<LayerMirror> mirror_;  // null unless patches are checked
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   std::unique_ptr<Provenance> provenance_;

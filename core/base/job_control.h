@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <stop_token>
 
 #include "core/base/error.h"
@@ -19,7 +20,7 @@ class JobControl {
   /// Throws `Cancelled` when a stop was requested; otherwise notes that `done` of `total` steps are behind us.
   /// Cheap, but not free: call it every thousand elements.
   void checkpoint(std::uint64_t done = 0, std::uint64_t total = 0) {
-    if (token_.stop_requested()) throw Cancelled{};
+    if (stop_requested()) throw Cancelled{};
     if (total != 0) {
       progress_.store(static_cast<double>(done) / static_cast<double>(total), std::memory_order_relaxed);
     }
@@ -28,10 +29,18 @@ class JobControl {
   double progress() const { return progress_.load(std::memory_order_relaxed); }
   void reset_progress() { progress_.store(0.0, std::memory_order_relaxed); }
   void set_token(std::stop_token token) { token_ = std::move(token); }
-  bool stop_requested() const { return token_.stop_requested(); }
+  bool stop_requested() const {
+    if (looks_left_.load(std::memory_order_relaxed) != kNoLimit && looks_left_.fetch_sub(1) <= 1) return true;
+    return token_.stop_requested();
+  }
+  /// Stops the computation when it has looked so many times, whatever the clock says; for tests, which stop it at
+  /// each place in turn.
+  void stop_at_look(std::int64_t look) { looks_left_ = look; }
 
  private:
+  static constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
   std::stop_token token_;
+  mutable std::atomic<std::int64_t> looks_left_{kNoLimit};
   std::atomic<double> progress_{0.0};
 };
 

@@ -29,6 +29,25 @@ struct Engine::Impl {
     work_there.notify_all();
   }
 
+  void add(std::shared_ptr<const DocumentDelta> delta) {
+    // What is being computed is superseded when everything is replaced.
+    if (delta->replaces_all()) job_stop.request_stop();
+    deltas.push_back(std::move(delta));
+    status.cancelled = false;
+  }
+  void set(const ComputationSettings& wanted) {
+    status.cancelled = false;
+    if (wanted == latest_settings) return;
+    latest_settings = wanted;
+    settings = wanted;
+    job_stop.request_stop();
+  }
+  void set(std::vector<LayerIndex> layers) {
+    demand = std::move(layers);
+    demand_changed = true;
+    status.cancelled = false;
+  }
+
   bool has_work() const {
     return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics ||
            want_findings != has_findings || question || unfinished;
@@ -67,6 +86,7 @@ struct Engine::Impl {
       if (!patch->complete) unfinished = true;
       finished.push_back(std::move(patch));
       status.busy = false;
+      if (!has_work()) status.cancelled = false;  // too late: it was done already
       status.task.clear();
       idle.notify_all();
       lock.unlock();
@@ -100,7 +120,8 @@ struct Engine::Impl {
   std::condition_variable work_there;
   std::condition_variable idle;
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
-  std::optional<ComputationSettings> settings;
+  std::optional<ComputationSettings> settings;  // that the graph has not seen
+  ComputationSettings latest_settings;
   std::vector<LayerIndex> demand;
   bool demand_changed = false;
   bool want_statistics = false;
@@ -124,10 +145,17 @@ Engine::~Engine() = default;
 void Engine::post(std::shared_ptr<const DocumentDelta> delta) {
   {
     const std::lock_guard lock(impl_->mutex);
-    // What is being computed is superseded when everything is replaced.
-    if (delta->replaces_all()) impl_->job_stop.request_stop();
-    impl_->deltas.push_back(std::move(delta));
-    impl_->status.cancelled = false;
+    impl_->add(std::move(delta));
+  }
+  impl_->work_there.notify_one();
+}
+
+void Engine::post(EngineStep step) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    for (auto& delta : step.deltas) impl_->add(std::move(delta));
+    impl_->set(step.settings);
+    impl_->set(std::move(step.demand));
   }
   impl_->work_there.notify_one();
 }
@@ -135,9 +163,7 @@ void Engine::post(std::shared_ptr<const DocumentDelta> delta) {
 void Engine::set_demand(std::vector<LayerIndex> layers) {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->demand = std::move(layers);
-    impl_->demand_changed = true;
-    impl_->status.cancelled = false;
+    impl_->set(std::move(layers));
   }
   impl_->work_there.notify_one();
 }
@@ -145,9 +171,7 @@ void Engine::set_demand(std::vector<LayerIndex> layers) {
 void Engine::set_settings(const ComputationSettings& settings) {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->job_stop.request_stop();
-    impl_->settings = settings;
-    impl_->status.cancelled = false;
+    impl_->set(settings);
   }
   impl_->work_there.notify_one();
 }

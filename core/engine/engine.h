@@ -30,6 +30,13 @@
 
 namespace mes {
 
+/// What changes together and is computed as one step.
+struct EngineStep {
+  std::vector<std::shared_ptr<const DocumentDelta>> deltas;
+  ComputationSettings settings;
+  std::vector<LayerIndex> demand;
+};
+
 struct EngineStatus {
   bool busy = false;       ///< something is being computed or waits to be
   bool cancelled = false;  ///< work is pending after `cancel`
@@ -52,8 +59,11 @@ class Engine {
   void post(std::shared_ptr<const DocumentDelta> delta);
   /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
   void set_demand(std::vector<LayerIndex> layers);
-  /// Number type and the like. What is being computed with the old ones is given up.
+  /// Number type and the like. What is being computed with others is given up.
   void set_settings(const ComputationSettings& settings);
+  /// All three at once: no patch shows some of it without the rest. So what follows depends on the steps alone, and
+  /// not on how fast they come.
+  void post(EngineStep step);
   /// The next patches carry `NodeReport::stats`; O(n) for some structures, so only while they are looked at.
   void set_want_statistics(bool wanted);
   /// The next patches carry `NodeReport::findings`, of the theorem's judges too.

@@ -115,7 +115,7 @@ void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
     may_update = may_update && input.rebuilt != run_;
   }
   if (!inputs_changed && (node.state == NodeState::up_to_date || node.state == NodeState::failed)) {
-    if (node.changed + 1 == run_) node.structure->clear_changes();
+    if (std::exchange(node.has_changes, false)) node.structure->clear_changes();
     if (node.state == NodeState::up_to_date) node.synced = run_;
     return;
   }
@@ -134,6 +134,7 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
   // Whatever goes wrong, the tables are worthless then: nothing may follow them until they are rebuilt.
   node.synced = 0;
   node.tried = run_;
+  node.has_changes = true;
   try {
     node.last_was_rebuild = !(may_update && node.structure->update(job));
     if (node.last_was_rebuild) {
@@ -179,7 +180,6 @@ void Graph::follow_extent() {
       const double half = std::max({0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y});
       DrawingFrame frame{box.center(), 1.0};
       if (half > 0.0) frame.scale = std::ldexp(1.0, std::clamp(-std::ilogb(half), -1000, 1000));
-      if (frame != frame_) frame_changed_ = run_;
       frame_ = frame;
     }
   }
@@ -190,31 +190,30 @@ LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
   LayerPatch& patch = out.layers[out.layer_count++];
   patch.layer = index;
   patch.has_scalars = !layers_[index].descriptor.scalar.empty();
-  for (KindPatch& kind : patch.kinds) {
-    kind.clear();
-    kind.count = 0;
-  }
+  patch.clear();
   return patch;
 }
 
-void Graph::withdraw(LayerIndex index, FramePatch& out) {
-  LayerPatch& patch = begin_patch(index, out);
-  for (const PrimitiveKind kind : layers_[index].descriptor.kinds) patch[kind].reset = true;
-  layer_nodes_[index].sent = false;
+// Turns the patch into one that takes all instances of the layer from its consumer.
+void Graph::withdraw(LayerPatch& patch) {
+  patch.clear();
+  for (const PrimitiveKind kind : layers_[patch.layer].descriptor.kinds) patch[kind].reset = true;
+  layer_nodes_[patch.layer].sent = false;
 }
 
 // Decides what a layer needs: nothing, an update, or a reset.
 Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   LayerNode& node = layer_nodes_[index];
+  before_.push_back({index, node.state, node.sent, node.synced});
   bool changed = false;
-  bool may_update = node.sent && node.synced + 1 == run_ && frame_changed_ != run_;
+  bool may_update = node.sent && node.synced + 1 == run_ && frame_ == sent_frame_;
   for (const std::size_t i : node.structures) {
     const StructureNode& input = nodes_[i];
     if (input.state != NodeState::up_to_date) {
       node.state = input.state;
       node.reason = input.reason;
       // The last good picture stays, unless it is in a frame that is gone.
-      if (node.sent && frame_changed_ == run_) withdraw(index, out);
+      if (node.sent && frame_ != sent_frame_) withdraw(begin_patch(index, out));
       return Emission::none;
     }
     if (input.changed <= node.synced) continue;
@@ -223,7 +222,7 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   }
   node.state = NodeState::up_to_date;
   node.reason.clear();
-  if (node.sent && !changed && frame_changed_ <= node.synced) {
+  if (node.sent && !changed && frame_ == sent_frame_) {
     node.synced = run_;
     return Emission::none;
   }
@@ -232,7 +231,6 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
 
 void Graph::begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job) {
   LayerPatch& patch = begin_patch(index, out);
-  layer_nodes_[index].sent = false;
   tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
 }
 
@@ -242,7 +240,6 @@ void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& 
   for (const LayerIndex index : node.completes) {
     LayerNode& layer = layer_nodes_[index];
     if (!layer.demanded) continue;
-    begun_.push_back({index, layer.state, layer.sent, layer.synced});
     layer.begun = run_;
     if (emission_of(index, out) != Emission::none) begin_reset(index, out, tasks, job);
   }
@@ -250,39 +247,51 @@ void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& 
 
 void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
   for (LayerIndex index = 0; index < layer_nodes_.size(); ++index) {
-    LayerNode& node = layer_nodes_[index];
+    const LayerNode& node = layer_nodes_[index];
     if (!node.demanded || node.begun == run_) continue;
     const Emission emission = emission_of(index, out);
     if (emission == Emission::reset) begin_reset(index, out, tasks, job);
     if (emission != Emission::update) continue;
-    node.sent = false;
     LayerPatch& patch = begin_patch(index, out);
     fill(patch, emission, job);
     if (patch.is_empty()) --out.layer_count;
   }
-  if (tasks.is_empty()) return;
-  if (on_task_) on_task_("layers");
-  tasks.finish();
-  job.checkpoint();
+  if (!tasks.is_empty()) {
+    if (on_task_) on_task_("layers");
+    tasks.finish();
+  }
+  if (is_stopped_) throw Cancelled{};
+  // A layer that could not be made has nothing to say.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < out.layer_count; ++i) {
+    if (out.layers[i].is_empty()) continue;
+    if (i != kept) std::swap(out.layers[i], out.layers[kept]);
+    ++kept;
+  }
+  out.layer_count = kept;
 }
 
-// A run that ends among the structures brings nothing: half of its layers would show another state than the rest.
+// A run that is stopped brings nothing: half of its layers would show another state than the rest. The consumer holds
+// what it held before, and what was made for it is forgotten; `synced` of those layers is then in the past, so the
+// next run sends them whole.
 void Graph::take_back(FramePatch& out) {
-  for (const LayerBefore& before : begun_) {
+  for (const LayerBefore& before : before_) {
     LayerNode& node = layer_nodes_[before.layer];
     node.state = before.state;
     node.sent = before.sent;
     node.synced = before.synced;
   }
   out.layer_count = 0;
-  if (frame_changed_ == run_) ++frame_changed_;  // the next run brings the new frame
 }
 
-// Whatever ends this early leaves an empty patch, and the layer is sent whole next time.
+// Whatever ends early leaves an empty patch. The consumer then keeps the instances it has, unless they are in a frame
+// that is gone; which rows they belong to is forgotten, so the layer is sent whole next time.
 void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
   LayerNode& node = layer_nodes_[patch.layer];
-  const auto drop = [&](std::string reason) {
-    for (KindPatch& kind : patch.kinds) kind.clear();
+  node.synced = 0;
+  const auto fail = [&](std::string reason) {
+    patch.clear();
+    if (node.sent && frame_ != sent_frame_) withdraw(patch);
     node.state = NodeState::failed;
     node.reason = std::move(reason);
   };
@@ -292,7 +301,10 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
     } else {
       const auto start = std::chrono::steady_clock::now();
       for (const auto& part : layers_[patch.layer].parts) {
-        if (job.stop_requested()) return drop("cancelled");
+        if (job.stop_requested()) {
+          is_stopped_ = true;
+          return;
+        }
         part->reset(patch);
       }
       node.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -300,9 +312,9 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
     node.sent = true;
     node.synced = run_;
   } catch (const std::bad_alloc&) {
-    drop("out of memory");
+    fail("out of memory");
   } catch (const std::exception& error) {
-    drop(error.what());
+    fail(error.what());
   }
 }
 
@@ -382,11 +394,11 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   out.layer_count = 0;
   out.complete = true;
   if (demand_changed_) mark_needed();
-  begun_.clear();
+  before_.clear();
+  is_stopped_ = false;
   out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
   lap_ms();
   TaskQueue tasks;
-  bool has_tables = false;
   try {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       StructureNode& node = nodes_[i];
@@ -397,17 +409,17 @@ bool Graph::run(FramePatch& out, JobControl& job) {
       if (i == last_source_) follow_extent();
       if (i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
     }
-    has_tables = true;
     emit_layers(out, tasks, job);
+    sent_frame_ = frame_;
+    sent_revision_ = samples_.document_revision();
   } catch (const Cancelled&) {
     out.complete = false;
     dirty_ = true;
     tasks.drop();
-    if (!has_tables) take_back(out);
+    take_back(out);
   }
-  if (has_tables) sent_frame_ = frame_;
   out.frame = sent_frame_;
-  out.document_revision = samples_.document_revision();
+  out.document_revision = sent_revision_;
   report(out);
   out.provenance.reset();
   if (question_ && out.complete) out.provenance = std::make_unique<Provenance>(answer(*std::exchange(question_, {})));

@@ -2,6 +2,7 @@
 // The geometry graph: structures and layers, brought up to date on demand.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -53,7 +54,8 @@ class Graph {
   void ask(ProvenanceQuestion question);
   /// Something was posted or demanded that `run` has not seen.
   bool is_dirty() const { return dirty_; }
-  /// Brings all demanded layers up to date and writes what changed. False when cancelled; the next run goes on.
+  /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
+  /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
   bool run(FramePatch& out, JobControl& job);
   /// Called with the public id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
@@ -73,6 +75,7 @@ class Graph {
     std::uint64_t changed = 0;  ///< run in which its tables last changed
     std::uint64_t rebuilt = 0;  ///< run in which they were last rebuilt
     bool last_was_rebuild = false;
+    bool has_changes = false;  ///< its change sets are those of an earlier run, perhaps one that was stopped
     double ms = 0.0;
     std::uint64_t touched = 0;
     std::string reason;
@@ -85,7 +88,7 @@ class Graph {
   struct LayerNode {
     std::vector<std::size_t> structures;
     bool demanded = false;
-    bool sent = false;  ///< the consumer holds its instances
+    bool sent = false;  ///< the consumer holds instances of it
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;
     std::uint64_t begun = 0;  ///< run in which it did not wait for all structures
@@ -99,7 +102,7 @@ class Graph {
   void begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job);
   void begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job);
   LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
-  void withdraw(LayerIndex index, FramePatch& out);
+  void withdraw(LayerPatch& patch);
   enum class Emission : std::uint8_t { none, update, reset };
   Emission emission_of(LayerIndex index, FramePatch& out);
   void emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
@@ -117,8 +120,8 @@ class Graph {
   std::vector<Layer> layers_;
   std::vector<LayerNode> layer_nodes_;
   DrawingFrame frame_;
-  DrawingFrame sent_frame_;  ///< of the last patch: a cancelled run keeps the one before
-  std::uint64_t frame_changed_ = 0;
+  DrawingFrame sent_frame_;  ///< of the last complete run, and of all that consumers hold
+  std::uint64_t sent_revision_ = 0;
   std::uint64_t run_ = 0;
   bool dirty_ = false;
   bool demand_changed_ = true;
@@ -135,7 +138,8 @@ class Graph {
     bool sent;
     std::uint64_t synced;
   };
-  std::vector<LayerBefore> begun_;  // layers that did not wait for all structures, as they were
+  std::vector<LayerBefore> before_;       // layers that were looked at, as they were
+  std::atomic<bool> is_stopped_ = false;  // some layer was not made
 };
 
 }  // namespace mes

@@ -29,6 +29,8 @@ void check_instance(PrimitiveKind kind, std::span<const double> values) {
 
 void LayerMirror::apply(const FramePatch& patch) {
   MES_ASSERT(patch.layer_count <= patch.layers.size());
+  MES_ASSERT(patch.complete || (patch.layer_count == 0 && patch.frame == frame_));
+  if (patch.frame != frame_) leave_frame(patch);
   for (const LayerPatch& layer : std::span(patch.layers).first(patch.layer_count)) {
     if (layers_.size() <= layer.layer) layers_.resize(layer.layer + std::size_t{1});
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
@@ -42,6 +44,23 @@ void LayerMirror::apply(const FramePatch& patch) {
   }
   frame_ = patch.frame;
   document_revision_ = patch.document_revision;
+}
+
+// What lies in the old frame is sent anew, or belongs to a layer out of demand, whose instances are never asked for
+// again.
+void LayerMirror::leave_frame(const FramePatch& patch) {
+  const auto sent = std::span(patch.layers).first(patch.layer_count);
+  for (LayerIndex layer = 0; layer < layers_.size(); ++layer) {
+    const auto found = std::ranges::find(sent, layer, &LayerPatch::layer);
+    const bool is_demanded = layer < patch.reports.size() && patch.reports[layer].state != NodeState::inactive;
+    for (const PrimitiveKind kind : kAllPrimitiveKinds) {
+      std::vector<double>& instances = layers_[layer][static_cast<std::size_t>(kind)];
+      if (instances.empty()) continue;
+      const bool is_reset = found != sent.end() && (*found)[kind].reset;
+      MES_ASSERT(is_reset || !is_demanded);
+      if (!is_reset) instances.clear();
+    }
+  }
 }
 
 void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, std::vector<double>& instances) {

@@ -18,7 +18,8 @@ namespace mes {
 ///  each,
 ///     in the order of the drawing buffer.
 ///  2. A patch that breaks its promises (data of the wrong size, growth without data, a count that changes unsaid, a
-///     value that is not finite, a negative radius, a ray or line without direction) is refused by an assertion.
+///     value that is not finite, a negative radius, a ray or line without direction, instances left in a drawing
+///     frame that is gone, layers of a run that was stopped) is refused by an assertion.
 ///
 /// Smallest use:
 ///     LayerMirror mirror;
@@ -39,6 +40,7 @@ class LayerMirror {
   std::uint64_t document_revision() const { return document_revision_; }
 
  private:
+  void leave_frame(const FramePatch& patch);
   void apply(const KindPatch& patch, PrimitiveKind kind, std::vector<double>& instances);
 
   std::vector<std::array<std::vector<double>, kPrimitiveKinds>> layers_;

@@ -50,6 +50,13 @@ struct LayerPatch {
       if (!patch.is_empty()) return false;
     return true;
   }
+  /// Without instances, and saying so.
+  void clear() {
+    for (KindPatch& patch : kinds) {
+      patch.clear();
+      patch.count = 0;
+    }
+  }
 };
 
 /// Coordinates are turned into drawing space by `(p - origin) * scale`, `scale` a power of two, so that the
@@ -99,7 +106,7 @@ struct FramePatch {
   std::vector<NodeReport> nodes;
   std::vector<LayerReport> reports;
   std::unique_ptr<Provenance> provenance;  ///< the answer, if this run gave one
-  bool complete = true;                    ///< false: cancelled before every demanded layer was brought up to date
+  bool complete = true;  ///< false: the run was stopped; no layer is in the patch, and the picture is as before
 };
 
 }  // namespace mes

@@ -407,6 +407,38 @@ TEST_CASE("replacing everything supersedes what is being computed") {
   check_layers(client, {find_layer("points"), find_layer("delaunay")});
 }
 
+TEST_CASE("settings that are the same stop nothing, and a step is one run") {
+  Client client;
+  client.demand({"points", "delaunay"});
+  client.sync();
+  client.gate().close();
+  client.replace(many(3000));
+  client.gate().await();
+  client.engine().set_settings({});
+  client.gate().open();
+  bool was_cut_short = false;
+  while (auto patch = client.engine().sync()) was_cut_short = was_cut_short || !patch->complete;
+  CHECK_FALSE(was_cut_short);
+
+  Engine engine({});
+  Document document;
+  EngineStep step;
+  step.demand = {find_layer("points")};
+  step.settings.precision = Precision::exact;
+  for (int i = 0; i < 50; ++i) {
+    const auto delta = insert_samples(document, std::vector{Vec2{0.1 * i, 0.0}});
+    document.apply(*delta);
+    step.deltas.push_back(std::make_shared<const DocumentDelta>(*delta));
+  }
+  engine.post(step);
+  const auto patch = engine.sync();
+  REQUIRE(patch);
+  CHECK(patch->complete);
+  CHECK(patch->document_revision == document.revision());
+  CHECK(patch->layer_count == 1);
+  CHECK(engine.sync() == nullptr);
+}
+
 TEST_CASE("an engine can be destroyed at any moment") {
   // Busy, at several points of the work.
   for (int i = 0; i < 12; ++i) {

@@ -45,6 +45,7 @@ Child::Child(const std::vector<std::string>& arguments, const Environment& extra
   pid_ = fork();
   REQUIRE(pid_ >= 0);
   if (pid_ != 0) return;
+  setenv("MESECINA_CHECK_PATCHES", "1", 1);
   for (const auto& [name, value] : extra) {
     if (value.empty())
       unsetenv(name.c_str());
