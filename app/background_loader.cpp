@@ -47,8 +47,8 @@ BackgroundImage placed_in(const Box2& box, const std::string& file, double heigh
   if (room.is_empty()) room = {{0.0, 0.0}, {1.0, 1.0}};
   const double width = std::min(room.width(), room.height() / height_by_width);
   // A view may be deeper or farther than anything a document can hold.
-  constexpr double kLeast = 0x1p-500;
-  constexpr double kMost = 0x1.fffffffffffffp499;
+  static constexpr double kLeast = 0x1p-500;
+  static constexpr double kMost = 0x1.fffffffffffffp499;
   static_assert(exponent_of(kLeast) == kLeastExponent && exponent_of(kMost) == kMostExponent);
   const auto kept = [](double x) { return without_traces(std::clamp(x, -kMost, kMost), kLeastExponent); };
   const Vec2 center = room.center();
