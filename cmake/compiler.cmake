@@ -26,3 +26,11 @@ else()
   string(APPEND CMAKE_CXX_FLAGS_RELEASE " -D_FORTIFY_SOURCE=2")
   add_link_options(-Wl,-z,relro,-z,now)
 endif()
+
+if(MESECINA_FUZZ)
+  # The compiler counts which edges of the program are taken; tests/fuzz/driver says how. The counters themselves are
+  # left out.
+  target_compile_options(mes_options INTERFACE
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:MESECINA_UNCOUNTED>>>:-fsanitize-coverage=trace-pc>)
+  target_link_libraries(mes_options INTERFACE mes_fuzz_coverage)
+endif()

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every reader promises about what it says and what it takes.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/io/text_numbers.h"
+#include "tests/fuzz/driver/memory.h"
+#include "tests/fuzz/target.h"
+
+namespace mes::fuzz {
+
+inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+/// One printable line.
+inline void require_message(const std::string& text) {
+  require(!text.empty() && printable(text) == text, "a message is one printable line: " + printable(text));
+}
+
+/// An error of input, at a place that there is.
+inline void require_error(const Error& error, std::string_view bytes) {
+  require(error.code == ErrorCode::bad_input, "the bytes are to blame: " + error.message());
+  require_message(error.text);
+  require(!error.text.ends_with('.'), "no full stop after " + error.text);
+  const auto lines =
+      static_cast<std::uint64_t>(std::ranges::count_if(bytes, [](char c) { return c == '\n' || c == '\r'; }) + 1);
+  require(error.line <= lines && error.column <= bytes.size() + 1 && (error.line != 0 || error.column == 0),
+          "the place is one of the file: " + error.message());
+}
+inline void require_error_with_place(const Error& error, std::string_view bytes) {
+  require_error(error, bytes);
+  require(error.line != 0 && error.column != 0, "the error has line and column: " + error.message());
+}
+
+/// What was read from what the program wrote itself, without a complaint.
+template <class T>
+T require_read(Expected<T> read) {
+  require(read.has_value(), "what is written can be read: " + (read ? std::string() : read.error().message()));
+  return *std::move(read);
+}
+
+/// Memory grows with the bytes, not with what they announce. Checked where the build can measure it.
+inline void require_little_memory(std::size_t size, std::size_t bytes_each = 400) {
+  constexpr std::size_t kAlways = std::size_t{4} << 20U;
+  require(peak_bytes() <= kAlways + bytes_each * size,
+          "little memory for " + std::to_string(size) + " bytes: " + std::to_string(peak_bytes()));
+}
+
+}  // namespace mes::fuzz

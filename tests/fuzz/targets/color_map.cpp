@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/color_maps.h"
+#include "tests/fuzz/reader_checks.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace mes::fuzz;
+  const std::string_view bytes = text_of(data, size);
+  const auto map = mes::parse_color_map(bytes, "a", "a.map");
+  require_little_memory(size);
+  if (!map) {
+    require_error(map.error(), bytes);
+    return 0;
+  }
+  std::string text;
+  for (const auto& color : map->colors)
+    for (const float part : color) {
+      require(part >= 0.0F && part <= 1.0F, "parts of colours are from 0 to 1");
+      mes::append_number(text, static_cast<double>(part));
+      text += ' ';
+    }
+  const auto again = require_read(mes::parse_color_map(text, "a", "again.map"));
+  require(again.colors == map->colors, "what is written reads back equal");
+  return 0;
+}
