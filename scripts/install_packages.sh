@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the Debian packages that are missing; says nothing and touches nothing when none is.
 #
-#   scripts/install_packages.sh [build|test|bench]      test and bench include build; default: test
+#   scripts/install_packages.sh [build|test|bench|format]      test and bench include build; default: test
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -17,12 +17,14 @@ build_packages=(
 )
 test_packages=(catch2 xvfb xdotool)
 bench_packages=(libbenchmark-dev)
+format_packages=(clang-format-14)
 
 case ${1:-test} in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   bench) wanted=("${build_packages[@]}" "${bench_packages[@]}") ;;
-  *) fail "unknown set '$1'; there are build, test and bench" ;;
+  format) wanted=("${format_packages[@]}") ;;
+  *) fail "unknown set '$1'; there are build, test, bench and format" ;;
 esac
 
 command -v dpkg-query >/dev/null || fail "this is no Debian system; install by hand: ${wanted[*]}"

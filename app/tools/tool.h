@@ -24,7 +24,7 @@ struct Pointer {
 struct ToolContext {
   Editor& editor;
   const double& spray_spacing_px;
-  std::function<void(const Error&)> report;       ///< a command was refused
+  std::function<void(const Error&)> report;         ///< a command was refused
   std::function<void(const Pointer&)> ask_about{};  ///< what lies there, and where does it come from?
 };
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/structures/ball_union.h"
-#include "core/structures/polar_union.h"
 #include "core/structures/internal/sampled_balls.h"
+#include "core/structures/polar_union.h"
 
 namespace mes {
 

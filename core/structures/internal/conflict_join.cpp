@@ -40,7 +40,8 @@ bool ConflictJoin::is_surer(const Candidate& a, const Candidate& b) const {
 bool ConflictJoin::mends_both_ends(Slot edge) const {
   const Slot* end = delaunay_.edge(edge).v;
   if (!crust_.is_odd(end[0]) || !crust_.is_odd(end[1])) return false;
-  // Which diagonals cocircular sites have is chance, and their triangles are one ball: never between different labels.
+  // Which diagonals cocircular sites have is chance, and their triangles are one ball: never between different
+  // labels.
   if (crust_.is_cocircular(edge)) return false;
   if (crust_.is_crust(edge)) return crust_.degree(end[0]) >= 3 && crust_.degree(end[1]) >= 3;
   return crust_.degree(end[0]) == 1 && crust_.degree(end[1]) == 1;
