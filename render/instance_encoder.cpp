@@ -125,11 +125,13 @@ void encode_arc(const DrawingFrame& frame, std::span<const double> in, std::span
   const std::array columns{arc.center, arc.from, arc.to};
   for (std::size_t i = 0; i < columns.size(); ++i) store(out, i, shown ? columns[i] : Vec2{kNowhere, kNowhere});
   out[6] = shown ? arc.radius : -1.0;
-  // Of ends as close as doubles allow single precision cannot tell which comes first. Ends that only the frame makes
-  // equal are a short arc, and no whole circle.
+  // Of ends as close as doubles allow single precision cannot tell which comes first. Where only the frame makes ends
+  // equal, those of the document know which way around the arc goes.
   const bool is_whole = in[3] == in[5] && in[4] == in[6];
-  const double sweep = is_whole || arc.from != arc.to ? sweep_of(arc) : 0.0;
-  out[7] = is_whole ? 2.0 : (sweep > std::numbers::pi ? 1.0 : 0.0);
+  const Arc given{{in[0], in[1]}, in[2], {in[3], in[4]}, {in[5], in[6]}};
+  const double sweep = sweep_of(!is_whole && arc.from == arc.to ? given : arc);
+  const bool is_drawn_whole = is_whole || (arc.from == arc.to && sweep > std::numbers::pi);
+  out[7] = is_drawn_whole ? 2.0 : (sweep > std::numbers::pi ? 1.0 : 0.0);
   if (!shown) return;
   extent.radius = std::max(extent.radius, arc.radius);
   extent.length = std::max(extent.length, arc.radius * sweep);

@@ -4,16 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/sum.h"
 #include "core/base/vec2.h"
 
 namespace mes::cli {
-
-void Sum::add(double term) {
-  const double next = sum_ + term;
-  if (std::isfinite(next))
-    correction_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
-  sum_ = next;
-}
 
 std::string_view plural_of(PrimitiveKind kind) {
   constexpr std::array<std::string_view, kPrimitiveKinds> names{"points", "disks", "circles",   "segments",

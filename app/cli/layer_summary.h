@@ -34,15 +34,4 @@ constexpr Arc arc_of(const double* values) {
   return {{values[0], values[1]}, values[2], {values[3], values[4]}, {values[5], values[6]}};
 }
 
-/// A sum whose error does not grow with the number of terms (Neumaier's variant of Kahan's).
-class Sum {
- public:
-  void add(double term);
-  double value() const { return sum_ + correction_; }
-
- private:
-  double sum_ = 0.0;
-  double correction_ = 0.0;
-};
-
 }  // namespace mes::cli

@@ -62,6 +62,12 @@ auto excess_of_neighbour(const BallOf<Number>& a, const BallOf<Number>& b) {
   return bx * bx + by * by + (a.w - b.w);
 }
 
+/// Twice the signed area of the triangle of the centres.
+template <class Number>
+auto turn_of_centers(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 /// Power of c at the foot of ab, less the power of a and b there.
 template <class Number>
 auto excess_at_foot(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
@@ -162,6 +168,11 @@ int sign_of_orthogonal_radius(const Ball& a, const Ball& b, const Ball& c) {
 template <class Kernel, class Ball>
 int sign_of_edge_radius(const Ball& a, const Ball& b) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::edge_radius(x...); }, a, b);
+}
+/// Positive exactly if the centre of c lies to the left of the way from that of a to that of b.
+template <class Kernel, class Ball>
+int sign_of_turn(const Ball& a, const Ball& b, const Ball& c) {
+  return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::turn_of_centers(x...); }, a, b, c);
 }
 /// One ball lies in the other, given that their circles meet in one point.
 template <class Kernel, class Ball>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/ball_diagrams.h"
 
-#include <cmath>
-
 #include "core/base/isolated.h"
+#include "core/structures/internal/local_balls.h"
 #include "core/structures/internal/voronoi_balls.h"
 
 namespace mes {
@@ -15,8 +14,8 @@ PowerDiagram::PowerDiagram(std::string_view id, std::vector<Structure*> inputs, 
 void PowerDiagram::rebuild(JobControl& job) {
   made_with_ = settings_.precision();
   family_->set_scale(scale());
-  const ScaledBalls balls = scaled_balls(*family_);
-  const PipelineInput input{balls.balls, balls.rows};
+  const LocalBalls balls = local_balls(*family_);
+  const PipelineInput input = balls.input();
   switch (made_with_) {
     case Precision::naive: {
       constexpr IsolationLimits kLimits{10.0, std::size_t{1} << 32U, "naive arithmetic"};
@@ -35,12 +34,6 @@ void PowerDiagram::rebuild(JobControl& job) {
     case Precision::fast: edges_ = run_power_diagram_doubles(input, job); break;
     case Precision::exact:
     case Precision::exact_roots: edges_ = run_power_diagram_exact(input, job); break;
-  }
-  if (balls.exponent == 0) return;
-  for (PowerEdge& edge : edges_) {
-    edge.from = {std::ldexp(edge.from.x, balls.exponent), std::ldexp(edge.from.y, balls.exponent)};
-    if (edge.kind == PowerEdge::Kind::segment)
-      edge.to = {std::ldexp(edge.to.x, balls.exponent), std::ldexp(edge.to.y, balls.exponent)};
   }
 }
 
@@ -74,17 +67,8 @@ KnownVPoints VDiagram::known_v_points(const std::vector<PipelineBall>&) const {
 void VDiagram::rebuild(JobControl& job) {
   own_ = UnionTables{};
   if (union_.rung() != UnionRung::shortcut) return;
-  const ScaledBalls balls = scaled_balls(union_.family());
-  KnownVPoints known = known_v_points(balls.balls);
-  for (Vec2& p : known.points) p = {std::ldexp(p.x, -balls.exponent), std::ldexp(p.y, -balls.exponent)};
-  own_ = run_v_diagram({balls.balls, balls.rows}, known, job);
-  if (balls.exponent == 0) return;
-  for (VFace& face : own_.v_faces) {
-    face.center = {std::ldexp(face.center.x, balls.exponent), std::ldexp(face.center.y, balls.exponent)};
-    face.radius = std::ldexp(face.radius, balls.exponent);
-  }
-  for (VPoint& v : own_.v_points)
-    v.position = {std::ldexp(v.position.x, balls.exponent), std::ldexp(v.position.y, balls.exponent)};
+  const LocalBalls balls = local_balls(union_.family());
+  own_ = run_v_diagram(balls.input(), known_v_points(balls.balls), job);
 }
 
 bool VDiagram::update(JobControl&) {

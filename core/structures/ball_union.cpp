@@ -7,8 +7,7 @@
 #include <numeric>
 
 #include "core/base/isolated.h"
-#include "core/base/parallel.h"
-#include "core/structures/internal/hilbert.h"
+#include "core/structures/internal/local_balls.h"
 #include "core/structures/internal/union_runs.h"
 #include "core/structures/internal/voronoi_balls.h"
 
@@ -27,6 +26,7 @@ void for_each_table(Tables& t, Visit&& visit) {
   visit(t.v_edges);
   visit(t.arcs);
   visit(t.counts);
+  visit(t.measures);
 }
 
 constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
@@ -47,31 +47,6 @@ UnionTables isolated(UnionTables (*run)(const PipelineInput&, JobControl&), cons
   TableReader reader(bytes);
   for_each_table(tables, reader);
   return tables;
-}
-
-Vec2 scaled(Vec2 p, int exponent) {
-  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
-}
-void scale(PipelineBall& ball, int exponent) {
-  ball.disk = {scaled(ball.disk.center, exponent), std::ldexp(ball.disk.radius, exponent)};
-  for (Vec2& corner : ball.corner) corner = scaled(corner, exponent);
-}
-void scale(UnionTables& t, int exponent) {
-  for (VPoint& v : t.v_points) v.position = scaled(v.position, exponent);
-  for (BoundaryArc& arc : t.arcs) {
-    arc.from = scaled(arc.from, exponent);
-    arc.to = scaled(arc.to, exponent);
-  }
-  for (VFace& face : t.v_faces) {
-    face.center = scaled(face.center, exponent);
-    face.radius = std::ldexp(face.radius, exponent);
-  }
-  for (AxisPiece& piece : t.axis) {
-    piece.a = scaled(piece.a, exponent);
-    piece.b = scaled(piece.b, exponent);
-    piece.radius_a = std::ldexp(piece.radius_a, exponent);
-    piece.radius_b = std::ldexp(piece.radius_b, exponent);
-  }
 }
 
 class InnerVoronoiBalls final : public VoronoiBalls {
@@ -101,33 +76,8 @@ class OwnBalls final : public BallFamily {
   const UserBalls& balls_;
 };
 
-/// Area and perimeter of the union by Green's theorem over its boundary.
-struct Measures {
-  double area = 0.0;
-  double perimeter = 0.0;
-};
-Measures measures_of(const UnionTables& t, const BallFamily& family) {
-  Measures out;
-  for (const BoundaryArc& arc : t.arcs) {
-    if (!arc.is_alive() || is_rounded_away(arc)) continue;
-    const Disk disk = family.disk(arc.ball);
-    const Arc drawn = arc_of(arc, disk);
-    const Vec2 start = drawn.from - disk.center;
-    const double from = std::atan2(start.y, start.x);
-    const double turn = sweep_of(drawn);
-    const double to = from + turn;
-    const double r = disk.radius;
-    out.perimeter += r * turn;
-    out.area += 0.5 * r *
-                (r * turn + disk.center.x * (std::sin(to) - std::sin(from)) -
-                 disk.center.y * (std::cos(to) - std::cos(from)));
-  }
-  return out;
-}
-
 struct AxisCounts {
   std::int64_t nodes = 0, edges = 0, components = 0, leaves = 0, branch_points = 0;
-  double length = 0.0;
 };
 AxisCounts count_axis(const UnionTables& t) {
   AxisCounts out;
@@ -151,7 +101,6 @@ AxisCounts count_axis(const UnionTables& t) {
     for (const Slot node : piece.node) is_node[merged[node]] = true;
     if (piece.is_zero != 0) continue;
     ++out.edges;
-    out.length += distance(piece.a, piece.b);
     for (const Slot node : piece.node) ++degree[merged[node]];
   }
   std::iota(parent.begin(), parent.end(), Slot{0});
@@ -232,144 +181,10 @@ void BallUnion::rebuild(JobControl& job) {
   run_pipeline(made_with_.precision, job);
 }
 
-namespace {
-
-// Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
-std::vector<Slot> rows_by_place(const BallFamily& family) {
-  struct Found {
-    std::vector<KeyedSlot> rows;
-    std::vector<Vec2> centers;
-    Box2 box;
-  };
-  std::vector<Found> parts(chunk_count(family.rows()));
-  parallel_for(family.rows(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-    Found found;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto row = static_cast<Slot>(i);
-      if (!family.is_ball(row)) continue;
-      found.rows.push_back({0, row});
-      found.centers.push_back(family.disk(row).center);
-      if (is_finite(found.centers.back())) found.box.add(found.centers.back());
-    }
-    parts[part] = std::move(found);
-  });
-  Box2 box;
-  for (const Found& part : parts) {
-    if (part.box.is_empty()) continue;
-    box.add(part.box.low);
-    box.add(part.box.high);
-  }
-  const HilbertGrid grid(box);
-  run_tasks(parts.size(), [&](std::size_t part) {
-    Found& found = parts[part];
-    for (std::size_t i = 0; i < found.rows.size(); ++i)
-      if (is_finite(found.centers[i])) found.rows[i].key = grid.key(found.centers[i]);
-  });
-  std::vector<KeyedSlot> order;
-  order.reserve(family.rows());
-  for (const Found& part : parts) order.insert(order.end(), part.rows.begin(), part.rows.end());
-  std::vector<KeyedSlot> scratch;
-  radix_sort(order, scratch, 32);
-  // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
-  for (auto begin = order.begin(); begin != order.end();) {
-    const auto end = std::find_if(begin, order.end(), [&](const KeyedSlot& item) { return item.key != begin->key; });
-    if (end - begin > 1) {
-      std::ranges::sort(begin, end, [&family](const KeyedSlot& a, const KeyedSlot& b) {
-        const Disk p = family.disk(a.slot);
-        const Disk q = family.disk(b.slot);
-        return p.center == q.center ? p.radius < q.radius : lexicographically_less(p.center, q.center);
-      });
-    }
-    begin = end;
-  }
-  std::vector<Slot> rows(order.size());
-  std::ranges::transform(order, rows.begin(), &KeyedSlot::slot);
-  return rows;
-}
-
-/// The balls of some rows, as they are.
-struct PlainBalls {
-  std::vector<PipelineBall> balls;
-  std::vector<TouchedSample> samples;
-  std::vector<std::size_t> first_sample;  // by ball
-  std::size_t ignored = 0;
-  double largest = 0.0;  // coordinate or radius
-};
-
-PlainBalls plain_balls(const BallFamily& family, std::span<const Slot> rows) {
-  PlainBalls out;
-  out.balls.reserve(rows.size());
-  out.first_sample.reserve(rows.size());
-  if (family.touch_samples()) out.samples.reserve(3 * rows.size());
-  const auto note_size = [&out](Vec2 p) { out.largest = std::max({out.largest, std::abs(p.x), std::abs(p.y)}); };
-  for (const Slot row : rows) {
-    PipelineBall ball;
-    ball.row = row;
-    ball.disk = family.plain_disk(row);
-    ball.scale = family.scale();
-    ball.origin = family.origin(row);
-    if (ball.origin == BallOrigin::circumdisk) std::ranges::copy(family.corners(row), ball.corner);
-    // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
-    const double radius = ball.radius();
-    if (!std::isfinite(ball.disk.center.x + ball.disk.center.y + radius) || !(radius > 0.0)) {
-      ++out.ignored;
-      continue;
-    }
-    note_size(ball.disk.center);
-    note_size({radius, 0.0});
-    for (const Vec2 corner : ball.corner) note_size(corner);
-    out.first_sample.push_back(out.samples.size());
-    if (family.touch_samples()) family.touched_samples(row, out.samples);
-    if (ball.origin == BallOrigin::through_sample) ball.corner[0] = out.samples.back().position;
-    out.balls.push_back(ball);
-  }
-  return out;
-}
-
-}  // namespace
-
-ScaledBalls scaled_balls(const BallFamily& family) {
-  const std::vector<Slot> rows = rows_by_place(family);
-  std::vector<PlainBalls> parts(chunk_count(rows.size()));
-  parallel_for(rows.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-    parts[part] = plain_balls(family, std::span(rows).subspan(begin, end - begin));
-  });
-  // Products of coordinates must stay within doubles: extreme data are brought near 1 by a power of two.
-  double largest = 0.0;
-  std::size_t balls = 0;
-  std::size_t samples = 0;
-  ScaledBalls out;
-  for (const PlainBalls& part : parts) {
-    largest = std::max(largest, part.largest);
-    out.ignored += part.ignored;
-    balls += part.balls.size();
-    samples += part.samples.size();
-  }
-  out.rows = family.rows();
-  out.exponent = largest > 1e60 || (largest < 1e-60 && largest > 0.0) ? std::ilogb(largest) : 0;
-  out.balls.reserve(balls);
-  out.samples.reserve(samples);
-  for (PlainBalls& part : parts) {
-    part.first_sample.push_back(part.samples.size());
-    const std::span<const TouchedSample> here(out.samples.data() + out.samples.size(), part.samples.size());
-    out.samples.insert(out.samples.end(), part.samples.begin(), part.samples.end());
-    for (std::size_t i = 0; i < part.balls.size(); ++i) {
-      part.balls[i].samples = here.subspan(part.first_sample[i], part.first_sample[i + 1] - part.first_sample[i]);
-      out.balls.push_back(part.balls[i]);
-    }
-  }
-  if (out.exponent != 0) {
-    for (PipelineBall& ball : out.balls) scale(ball, -out.exponent);
-    for (TouchedSample& sample : out.samples) sample.position = scaled(sample.position, -out.exponent);
-  }
-  return out;
-}
-
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
-  const ScaledBalls balls = scaled_balls(*family_);
+  const LocalBalls balls = local_balls(*family_);
   ignored_ = balls.ignored;
-  tables_ = run_pipeline(precision, {balls.balls, balls.rows}, job);
-  if (balls.exponent != 0) scale(tables_, balls.exponent);
+  tables_ = run_pipeline(precision, balls.input(), job);
 }
 
 UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {
@@ -400,8 +215,8 @@ UnionTables BallUnion::exact_dual_complex(JobControl& job) const {
     fresh.rebuild(tables, job);
     return tables;
   }
-  const ScaledBalls balls = scaled_balls(*family_);
-  return run_dual_complex_exact({balls.balls, balls.rows}, job);
+  const LocalBalls balls = local_balls(*family_);
+  return run_dual_complex_exact(balls.input(), job);
 }
 
 bool BallUnion::update(JobControl&) {
@@ -441,7 +256,7 @@ StatList BallUnion::statistics() const {
     foreign += v.is_alive() && v.site == kNoSlot ? 1 : 0;
   }
   const AxisCounts axis = count_axis(t);
-  const Measures measures = measures_of(t, *family_);
+  const UnionMeasures measures = rung_ == UnionRung::shortcut ? shortcut_->measures() : t.measures;
   StatList out{{"rung", std::string(name_of(rung_))},
                {"why", why_},
                {"balls", visible + hidden + duplicates},
@@ -465,7 +280,7 @@ StatList BallUnion::statistics() const {
                {"chi", axis.nodes - axis.edges},
                {"leaves", axis.leaves},
                {"branch_points", axis.branch_points},
-               {"length", axis.length},
+               {"length", measures.axis_length},
                {"area", measures.area},
                {"perimeter", measures.perimeter}};
   if (family_->touch_samples()) out.push_back({"foreign_v_points", foreign});

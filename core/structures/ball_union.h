@@ -27,16 +27,6 @@ enum class UnionRung : std::uint8_t {
 };
 std::string_view name_of(UnionRung rung);
 
-/// The balls of a family as the pipelines take them, scaled by 2^-exponent into the range where doubles multiply.
-struct ScaledBalls {
-  std::vector<PipelineBall> balls;
-  std::vector<TouchedSample> samples;  ///< what `PipelineBall::samples` points to
-  std::size_t rows = 0;
-  std::size_t ignored = 0;  ///< of radius zero, or beyond doubles
-  int exponent = 0;
-};
-ScaledBalls scaled_balls(const BallFamily& family);
-
 /// What it guarantees:
 ///  1. With `exact` and `exact_roots` the tables are those of the balls as real disks: for Voronoi balls the
 ///     circumdisks of the samples, not their rounded images. Positions are rounded at the very end.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/sum.h"
+
 namespace mes {
 
 Curve::Curve(Delaunay& delaunay, OneStepCrust& crust, Labels& labels)
@@ -198,25 +200,27 @@ bool Curve::update(JobControl&) {
 StatList Curve::statistics() const {
   std::int64_t loops = 0;
   std::int64_t open = 0;
-  double length_sum = 0.0;
-  double area = 0.0;
+  Sum length_sum;
+  Sum area;
   for (const Chain& chain : chains_) {
     if (chain.sites.empty()) continue;
     (chain.closed ? loops : open) += 1;
     const Vec2 origin = delaunay_.site_position(chain.sites.front());
-    double twice_area = 0.0;
     for (std::size_t i = 0; i < chain.edges.size(); ++i) {
       const Vec2 a = delaunay_.site_position(chain.sites[i]);
       const Vec2 b = delaunay_.site_position(chain.sites[i + 1 == chain.sites.size() ? 0 : i + 1]);
-      length_sum += distance(a, b);
-      twice_area += cross(a - origin, b - origin);
+      length_sum.add(distance(a, b));
+      if (chain.closed && chain.has_inside) area.add(0.5 * cross(a - origin, b - origin));
     }
-    if (chain.closed && chain.has_inside) area += 0.5 * twice_area;
   }
   std::int64_t isolated = 0;
   for (Slot site = 0; site < delaunay_.site_rows(); ++site)
     if (delaunay_.is_site(site) && crust_.degree(site) == 0) ++isolated;
-  return {{"loops", loops}, {"open_chains", open}, {"isolated", isolated}, {"length", length_sum}, {"area", area}};
+  return {{"loops", loops},
+          {"open_chains", open},
+          {"isolated", isolated},
+          {"length", length_sum.value()},
+          {"area", area.value()}};
 }
 
 }  // namespace mes

@@ -41,6 +41,21 @@ void Delaunay::compute_circumcircle(Slot face) {
   row.radius = circle.radius;
 }
 
+double Delaunay::dual_length(Slot edge) const {
+  const EdgeRow& row = edge_[edge];
+  const Vec2 p = site_position_[row.v[0]];
+  const Vec2 q = site_position_[row.v[1]];
+  // A circumcentre lies half the edge times the cotangent of the opposite angle before the edge.
+  double cotangents = 0.0;
+  for (const Slot face : row.f) {
+    const Vec2 apex = site_position_[face_[face].v[face_[face].index_of_edge(edge)]];
+    cotangents += dot(p - apex, q - apex) / std::abs(cross(p - apex, q - apex));
+  }
+  const double length = 0.5 * distance(p, q) * std::abs(cotangents);
+  // Products leave the range of doubles before distances do.
+  return std::isnormal(length) ? length : distance(face_[row.f[0]].center, face_[row.f[1]].center);
+}
+
 Slot Delaunay::new_site(Vec2 position) {
   Slot site = static_cast<Slot>(site_position_.size());
   if (free_sites_.empty()) {

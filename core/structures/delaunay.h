@@ -96,6 +96,9 @@ class Delaunay final : public Structure {
   const FaceRow& face(Slot face) const { return face_[face]; }
   bool is_finite_face(Slot face) const { return face_[face].is_alive() && !face_[face].is_infinite(); }
   /// Voronoi vertex dual to a finite face.
+  /// Of the Voronoi edge between the two finite faces at an edge: from differences of samples, which far from the
+  /// origin are exact when circumcentres are not.
+  double dual_length(Slot edge) const;
   Vec2 circumcenter(Slot face) const { return face_[face].center; }
   double circumradius(Slot face) const { return face_[face].radius; }
 

@@ -408,7 +408,8 @@ void Explanation::about_arc(const BallUnion& balls, Slot row) {
   const UnionTables& t = balls.tables();
   if (row >= t.arcs.size() || !t.arcs[row].is_alive()) return;
   Shapes itself, circle;
-  itself.arc(balls.family().disk(t.arcs[row].ball), t.arcs[row].from, t.arcs[row].to);
+  if (const auto drawn = drawn_arc(t.arcs[row], balls.family().disk(t.arcs[row].ball)))
+    itself.arc({drawn->center, drawn->radius}, drawn->from, drawn->to);
   say(Role::itself,
       t.arcs[row].is_whole != 0 ? "A whole circle on the boundary of the union"
                                 : "Arc on the boundary of the union, between two v-points",

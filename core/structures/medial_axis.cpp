@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/base/sum.h"
+
 namespace mes {
 
 MedialAxis::MedialAxis(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls)
@@ -58,12 +60,12 @@ StatList MedialAxis::statistics() const {
   }
   std::int64_t edges = 0;
   std::int64_t components = nodes;
-  double length_sum = 0.0;
+  Sum length_sum;
   for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
     if (!delaunay_.edge(edge).is_alive() || !is_axis_edge(edge) || is_zero_length(edge)) continue;
     const EdgeRow& row = delaunay_.edge(edge);
     ++edges;
-    length_sum += distance(delaunay_.circumcenter(row.f[0]), delaunay_.circumcenter(row.f[1]));
+    length_sum.add(delaunay_.dual_length(edge));
     const Slot a = root(balls_.ball(row.f[0]));
     const Slot b = root(balls_.ball(row.f[1]));
     if (a == b) continue;
@@ -78,7 +80,7 @@ StatList MedialAxis::statistics() const {
           {"leaves", leaves},
           {"branch_points", branch_points},
           {"isolated", isolated},
-          {"length", length_sum},
+          {"length", length_sum.value()},
           {"radius_min", smallest},
           {"radius_max", largest}};
 }

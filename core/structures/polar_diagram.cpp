@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/sum.h"
+
 namespace mes {
 
 PolarDiagram::PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles)
@@ -44,7 +46,7 @@ StatList PowerCrust::statistics() const {
   std::int64_t crust = 0;
   std::int64_t unbounded = 0;
   std::int64_t loops = 0;
-  double length = 0.0;
+  Sum length;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (is_crust_[i] == 0) continue;
     const PowerEdge& edge = edges[i];
@@ -53,7 +55,7 @@ StatList PowerCrust::statistics() const {
       continue;
     }
     crust += edge.from != edge.to ? 1 : 0;
-    length += distance(edge.from, edge.to);
+    length.add(edge.length);
     const std::size_t needed = std::max(edge.face[0], edge.face[1]) + std::size_t{1};
     while (parent.size() < needed) parent.push_back(static_cast<Slot>(parent.size()));
     const Slot a = root(edge.face[0]);
@@ -62,7 +64,7 @@ StatList PowerCrust::statistics() const {
     loops += a == b ? 1 : 0;
     parent[a] = b;
   }
-  return {{"edges", crust}, {"unbounded", unbounded}, {"loops", loops}, {"length", length}};
+  return {{"edges", crust}, {"unbounded", unbounded}, {"loops", loops}, {"length", length.value()}};
 }
 
 }  // namespace mes

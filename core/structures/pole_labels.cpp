@@ -4,8 +4,8 @@
 #include <queue>
 #include <tuple>
 
-#include "core/structures/ball_union.h"
 #include "core/structures/internal/deep_overlap.h"
+#include "core/structures/internal/local_balls.h"
 #include "core/structures/internal/polar_balls.h"
 
 namespace mes {
@@ -86,20 +86,19 @@ PoleLabels::PoleLabels(SettingsSource& settings, Delaunay& delaunay, VoronoiVert
 void PoleLabels::spread(JobControl& job) {
   PolarBalls family(delaunay_, vertices_, poles_);
   family.measure();
-  const ScaledBalls scaled = scaled_balls(family);
-  const PipelineInput input{scaled.balls, scaled.rows};
+  const LocalBalls local = local_balls(family);
   const bool is_exact = made_with_ == Precision::exact || made_with_ == Precision::exact_roots;
   const std::vector<PowerEdge> edges =
-      is_exact ? run_power_diagram_exact(input, job) : run_power_diagram_doubles(input, job);
+      is_exact ? run_power_diagram_exact(local.input(), job) : run_power_diagram_doubles(local.input(), job);
 
-  std::vector<Slot> ball_of_row(scaled.rows, kNoSlot);
-  for (Slot i = 0; i < scaled.balls.size(); ++i) ball_of_row[scaled.balls[i].row] = i;
-  PoleGraph graph(scaled.balls);
+  std::vector<Slot> ball_of_row(local.rows, kNoSlot);
+  for (Slot i = 0; i < local.balls.size(); ++i) ball_of_row[local.balls[i].row] = i;
+  PoleGraph graph(local.balls);
   const auto link_if_deep = [&](Slot a, Slot b) {
-    if (overlap_deeply(scaled.balls[a], scaled.balls[b]))
-      graph.link(a, b, false, cosine_at_crossing(scaled.balls[a].disk, scaled.balls[b].disk));
+    if (overlap_deeply(local.balls[a], local.balls[b]))
+      graph.link(a, b, false, cosine_at_crossing(local.balls[a].disk, local.balls[b].disk));
   };
-  std::vector<bool> is_visible(scaled.balls.size(), false);
+  std::vector<bool> is_visible(local.balls.size(), false);
   for (const PowerEdge& edge : edges) {
     const Slot a = ball_of_row[edge.ball[0]];
     const Slot b = ball_of_row[edge.ball[1]];
@@ -124,8 +123,8 @@ void PoleLabels::spread(JobControl& job) {
     const Vec2 to_plus = is_hull ? poles_.direction_to_infinity(site) : delaunay_.circumcenter(poles_.plus(site)) - p;
     graph.link(a, b, true, -cosine_between(to_plus, delaunay_.circumcenter(poles_.minus(site)) - p));
   }
-  for (Slot i = 0; i < scaled.balls.size(); ++i)
-    if (family.is_at_infinity(scaled.balls[i].row)) graph.start_outside(i);
+  for (Slot i = 0; i < local.balls.size(); ++i)
+    if (family.is_at_infinity(local.balls[i].row)) graph.start_outside(i);
   graph.spread(job);
 
   inside_.assign(delaunay_.face_rows(), 0);

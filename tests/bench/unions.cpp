@@ -7,6 +7,7 @@
 
 #include "core/base/rng.h"
 #include "core/structures/ball_union.h"
+#include "core/structures/internal/local_balls.h"
 #include "core/structures/polar_diagram.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
@@ -69,7 +70,7 @@ void pipeline(benchmark::State& state, RatioTable& table, std::size_t n) {
   const double one_step_ms =
       bed.ms("one-step-crust") + bed.ms("labels") + bed.ms("inner-balls") + bed.ms("medial-axis");
   std::vector<Disk> disks;
-  for (const PipelineBall& ball : scaled_balls(balls.family()).balls) disks.push_back(ball.disk);
+  for (const PipelineBall& ball : local_balls(balls.family()).balls) disks.push_back(ball.disk);
   std::vector<double> raw, general, certified;
   for (auto _ : state) {
     const double start = now_us();
@@ -95,7 +96,7 @@ void pipeline(benchmark::State& state, RatioTable& table, std::size_t n) {
 void power_crust(benchmark::State& state, RatioTable& table, std::size_t n) {
   Bed bed(data_of(test::benchmark_curve(n)), {"power-crust"});
   std::vector<Disk> disks;
-  for (const PipelineBall& ball : scaled_balls(bed.graph.structures().get<PolarDiagram>().family()).balls)
+  for (const PipelineBall& ball : local_balls(bed.graph.structures().get<PolarDiagram>().family()).balls)
     disks.push_back(ball.disk);
   std::vector<double> raw, ours;
   for (auto _ : state) {

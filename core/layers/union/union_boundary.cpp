@@ -13,8 +13,9 @@ Layer make_union_union_boundary_layer(const UnionFamily& family) {
                       .kinds = {PrimitiveKind::arc}},
                      union_part({PrimitiveKind::arc}, balls, &UnionTables::arcs, balls.changes().arcs,
                                 [&balls](const BoundaryArc& arc, Instance& out) {
-                                  if (!arc.is_alive() || is_rounded_away(arc)) return;
-                                  out.arc(arc_of(arc, balls.family().disk(arc.ball)));
+                                  if (!arc.is_alive()) return;
+                                  if (const auto drawn = drawn_arc(arc, balls.family().disk(arc.ball)))
+                                    out.arc(*drawn);
                                 }));
 }
 

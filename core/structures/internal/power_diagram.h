@@ -15,9 +15,25 @@
 
 namespace mes {
 
+struct PowerCenter {
+  Vec2 local;     ///< in the frame
+  Vec2 position;  ///< in the document
+};
+
+template <class Number>
+PowerCenter placed(const Number& x, const Number& y, const LocalFrame& frame) {
+  if constexpr (std::is_same_v<Number, CGAL::Exact_rational>) {
+    const Vec2 local{nearest_double(x), nearest_double(y)};
+    return {local, frame.to_document(local)};
+  } else {
+    return {{rounded(x), rounded(y)}, point_in_document(x, y, frame)};
+  }
+}
+
 /// Point of equal power; a's centre where there is none.
 template <class Number>
-Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c) {
+PowerCenter power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
+                         const LocalFrame& frame) {
   const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const Number pb = bx * bx + by * by - b.w + a.w;
   const Number pc = cx * cx + cy * cy - c.w + a.w;
@@ -28,24 +44,24 @@ Vec2 power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf
     if (!(std::abs(twice) > 1e-6 * (std::abs(bx * cy) + std::abs(by * cx)) && std::abs(twice) > 0x1p-400)) {
       using Exact = CGAL::Exact_rational;
       const auto exact = [](const BallOf<double>& ball) { return BallOf<Exact>{ball.x, ball.y, ball.w}; };
-      return power_center(exact(a), exact(b), exact(c));
+      return power_center(exact(a), exact(b), exact(c), frame);
     }
   }
-  if (twice == Number(0)) return {rounded(a.x), rounded(a.y)};  // naive triangulations have flat triangles
-  return {rounded(Number(a.x + (pb * cy - pc * by) / twice)), rounded(Number(a.y + (pc * bx - pb * cx) / twice))};
+  if (twice == Number(0)) return placed(a.x, a.y, frame);  // naive triangulations have flat triangles
+  return placed(Number(a.x + (pb * cy - pc * by) / twice), Number(a.y + (pc * bx - pb * cx) / twice), frame);
 }
 
 /// The point of equal power on the way from one centre to another, for balls alone on a line.
-inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to) {
+inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to, const LocalFrame& frame) {
   // The centres may be so close together that a square of their distance is no double.
   using Exact = CGAL::Exact_rational;
   const Exact x = Exact(to.disk.center.x) - Exact(from.disk.center.x);
   const Exact y = Exact(to.disk.center.y) - Exact(from.disk.center.y);
   const Exact r = Exact(from.radius()), s = Exact(to.radius());
   const Exact dd = x * x + y * y;
-  if (dd == 0) return from.disk.center;  // naive triangulations join equal centres
+  if (dd == 0) return frame.to_document(from.disk.center);  // naive triangulations join equal centres
   const Exact t = (dd + r * r - s * s) / (2 * dd);
-  return {rounded(Exact(from.disk.center.x + t * x)), rounded(Exact(from.disk.center.y + t * y))};
+  return placed(Exact(from.disk.center.x + t * x), Exact(from.disk.center.y + t * y), frame).position;
 }
 
 template <class Kernel>
@@ -54,7 +70,8 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
   balls.reserve(input.balls.size());
   for (const PipelineBall& ball : input.balls) balls.push_back(ball_in<typename Kernel::FT>(ball));
   const RegularTables rt = regular_triangulation<Kernel>(balls, job);
-  std::vector<Vec2> center(rt.faces.size());
+  const LocalFrame& frame = input.frame;
+  std::vector<PowerCenter> center(rt.faces.size());
   std::vector<bool> is_finite(rt.faces.size(), false);
   const auto comes_before = [&input](Slot a, Slot b) {
     return lexicographically_less(input.balls[a].disk.center, input.balls[b].disk.center);
@@ -68,8 +85,8 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
     // Rounding must not depend on the order in which the balls came.
     std::array<Slot, 3> order{v[0], v[1], v[2]};
     std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
-    center[f] =
-        sample != nullptr ? sample->position : power_center(balls[order[0]], balls[order[1]], balls[order[2]]);
+    center[f] = sample != nullptr ? PowerCenter{sample->position, frame.to_document(sample->position)}
+                                  : power_center(balls[order[0]], balls[order[1]], balls[order[2]], frame);
   }
   std::vector<PowerEdge> out;
   out.reserve(rt.edges.size());
@@ -83,11 +100,12 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
     for (const std::size_t side : {0U, 1U})
       if (side == 0 ? left : right) row.face[side] = edge.f[side];
     if (left && right) {
-      row.from = center[edge.f[0]];
-      row.to = center[edge.f[1]];
+      row.from = center[edge.f[0]].position;
+      row.to = center[edge.f[1]].position;
+      row.length = frame.to_document_length(distance(center[edge.f[0]].local, center[edge.f[1]].local));
     } else if (left || right) {
       row.kind = PowerEdge::Kind::ray;
-      row.from = center[edge.f[left ? 0 : 1]];
+      row.from = center[edge.f[left ? 0 : 1]].position;
       row.to = left ? -perpendicular(along) : perpendicular(along);
     } else {
       const bool in_order = comes_before(edge.v[0], edge.v[1]);
@@ -95,7 +113,7 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
       const PipelineBall& to = in_order ? b : a;
       const Vec2 way = to.disk.center - from.disk.center;
       row.kind = PowerEdge::Kind::line;
-      row.from = power_foot(from, to);
+      row.from = power_foot(from, to, frame);
       row.to = perpendicular(way);
     }
     out.push_back(row);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/internal/sample_union.h"
 
+#include <cmath>
+
+#include "core/base/sum.h"
+
 namespace mes {
 
 void SampleUnion::grow(UnionTables& t) const {
@@ -132,7 +136,7 @@ void SampleUnion::remake_arc(UnionTables& t, Slot edge) const {
   if (!row.is_alive() || !certificate_.is_border(edge)) return;
   // Counter-clockwise around the ball, the arc runs as the edge does when the ball is to its left.
   const bool is_left = labels_.is_inside(row.f[0]);
-  t.arcs[edge] = BoundaryArc{balls_.ball(row.f[is_left ? 0 : 1]), delaunay_.site_position(row.v[is_left ? 0 : 1]),
+  t.arcs[edge] = BoundaryArc{balls_.ball(row.f[is_left ? 0 : 1]), 0, delaunay_.site_position(row.v[is_left ? 0 : 1]),
                              delaunay_.site_position(row.v[is_left ? 1 : 0])};
 }
 
@@ -221,6 +225,36 @@ void SampleUnion::update(UnionTables& t, UnionChanges& changes) {
   face_recorder_.finish(changes.dual_faces, [&](Slot row) { return t.dual_faces[row].is_alive(); });
   v_recorder_.finish(changes.v_points, [&](Slot row) { return t.v_points[row].is_alive(); });
   arc_recorder_.finish(changes.arcs, [&](Slot row) { return t.arcs[row].is_alive(); });
+}
+
+// The union consists of the inside triangles and of what the arcs cut off beyond the border edges.
+UnionMeasures SampleUnion::measures() const {
+  Sum area, perimeter, axis_length;
+  const auto at = [this](Slot site) { return delaunay_.site_position(site); };
+  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+    const FaceRow& row = delaunay_.face(face);
+    if (!row.is_alive() || !labels_.is_inside(face)) continue;
+    const Vec2 corner = at(row.v[0]);
+    area.add(0.5 * cross(at(row.v[1]) - corner, at(row.v[2]) - corner));
+  }
+  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+    const EdgeRow& row = delaunay_.edge(edge);
+    if (!row.is_alive()) continue;
+    if (chain_row_[edge] != kNoSlot) axis_length.add(delaunay_.dual_length(edge));
+    if (!certificate_.is_border(edge)) continue;
+    // The arc turns through twice the angle at the third corner of its triangle.
+    const Slot inner = row.f[labels_.is_inside(row.f[0]) ? 0 : 1];
+    const FaceRow& face = delaunay_.face(inner);
+    const Vec2 apex = at(face.v[face.index_of_edge(edge)]);
+    const Vec2 p = at(row.v[0]) - apex;
+    const Vec2 q = at(row.v[1]) - apex;
+    const double angle = std::atan2(std::abs(cross(p, q)), dot(p, q));
+    const double radius = 0.5 * distance(at(row.v[0]), at(row.v[1])) / std::sin(angle);
+    perimeter.add(2.0 * radius * angle);
+    area.add(radius * radius * (angle - std::sin(angle) * std::cos(angle)));
+  }
+  return {area.value(), perimeter.value(), axis_length.value(),
+          area.left_out() + perimeter.left_out() + axis_length.left_out()};
 }
 
 }  // namespace mes

@@ -39,6 +39,8 @@ class SampleUnion {
 
   void rebuild(UnionTables& tables, JobControl& job);
   void update(UnionTables& tables, UnionChanges& changes);
+  /// From the samples alone, whose differences are exact however far away they lie. O(faces).
+  UnionMeasures measures() const;
 
  private:
   void grow(UnionTables& t) const;

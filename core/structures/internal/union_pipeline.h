@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -30,9 +31,12 @@
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
 #include "core/base/parallel.h"
+#include "core/base/sum.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/circumcircle.h"
 #include "core/kernel/kernels.h"
+#include "core/kernel/rounding.h"
+#include "core/kernel/sliver.h"
 #include "core/structures/internal/point_triangulation.h"
 #include "core/structures/internal/regular_triangulation.h"
 #include "core/structures/internal/union_runs.h"
@@ -94,14 +98,20 @@ BallOf<Number> ball_in(const PipelineBall& ball) {
   }
 }
 
+/// A coordinate of the frame in the document, rounded once.
 template <class Number>
-double rounded(const Number& x) {
-  // Of a lazy number the value counts, not how it came about.
-  if constexpr (std::is_same_v<Number, typename ExactKernel::FT>) {
-    return CGAL::to_double(CGAL::exact(x));
+double coordinate_in_document(const Number& local, double origin, int exponent) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return origin + std::ldexp(local, exponent);
   } else {
-    return CGAL::to_double(x);
+    if (origin == 0.0) return std::ldexp(rounded(local), exponent);
+    return rounded(Number(local * Number(std::ldexp(1.0, exponent)) + Number(origin)));
   }
+}
+template <class Number>
+Vec2 point_in_document(const Number& x, const Number& y, const LocalFrame& frame) {
+  return {coordinate_in_document(x, frame.origin.x, frame.exponent),
+          coordinate_in_document(y, frame.origin.y, frame.exponent)};
 }
 
 template <class Number>
@@ -114,7 +124,7 @@ class UnionPipeline {
   /// `use_samples`: where two circles share a sample, this is their crossing
   /// and the other one its mirror image, both rational; without it, and where they share none, a root is taken.
   UnionPipeline(const PipelineInput& input, bool use_samples, JobControl& job)
-      : input_(input.balls), use_samples_(use_samples), job_(job) {
+      : input_(input.balls), frame_(input.frame), use_samples_(use_samples), job_(job) {
     t_.balls.assign(input.rows, BallState::none);
   }
 
@@ -128,6 +138,7 @@ class UnionPipeline {
     spread_labels();
     place_faces();
     make_axis();
+    measure();
     return std::move(t_);
   }
   UnionTables run_dual_complex() {
@@ -188,14 +199,20 @@ class UnionPipeline {
     Slot edge;
     Slot left;  // face
   };
+  /// A free part of a circle, counter-clockwise, and the balls that cover what is before and after it.
+  struct Gap {
+    Slot from = kNoSlot, to = kNoSlot;  // v-points; kNoSlot = lost
+    Slot before = kNoSlot, after = kNoSlot;
+  };
   /// What a range of balls says, in their order, and work space of one ball.
   struct Findings {
     std::vector<Event> events;
-    std::vector<BoundaryArc> arcs;
+    std::vector<BoundaryArc> arcs;               // of positions in the input, not rows
     std::vector<std::array<Slot, 2>> on_circle;  // face of the v-points, ball
     std::int64_t lost_crossings = 0;
     std::vector<Spoke> star;
     std::vector<Place> places;
+    std::vector<Gap> gaps;
     std::vector<Slot> stack;
     std::vector<std::uint32_t> point_stamp, face_stamp;  // of the circle at hand
     std::uint32_t now = 0;
@@ -204,6 +221,9 @@ class UnionPipeline {
   void ask_balls(Look look);
   void look_at(Slot ball, bool has_edge, bool is_covered, Findings& found);
   void walk_around(Slot ball, Findings& found) const;
+  void add_arc(Slot ball, const Gap& gap, Findings& found) const;
+  bool is_gap_all_around(Slot ball, const Gap& gap) const;
+  Vec2 seen_from_center(Slot ball, Slot other, bool left, Slot v) const;
   void take_places(Slot ball, Findings& found) const;
   void add_event(Slot ball, Slot from, Slot to, Arc arc, Findings& found) const;
   void mark_polygon(Slot ball, Findings& found) const;
@@ -214,11 +234,12 @@ class UnionPipeline {
   std::vector<Slot> sort_by_edge(std::vector<Event>& events) const;
   Point point_of(Slot v) const {
     if constexpr (kIsDouble) {
-      return {t_.v_points[v].position.x, t_.v_points[v].position.y};
+      return {v_local_[v].x, v_local_[v].y};
     } else {
       return v_at_[v];
     }
   }
+  static constexpr double kTurn = 2.0 * std::numbers::pi;
   /// Numbers other than doubles belong to one thread.
   static constexpr bool kIsDouble = std::is_same_v<BallNumber, double> && std::is_same_v<PointNumber, double>;
   static std::size_t part_count(std::size_t count) {
@@ -254,11 +275,24 @@ class UnionPipeline {
   void place_faces();
   /// Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut goes on for ever.
   Slot node_at(const Cut& cut, std::size_t i) const;
+  /// Seen from the ends of a piece of the axis: where it lies in the frame.
+  struct LocalPiece {
+    Vec2 a, b;
+    double length() const { return distance(a, b); }
+  };
+  LocalPiece local_piece_of(const Cut& cut) const;
   AxisPiece piece_of(const Cut& cut) const;
+  bool is_axis(const Cut& cut) const;
   void make_axis();
-  Circle circle_of(Slot face) const;
+  struct PlacedCircle {
+    Circle local;
+    Vec2 center;  // in the document
+  };
+  PlacedCircle circle_of(Slot face) const;
+  void measure();
 
   std::span<const PipelineBall> input_;
+  LocalFrame frame_;
   bool use_samples_;
   JobControl& job_;
   UnionTables t_;
@@ -278,6 +312,8 @@ class UnionPipeline {
   PointTriangulation crossings_;
   std::vector<Slot> row_of_point_;                // in v_points, for the points that stand for others
   std::vector<Point> v_at_;                       // by row of v_points
+  std::vector<Vec2> v_local_;                     // rounded, by row of v_points
+  std::vector<Vec2> face_center_;                 // in the frame, rounded, by row of v_faces
   std::vector<std::array<Slot, 3>> v_face_edge_;  // by row of v_faces
   struct EdgeTo {
     Slot to, edge;
@@ -513,7 +549,8 @@ Slot UnionPipeline<Balls, Points>::add_v_point(std::size_t raw, Slot& row_of_pla
   if (row_of_place == kNoSlot) {
     row_of_place = static_cast<Slot>(t_.v_points.size());
     const Point& p = raw_point_[raw];
-    t_.v_points.push_back({{rounded(p.x()), rounded(p.y())}, kNoSlot, 0});
+    t_.v_points.push_back({point_in_document(p.x(), p.y(), frame_), kNoSlot, 0});
+    v_local_.push_back({rounded(p.x()), rounded(p.y())});
     if constexpr (!kIsDouble) v_at_.push_back(p);
   }
   VPoint& point = t_.v_points[row_of_place];
@@ -595,12 +632,12 @@ void UnionPipeline<Balls, Points>::triangulate_v_points() {
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::count_near_duplicates() {
   const auto square_of = [this](const VEdge& edge) {
-    const Vec2 d = t_.v_points[edge.v[1]].position - t_.v_points[edge.v[0]].position;
+    const Vec2 d = v_local_[edge.v[1]] - v_local_[edge.v[0]];
     return dot(d, d);
   };
   // No edge is longer than the diagonal, so these hold all edges that are short against the longest.
   Box2 box;
-  for (const VPoint& v : t_.v_points) box.add(v.position);
+  for (const Vec2 v : v_local_) box.add(v);
   const double diagonal = dot(box.high - box.low, box.high - box.low);
   std::vector<double> short_squares;
   double longest = 0.0;
@@ -642,8 +679,10 @@ Slot UnionPipeline<Balls, Points>::v_edge_between(Slot from, Slot to) const {
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::walk_around(Slot ball, Findings& found) const {
   std::vector<Place>& places = found.places;
-  places.clear();
+  std::vector<Gap>& gaps = found.gaps;
   std::vector<Spoke>& star = found.star;
+  places.clear();
+  gaps.clear();
   star.clear();
   if (rt_.dimension == 2) {
     const Slot start = some_face_[ball];
@@ -678,12 +717,27 @@ void UnionPipeline<Balls, Points>::walk_around(Slot ball, Findings& found) const
     const Slot row = star[at].edge == kNoSlot ? kNoSlot : dual_of_edge_[star[at].edge];
     if (row != kNoSlot && !(right_in && left_in)) {
       const bool outward = rt_.edges[star[at].edge].v[0] == ball;
+      const Slot neighbour = rt_.edges[star[at].edge].v[outward ? 1 : 0];
       const Slot left_v = crossing_[row][outward ? 0 : 1];
       const Slot right_v = crossing_[row][outward ? 1 : 0];
-      if (!right_in) push(right_v, Arc::free);
-      if (!left_in) push(left_v, right_in ? Arc::covered : Arc::singular);
+      if (!right_in) {
+        push(right_v, Arc::free);
+        // The first gap begins where the last cover ends.
+        if (gaps.empty()) gaps.emplace_back();
+        gaps.back().to = right_v;
+        gaps.back().after = neighbour;
+      }
+      if (!left_in) {
+        push(left_v, right_in ? Arc::covered : Arc::singular);
+        gaps.push_back({left_v, kNoSlot, neighbour, kNoSlot});
+      }
     }
     push_group(star[at].left);
+  }
+  if (gaps.size() > 1) {
+    gaps.front().from = gaps.back().from;
+    gaps.front().before = gaps.back().before;
+    gaps.pop_back();
   }
   if (places.size() > 1 && places.front().v == places.back().v) {
     places.front().before = places.back().before;
@@ -789,19 +843,77 @@ void UnionPipeline<Balls, Points>::look_at(Slot ball, bool has_edge, bool is_cov
   if (!has_edge) {
     // Its cell may lie outside of the ball, which is then part of another one.
     t_.balls[row] = is_covered ? BallState::hidden : BallState::isolated;
-    if (!is_covered) found.arcs.push_back({row, {}, {}, 1});
+    if (!is_covered) found.arcs.push_back({ball, 1, {}, {}, kTurn});
     return;
   }
   walk_around(ball, found);
-  const std::vector<Place>& places = found.places;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Place& to = places[k];
-    const Place& from = places[(k + places.size() - 1) % places.size()];
-    if (to.before == Arc::free)
-      found.arcs.push_back({row, t_.v_points[from.v].position, t_.v_points[to.v].position,
-                            static_cast<std::uint8_t>(places.size() == 1 ? 1 : 0)});
-  }
+  for (const Gap& gap : found.gaps) add_arc(ball, gap, found);
   take_places(ball, found);
+}
+
+// Whether a gap between covers that end close to each other is nearly all of the circle or nearly nothing of it. In
+// the first case both covers are short; then the one that ends where the gap begins does not come before the other,
+// counter-clockwise. So this is exact, and for one v-point at both ends, too.
+template <class Balls, class Points>
+bool UnionPipeline<Balls, Points>::is_gap_all_around(Slot ball, const Gap& gap) const {
+  constexpr double kShort = 0.9;  // cosine of half of the angle covered; any value well between 0 and 1 will do
+  const Vec2 center = input_[ball].disk.center;
+  const double r = input_[ball].radius();
+  const auto is_cover_short = [&](Slot other) {
+    const Vec2 way = input_[other].disk.center - center;
+    const double d = length(way);
+    const double other_r = input_[other].radius();
+    return (d - other_r) * (d + other_r) + r * r > kShort * 2.0 * d * r;
+  };
+  if (!is_cover_short(gap.before) || !is_cover_short(gap.after)) return false;
+  return gap.before == gap.after || sign_of_turn<Balls>(ball_[ball], ball_[gap.before], ball_[gap.after]) <= 0;
+}
+
+// A crossing of the circles of two balls, from the centre of the first. Of a ball that is small beside the distance
+// from the origin of the frame, rounded positions know little.
+template <class Balls, class Points>
+Vec2 UnionPipeline<Balls, Points>::seen_from_center(Slot ball, Slot other, bool left, Slot v) const {
+  constexpr double kSmall = 0x1p-10;
+  const Vec2 center = input_[ball].disk.center;
+  const double r = input_[ball].radius();
+  if (r > kSmall * std::max(std::abs(center.x), std::abs(center.y))) return v_local_[v] - center;
+  if constexpr (std::is_same_v<PointNumber, double>) {
+    const Vec2 way = input_[other].disk.center - center;
+    const double dd = dot(way, way);
+    const double w = ball_in_points_[ball].w;
+    const double s = dd - ball_in_points_[other].w + w;
+    const double root = std::sqrt(std::max(4.0 * dd * w - s * s, 0.0));
+    return (0.5 / dd) * (s * way + (left ? root : -root) * perpendicular(way));
+  } else {
+    const BallOf<PointNumber>& own = ball_in_points_[ball];
+    return {rounded(PointNumber(v_at_[v].x() - own.x)), rounded(PointNumber(v_at_[v].y() - own.y))};
+  }
+}
+
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::add_arc(Slot ball, const Gap& gap, Findings& found) const {
+  if (gap.from == kNoSlot || gap.to == kNoSlot) return;
+  // Between ends as close as that rounding may have changed their order.
+  constexpr double kClose = 0x1p-16;
+  const double r = input_[ball].radius();
+  const bool is_one_point = gap.from == gap.to;
+  double turn = 0.0;
+  if (is_one_point) {
+    turn = is_gap_all_around(ball, gap) ? kTurn : 0.0;
+    if (turn == 0.0) return;
+  } else {
+    const Vec2 from = seen_from_center(ball, gap.before, true, gap.from);
+    const Vec2 to = seen_from_center(ball, gap.after, false, gap.to);
+    const double chord = distance(from, to);
+    if (chord > kClose * r) {
+      turn = sweep_of({{}, r, from, to});
+    } else {
+      const double small = 2.0 * std::asin(0.5 * chord / r);
+      turn = is_gap_all_around(ball, gap) ? kTurn - small : small;
+    }
+  }
+  found.arcs.push_back({ball, static_cast<std::uint8_t>(is_one_point ? 1 : 0), t_.v_points[gap.from].position,
+                        t_.v_points[gap.to].position, turn});
 }
 
 // What the v-points on the circle of a ball say of the Voronoi edges through its centre.
@@ -818,10 +930,11 @@ template <class Balls, class Points>
 UnionTables UnionPipeline<Balls, Points>::run_v_diagram(const KnownVPoints& known) {
   for (const PipelineBall& ball : input_) ball_in_points_.push_back(ball_in<PointNumber>(ball));
   for (std::size_t i = 0; i < known.points.size(); ++i) {
-    const Vec2 p = known.points[i];
+    const Vec2 p = frame_.to_local(known.points[i]);
     raw_point_.emplace_back(PointNumber(p.x), PointNumber(p.y));
     row_of_point_.push_back(static_cast<Slot>(i));
-    t_.v_points.push_back({p, known.sites[i], 1});
+    t_.v_points.push_back({known.points[i], known.sites[i], 1});
+    v_local_.push_back(p);
     if constexpr (!kIsDouble) v_at_.push_back(raw_point_.back());
   }
   crossings_ = point_triangulation<Points>(raw_point_, job_);
@@ -838,17 +951,18 @@ UnionTables UnionPipeline<Balls, Points>::run_v_diagram(const KnownVPoints& know
 }
 
 template <class Balls, class Points>
-Circle UnionPipeline<Balls, Points>::circle_of(Slot face) const {
+auto UnionPipeline<Balls, Points>::circle_of(Slot face) const -> PlacedCircle {
   const auto& v = t_.v_faces[face].v;
   if constexpr (std::is_same_v<PointNumber, double>) {
     Vec2 corner[3];
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = t_.v_points[v[i]].position;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = v_local_[v[i]];
     std::ranges::rotate(corner, std::ranges::min_element(corner, lexicographically_less));
-    return circumcircle(corner[0], corner[1], corner[2]);
+    const Circle circle = circumcircle_of_sliver(corner[0], corner[1], corner[2]);
+    return {circle, frame_.to_document(circle.center)};
   } else {
     const auto center = CGAL::circumcenter(v_at_[v[0]], v_at_[v[1]], v_at_[v[2]]);
     const Vec2 at{rounded(center.x()), rounded(center.y())};
-    return {at, distance(at, t_.v_points[v[0]].position)};
+    return {{at, distance(at, v_local_[v[0]])}, point_in_document(center.x(), center.y(), frame_)};
   }
 }
 
@@ -967,17 +1081,21 @@ void UnionPipeline<Balls, Points>::spread_labels() {
 // Circumcentres where something is drawn.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::place_faces() {
+  face_center_.resize(t_.v_faces.size());
   in_parts(t_.v_faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t slot = begin; slot < end; ++slot) {
       VFace& face = t_.v_faces[slot];
       if (face.ball != kNoSlot) {
-        face.center = input_[face.ball].disk.center;
-        face.radius = input_[face.ball].radius();
-        face.ball = input_[face.ball].row;
+        const PipelineBall& ball = input_[face.ball];
+        face_center_[slot] = ball.disk.center;
+        face.center = ball.drawn.center;
+        face.radius = ball.drawn.radius;
+        face.ball = ball.row;
       } else {
-        const Circle circle = circle_of(static_cast<Slot>(slot));
+        const PlacedCircle circle = circle_of(static_cast<Slot>(slot));
+        face_center_[slot] = circle.local.center;
         face.center = circle.center;
-        face.radius = circle.radius;
+        face.radius = frame_.to_document_length(circle.local.radius);
       }
     }
   });
@@ -993,36 +1111,47 @@ Slot UnionPipeline<Balls, Points>::node_at(const Cut& cut, std::size_t i) const 
 }
 
 template <class Balls, class Points>
+auto UnionPipeline<Balls, Points>::local_piece_of(const Cut& cut) const -> LocalPiece {
+  const auto center_at = [&](std::size_t i) {
+    return cut.end[i] != kNoSlot ? input_[cut.end[i]].disk.center : face_center_[t_.v_edges[cut.edge].f[i]];
+  };
+  return {center_at(0), center_at(1)};
+}
+
+template <class Balls, class Points>
 AxisPiece UnionPipeline<Balls, Points>::piece_of(const Cut& cut) const {
   const VEdge& edge = t_.v_edges[cut.edge];
   const auto disk_at = [&](std::size_t i) {
-    if (cut.end[i] != kNoSlot) return Disk{input_[cut.end[i]].disk.center, input_[cut.end[i]].radius()};
+    if (cut.end[i] != kNoSlot) return input_[cut.end[i]].drawn;
     const VFace& face = t_.v_faces[edge.f[i]];
     return Disk{face.center, face.radius};
   };
   const Disk a = disk_at(0);
   const Disk b = disk_at(1);
   AxisPiece piece{a.center, b.center, a.radius, b.radius, {node_at(cut, 0), node_at(cut, 1)}, {edge.v[0], edge.v[1]}};
-  if (is_plain(face_at(cut, 0)) && is_plain(face_at(cut, 1))) piece.is_zero = piece.a == piece.b ? 1 : 0;
+  if (is_plain(face_at(cut, 0)) && is_plain(face_at(cut, 1)))
+    piece.is_zero = local_piece_of(cut).a == local_piece_of(cut).b ? 1 : 0;
   return piece;
+}
+
+// Cuts between two triangles of one circle have no length.
+template <class Balls, class Points>
+bool UnionPipeline<Balls, Points>::is_axis(const Cut& cut) const {
+  if (cut.label != Label::in) return false;
+  const Slot a = node_at(cut, 0);
+  const Slot b = node_at(cut, 1);
+  return a != kNoSlot && b != kNoSlot && a != b;
 }
 
 // The cuts that lie in |R|, and the singular dual edges.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::make_axis() {
-  // Cuts between two triangles of one circle have no length.
-  const auto is_kept = [this](const Cut& cut) {
-    if (cut.label != Label::in) return false;
-    const Slot a = node_at(cut, 0);
-    const Slot b = node_at(cut, 1);
-    return a != kNoSlot && b != kNoSlot && a != b;
-  };
   std::vector<std::size_t> place(part_count(cuts_.size()) + 1, 0);
   std::vector<std::int64_t> unbounded(place.size(), 0);
   in_parts(cuts_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
     std::size_t kept = 0;
     for (std::size_t c = begin; c < end; ++c) {
-      if (is_kept(cuts_[c])) ++kept;
+      if (is_axis(cuts_[c])) ++kept;
       if (cuts_[c].label == Label::in && (node_at(cuts_[c], 0) == kNoSlot || node_at(cuts_[c], 1) == kNoSlot))
         ++unbounded[part];
     }
@@ -1036,21 +1165,61 @@ void UnionPipeline<Balls, Points>::make_axis() {
   in_parts(cuts_.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
     std::size_t at = place[part];
     for (std::size_t c = begin; c < end; ++c)
-      if (is_kept(cuts_[c])) t_.axis[at++] = piece_of(cuts_[c]);
+      if (is_axis(cuts_[c])) t_.axis[at++] = piece_of(cuts_[c]);
   });
   for (Slot e = 0; e < rt_.edges.size(); ++e) {
     const Slot row = dual_of_edge_[e];
     if (row == kNoSlot || t_.dual_edges[row].kind != DualClass::singular) continue;
     const PipelineBall& a = input_[rt_.edges[e].v[0]];
     const PipelineBall& b = input_[rt_.edges[e].v[1]];
-    t_.axis.push_back({a.disk.center,
-                       b.disk.center,
-                       a.radius(),
-                       b.radius(),
+    t_.axis.push_back({a.drawn.center,
+                       b.drawn.center,
+                       a.drawn.radius,
+                       b.drawn.radius,
                        {a.row, b.row},
                        {crossing_[row][0], crossing_[row][1]},
                        1});
   }
+}
+
+// The union consists of the dual triangles, of the triangle between each dual edge and each v-point that it made, and
+// of the sectors of the free arcs; which follows from Green's formula by cutting off the sectors and then these
+// triangles. All of them are small and where they are: sums about one origin would lose what is small beside the
+// distance from it.
+template <class Balls, class Points>
+void UnionPipeline<Balls, Points>::measure() {
+  Sum area, perimeter, axis_length;
+  const auto center_of = [this](Slot ball) { return input_[ball].disk.center; };
+  for (BoundaryArc& arc : t_.arcs) {
+    const double r = input_[arc.ball].radius();
+    perimeter.add(r * arc.turn);
+    area.add(0.5 * r * r * arc.turn);
+    arc.ball = input_[arc.ball].row;
+  }
+  for (Slot e = 0; e < rt_.edges.size(); ++e) {
+    const Slot row = dual_of_edge_[e];
+    if (row == kNoSlot) continue;
+    const auto& [a, b] = rt_.edges[e].v;
+    const Vec2 way = center_of(b) - center_of(a);
+    for (const bool left : {true, false}) {
+      const Slot v = crossing_[row][left ? 0 : 1];
+      if (v == kNoSlot) continue;
+      const double twice = mes::cross(way, seen_from_center(a, b, left, v));
+      area.add(left ? 0.5 * twice : -0.5 * twice);
+    }
+    if (t_.dual_edges[row].kind == DualClass::singular) axis_length.add(length(way));
+  }
+  for (Slot f = 0; f < rt_.faces.size(); ++f) {
+    if (face_sign_[f] > 0) continue;
+    const auto& v = rt_.faces[f].v;
+    area.add(0.5 * mes::cross(center_of(v[1]) - center_of(v[0]), center_of(v[2]) - center_of(v[0])));
+  }
+  for (const Cut& cut : cuts_)
+    if (is_axis(cut)) axis_length.add(local_piece_of(cut).length());
+  t_.measures.area = frame_.to_document_length(frame_.to_document_length(area.value()));
+  t_.measures.perimeter = frame_.to_document_length(perimeter.value());
+  t_.measures.axis_length = frame_.to_document_length(axis_length.value());
+  t_.measures.left_out = area.left_out() + perimeter.left_out() + axis_length.left_out();
 }
 
 }  // namespace mes

@@ -7,14 +7,16 @@
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
 #include "core/structures/internal/ball_family.h"
+#include "core/structures/internal/local_frame.h"
 #include "core/structures/internal/union_tables.h"
 
 namespace mes {
 
-/// A ball as the pipeline takes it.
+/// A ball as the pipeline takes it, in the coordinates of a `LocalFrame`.
 struct PipelineBall {
   Slot row = kNoSlot;  ///< of its family
   Disk disk{};         ///< before scaling; may be rounded
+  Disk drawn{};        ///< scaled, rounded, in the coordinates of the document
   BallOrigin origin = BallOrigin::disk;
   Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
   std::span<const TouchedSample> samples{};  ///< all on the circle
@@ -41,10 +43,11 @@ inline const TouchedSample* common_sample(const PipelineBall& a, const PipelineB
   return nullptr;
 }
 
-/// What the pipeline starts from. Radii are positive.
+/// What the pipeline starts from. Radii are positive. What it gives is in the coordinates of the document.
 struct PipelineInput {
   std::span<const PipelineBall> balls;
   std::size_t rows = 0;  ///< of the family's table
+  LocalFrame frame{};
 };
 
 /// A crossing is not rational.
@@ -63,7 +66,7 @@ struct CirclePlace {
 
 /// Which samples are v-points, and how they lie on the circles, when that is known beforehand.
 struct KnownVPoints {
-  std::vector<Vec2> points;
+  std::vector<Vec2> points;  ///< in the coordinates of the document
   std::vector<Slot> sites;
   std::vector<std::vector<CirclePlace>> places;  ///< by ball of the input
 };
@@ -79,6 +82,7 @@ struct PowerEdge {
   Vec2 from{};                        ///< a power centre, or any point of the line
   Vec2 to{};                          ///< the other power centre; for rays and lines the direction
   Slot face[2] = {kNoSlot, kNoSlot};  ///< the triangles whose power centres the ends are; kNoSlot = no end
+  double length = 0.0;                ///< of a segment; not taken from its rounded ends
 };
 std::vector<PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job);
 std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job);

@@ -4,7 +4,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/base/arc.h"
@@ -76,23 +79,29 @@ struct VEdge {
   VEdgeKind kind = VEdgeKind::plain;
 };
 
-/// A free arc of a circle on the boundary of the union, counter-clockwise.
+/// A free arc of a circle on the boundary of the union, counter-clockwise. Its length is not zero.
 struct BoundaryArc {
+  static constexpr double kAsDrawn = -1.0;
   Slot ball = kNoSlot;
-  Vec2 from{}, to{};
   std::uint8_t is_whole = 0;  ///< the whole circle, but for at most one point
+  Vec2 from{}, to{};
+  /// The angle it turns through, whatever became of its ends by rounding; or `kAsDrawn`, from end to end.
+  double turn = kAsDrawn;
   bool is_alive() const { return ball != kNoSlot; }
 };
 
-/// As it is drawn and measured; `disk` is its ball.
-inline Arc arc_of(const BoundaryArc& arc, const Disk& disk) {
+/// As it is drawn; `disk` is its ball. Rounded ends may be equal, or have changed places: then a short arc is
+/// nothing, and one that lacks as little of the circle is the circle.
+inline std::optional<Arc> drawn_arc(const BoundaryArc& arc, const Disk& disk) {
+  constexpr double kHalf = std::numbers::pi;
   const Vec2 rightmost{disk.center.x + disk.radius, disk.center.y};
-  if (arc.is_whole != 0) return {disk.center, disk.radius, rightmost, rightmost};
-  return {disk.center, disk.radius, arc.from, arc.to};
-}
-/// Its two ends differ by less than doubles tell apart.
-inline bool is_rounded_away(const BoundaryArc& arc) {
-  return arc.is_whole == 0 && arc.from == arc.to;
+  const Arc whole{disk.center, disk.radius, rightmost, rightmost};
+  if (arc.is_whole != 0) return whole;
+  const Arc drawn{disk.center, disk.radius, arc.from, arc.to};
+  const double turn = arc.turn == BoundaryArc::kAsDrawn ? 0.0 : arc.turn;
+  if (arc.from == arc.to) return turn > kHalf ? std::optional(whole) : std::nullopt;
+  if (arc.turn == BoundaryArc::kAsDrawn || std::abs(sweep_of(drawn) - turn) < kHalf) return drawn;
+  return turn > kHalf ? std::optional(whole) : std::nullopt;
 }
 
 enum class BallState : std::uint8_t { none, visible, isolated, hidden, duplicate };
@@ -110,6 +119,15 @@ struct UnionCounts {
   std::int64_t contradictions = 0;   ///< pieces that one end has inside and the other outside
 };
 
+/// Lengths and areas, summed up where numbers have the most digits. The tables are rounded to the coordinates of the
+/// document, which far from the origin have few.
+struct UnionMeasures {
+  double area = 0.0;
+  double perimeter = 0.0;
+  double axis_length = 0.0;
+  std::int64_t left_out = 0;  ///< terms that are not finite
+};
+
 struct UnionTables {
   std::vector<BallState> balls;
   std::vector<DualEdge> dual_edges;
@@ -121,6 +139,7 @@ struct UnionTables {
   std::vector<VEdge> v_edges;
   std::vector<BoundaryArc> arcs;
   UnionCounts counts;
+  UnionMeasures measures;
 };
 
 }  // namespace mes

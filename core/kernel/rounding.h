@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From exact numbers to the nearest double.
+#pragma once
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "core/kernel/kernels.h"
+
+namespace mes {
+
+/// Of a rational number. What is too large for doubles becomes infinite.
+template <class Rational>
+double nearest_double(const Rational& x) {
+  if (x == Rational(0)) return 0.0;
+  // Conversions of libraries cut off, or are a few places off; the steps from there to the nearest are few.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double out = CGAL::to_double(x);
+  if (!std::isfinite(out)) return out;
+  const auto is_beyond_middle = [&x](double near, double far) {
+    return std::isfinite(far) && CGAL::abs(x - Rational(far)) < CGAL::abs(x - Rational(near));
+  };
+  for (const double end : {kInfinity, -kInfinity})
+    for (double next = std::nextafter(out, end); is_beyond_middle(out, next); next = std::nextafter(out, end))
+      out = next;
+  return out;
+}
+
+/// The nearest double; of a number with roots that lies in the middle between two doubles, up to 2^-120 of itself,
+/// either. The conversions of CGAL promise five digits of a lazy number, and those of CORE an absolute precision.
+template <class Number>
+double rounded(const Number& x) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return x;
+  } else if constexpr (std::is_same_v<Number, typename ExactKernel::FT>) {
+    if (x.approx().is_point()) return x.approx().inf() + 0.0;
+    return nearest_double(x.exact());
+  } else {
+    static_assert(std::is_same_v<Number, typename RootsKernel::FT>);
+    if (x.approx().is_point()) return x.approx().inf() + 0.0;
+    const CORE::Expr& exact = x.exact();
+    if (exact.sign() == 0) return 0.0;
+    constexpr long kBits = 120;
+    return nearest_double(exact.approx(CORE::extLong(kBits), CORE::extLong::getPosInfty()).BigRatValue());
+  }
+}
+
+}  // namespace mes

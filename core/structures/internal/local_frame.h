@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coordinates near which the pipelines compute: about the data, in units of their size. What they find then does not
+// depend on where the data lie, nor on the unit of length.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/box2.h"
+#include "core/base/disk.h"
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// document = origin + 2^exponent * local. Into the frame the way is exact for the numbers it was made for.
+struct LocalFrame {
+  Vec2 origin{};
+  int exponent = 0;
+
+  Vec2 to_local(Vec2 p) const { return {to_local_length(p.x - origin.x), to_local_length(p.y - origin.y)}; }
+  double to_local_length(double length) const { return std::ldexp(length, -exponent); }
+  Vec2 to_document(Vec2 p) const { return origin + vector_to_document(p); }
+  Vec2 vector_to_document(Vec2 v) const { return {to_document_length(v.x), to_document_length(v.y)}; }
+  double to_document_length(double length) const { return std::ldexp(length, exponent); }
+};
+
+/// Collects what a frame is to hold.
+class FrameExtent {
+ public:
+  /// A position that must stay exact.
+  void add_position(Vec2 p) {
+    positions_.add(p);
+    note_magnitude(p.x);
+    note_magnitude(p.y);
+  }
+  /// A length that must stay exact.
+  void add_length(double length) {
+    longest_ = std::max(longest_, std::abs(length));
+    note_magnitude(length);
+  }
+  /// The place of something that is computed, such as a circumcentre: it may be rounded, but not overflow.
+  void add_derived(Vec2 p) { derived_.add(p); }
+  void add(const FrameExtent& other) {
+    positions_.add(other.positions_);
+    derived_.add(other.derived_);
+    longest_ = std::max(longest_, other.longest_);
+    smallest_ = std::min(smallest_, other.smallest_);
+  }
+  LocalFrame frame() const {
+    LocalFrame out;
+    if (positions_.is_empty()) return out;
+    out.origin = {origin_within(positions_.low.x, positions_.high.x),
+                  origin_within(positions_.low.y, positions_.high.y)};
+    double largest = longest_;
+    for (const Box2& box : {positions_, derived_}) {
+      if (box.is_empty()) continue;
+      for (const double distance :
+           {box.low.x - out.origin.x, box.high.x - out.origin.x, box.low.y - out.origin.y, box.high.y - out.origin.y})
+        largest = std::max(largest, std::abs(distance));
+    }
+    if (!(largest > 0.0) || !std::isfinite(largest)) return out;
+    // No bit of a number may fall below the range of doubles; that the largest stay within it goes before.
+    const int size = std::ilogb(largest) + 1;
+    const int most = std::ilogb(smallest_) - std::numeric_limits<double>::min_exponent + 1;
+    out.exponent = std::max(std::min(size, most), size - kLargestLocal);
+    return out;
+  }
+
+ private:
+  static constexpr int kLargestLocal = 200;
+
+  // From numbers of one sign of which none is more than twice as large as another, each difference is exact
+  // (Sterbenz). Where others occur, the data are not far from zero compared with their size.
+  static double origin_within(double low, double high) {
+    const bool is_far = (low > 0.0 && 0.5 * high <= low) || (high < 0.0 && 0.5 * low >= high);
+    return is_far ? std::midpoint(low, high) : 0.0;
+  }
+  void note_magnitude(double x) {
+    if (x != 0.0) smallest_ = std::min(smallest_, std::abs(x));
+  }
+  Box2 positions_;
+  Box2 derived_;
+  double longest_ = 0.0;
+  double smallest_ = std::numeric_limits<double>::max();
+};
+
+}  // namespace mes
