@@ -25,7 +25,7 @@ std::size_t count_distinct(std::vector<Vec2> points) {
   return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
 }
 
-Json json_of(const LayerSummary& summary, const LayerDescriptor& layer) {
+Json json_of(const LayerSummary& summary, const LayerDescriptor& layer, std::uint64_t lost) {
   Json out = Json::object();
   const auto emits = [&layer](PrimitiveKind kind) {
     return std::ranges::find(layer.kinds, kind) != layer.kinds.end();
@@ -36,6 +36,7 @@ Json json_of(const LayerSummary& summary, const LayerDescriptor& layer) {
   if (emits(PrimitiveKind::segment) || emits(PrimitiveKind::arc)) out["length"] = summary.length;
   if (emits(PrimitiveKind::circle) || emits(PrimitiveKind::disk)) out["radius_sum"] = summary.radius_sum;
   if (emits(PrimitiveKind::triangle)) out["area"] = summary.area;
+  if (lost + summary.not_finite != 0) out["not_finite"] = lost + summary.not_finite;
   return out;
 }
 
@@ -95,7 +96,8 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   out["layers"] = Json::object();
   for (const LayerIndex layer : *layers) {
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
-    out["layers"][std::string(descriptor.id)] = json_of(summarise(mirror, layer), descriptor);
+    out["layers"][std::string(descriptor.id)] =
+        json_of(summarise(mirror, layer), descriptor, result->reports[layer].lost);
   }
   out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be UTF-8, but JSON must.

@@ -57,6 +57,7 @@ LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer) {
   out.length = length_sum.value();
   out.radius_sum = radius_sum.value();
   out.area = area_sum.value();
+  out.not_finite = static_cast<std::uint64_t>(length_sum.left_out() + radius_sum.left_out() + area_sum.left_out());
   return out;
 }
 

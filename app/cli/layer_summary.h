@@ -14,6 +14,7 @@ namespace mes::cli {
 struct LayerSummary {
   std::array<std::uint64_t, kPrimitiveKinds> count{};  ///< zero-length segments not counted
   std::uint64_t zero_length = 0;                       ///< segments whose ends are equal
+  std::uint64_t not_finite = 0;                        ///< lengths and areas beyond the doubles, left out of the sums
   double length = 0.0;                                 ///< of segments and arcs
   double radius_sum = 0.0;                             ///< of circles and disks
   double area = 0.0;                                   ///< of the triangles

@@ -21,6 +21,11 @@ class Sum {
       correction_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
     sum_ = next;
   }
+  void add(const Sum& other) {
+    add(other.sum_);
+    add(other.correction_);
+    left_out_ += other.left_out_;
+  }
   double value() const { return sum_ + correction_; }
   std::int64_t left_out() const { return left_out_; }
 

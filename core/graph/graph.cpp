@@ -309,6 +309,8 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
       }
       node.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
+    node.lost = 0;
+    for (const auto& part : layers_[patch.layer].parts) node.lost += part->lost();
     node.sent = true;
     node.synced = run_;
   } catch (const std::bad_alloc&) {
@@ -356,6 +358,7 @@ void Graph::report(FramePatch& out) {
     report.layer = i;
     report.state = node.state;
     report.emit_ms = node.ms;
+    report.lost = node.lost;
     if (report.reason != node.reason) report.reason = node.reason;
   }
 }

@@ -92,6 +92,7 @@ class Graph {
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;
     std::uint64_t begun = 0;  ///< run in which it did not wait for all structures
+    std::uint64_t lost = 0;   ///< primitives that are not finite
     double ms = 0.0;
     std::string reason;
   };

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/arc.h"
@@ -28,7 +29,8 @@
 
 namespace mes {
 
-/// What an emitter fills in. Coordinates that are not finite make nothing: such a primitive cannot be drawn.
+/// What an emitter fills in. Coordinates that are not finite make nothing, as such a primitive cannot be drawn; it is
+/// lost.
 class Instance {
  public:
   void point(Vec2 p, double scalar = 0.0) { set(PrimitiveKind::point, {p.x, p.y, scalar}); }
@@ -51,10 +53,12 @@ class Instance {
   }
 
   bool is_set() const { return is_set_; }
+  /// There was something, but not with finite coordinates.
+  bool is_lost() const { return is_lost_; }
   PrimitiveKind kind() const { return kind_; }
   const double* begin() const { return values_.data(); }
   const double* end() const { return values_.data() + stride_of(kind_); }
-  void clear() { is_set_ = false; }
+  void clear() { is_set_ = is_lost_ = false; }
 
  private:
   template <std::size_t N>
@@ -67,10 +71,12 @@ class Instance {
     }
     kind_ = kind;
     is_set_ = std::isfinite(sum);
+    is_lost_ = !is_set_;
   }
   std::array<double, 8> values_{};
   PrimitiveKind kind_ = PrimitiveKind::point;
   bool is_set_ = false;
+  bool is_lost_ = false;
 };
 
 /// Where the primitives of a table's rows stand in the drawing buffers of one layer.
@@ -84,6 +90,8 @@ class LayerPart {
   virtual void reset(LayerPatch& patch) = 0;
   /// Emits the rows of the change set.
   virtual void update(LayerPatch& patch) = 0;
+  /// Rows whose primitive is lost, because its coordinates are not finite.
+  virtual std::size_t lost() const = 0;
   /// Shows every instance to the search; O(rows).
   virtual void look_for(HitSearch& search) const = 0;
 };
@@ -204,10 +212,12 @@ class TablePart final : public LayerPart {
     }
     patch[kinds_.front()].data.reserve(rows * stride_of(kinds_.front()));
     Instance instance;
+    lost_.clear();
     for (std::size_t row = 0; row < rows; ++row) {
       instance.clear();
       emit_(static_cast<Slot>(row), instance);
       if (instance.is_set()) places_.append(static_cast<Slot>(row), instance, patch);
+      if (instance.is_lost()) lost_.insert(static_cast<Slot>(row));
     }
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
   }
@@ -217,10 +227,14 @@ class TablePart final : public LayerPart {
     for (const Slot row : changes_.touched) places_.expect(row);
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
     for (const Slot row : changes_.removed) places_.withdraw(row);
+    if (!lost_.empty())
+      for (const auto* rows : {&changes_.removed, &changes_.touched})
+        for (const Slot row : *rows) lost_.erase(row);
     Instance instance;
     for (const Slot row : changes_.touched) {
       instance.clear();
       emit_(row, instance);
+      if (instance.is_lost()) lost_.insert(row);
       if (instance.is_set()) {
         places_.put(row, instance, patch);
       } else {
@@ -229,6 +243,8 @@ class TablePart final : public LayerPart {
     }
     places_.close_holes(kinds_, patch, emit_);
   }
+
+  std::size_t lost() const override { return lost_.size(); }
 
   void look_for(HitSearch& search) const override {
     const std::size_t rows = rows_();
@@ -247,6 +263,7 @@ class TablePart final : public LayerPart {
   Emit emit_;
   ElementType element_;
   InstancePlaces places_;
+  std::unordered_set<Slot> lost_;  // few, or none
 };
 
 /// Part of a layer over one table. Each kind of a layer belongs to one part. `element` says what the rows are, for

@@ -93,7 +93,8 @@ struct NodeReport {
 struct LayerReport {
   LayerIndex layer = 0;
   NodeState state = NodeState::inactive;
-  double emit_ms = 0.0;  ///< of the last time the layer was sent whole
+  double emit_ms = 0.0;    ///< of the last time the layer was sent whole
+  std::uint64_t lost = 0;  ///< primitives left out because their coordinates are not finite
   std::string reason;
 };
 

@@ -2,6 +2,7 @@
 // From exact numbers to the nearest double.
 #pragma once
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -35,6 +36,8 @@ template <class Number>
 double rounded(const Number& x) {
   if constexpr (std::is_same_v<Number, double>) {
     return x;
+  } else if constexpr (std::is_same_v<Number, CGAL::Exact_rational>) {
+    return nearest_double(x);
   } else if constexpr (std::is_same_v<Number, typename ExactKernel::FT>) {
     if (x.approx().is_point()) return x.approx().inf() + 0.0;
     return nearest_double(x.exact());

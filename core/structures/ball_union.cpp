@@ -76,6 +76,25 @@ class OwnBalls final : public BallFamily {
   const UserBalls& balls_;
 };
 
+/// Vertices and pieces that no double can place: crossings so nearly in line that their circle reaches beyond.
+struct BeyondDoubles {
+  std::int64_t count = 0;
+  std::vector<Vec2> places;
+};
+BeyondDoubles beyond_doubles(const UnionTables& t) {
+  BeyondDoubles out;
+  for (const VFace& face : t.v_faces) {
+    if (is_finite(Disk{face.center, face.radius})) continue;
+    ++out.count;
+    // The centre cannot be shown; the v-points that have it can.
+    const Vec2 place = t.v_points[face.v[0]].position;
+    if (out.places.size() < kMostPlaces && is_finite(place)) out.places.push_back(place);
+  }
+  for (const VPoint& v : t.v_points)
+    if (v.is_alive() && !is_finite(v.position)) ++out.count;
+  return out;
+}
+
 struct AxisCounts {
   std::int64_t nodes = 0, edges = 0, components = 0, leaves = 0, branch_points = 0;
 };
@@ -293,7 +312,8 @@ StatList BallUnion::statistics() const {
                          {"negative_radicands", c.negative_radicands},
                          {"near_duplicates", c.near_duplicates},
                          {"lost_crossings", c.lost_crossings},
-                         {"contradictions", c.contradictions}});
+                         {"contradictions", c.contradictions},
+                         {"not_finite", t.measures.left_out + beyond_doubles(t).count}});
   return out;
 }
 
@@ -341,6 +361,9 @@ void BallUnion::find(std::vector<Finding>& out) const {
   if (t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands != 0)
     say(FindingLevel::wrong, t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands,
         "contradictions between dual complex and Voronoi diagram of the v-points");
+  if (BeyondDoubles beyond = beyond_doubles(t); beyond.count != 0)
+    say(FindingLevel::wrong, beyond.count, "points that are not finite, left out of sums and drawing") =
+        std::move(beyond.places);
   const StatList stats = statistics();
   const auto value = [&stats](std::string_view key) {
     for (const Stat& stat : stats)

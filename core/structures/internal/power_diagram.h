@@ -15,24 +15,9 @@
 
 namespace mes {
 
-struct PowerCenter {
-  Vec2 local;     ///< in the frame
-  Vec2 position;  ///< in the document
-};
-
-template <class Number>
-PowerCenter placed(const Number& x, const Number& y, const LocalFrame& frame) {
-  if constexpr (std::is_same_v<Number, CGAL::Exact_rational>) {
-    const Vec2 local{nearest_double(x), nearest_double(y)};
-    return {local, frame.to_document(local)};
-  } else {
-    return {{rounded(x), rounded(y)}, point_in_document(x, y, frame)};
-  }
-}
-
 /// Point of equal power; a's centre where there is none.
 template <class Number>
-PowerCenter power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
+PlacedPoint power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
                          const LocalFrame& frame) {
   const Number bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const Number pb = bx * bx + by * by - b.w + a.w;
@@ -71,7 +56,7 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
   for (const PipelineBall& ball : input.balls) balls.push_back(ball_in<typename Kernel::FT>(ball));
   const RegularTables rt = regular_triangulation<Kernel>(balls, job);
   const LocalFrame& frame = input.frame;
-  std::vector<PowerCenter> center(rt.faces.size());
+  std::vector<PlacedPoint> center(rt.faces.size());
   std::vector<bool> is_finite(rt.faces.size(), false);
   const auto comes_before = [&input](Slot a, Slot b) {
     return lexicographically_less(input.balls[a].disk.center, input.balls[b].disk.center);
@@ -85,7 +70,7 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
     // Rounding must not depend on the order in which the balls came.
     std::array<Slot, 3> order{v[0], v[1], v[2]};
     std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
-    center[f] = sample != nullptr ? PowerCenter{sample->position, frame.to_document(sample->position)}
+    center[f] = sample != nullptr ? PlacedPoint{sample->position, frame.to_document(sample->position)}
                                   : power_center(balls[order[0]], balls[order[1]], balls[order[2]], frame);
   }
   std::vector<PowerEdge> out;
@@ -100,12 +85,12 @@ std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job
     for (const std::size_t side : {0U, 1U})
       if (side == 0 ? left : right) row.face[side] = edge.f[side];
     if (left && right) {
-      row.from = center[edge.f[0]].position;
-      row.to = center[edge.f[1]].position;
+      row.from = center[edge.f[0]].document;
+      row.to = center[edge.f[1]].document;
       row.length = frame.to_document_length(distance(center[edge.f[0]].local, center[edge.f[1]].local));
     } else if (left || right) {
       row.kind = PowerEdge::Kind::ray;
-      row.from = center[edge.f[left ? 0 : 1]].position;
+      row.from = center[edge.f[left ? 0 : 1]].document;
       row.to = left ? -perpendicular(along) : perpendicular(along);
     } else {
       const bool in_order = comes_before(edge.v[0], edge.v[1]);

@@ -98,20 +98,26 @@ BallOf<Number> ball_in(const PipelineBall& ball) {
   }
 }
 
-/// A coordinate of the frame in the document, rounded once.
+/// A coordinate of the frame in the document, rounded once; `local` is the same rounded in the frame.
 template <class Number>
-double coordinate_in_document(const Number& local, double origin, int exponent) {
-  if constexpr (std::is_same_v<Number, double>) {
-    return origin + std::ldexp(local, exponent);
-  } else {
-    if (origin == 0.0) return std::ldexp(rounded(local), exponent);
-    return rounded(Number(local * Number(std::ldexp(1.0, exponent)) + Number(origin)));
+double coordinate_in_document(const Number& exact, double local, double origin, int exponent) {
+  if constexpr (!std::is_same_v<Number, double>) {
+    if (origin != 0.0) return rounded(Number(exact * Number(std::ldexp(1.0, exponent)) + Number(origin)));
   }
+  return origin + std::ldexp(local, exponent);
 }
+
+/// A point in both systems of coordinates.
+struct PlacedPoint {
+  Vec2 local;
+  Vec2 document;
+};
 template <class Number>
-Vec2 point_in_document(const Number& x, const Number& y, const LocalFrame& frame) {
-  return {coordinate_in_document(x, frame.origin.x, frame.exponent),
-          coordinate_in_document(y, frame.origin.y, frame.exponent)};
+PlacedPoint placed(const Number& x, const Number& y, const LocalFrame& frame) {
+  const Vec2 local{rounded(x), rounded(y)};
+  return {local,
+          {coordinate_in_document(x, local.x, frame.origin.x, frame.exponent),
+           coordinate_in_document(y, local.y, frame.origin.y, frame.exponent)}};
 }
 
 template <class Number>
@@ -289,6 +295,14 @@ class UnionPipeline {
     Vec2 center;  // in the document
   };
   PlacedCircle circle_of(Slot face) const;
+  struct Totals {
+    Sum area, perimeter, axis_length;
+    void add(const Totals& other) {
+      area.add(other.area);
+      perimeter.add(other.perimeter);
+      axis_length.add(other.axis_length);
+    }
+  };
   void measure();
 
   std::span<const PipelineBall> input_;
@@ -549,8 +563,9 @@ Slot UnionPipeline<Balls, Points>::add_v_point(std::size_t raw, Slot& row_of_pla
   if (row_of_place == kNoSlot) {
     row_of_place = static_cast<Slot>(t_.v_points.size());
     const Point& p = raw_point_[raw];
-    t_.v_points.push_back({point_in_document(p.x(), p.y(), frame_), kNoSlot, 0});
-    v_local_.push_back({rounded(p.x()), rounded(p.y())});
+    const PlacedPoint place = placed(p.x(), p.y(), frame_);
+    t_.v_points.push_back({place.document, kNoSlot, 0});
+    v_local_.push_back(place.local);
     if constexpr (!kIsDouble) v_at_.push_back(p);
   }
   VPoint& point = t_.v_points[row_of_place];
@@ -961,8 +976,8 @@ auto UnionPipeline<Balls, Points>::circle_of(Slot face) const -> PlacedCircle {
     return {circle, frame_.to_document(circle.center)};
   } else {
     const auto center = CGAL::circumcenter(v_at_[v[0]], v_at_[v[1]], v_at_[v[2]]);
-    const Vec2 at{rounded(center.x()), rounded(center.y())};
-    return {{at, distance(at, v_local_[v[0]])}, point_in_document(center.x(), center.y(), frame_)};
+    const PlacedPoint at = placed(center.x(), center.y(), frame_);
+    return {{at.local, distance(at.local, v_local_[v[0]])}, at.document};
   }
 }
 
@@ -1188,38 +1203,48 @@ void UnionPipeline<Balls, Points>::make_axis() {
 // distance from it.
 template <class Balls, class Points>
 void UnionPipeline<Balls, Points>::measure() {
-  Sum area, perimeter, axis_length;
   const auto center_of = [this](Slot ball) { return input_[ball].disk.center; };
-  for (BoundaryArc& arc : t_.arcs) {
+  Totals totals;
+  // Calls `look(row, totals)` for the rows below `count`, side by side, and adds up in their order.
+  const auto add_all = [&](std::size_t count, const auto& look) {
+    std::vector<Totals> parts(part_count(count));
+    in_parts(count, [&](std::size_t begin, std::size_t end, std::size_t part) {
+      for (std::size_t row = begin; row < end; ++row) look(static_cast<Slot>(row), parts[part]);
+    });
+    for (const Totals& part : parts) totals.add(part);
+  };
+  add_all(t_.arcs.size(), [&](Slot row, Totals& out) {
+    BoundaryArc& arc = t_.arcs[row];
     const double r = input_[arc.ball].radius();
-    perimeter.add(r * arc.turn);
-    area.add(0.5 * r * r * arc.turn);
+    out.perimeter.add(r * arc.turn);
+    out.area.add(0.5 * r * r * arc.turn);
     arc.ball = input_[arc.ball].row;
-  }
-  for (Slot e = 0; e < rt_.edges.size(); ++e) {
+  });
+  add_all(rt_.edges.size(), [&](Slot e, Totals& out) {
     const Slot row = dual_of_edge_[e];
-    if (row == kNoSlot) continue;
+    if (row == kNoSlot || t_.dual_edges[row].kind == DualClass::interior) return;
     const auto& [a, b] = rt_.edges[e].v;
     const Vec2 way = center_of(b) - center_of(a);
     for (const bool left : {true, false}) {
       const Slot v = crossing_[row][left ? 0 : 1];
       if (v == kNoSlot) continue;
       const double twice = mes::cross(way, seen_from_center(a, b, left, v));
-      area.add(left ? 0.5 * twice : -0.5 * twice);
+      out.area.add(left ? 0.5 * twice : -0.5 * twice);
     }
-    if (t_.dual_edges[row].kind == DualClass::singular) axis_length.add(length(way));
-  }
-  for (Slot f = 0; f < rt_.faces.size(); ++f) {
-    if (face_sign_[f] > 0) continue;
+    if (t_.dual_edges[row].kind == DualClass::singular) out.axis_length.add(length(way));
+  });
+  add_all(rt_.faces.size(), [&](Slot f, Totals& out) {
+    if (face_sign_[f] > 0) return;
     const auto& v = rt_.faces[f].v;
-    area.add(0.5 * mes::cross(center_of(v[1]) - center_of(v[0]), center_of(v[2]) - center_of(v[0])));
-  }
-  for (const Cut& cut : cuts_)
-    if (is_axis(cut)) axis_length.add(local_piece_of(cut).length());
-  t_.measures.area = frame_.to_document_length(frame_.to_document_length(area.value()));
-  t_.measures.perimeter = frame_.to_document_length(perimeter.value());
-  t_.measures.axis_length = frame_.to_document_length(axis_length.value());
-  t_.measures.left_out = area.left_out() + perimeter.left_out() + axis_length.left_out();
+    out.area.add(0.5 * mes::cross(center_of(v[1]) - center_of(v[0]), center_of(v[2]) - center_of(v[0])));
+  });
+  add_all(cuts_.size(), [&](Slot cut, Totals& out) {
+    if (is_axis(cuts_[cut])) out.axis_length.add(local_piece_of(cuts_[cut]).length());
+  });
+  t_.measures.area = frame_.to_document_length(frame_.to_document_length(totals.area.value()));
+  t_.measures.perimeter = frame_.to_document_length(totals.perimeter.value());
+  t_.measures.axis_length = frame_.to_document_length(totals.axis_length.value());
+  t_.measures.left_out = totals.area.left_out() + totals.perimeter.left_out() + totals.axis_length.left_out();
 }
 
 }  // namespace mes
