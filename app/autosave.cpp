@@ -162,8 +162,7 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
     told_ = 0;
   }
   if (has_journal_ && told_ < timeline.settled()) {
-    const auto entries = timeline.entries().subspan(told_, timeline.settled() - told_);
-    work.entries.assign(entries.begin(), entries.end());
+    work.entries = timeline.entries().between(told_, timeline.settled());
     told_ = timeline.settled();
   }
   if (work.is_empty()) return;

@@ -58,8 +58,7 @@ Expected<void> Editor::load(const SampleData& data) {
   return {};
 }
 
-void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data,
-                     std::vector<TimelineEntry> entries) {
+void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries) {
   if (in_gesture()) end_gesture();
   replay.finish();
   const std::uint64_t before = document_.revision();

@@ -50,10 +50,10 @@ class Editor {
   /// Replaces everything and forgets the history: the loaded state is the saved one.
   Expected<void> load(const SampleData& data);
   /// Takes over a document with all that can be undone; `timeline` is what was replayed. It counts as not modified.
-  void restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, std::vector<TimelineEntry> entries);
+  void restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries);
   const Timeline& timeline() const { return timeline_; }
   /// For what happens beside the document: views, layers, settings.
-  void note(TimelineEntry entry) { timeline_.note(std::move(entry)); }
+  void note(const TimelineEntry& entry) { timeline_.note(entry); }
   /// Rows of the new samples.
   Expected<std::vector<Slot>> insert(std::span<const Vec2> positions, const std::string& name);
   Expected<std::vector<Slot>> insert_balls(std::span<const Disk> disks, const std::string& name);

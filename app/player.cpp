@@ -21,19 +21,28 @@ std::string_view name_of(const TimelineEntry& entry) {
   return std::visit(Name{}, entry);
 }
 
+// Layers of a later version cannot be shown, and would only make each change of the others longer.
+LayerFold known_layers(LayerConfiguration configuration) {
+  return LayerFold(std::move(configuration), [](std::string_view layer) { return find_layer(layer) != kNoSlot; });
+}
+
 }  // namespace
 
-std::vector<PlayStep> steps_of(std::span<const TimelineEntry> entries) {
-  std::size_t at = 0;
-  while (at < entries.size() && !changes_document(entries[at]) && !std::holds_alternative<GestureBegun>(entries[at]))
-    ++at;
-  std::vector<PlayStep> out{{.first_entry = 0, .end_entry = at, .what = "open"}};
-  for (std::size_t first = at; at < entries.size(); ++at) {
-    if (!is_visible(entries[at])) continue;
-    const auto* caption = std::get_if<Captioned>(&entries[at]);
-    out.push_back({first, at + 1, std::string(name_of(entries[at])), caption == nullptr ? 0.0 : caption->seconds});
+std::vector<PlayStep> steps_of(const TimelineLog& entries) {
+  std::vector<PlayStep> out;
+  std::size_t first = 0;
+  for (std::size_t at = 0; at < entries.size(); ++at) {
+    const TimelineEntry entry = entries[at];
+    if (out.empty() && (changes_document(entry) || std::holds_alternative<GestureBegun>(entry))) {
+      out.push_back({.first_entry = 0, .end_entry = at, .what = "open"});
+      first = at;
+    }
+    if (out.empty() || !is_visible(entry)) continue;
+    const auto* caption = std::get_if<Captioned>(&entry);
+    out.push_back({first, at + 1, name_of(entry), caption == nullptr ? 0.0 : caption->seconds});
     first = at + 1;
   }
+  if (out.empty()) out.push_back({.first_entry = 0, .end_entry = entries.size(), .what = "open"});
   return out;
 }
 
@@ -42,6 +51,7 @@ Player::Player(const Session& session, OnPatch on_patch)
       steps_(steps_of(session_.entries)),
       on_patch_(std::move(on_patch)),
       layers_(layer_descriptors()),
+      layer_fold_(known_layers({})),
       engine_({}),
       replay_({}, [this](const DocumentDelta& delta) {
         deltas_.push_back(std::make_shared<const DocumentDelta>(delta));
@@ -53,18 +63,18 @@ Player::Player(const Session& session, OnPatch on_patch)
     return false;
   };
   if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<LayersChanged>(entry); }))
-    configuration_ = session_.layers;
+    layer_fold_ = known_layers(session_.layers);
   if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<SettingsChanged>(entry); }))
     settings_ = session_.settings;
   if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<ViewChanged>(entry); }))
     view_ = session_.view;
-  if (!configuration_.layers.empty()) layers_.set_configuration(configuration_);
+  if (!layer_fold_.configuration().layers.empty()) layers_.set_configuration(layer_fold_.configuration());
 }
 
 Expected<void> Player::apply(const TimelineEntry& entry) {
   if (const auto* layers = std::get_if<LayersChanged>(&entry)) {
-    mes::apply(*layers, configuration_);
-    layers_.set_configuration(configuration_);
+    layer_fold_.apply(*layers);
+    layers_.set_configuration(layer_fold_.configuration());
   } else if (const auto* settings = std::get_if<SettingsChanged>(&entry)) {
     settings_ = settings->settings;
   } else if (const auto* view = std::get_if<ViewChanged>(&entry)) {

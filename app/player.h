@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/layer_stack.h"
+#include "core/document/layer_fold.h"
 #include "core/engine/engine.h"
 #include "core/io/session.h"
 
@@ -16,17 +18,17 @@ namespace mes {
 struct PlayStep {
   std::size_t first_entry = 0;
   std::size_t end_entry = 0;  ///< one past the last
-  std::string what;           ///< of the entry that made the picture: "edit", "undo", "layers", ...
+  std::string_view what;      ///< of the entry that made the picture: "edit", "undo", "layers", ...
   double seconds = 0.0;       ///< how long it stays in a video; 0: as long as any
 };
 
 /// Everything before the first change of the document is the first step, then each entry that can be seen is one.
-std::vector<PlayStep> steps_of(std::span<const TimelineEntry> entries);
+std::vector<PlayStep> steps_of(const TimelineLog& entries);
 
 /// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are
 /// those of that moment, and the patches handed on make the whole picture; the same session gives the same pictures
 /// in every run. What is drawn first within a layer depends on the steps before, so each step is to be completed also
-/// where nobody looks at it.
+/// where nobody looks at it. The cost of a step grows with what its entries change, not with what came before.
 ///
 /// Smallest use:
 ///     Player player(session, [&](const FramePatch& patch) { scene.apply(patch); });
@@ -62,7 +64,7 @@ class Player {
   std::vector<PlayStep> steps_;
   OnPatch on_patch_;
   LayerStack layers_;
-  LayerConfiguration configuration_;
+  LayerFold layer_fold_;
   ComputationSettings settings_;
   Box2 view_;
   std::string caption_;

@@ -207,7 +207,8 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
         if (!drawn) return std::unexpected(drawn.error());
         shot = std::move(*drawn);
       }
-      if (!writer.push({shot->image, {step.what, player.document().digest()}, shot->overlay})) return writer.finish();
+      if (!writer.push({shot->image, {std::string(step.what), player.document().digest()}, shot->overlay}))
+        return writer.finish();
     }
   }
   if (auto done = writer.finish(); !done || request.video.empty()) return done;

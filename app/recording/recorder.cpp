@@ -5,13 +5,14 @@ namespace mes {
 namespace {
 
 // Edits within a gesture have no name of their own.
-std::string name_of_last_edit(std::span<const TimelineEntry> timeline) {
-  for (auto entry = timeline.rbegin(); entry != timeline.rend(); ++entry) {
-    if (std::holds_alternative<Undone>(*entry)) return "Undo";
-    if (std::holds_alternative<Redone>(*entry)) return "Redo";
-    if (const auto* edit = std::get_if<TimelineEdit>(&*entry); edit != nullptr && !edit->name.empty())
+std::string name_of_last_edit(const TimelineLog& timeline) {
+  for (std::size_t i = timeline.size(); i-- > 0;) {
+    const TimelineEntry entry = timeline[i];
+    if (std::holds_alternative<Undone>(entry)) return "Undo";
+    if (std::holds_alternative<Redone>(entry)) return "Redo";
+    if (const auto* edit = std::get_if<TimelineEdit>(&entry); edit != nullptr && !edit->name.empty())
       return edit->name;
-    if (const auto* gesture = std::get_if<GestureBegun>(&*entry)) return gesture->name;
+    if (const auto* gesture = std::get_if<GestureBegun>(&entry)) return gesture->name;
   }
   return "Open";
 }
@@ -48,7 +49,7 @@ bool Recorder::holds_input(const ShownState& now, const AtRest& rest, bool is_ca
   return !is_cancelled && wants_frame(now, rest);
 }
 
-std::string name_of(Change change, std::span<const TimelineEntry> timeline) {
+std::string name_of(Change change, const TimelineLog& timeline) {
   switch (change) {
     case Change::none: return "Nothing";
     case Change::view: return "View";

@@ -73,6 +73,6 @@ class Recorder {
 };
 
 /// What a manifest says of it; a change of the document has the name that the timeline gives to its last one.
-std::string name_of(Change change, std::span<const TimelineEntry> timeline);
+std::string name_of(Change change, const TimelineLog& timeline);
 
 }  // namespace mes

@@ -33,7 +33,7 @@ Session App::session_now() const {
   const Timeline& timeline = editor_.timeline();
   return {.title = files_.title(),
           .data = timeline.data(),
-          .entries = {timeline.entries().begin(), timeline.entries().end()},
+          .entries = timeline.entries(),
           .layers = layers_.configuration(),
           .settings = computation_,
           .evolution = evolution_now(evolution_),

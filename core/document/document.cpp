@@ -40,6 +40,21 @@ void count(const DocumentDelta& delta, MagnitudeCounts& counts) {
   for (const BallEdit& edit : delta.ball_edits) count(edit, counts);
 }
 
+// What a delta needs is there before anything changes.
+template <class Edit, class ThingRows>
+void make_room_for(const std::vector<Edit>& edits, ThingRows& rows) {
+  std::size_t inserted = 0;
+  std::size_t removed = 0;
+  auto last = decltype(Edit::id){rows.first_id()};
+  for (const Edit& edit : edits) {
+    if (edit.kind == Edit::Kind::remove) ++removed;
+    if (edit.kind != Edit::Kind::insert) continue;
+    ++inserted;
+    last = std::max(last, edit.id);
+  }
+  rows.make_room(inserted, last, removed);
+}
+
 }  // namespace
 
 Document::Document() : curve_(std::make_shared<const CurveOrder>()) {}
@@ -61,26 +76,24 @@ Box2 Document::bounding_box() const {
   return box;
 }
 
+std::uint64_t Document::digest_of_sample(Slot slot) const {
+  const std::uint64_t x = mix(bits_of(position(slot).x) + (id(slot).value - first_id().value));
+  return mix(x ^ bits_of(position(slot).y));
+}
+
+std::uint64_t Document::digest_of_ball(Slot slot) const {
+  constexpr std::uint64_t kOtherThanSamples = 0x9e3779b97f4a7c15ULL;
+  const std::uint64_t x =
+      mix(bits_of(disk(slot).center.x) + kOtherThanSamples + (ball_id(slot).value - first_ball_id().value));
+  return mix(mix(x ^ bits_of(disk(slot).center.y)) ^ bits_of(disk(slot).radius));
+}
+
 std::uint64_t Document::sample_digest() const {
-  std::uint64_t sum = mix(sample_count());
-  for (Slot slot = 0; slot < slot_count(); ++slot) {
-    if (!is_alive(slot)) continue;
-    const std::uint64_t x = mix(bits_of(position(slot).x) + (id(slot).value - first_id().value));
-    sum += mix(x ^ bits_of(position(slot).y));
-  }
-  return sum;
+  return mix(sample_count()) + sample_sum_;
 }
 
 std::uint64_t Document::ball_digest() const {
-  constexpr std::uint64_t kOtherThanSamples = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t sum = 0;
-  for (Slot slot = 0; slot < ball_slot_count(); ++slot) {
-    if (!is_ball_alive(slot)) continue;
-    const std::uint64_t x =
-        mix(bits_of(disk(slot).center.x) + kOtherThanSamples + (ball_id(slot).value - first_ball_id().value));
-    sum += mix(mix(x ^ bits_of(disk(slot).center.y)) ^ bits_of(disk(slot).radius));
-  }
-  return sum;
+  return ball_sum_;
 }
 
 std::shared_ptr<const SampleSnapshot> Document::snapshot() const {
@@ -107,32 +120,57 @@ Magnitudes Document::magnitudes_after(const DocumentDelta& delta) const {
   return after.magnitudes();
 }
 
+void Document::replace_all(const DocumentDelta& delta) {
+  MES_ASSERT(delta.balls_after != nullptr);
+  auto samples =
+      samples_.replaced_by(delta.after->position, delta.after->id, delta.after->free_slots, delta.after->first);
+  MagnitudeCounts magnitudes;
+  count(delta, magnitudes);
+  balls_ = balls_.replaced_by(delta.balls_after->disk, delta.balls_after->id, delta.balls_after->free_slots,
+                              delta.balls_after->first);
+  samples_ = std::move(samples);
+  magnitudes_ = std::move(magnitudes);
+  sample_sum_ = ball_sum_ = 0;
+  for (Slot slot = 0; slot < slot_count(); ++slot)
+    if (is_alive(slot)) sample_sum_ += digest_of_sample(slot);
+  for (Slot slot = 0; slot < ball_slot_count(); ++slot)
+    if (is_ball_alive(slot)) ball_sum_ += digest_of_ball(slot);
+}
+
+void Document::apply(const SampleEdit& edit) {
+  if (is_alive(edit.slot)) sample_sum_ -= digest_of_sample(edit.slot);
+  switch (edit.kind) {
+    case SampleEdit::Kind::insert: samples_.insert(edit.slot, edit.id, edit.to); break;
+    case SampleEdit::Kind::remove: samples_.remove(edit.slot, edit.id); break;
+    case SampleEdit::Kind::move: samples_.set(edit.slot, edit.id, edit.to); break;
+  }
+  if (is_alive(edit.slot)) sample_sum_ += digest_of_sample(edit.slot);
+}
+
+void Document::apply(const BallEdit& edit) {
+  if (is_ball_alive(edit.slot)) ball_sum_ -= digest_of_ball(edit.slot);
+  switch (edit.kind) {
+    case BallEdit::Kind::insert: balls_.insert(edit.slot, edit.id, edit.to); break;
+    case BallEdit::Kind::remove: balls_.remove(edit.slot, edit.id); break;
+    case BallEdit::Kind::change: balls_.set(edit.slot, edit.id, edit.to); break;
+  }
+  if (is_ball_alive(edit.slot)) ball_sum_ += digest_of_ball(edit.slot);
+}
+
 void Document::apply(const DocumentDelta& delta) {
   MES_ASSERT(delta.from_revision == revision_);
   MES_ASSERT(magnitudes_after(delta).fit());
   // History does not record what changes nothing, so it must not make a revision either.
   if (delta.is_empty()) return;
-  count(delta, magnitudes_);
   if (delta.replaces_all()) {
-    MES_ASSERT(delta.balls_after != nullptr);
-    samples_.replace(delta.after->position, delta.after->id, delta.after->free_slots, delta.after->first);
-    balls_.replace(delta.balls_after->disk, delta.balls_after->id, delta.balls_after->free_slots,
-                   delta.balls_after->first);
+    replace_all(delta);
+  } else {
+    make_room_for(delta.edits, samples_);
+    make_room_for(delta.ball_edits, balls_);
+    count(delta, magnitudes_);
   }
-  for (const SampleEdit& edit : delta.edits) {
-    switch (edit.kind) {
-      case SampleEdit::Kind::insert: samples_.insert(edit.slot, edit.id, edit.to); break;
-      case SampleEdit::Kind::remove: samples_.remove(edit.slot, edit.id); break;
-      case SampleEdit::Kind::move: samples_.set(edit.slot, edit.id, edit.to); break;
-    }
-  }
-  for (const BallEdit& edit : delta.ball_edits) {
-    switch (edit.kind) {
-      case BallEdit::Kind::insert: balls_.insert(edit.slot, edit.id, edit.to); break;
-      case BallEdit::Kind::remove: balls_.remove(edit.slot, edit.id); break;
-      case BallEdit::Kind::change: balls_.set(edit.slot, edit.id, edit.to); break;
-    }
-  }
+  for (const SampleEdit& edit : delta.edits) apply(edit);
+  for (const BallEdit& edit : delta.ball_edits) apply(edit);
   if (delta.curve_after) curve_ = delta.curve_after;
   revision_ = delta.to_revision;
   highest_revision_ = std::max(highest_revision_, revision_);

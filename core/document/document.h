@@ -70,7 +70,7 @@ class Document {
   /// Bounding box of samples and balls; finite. O(n).
   Box2 bounding_box() const;
   /// Order-independent digest of ids, counted from the first, positions and disks: equal work on equal data gives
-  /// equal digests, whatever was open before.
+  /// equal digests, whatever was open before. O(1): sums are kept up to date by `apply`.
   std::uint64_t digest() const { return sample_digest() + ball_digest(); }
   std::uint64_t sample_digest() const;
   /// Zero when there are no balls.
@@ -83,6 +83,7 @@ class Document {
   Magnitudes magnitudes_after(const DocumentDelta& delta) const;
 
   /// Changes the document. `delta.from_revision` must be the present revision, and the magnitudes after it must fit.
+  /// When memory runs out, it throws and nothing is changed.
   void apply(const DocumentDelta& delta);
 
   // For commands.
@@ -95,12 +96,20 @@ class Document {
   std::shared_ptr<const BallSnapshot> ball_snapshot() const;
 
  private:
+  std::uint64_t digest_of_sample(Slot slot) const;
+  std::uint64_t digest_of_ball(Slot slot) const;
+  void replace_all(const DocumentDelta& delta);
+  void apply(const SampleEdit& edit);
+  void apply(const BallEdit& edit);
+
   Rows<Vec2, SampleTag> samples_;
   Rows<Disk, BallTag> balls_;
   MagnitudeCounts magnitudes_;
   std::shared_ptr<const CurveOrder> curve_;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;
+  std::uint64_t sample_sum_ = 0;  // of the digests of all samples
+  std::uint64_t ball_sum_ = 0;
 };
 
 }  // namespace mes

@@ -10,6 +10,7 @@
 // Moves of the same samples within one gesture are merged, so that an hour of dragging costs one step's memory.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,7 +52,7 @@ class History {
   };
   static bool merge_moves(DocumentDelta& earlier, const DocumentDelta& later);
 
-  std::vector<Step> steps_;
+  std::deque<Step> steps_;  // no copies to make room
   std::size_t position_ = 0;
   bool gesture_open_ = false;
   Step gesture_;

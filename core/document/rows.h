@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -36,7 +35,7 @@ class Rows {
   const std::vector<ThingId>& ids() const { return id_; }
   const std::vector<Slot>& free_slots() const { return free_; }
   std::uint32_t next_id() const { return next_id_; }
-  /// The id that the first thing after the last `replace` has or will have.
+  /// The id that the first thing after the last replacement has or will have.
   std::uint32_t first_id() const { return first_id_; }
   /// Ids below this are taken. Only while there is nothing yet.
   void number_from(std::uint32_t id) {
@@ -48,8 +47,8 @@ class Rows {
     return i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<Slot>(id_.size() + i - free_.size());
   }
   Slot slot_of(ThingId id) const {
-    const auto found = slot_of_.find(id);
-    return found == slot_of_.end() ? kNoSlot : found->second;
+    const std::uint32_t number = id.value - first_id_;
+    return id.value >= first_id_ && number < slot_of_.size() ? slot_of_[number] : kNoSlot;
   }
   /// Live rows by increasing id. O(n log n).
   std::vector<Slot> by_age() const {
@@ -61,6 +60,18 @@ class Rows {
     return slots;
   }
 
+  /// After this, so many insertions of things with ids up to `last`, and so many removals, ask for no memory.
+  void make_room(std::size_t inserted, ThingId last, std::size_t removed) {
+    const auto grow = [](auto& column, std::size_t size) {
+      if (column.capacity() < size) column.reserve(std::max(size, column.capacity() + column.capacity() / 2));
+    };
+    if (inserted != 0) {
+      grow(value_, value_.size() + inserted);
+      grow(id_, id_.size() + inserted);
+      grow(slot_of_, last.value - first_id_ + std::size_t{1});
+    }
+    grow(free_, free_.size() + removed);
+  }
   void insert(Slot slot, ThingId id, const Value& value) {
     if (!free_.empty() && free_.back() == slot) {
       free_.pop_back();
@@ -71,13 +82,13 @@ class Rows {
     }
     value_[slot] = value;
     id_[slot] = id;
-    slot_of_.emplace(id, slot);
+    set_slot(id, slot);
     next_id_ = std::max(next_id_, id.value + 1);
     ++alive_;
   }
   void remove(Slot slot, ThingId id) {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
-    slot_of_.erase(id);
+    set_slot(id, kNoSlot);
     id_[slot] = ThingId{};
     value_[slot] = Value{};
     free_.push_back(slot);
@@ -87,29 +98,41 @@ class Rows {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
     value_[slot] = value;
   }
-  void replace(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots, ThingId first) {
+  /// Other rows, with ids that go on from these.
+  Rows replaced_by(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots,
+                   ThingId first) const {
+    Rows out;
+    out.next_id_ = next_id_;
+    out.take(std::move(values), std::move(ids), std::move(free_slots), first);
+    return out;
+  }
+
+ private:
+  void take(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots, ThingId first) {
     MES_ASSERT(values.size() == ids.size());
     first_id_ = first.value;
     value_ = std::move(values);
     id_ = std::move(ids);
     free_ = std::move(free_slots);
     next_id_ = std::max(next_id_, first_id_);
-    alive_ = 0;
-    slot_of_.clear();
-    slot_of_.reserve(id_.size());
     for (Slot slot = 0; slot < id_.size(); ++slot) {
       if (!id_[slot].is_valid()) continue;
-      slot_of_.emplace(id_[slot], slot);
+      set_slot(id_[slot], slot);
       next_id_ = std::max(next_id_, id_[slot].value + 1);
       ++alive_;
     }
   }
+  void set_slot(ThingId id, Slot slot) {
+    MES_ASSERT(id.value >= first_id_);
+    const std::size_t number = id.value - first_id_;
+    if (number >= slot_of_.size()) slot_of_.resize(number + 1, kNoSlot);
+    slot_of_[number] = slot;
+  }
 
- private:
   std::vector<Value> value_;
   std::vector<ThingId> id_;
   std::vector<Slot> free_;
-  std::unordered_map<ThingId, Slot> slot_of_;
+  std::vector<Slot> slot_of_;  // by the number of an id, counted from the first
   std::size_t alive_ = 0;
   std::uint32_t first_id_ = 0;
   std::uint32_t next_id_ = 0;

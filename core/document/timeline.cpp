@@ -2,6 +2,9 @@
 #include "core/document/timeline.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/document/layer_fold.h"
 
 namespace mes {
 namespace {
@@ -101,24 +104,9 @@ LayersChanged difference(const LayerConfiguration& before, const LayerConfigurat
 }
 
 void apply(const LayersChanged& change, LayerConfiguration& configuration) {
-  auto& layers = configuration.layers;
-  for (const LayerConfiguration::Entry& entry : change.changed) {
-    const auto old = std::ranges::find(layers, entry.layer, &LayerConfiguration::Entry::layer);
-    if (old == layers.end())
-      layers.push_back(entry);
-    else
-      *old = entry;
-  }
-  if (!change.order.empty()) {
-    const auto rank = [&](const LayerConfiguration::Entry& entry) {
-      return std::ranges::find(change.order, entry.layer) - change.order.begin();
-    };
-    std::ranges::stable_sort(layers, {}, rank);
-    std::erase_if(layers, [&](const LayerConfiguration::Entry& entry) {
-      return rank(entry) == static_cast<std::ptrdiff_t>(change.order.size());
-    });
-  }
-  if (change.image) configuration.image = *change.image;
+  LayerFold fold(std::move(configuration));
+  fold.apply(change);
+  configuration = std::move(fold).take();
 }
 
 bool changes_document(const TimelineEntry& entry) {
@@ -133,10 +121,10 @@ bool is_visible(const TimelineEntry& entry) {
 Timeline::Timeline() : data_(std::make_shared<const SampleData>()) {}
 
 void Timeline::restart(std::shared_ptr<const SampleData> data) {
-  restart(std::move(data), {});
+  restart(std::move(data), TimelineLog());
 }
 
-void Timeline::restart(std::shared_ptr<const SampleData> data, std::vector<TimelineEntry> entries) {
+void Timeline::restart(std::shared_ptr<const SampleData> data, TimelineLog entries) {
   data_ = std::move(data);
   entries_ = std::move(entries);
   gesture_at_.reset();
@@ -152,14 +140,15 @@ void Timeline::note_edit(const Document& document, const DocumentDelta& delta, c
   out.continues = continues;
   const bool is_large = delta.edits.size() + delta.ball_edits.size() > kLargeEdit;
   if (is_large && gesture_at_ && entries_.size() > *gesture_at_ + 1) {
-    if (auto* last = std::get_if<TimelineEdit>(&entries_.back());
+    const TimelineEntry before = entries_.back();
+    if (const auto* last = std::get_if<TimelineEdit>(&before);
         last != nullptr && is_motion(*last) && is_motion(out) && same_things(last->moved, out.moved) &&
         same_things(last->changed_balls, out.changed_balls)) {
-      *last = std::move(out);
+      entries_.replace_back(out);
       return;
     }
   }
-  entries_.push_back(std::move(out));
+  entries_.push_back(out);
 }
 
 void Timeline::note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name,
@@ -170,33 +159,33 @@ void Timeline::note_evolved(const Document& document, const DocumentDelta& delta
   if (!replaces) evolution_edits_ = 0;
   evolution_edits_ += delta.edits.size();
   if (replaces && evolution_at_) {
-    TimelineEdit& last = std::get<TimelineEdit>(entries_[*evolution_at_]);
+    const auto last = std::get<TimelineEdit>(entries_.back());
     if (is_motion(last) && is_motion(out)) {
       out.replaces = last.replaces;
-      last = std::move(out);
+      entries_.replace_back(out);
       return;
     }
   }
-  entries_.emplace_back(std::move(out));
+  entries_.push_back(out);
   evolution_at_.reset();
   if (delta.edits.size() > kLargeEdit || evolution_edits_ > kMostEvolutionEdits) evolution_at_ = entries_.size() - 1;
 }
 
 void Timeline::note_gesture_begun(const std::string& name) {
-  evolution_at_.reset();
-  gesture_at_ = entries_.size();
   entries_.push_back(GestureBegun{name});
+  evolution_at_.reset();
+  gesture_at_ = entries_.size() - 1;
 }
 
 void Timeline::note_gesture_ended() {
   if (!gesture_at_) return;
-  const auto begun = entries_.begin() + static_cast<std::ptrdiff_t>(*gesture_at_);
-  const bool has_edits = std::any_of(
-      begun, entries_.end(), [](const TimelineEntry& entry) { return std::holds_alternative<TimelineEdit>(entry); });
+  bool has_edits = false;
+  for (std::size_t i = *gesture_at_; i < entries_.size() && !has_edits; ++i)
+    has_edits = std::holds_alternative<TimelineEdit>(entries_[i]);
   if (has_edits)
     entries_.push_back(GestureEnded{});
   else
-    entries_.erase(begun);
+    entries_.erase(*gesture_at_);
   gesture_at_.reset();
 }
 

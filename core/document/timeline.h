@@ -20,8 +20,12 @@
 // Cost: O(edits) an entry, in time and memory. Threads: none.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,6 +85,7 @@ struct LayersChanged {
   friend bool operator==(const LayersChanged&, const LayersChanged&) = default;
 };
 LayersChanged difference(const LayerConfiguration& before, const LayerConfiguration& after);
+/// One change; a `LayerFold` applies many without looking at all layers for each.
 void apply(const LayersChanged& change, LayerConfiguration& configuration);
 
 struct SettingsChanged {
@@ -109,6 +114,88 @@ bool changes_document(const TimelineEntry& entry);
 /// Whether the entry can change what is on the picture.
 bool is_visible(const TimelineEntry& entry);
 
+/// Entries, packed: an entry takes about as many bytes as its numbers and words have, however few they are.
+///
+/// What it guarantees: entries come out equal to what was put in. A call that throws leaves it as it was.
+/// Cost: O(size of the entry) to put one in or to look at one. Threads: none.
+class TimelineLog {
+ public:
+  class Iterator;
+  using value_type = TimelineEntry;
+
+  TimelineLog() = default;
+  TimelineLog(std::initializer_list<TimelineEntry> entries) : TimelineLog(entries.begin(), entries.end()) {}
+  explicit TimelineLog(std::span<const TimelineEntry> entries) : TimelineLog(entries.begin(), entries.end()) {}
+  template <class Begin, class End>
+  TimelineLog(Begin begin, End end) {
+    for (; begin != end; ++begin) push_back(*begin);
+  }
+
+  std::size_t size() const { return places_.size(); }
+  bool empty() const { return places_.empty(); }
+  TimelineEntry operator[](std::size_t i) const;
+  TimelineEntry back() const { return (*this)[size() - 1]; }
+  Iterator begin() const;
+  Iterator end() const;
+  /// Copies of the entries from `begin` up to, not including, `end`.
+  std::vector<TimelineEntry> between(std::size_t begin, std::size_t end) const;
+
+  void push_back(const TimelineEntry& entry);
+  void emplace_back(const TimelineEntry& entry) { push_back(entry); }
+  void pop_back();
+  void replace_back(const TimelineEntry& entry);
+  /// Cost: O(size of all after it).
+  void erase(std::size_t i);
+  friend bool operator==(const TimelineLog& a, const TimelineLog& b);
+
+ private:
+  struct Place {
+    std::uint32_t chunk;
+    std::uint32_t offset;
+  };
+  /// A place for so many bytes, behind all others.
+  void make_place(std::size_t bytes);
+  std::span<const std::byte> bytes(std::size_t i) const;
+
+  // Chunks do not grow, so that nothing is ever copied to make room.
+  std::vector<std::vector<std::byte>> chunks_;
+  std::deque<Place> places_;
+};
+
+class TimelineLog::Iterator {
+ public:
+  using value_type = TimelineEntry;
+  using reference = TimelineEntry;
+  using pointer = void;
+  using difference_type = std::ptrdiff_t;
+  using iterator_category = std::input_iterator_tag;
+
+  Iterator() = default;
+  Iterator(const TimelineLog& log, std::size_t i) : log_(&log), i_(i) {}
+  TimelineEntry operator*() const { return (*log_)[i_]; }
+  Iterator& operator++() {
+    ++i_;
+    return *this;
+  }
+  Iterator operator++(int) {
+    Iterator before = *this;
+    ++i_;
+    return before;
+  }
+  bool operator==(const Iterator& other) const { return i_ == other.i_; }
+
+ private:
+  const TimelineLog* log_ = nullptr;
+  std::size_t i_ = 0;
+};
+
+inline TimelineLog::Iterator TimelineLog::begin() const {
+  return {*this, 0};
+}
+inline TimelineLog::Iterator TimelineLog::end() const {
+  return {*this, size()};
+}
+
 class Timeline {
  public:
   Timeline();
@@ -116,9 +203,9 @@ class Timeline {
   /// Forgets everything: the document is the data now.
   void restart(std::shared_ptr<const SampleData> data);
   /// The same with what is known to have happened since.
-  void restart(std::shared_ptr<const SampleData> data, std::vector<TimelineEntry> entries);
+  void restart(std::shared_ptr<const SampleData> data, TimelineLog entries);
   const std::shared_ptr<const SampleData>& data() const { return data_; }
-  std::span<const TimelineEntry> entries() const { return entries_; }
+  const TimelineLog& entries() const { return entries_; }
   /// So many entries, from the first, will not change any more.
   std::size_t settled() const { return gesture_at_ ? *gesture_at_ : evolution_at_.value_or(entries_.size()); }
   /// Grows with each `restart`.
@@ -132,14 +219,14 @@ class Timeline {
   void note_gesture_begun(const std::string& name);
   /// A gesture without edits leaves no trace.
   void note_gesture_ended();
-  void note(TimelineEntry entry) {
+  void note(const TimelineEntry& entry) {
+    entries_.push_back(entry);
     evolution_at_.reset();
-    entries_.push_back(std::move(entry));
   }
 
  private:
   std::shared_ptr<const SampleData> data_;
-  std::vector<TimelineEntry> entries_;
+  TimelineLog entries_;
   std::optional<std::size_t> gesture_at_;    // where the open gesture began
   std::optional<std::size_t> evolution_at_;  // a last entry that the next state takes the place of
   std::size_t evolution_edits_ = 0;          // on record since the evolution began

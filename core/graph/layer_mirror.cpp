@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/rng.h"
@@ -25,6 +26,20 @@ void check_instance(PrimitiveKind kind, std::span<const double> values) {
   }
 }
 
+std::uint64_t digest_of_instance(PrimitiveKind kind, std::span<const double> values) {
+  std::uint64_t sum = static_cast<std::uint64_t>(kind) + 1;
+  for (const double value : values) sum = Rng(sum ^ std::bit_cast<std::uint64_t>(value)).at(0);
+  return sum;
+}
+
+std::uint64_t digest_of_instances(PrimitiveKind kind, std::span<const double> values) {
+  std::uint64_t sum = 0;
+  const std::size_t stride = stride_of(kind);
+  for (std::size_t at = 0; at < values.size(); at += stride)
+    sum += digest_of_instance(kind, values.subspan(at, stride));
+  return sum;
+}
+
 }  // namespace
 
 void LayerMirror::apply(const FramePatch& patch) {
@@ -34,9 +49,9 @@ void LayerMirror::apply(const FramePatch& patch) {
   for (const LayerPatch& layer : std::span(patch.layers).first(patch.layer_count)) {
     if (layers_.size() <= layer.layer) layers_.resize(layer.layer + std::size_t{1});
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-      std::vector<double>& instances = layers_[layer.layer][static_cast<std::size_t>(kind)];
+      Instances& instances = layers_[layer.layer][static_cast<std::size_t>(kind)];
       if (layer[kind].is_empty()) {
-        MES_ASSERT(layer[kind].count == instances.size() / stride_of(kind));
+        MES_ASSERT(layer[kind].count == instances.values.size() / stride_of(kind));
       } else {
         apply(layer[kind], kind, instances);
       }
@@ -54,16 +69,16 @@ void LayerMirror::leave_frame(const FramePatch& patch) {
     const auto found = std::ranges::find(sent, layer, &LayerPatch::layer);
     const bool is_demanded = layer < patch.reports.size() && patch.reports[layer].state != NodeState::inactive;
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-      std::vector<double>& instances = layers_[layer][static_cast<std::size_t>(kind)];
-      if (instances.empty()) continue;
+      Instances& instances = layers_[layer][static_cast<std::size_t>(kind)];
+      if (instances.values.empty()) continue;
       const bool is_reset = found != sent.end() && (*found)[kind].reset;
       MES_ASSERT(is_reset || !is_demanded);
-      if (!is_reset) instances.clear();
+      if (!is_reset) instances = {};
     }
   }
 }
 
-void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, std::vector<double>& instances) {
+void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, Instances& instances) {
   const std::size_t stride = stride_of(kind);
   const std::size_t size = patch.count * stride;
   const std::span<const double> data = patch.data;
@@ -71,21 +86,28 @@ void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, std::vector<
     MES_ASSERT(patch.index.empty());
     MES_ASSERT(data.size() == size);
     for (std::size_t at = 0; at < size; at += stride) check_instance(kind, data.subspan(at, stride));
-    instances = patch.data;
+    instances.values = patch.data;
+    instances.digest = digest_of_instances(kind, instances.values);
     return;
   }
   MES_ASSERT(data.size() == patch.index.size() * stride);
-  const std::size_t known = instances.size() / stride;
+  std::vector<double>& values = instances.values;
+  const std::size_t known = values.size() / stride;
   std::size_t missing = patch.count > known ? patch.count - known : 0;
   written_.assign(missing, false);
-  instances.resize(size);
+  if (size < values.size())
+    instances.digest -= digest_of_instances(kind, std::span(std::as_const(values)).subspan(size));
+  values.resize(size);
   for (std::size_t i = 0; i < patch.index.size(); ++i) {
     const std::size_t instance = patch.index[i];
     check_instance(kind, data.subspan(i * stride, stride));
     if (instance >= patch.count) continue;  // written and dropped again within one run
-    std::ranges::copy(data.subspan(i * stride, stride),
-                      instances.begin() + static_cast<std::ptrdiff_t>(instance * stride));
-    if (instance < known || written_[instance - known]) continue;
+    const std::span<double> place = std::span(values).subspan(instance * stride, stride);
+    const bool is_new = instance >= known && !written_[instance - known];
+    if (!is_new) instances.digest -= digest_of_instance(kind, place);
+    std::ranges::copy(data.subspan(i * stride, stride), place.begin());
+    instances.digest += digest_of_instance(kind, place);
+    if (!is_new) continue;
     written_[instance - known] = true;
     --missing;
   }
@@ -98,20 +120,13 @@ std::uint32_t LayerMirror::count(LayerIndex layer, PrimitiveKind kind) const {
 
 std::span<const double> LayerMirror::instances(LayerIndex layer, PrimitiveKind kind) const {
   if (layer >= layers_.size()) return {};
-  return layers_[layer][static_cast<std::size_t>(kind)];
+  return layers_[layer][static_cast<std::size_t>(kind)].values;
 }
 
 std::uint64_t LayerMirror::digest(LayerIndex layer) const {
+  if (layer >= layers_.size()) return 0;
   std::uint64_t out = 0;
-  for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-    const std::span<const double> data = instances(layer, kind);
-    const std::size_t stride = stride_of(kind);
-    for (std::size_t at = 0; at < data.size(); at += stride) {
-      std::uint64_t sum = static_cast<std::uint64_t>(kind) + 1;
-      for (const double value : data.subspan(at, stride)) sum = Rng(sum ^ std::bit_cast<std::uint64_t>(value)).at(0);
-      out += sum;
-    }
-  }
+  for (const Instances& instances : layers_[layer]) out += instances.digest;
   return out;
 }
 

@@ -33,17 +33,21 @@ class LayerMirror {
 
   std::uint32_t count(LayerIndex layer, PrimitiveKind kind) const;
   std::span<const double> instances(LayerIndex layer, PrimitiveKind kind) const;
-  /// Of the bits of all instances of a layer, whatever their order.
+  /// Of the bits of all instances of a layer, whatever their order. O(1): kept up to date by `apply`.
   std::uint64_t digest(LayerIndex layer) const;
   /// As of the last patch.
   const DrawingFrame& frame() const { return frame_; }
   std::uint64_t document_revision() const { return document_revision_; }
 
  private:
+  struct Instances {
+    std::vector<double> values;
+    std::uint64_t digest = 0;  // the sum over the instances
+  };
   void leave_frame(const FramePatch& patch);
-  void apply(const KindPatch& patch, PrimitiveKind kind, std::vector<double>& instances);
+  void apply(const KindPatch& patch, PrimitiveKind kind, Instances& instances);
 
-  std::vector<std::array<std::vector<double>, kPrimitiveKinds>> layers_;
+  std::vector<std::array<Instances, kPrimitiveKinds>> layers_;
   std::vector<bool> written_;  // while applying: the instances that a growing patch has given
   DrawingFrame frame_;
   std::uint64_t document_revision_ = 0;

@@ -8,6 +8,7 @@
 #include "core/io/bnd.h"
 #include "core/io/json_layers.h"
 #include "core/io/json_text.h"
+#include "core/io/json_view.h"
 #include "core/io/read_file.h"
 
 namespace mes {
@@ -16,7 +17,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kSchema = 1;
+constexpr std::uint64_t kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 16U << 20U;
 constexpr std::size_t kMostBundles = 1000;
 constexpr std::size_t kLongestName = 1000;
@@ -27,29 +28,31 @@ std::unexpected<Error> refuse(std::string text, const std::string& file) {
 }
 
 /// 0: not a version at all.
-int schema_of(const json& object) {
-  const auto found = object.find("schema");
-  return found != object.end() && found->is_number_unsigned() && found->get<std::uint64_t>() < 1'000'000
-             ? found->get<int>()
-             : 0;
+std::uint64_t schema_of(JsonView object) {
+  const JsonView schema = object.find("schema");
+  const auto version = schema.is_number() ? schema.count() : std::nullopt;
+  return version && *version < 1'000'000 ? *version : 0;
 }
 
-Expected<Bundle> bundle_from(const json& object, std::size_t number, const std::string& file,
+bool holds_bundles(JsonView object) {
+  const JsonView what = object.find("mesecina");
+  return what.is_text() && what.text() == "bundles";
+}
+
+Expected<Bundle> bundle_from(JsonView object, std::size_t number, const std::string& file,
                              const LayerStyleSource& style_of) {
   const std::string where = "bundle " + std::to_string(number);
-  const auto name = object.is_object() ? object.find("name") : object.end();
-  if (!object.is_object() || name == object.end() || !name->is_string() ||
-      name->get_ref<const std::string&>().empty())
-    return refuse(where + " has no name", file);
-  Bundle out{name->get<std::string>()};
+  const auto [name, description] = object.pick<2>({"name", "description"});
+  Bundle out{name.is_text() ? name.text() : std::string()};
+  if (out.name.empty()) return refuse(where + " has no name", file);
   if (out.name.size() > kLongestName) return refuse(where + " has a name that is too long", file);
   auto layers = layer_configuration_from(object, style_of);
   if (!layers) return refuse(where + ": " + layers.error().text, file);
   out.layers = std::move(*layers);
-  if (const auto description = object.find("description"); description != object.end()) {
-    if (!description->is_string() || description->get_ref<const std::string&>().size() > kLongestDescription)
+  if (description) {
+    out.description = description.is_text() ? description.text() : std::string();
+    if (!description.is_text() || out.description.size() > kLongestDescription)
       return refuse(where + ": \"description\" is not a short text", file);
-    out.description = description->get<std::string>();
   }
   return out;
 }
@@ -60,18 +63,18 @@ Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& fil
     const auto found = std::ranges::find(known, layer, &KnownLayer::id);
     return found == known.end() ? LayerStyle{} : found->style;
   };
-  const auto parsed = parse_json(bytes, file);
-  if (!parsed) return std::unexpected(parsed.error());
-  if (!parsed->is_object() || parsed->value("mesecina", json()) != "bundles")
-    return refuse("this is no file of bundles", file);
-  const int schema = schema_of(*parsed);
+  if (auto good = check_json(bytes, file); !good) return std::unexpected(std::move(good.error()));
+  const JsonView whole = JsonView::whole(bytes);
+  if (!holds_bundles(whole)) return refuse("this is no file of bundles", file);
+  const std::uint64_t schema = schema_of(whole);
   if (schema == 0) return refuse("this file of bundles has no version", file);
   if (schema > kSchema) return refuse("these bundles are of a later version of the program", file);
-  const auto list = parsed->find("bundles");
-  if (list == parsed->end() || !list->is_array()) return refuse("\"bundles\" is not a list", file);
-  if (list->size() > kMostBundles) return refuse("more than " + std::to_string(kMostBundles) + " bundles", file);
+  const JsonView list = whole.find("bundles");
+  if (!list.is_list()) return refuse("\"bundles\" is not a list", file);
   LoadedBundles out;
-  for (const json& object : *list) {
+  for (const JsonView object : list.elements()) {
+    if (out.bundles.size() == kMostBundles)
+      return refuse("more than " + std::to_string(kMostBundles) + " bundles", file);
     auto bundle = bundle_from(object, out.bundles.size() + 1, file, style_of);
     if (!bundle) return std::unexpected(bundle.error());
     out.bundles.push_back(std::move(*bundle));
@@ -135,9 +138,9 @@ Expected<LoadedBundles> read_bundle_file(const fs::path& path, std::span<const K
 }
 
 bool are_bundles_of_the_future(std::string_view bytes) {
-  const auto parsed = parse_json(bytes, {});
-  return parsed && parsed->is_object() && parsed->value("mesecina", json()) == "bundles" &&
-         schema_of(*parsed) > kSchema;
+  if (!check_json(bytes, {})) return false;
+  const JsonView whole = JsonView::whole(bytes);
+  return holds_bundles(whole) && schema_of(whole) > kSchema;
 }
 
 }  // namespace mes

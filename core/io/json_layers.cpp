@@ -18,7 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostLayers = 10'000;
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestPath = 4096;
 
@@ -42,52 +41,50 @@ constexpr double kAny = std::numeric_limits<double>::max();
 /// Reads one object; the first thing of the wrong kind is the fault.
 class Reader {
  public:
-  Reader(const json& object, std::string where, std::string& fault)
+  Reader(JsonView object, std::string where, std::string& fault)
       : object_(object), where_(std::move(where)), fault_(fault) {
     if (!object.is_object()) complain("not an object");
   }
 
-  const json* find(const char* key) const {
-    if (!object_.is_object()) return nullptr;
-    const auto found = object_.find(key);
-    return found == object_.end() ? nullptr : &*found;
-  }
+  JsonView find(const char* key) const { return object_.find(key); }
   void number(const char* key, double low, double high, double& out) {
-    if (const json* value = find(key)) to_number(*value, key, low, high, out);
+    if (const JsonView value = find(key)) to_number(value, key, low, high, out);
   }
-  void to_number(const json& value, const char* key, double low, double high, double& out) {
-    if (!value.is_number() || !std::isfinite(value.get<double>()))
+  void to_number(JsonView value, const char* key, double low, double high, double& out) {
+    if (!value.is_number())
       complain(std::string("\"") + key + "\" is not a number");
     else
-      out = std::clamp(value.get<double>(), low, high);
+      out = std::clamp(value.number(), low, high);
   }
   void flag(const char* key, bool& out) {
-    const json* value = find(key);
-    if (value == nullptr) return;
-    if (!value->is_boolean())
+    const JsonView value = find(key);
+    if (!value) return;
+    if (!value.is_flag())
       complain(std::string("\"") + key + "\" is neither true nor false");
     else
-      out = value->get<bool>();
+      out = value.flag();
   }
   void text(const char* key, std::size_t longest, std::string& out) {
-    const json* value = find(key);
-    if (value == nullptr) return;
-    if (!value->is_string())
+    const JsonView value = find(key);
+    if (!value) return;
+    std::string text = value.is_text() && value.text_length() <= 6 * longest ? value.text() : std::string();
+    if (!value.is_text())
       complain(std::string("\"") + key + "\" is not a text");
-    else if (value->get_ref<const std::string&>().size() > longest)
+    else if (value.text_length() > 6 * longest || text.size() > longest)
       complain(std::string("\"") + key + "\" is longer than " + std::to_string(longest) + " bytes");
     else
-      out = value->get<std::string>();
+      out = std::move(text);
   }
   void numbers(const char* key, double& first, double& second) {
-    const json* value = find(key);
-    if (value == nullptr) return;
-    if (!value->is_array() || value->size() != 2) {
+    const JsonView value = find(key);
+    if (!value) return;
+    if (value.size() != 2) {
       complain(std::string("\"") + key + "\" is not two numbers");
       return;
     }
-    to_number((*value)[0], key, -kAny, kAny, first);
-    to_number((*value)[1], key, -kAny, kAny, second);
+    auto element = value.elements().begin();
+    to_number(*element, key, -kAny, kAny, first);
+    to_number(*++element, key, -kAny, kAny, second);
   }
   /// What lies in the plane keeps the range of the plane.
   void coordinates(std::initializer_list<double> numbers) {
@@ -110,12 +107,12 @@ class Reader {
   }
 
  private:
-  const json& object_;
+  JsonView object_;
   std::string where_;
   std::string& fault_;
 };
 
-LayerStyle style_from(const json& object, LayerStyle out, const std::string& where, std::string& fault) {
+LayerStyle style_from(JsonView object, LayerStyle out, const std::string& where, std::string& fault) {
   Reader reader(object, where, fault);
   reader.color("color", out.color);
   reader.number("opacity", 0.0, 1.0, out.opacity);
@@ -142,27 +139,27 @@ json to_json(const LayerConfiguration& configuration) {
   return out;
 }
 
-Expected<LayerConfiguration> layer_configuration_from(const json& value, const LayerStyleSource& style_of) {
+Expected<LayerConfiguration> layer_configuration_from(JsonView value, const LayerStyleSource& style_of) {
   LayerConfiguration out;
   std::string fault;
   Reader reader(value, "the layers", fault);
-  if (const json* layers = reader.find("layers"); layers != nullptr && layers->is_array()) {
-    if (layers->size() > kMostLayers) reader.complain("more than " + std::to_string(kMostLayers));
-    for (const json& object : *layers) {
-      if (!fault.empty()) break;
-      LayerConfiguration::Entry& entry = out.layers.emplace_back();
-      Reader part(object, "layer " + std::to_string(out.layers.size()), fault);
-      part.text("layer", kLongestName, entry.layer);
-      part.flag("visible", entry.visible);
-      entry.style = style_of(entry.layer);
-      if (const json* style = part.find("style"))
-        entry.style = style_from(*style, entry.style, "layer " + printable(entry.layer), fault);
-    }
-  } else if (layers != nullptr) {
-    reader.complain("\"layers\" is not a list");
+  const JsonView layers = reader.find("layers");
+  if (layers && !layers.is_list()) reader.complain("\"layers\" is not a list");
+  std::size_t number = 0;
+  for (const JsonView object : layers.elements()) {
+    if (number == kMostLayers) reader.complain("more than " + std::to_string(kMostLayers));
+    if (!fault.empty()) break;
+    LayerConfiguration::Entry entry;
+    Reader part(object, "layer " + std::to_string(++number), fault);
+    part.text("layer", kLongestName, entry.layer);
+    part.flag("visible", entry.visible);
+    entry.style = style_of(entry.layer);
+    if (const JsonView style = part.find("style"))
+      entry.style = style_from(style, entry.style, "layer " + printable(entry.layer), fault);
+    if (!entry.layer.empty()) out.layers.push_back(std::move(entry));
   }
-  if (const json* image = reader.find("image")) {
-    Reader part(*image, "the traced picture", fault);
+  if (const JsonView image = reader.find("image")) {
+    Reader part(image, "the traced picture", fault);
     part.text("file", kLongestPath, out.image.file);
     part.numbers("center", out.image.center.x, out.image.center.y);
     part.number("width", 0.0, kAny, out.image.width);

@@ -8,8 +8,12 @@
 
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
+#include "core/io/json_view.h"
 
 namespace mes {
+
+/// More layers than any configuration names.
+inline constexpr std::size_t kMostLayers = 10'000;
 
 nlohmann::json to_json(const LayerConfiguration& configuration);
 
@@ -20,7 +24,6 @@ using LayerStyleSource = std::function<LayerStyle(std::string_view layer)>;
 /// `style_of` gives it. Error: `bad_input` when something is of the wrong kind, or names are longer or layers more
 /// than anyone could mean, saying where.
 Expected<LayerConfiguration> layer_configuration_from(
-    const nlohmann::json& value,
-    const LayerStyleSource& style_of = [](std::string_view /*layer*/) { return LayerStyle{}; });
+    JsonView value, const LayerStyleSource& style_of = [](std::string_view /*layer*/) { return LayerStyle{}; });
 
 }  // namespace mes

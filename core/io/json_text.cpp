@@ -36,6 +36,30 @@ std::size_t too_deep(std::string_view text) {
   return text.size();
 }
 
+/// Hears what the parser finds and keeps nothing but the place of the first fault.
+struct Listener {
+  std::size_t bytes_read = 0;
+  bool is_syntax = true;
+
+  static bool null() { return true; }
+  static bool boolean(bool /*value*/) { return true; }
+  static bool number_integer(std::int64_t /*value*/) { return true; }
+  static bool number_unsigned(std::uint64_t /*value*/) { return true; }
+  static bool number_float(double /*value*/, const std::string& /*token*/) { return true; }
+  static bool string(const std::string& /*value*/) { return true; }
+  static bool binary(const json::binary_t& /*value*/) { return true; }
+  static bool start_object(std::size_t /*size*/) { return true; }
+  static bool key(const std::string& /*value*/) { return true; }
+  static bool end_object() { return true; }
+  static bool start_array(std::size_t /*size*/) { return true; }
+  static bool end_array() { return true; }
+  bool parse_error(std::size_t position, const std::string& /*token*/, const json::exception& error) {
+    bytes_read = position;
+    is_syntax = dynamic_cast<const json::parse_error*>(&error) != nullptr;
+    return false;
+  }
+};
+
 }  // namespace
 
 std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::string what,
@@ -47,17 +71,14 @@ std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::
   return bad_input(std::move(what), file, line, before.size() - start + 1);
 }
 
-Expected<json> parse_json(std::string_view text, const std::string& file) {
+Expected<void> check_json(std::string_view text, const std::string& file) {
   if (const std::size_t at = too_deep(text); at < text.size())
     return bad_json(text, at, "this JSON is nested too deeply", file);
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    // The number of bytes read, the offending one included.
-    return bad_json(text, error.byte == 0 ? 0 : error.byte - 1, "this is not JSON", file);
-  } catch (const json::exception&) {
-    return bad_json(text, 0, "a number in this JSON is too large", file);
-  }
+  Listener listener;
+  if (json::sax_parse(text, &listener)) return {};
+  if (!listener.is_syntax) return bad_json(text, 0, "a number in this JSON is too large", file);
+  // The number of bytes read, the offending one included.
+  return bad_json(text, listener.bytes_read == 0 ? 0 : listener.bytes_read - 1, "this is not JSON", file);
 }
 
 }  // namespace mes

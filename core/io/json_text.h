@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <expected>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -15,7 +14,9 @@ namespace mes {
 /// An error with line and column of a byte of the text.
 std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::string what, const std::string& file);
 
-/// Error: `bad_input` with line and column; also for objects and lists nested more than 64 deep.
-Expected<nlohmann::json> parse_json(std::string_view text, const std::string& file);
+/// Whether the text can be looked at by `JsonView`; takes no memory but for the longest word or number of the text.
+/// Error: `bad_input` with line and column; also for objects and lists nested more than 64 deep, and for numbers that
+/// no double can hold.
+Expected<void> check_json(std::string_view text, const std::string& file);
 
 }  // namespace mes

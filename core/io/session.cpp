@@ -5,24 +5,26 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/coordinate_range.h"
+#include "core/document/layer_fold.h"
 #include "core/io/json_layers.h"
-#include "core/io/json_place.h"
 #include "core/io/json_text.h"
+#include "core/io/json_view.h"
 
 namespace mes {
 namespace {
 
 using nlohmann::json;
 
-constexpr int kSchema = 1;
+constexpr std::uint64_t kSchema = 1;
 
 /// Says where in a session something makes no sense; turned into an `Error` at the surface.
 struct Nonsense {
   std::string text;
-  std::vector<JsonStep> place{};  ///< of a number; empty: not known
+  JsonView number{};  ///< that is at fault; none: not known
 };
 
 [[noreturn]] void complain(const std::string& where, const std::string& what) {
@@ -163,53 +165,60 @@ std::string head_text(const Session& session) {
 
 // --- reading ---
 
-const json* find(const json& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
+std::string text_from(JsonView value, const char* key, const std::string& where) {
+  if (!value) return {};
+  if (!value.is_text()) complain(where, std::string("\"") + key + "\" is not a text");
+  return value.text();
 }
 
-std::string text_at(const json& object, const char* key, const std::string& where) {
-  const json* value = find(object, key);
-  if (value == nullptr) return {};
-  if (!value->is_string()) complain(where, std::string("\"") + key + "\" is not a text");
-  return value->get<std::string>();
-}
-
-double number_of(const json& value, const std::string& where) {
+double number_of(JsonView value, const std::string& where) {
   if (!value.is_number()) complain(where, "not a number");
-  const double out = value.get<double>();
-  if (!std::isfinite(out)) complain(where, "a number is too large");
-  return out;
+  return value.number();
 }
 
-std::uint32_t count_of(const json& value, const std::string& where) {
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+std::uint32_t count_of(JsonView value, const std::string& where) {
+  const auto count = value.is_number() ? value.count() : std::nullopt;
+  if (!count || *count > std::numeric_limits<std::uint32_t>::max())
     complain(where, "not a whole number that counts something");
-  return value.get<std::uint32_t>();
+  return static_cast<std::uint32_t>(*count);
 }
 
-void take(const json* at, Vec2& out, const std::string& where) {
-  out = {number_of(at[0], where), number_of(at[1], where)};
+/// The numbers of a list, one after the other.
+struct Numbers {
+  JsonView::Elements::Iterator at;
+  const std::string& where;
+  JsonView next() {
+    const JsonView out = *at;
+    ++at;
+    return out;
+  }
+};
+
+void take(Numbers& from, double& out) {
+  out = number_of(from.next(), from.where);
 }
-void take(const json* at, Disk& out, const std::string& where) {
-  take(at, out.center, where);
-  out.radius = number_of(at[2], where);
+void take(Numbers& from, std::uint32_t& out) {
+  out = count_of(from.next(), from.where);
 }
-void take(const json* at, std::uint32_t& out, const std::string& where) {
-  out = count_of(*at, where);
+void take(Numbers& from, Vec2& out) {
+  take(from, out.x);
+  take(from, out.y);
+}
+void take(Numbers& from, Disk& out) {
+  take(from, out.center);
+  take(from, out.radius);
 }
 template <class Place>
-void take(const json* at, std::pair<std::uint32_t, Place>& out, const std::string& where) {
-  take(at, out.first, where);
-  take(at + 1, out.second, where);
+void take(Numbers& from, std::pair<std::uint32_t, Place>& out) {
+  take(from, out.first);
+  take(from, out.second);
 }
 /// The first of the numbers that no document can hold, and why; counted within the thing.
 struct BadNumber {
   std::size_t index = 0;
   std::string why;
 };
-std::optional<BadNumber> bad_number_of(std::uint32_t) {
+std::optional<BadNumber> bad_number_of(std::uint32_t /*count*/) {
   return std::nullopt;
 }
 template <class Place>
@@ -229,6 +238,13 @@ std::optional<BadNumber> bad_number_of(const std::pair<std::uint32_t, Place>& th
   return out;
 }
 
+/// The element of a list.
+JsonView element_of(JsonView list, std::size_t index) {
+  auto at = list.elements().begin();
+  while (index-- > 0) ++at;
+  return *at;
+}
+
 template <class T>
 constexpr std::size_t kNumbersEach = 1;
 template <>
@@ -238,174 +254,187 @@ constexpr std::size_t kNumbersEach<Disk> = 3;
 template <class Place>
 constexpr std::size_t kNumbersEach<std::pair<std::uint32_t, Place>> = 1 + kNumbersEach<Place>;
 
+// Counts before it reads, so that a list takes no more room than what it says.
 template <class T>
-void read_flat(const json& object, const char* key, std::vector<T>& out, const std::string& where) {
-  const json* value = find(object, key);
-  if (value == nullptr) return;
+void read_flat(JsonView value, const char* key, std::vector<T>& out, const std::string& where) {
+  if (!value) return;
   const std::string here = where + " \"" + key + '"';
   constexpr std::size_t each = kNumbersEach<T>;
-  if (!value->is_array()) complain(here, "not a list");
-  const auto& numbers = value->get_ref<const json::array_t&>();
-  if (numbers.size() % each != 0)
-    complain(here, "the number of numbers is not a multiple of " + std::to_string(each));
-  out.resize(numbers.size() / each);
+  if (!value.is_list()) complain(here, "not a list");
+  const std::size_t count = value.size();
+  if (count % each != 0) complain(here, "the number of numbers is not a multiple of " + std::to_string(each));
+  out.resize(count / each);
+  Numbers numbers{value.elements().begin(), here};
   for (std::size_t i = 0; i < out.size(); ++i) {
-    take(numbers.data() + each * i, out[i], here);
+    take(numbers, out[i]);
     if (const auto bad = bad_number_of(out[i]))
-      throw Nonsense{here + ": " + bad->why, {JsonStep(key), JsonStep(each * i + bad->index)}};
-  }
-}
-
-/// The same, within a part of the whole.
-template <class Read>
-auto within(const std::vector<JsonStep>& place, Read read) {
-  try {
-    return read();
-  } catch (Nonsense& nonsense) {
-    if (!nonsense.place.empty()) nonsense.place.insert(nonsense.place.begin(), place.begin(), place.end());
-    throw;
+      throw Nonsense{here + ": " + bad->why, element_of(value, each * i + bad->index)};
   }
 }
 
 /// The numbers of all things fit with each other and with those seen before.
 template <class T>
-void require_together(const std::vector<T>& things, const char* key, const std::string& where, Magnitudes& seen) {
+void require_together(const std::vector<T>& things, JsonView list, const char* key, const std::string& where,
+                      Magnitudes& seen) {
   std::size_t index = 0;
-  for (const T& thing : things)
+  for (const T& thing : things) {
     for_each_number(thing, [&](double x) {
       if (const auto fault = seen.fault_of(x))
-        throw Nonsense{where + " \"" + key + "\": " + describe(*fault, x, seen), {JsonStep(key), JsonStep(index)}};
+        throw Nonsense{where + " \"" + key + "\": " + describe(*fault, x, seen), element_of(list, index)};
       seen.add(x);
       ++index;
     });
+  }
 }
 
-std::vector<SampleData::Contour> contours_of(const json& list, const std::string& where) {
-  if (!list.is_array()) complain(where, "not a list");
-  std::vector<SampleData::Contour> out;
-  for (const json& entry : list) {
+// A contour without points is none.
+std::vector<SampleData::Contour> contours_of(JsonView list, const std::string& where) {
+  if (!list.is_list()) complain(where, "not a list");
+  const auto read = [&where](JsonView entry) {
     if (!entry.is_object()) complain(where, "a contour is not an object");
-    SampleData::Contour& contour = out.emplace_back();
-    if (const json* closed = find(entry, "closed"); closed != nullptr) {
-      if (!closed->is_boolean()) complain(where, "\"closed\" is neither true nor false");
-      contour.closed = closed->get<bool>();
-    }
-    read_flat(entry, "points", contour.points, where);
-  }
+    const auto [closed, points] = entry.pick<2>({"closed", "points"});
+    SampleData::Contour contour;
+    if (closed && !closed.is_flag()) complain(where, "\"closed\" is neither true nor false");
+    if (closed) contour.closed = closed.flag();
+    read_flat(points, "points", contour.points, where);
+    return contour;
+  };
+  std::size_t count = 0;
+  for (const JsonView entry : list.elements()) count += entry.find("points").size() != 0 ? 1U : 0U;
+  std::vector<SampleData::Contour> out;
+  out.reserve(count);
+  for (const JsonView entry : list.elements())
+    if (SampleData::Contour contour = read(entry); !contour.points.empty()) out.push_back(std::move(contour));
   return out;
 }
 
-SampleData data_of(const json& object) {
+SampleData data_of(JsonView object) {
   const std::string where = "data";
   if (!object.is_object()) complain(where, "not an object");
+  const auto [samples, contours, balls] = object.pick<3>({"samples", "contours", "balls"});
   SampleData out;
-  read_flat(object, "samples", out.positions, where);
-  if (const json* contours = find(object, "contours")) out.contours = contours_of(*contours, "contours");
-  read_flat(object, "balls", out.balls, where);
+  read_flat(samples, "samples", out.positions, where);
+  if (contours) out.contours = contours_of(contours, "contours");
+  read_flat(balls, "balls", out.balls, where);
   Magnitudes seen;
-  require_together(out.positions, "samples", where, seen);
-  require_together(out.balls, "balls", where, seen);
+  require_together(out.positions, samples, "samples", where, seen);
+  require_together(out.balls, balls, "balls", where, seen);
   return out;
 }
 
 // Values of a later version, which may allow more, are brought into range.
-ComputationSettings settings_from(const json& object) {
+ComputationSettings settings_from(JsonView object) {
+  const auto [precision, parameters] = object.pick<2>({"precision", "parameters"});
   ComputationSettings out;
-  if (const json* precision = find(object, "precision"); precision != nullptr && precision->is_string())
+  if (precision.is_text())
     for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors)
-      if (precision->get_ref<const std::string&>() == descriptor.id) out.precision = descriptor.precision;
-  if (const json* parameters = find(object, "parameters")) {
-    for (std::size_t i = 0; i < kParameters; ++i) {
-      const ParameterDescriptor& descriptor = parameter_descriptors()[i];
-      const json* value = find(*parameters, std::string(descriptor.id).c_str());
-      if (value == nullptr || !value->is_number()) continue;
-      const double number = std::clamp(value->get<double>(), descriptor.low, descriptor.high);
-      out.values[i] = descriptor.is_whole ? std::round(number) : number;
-    }
+      if (precision.text() == descriptor.id) out.precision = descriptor.precision;
+  for (std::size_t i = 0; i < kParameters; ++i) {
+    const ParameterDescriptor& descriptor = parameter_descriptors()[i];
+    const JsonView value = parameters.find(descriptor.id);
+    if (!value.is_number()) continue;
+    const double number = std::clamp(value.number(), descriptor.low, descriptor.high);
+    out.values[i] = descriptor.is_whole ? std::round(number) : number;
   }
   return out;
 }
 
-SessionEvolution evolution_from(const json& object) {
+SessionEvolution evolution_from(JsonView object) {
+  constexpr std::size_t kMostParameters = 1000;
   const std::string where = "evolution";
   SessionEvolution out;
-  out.id = text_at(object, "id", where);
+  out.id = text_from(object.find("id"), "id", where);
   const auto count = [&](const char* key, std::uint64_t& to) {
-    const json* value = find(object, key);
-    if (value == nullptr) return;
-    if (!value->is_number_unsigned()) complain(where, std::string("\"") + key + "\" is not a whole number");
-    to = value->get<std::uint64_t>();
+    const JsonView value = object.find(key);
+    if (!value) return;
+    const auto number = value.is_number() ? value.count() : std::nullopt;
+    if (!number) complain(where, std::string("\"") + key + "\" is not a whole number");
+    to = *number;
   };
   count("seed", out.seed);
   count("step", out.step);
-  if (const json* parameters = find(object, "parameters"); parameters != nullptr && parameters->is_object())
-    for (const auto& [id, value] : parameters->items()) out.parameters.emplace_back(id, number_of(value, where));
+  std::map<std::string, double> parameters;
+  for (const auto& [id, value] : object.find("parameters").members()) {
+    parameters[id.text()] = number_of(value, where);
+    if (parameters.size() > kMostParameters) complain(where, "more than a thousand parameters");
+  }
+  out.parameters.assign(parameters.begin(), parameters.end());
   return out;
 }
 
-LayerConfiguration layers_from(const json& value) {
+LayerConfiguration layers_from(JsonView value) {
   auto out = layer_configuration_from(value);
   if (!out) throw Nonsense{"layers: " + out.error().text};
   return std::move(*out);
 }
 
-Box2 view_from(const json& value) {
-  // What is looked at may be any place, however small or far.
-  if (!value.is_array() || value.size() != 4) complain("view", "not two corners");
+// What is looked at may be any place, however small or far.
+Box2 view_from(JsonView value) {
+  if (value.size() != 4) complain("view", "not two corners");
+  const std::string where = "view";
+  Numbers numbers{value.elements().begin(), where};
   Box2 out;
-  for (const std::size_t corner : {0U, 2U})
-    out.add(Vec2{number_of(value[corner], "view"), number_of(value[corner + 1], "view")});
+  for (int corner = 0; corner < 2; ++corner) {
+    Vec2 p;
+    take(numbers, p);
+    out.add(p);
+  }
   return out;
 }
 
-TimelineEdit edit_from(const json& object) {
+TimelineEdit edit_from(JsonView object) {
   const std::string where = "edit";
   if (!object.is_object()) complain(where, "not an object");
+  const auto [name, continues, replaces, remove, move, insert, remove_balls, change_balls, insert_balls, contours] =
+      object.pick<10>({"name", "continues", "replaces", "remove", "move", "insert", "remove_balls", "change_balls",
+                       "insert_balls", "contours"});
   TimelineEdit out;
-  out.name = text_at(object, "name", where);
-  if (const json* continues = find(object, "continues"); continues != nullptr && continues->is_boolean())
-    out.continues = continues->get<bool>();
-  if (const json* replaces = find(object, "replaces"); replaces != nullptr && replaces->is_boolean())
-    out.replaces = replaces->get<bool>();
-  read_flat(object, "remove", out.removed, where);
-  read_flat(object, "move", out.moved, where);
-  read_flat(object, "insert", out.inserted, where);
-  read_flat(object, "remove_balls", out.removed_balls, where);
-  read_flat(object, "change_balls", out.changed_balls, where);
-  read_flat(object, "insert_balls", out.inserted_balls, where);
-  if (const json* contours = find(object, "contours")) out.curve = contours_of(*contours, "contours");
+  out.name = text_from(name, "name", where);
+  out.continues = continues.is_flag() && continues.flag();
+  out.replaces = replaces.is_flag() && replaces.flag();
+  read_flat(remove, "remove", out.removed, where);
+  read_flat(move, "move", out.moved, where);
+  read_flat(insert, "insert", out.inserted, where);
+  read_flat(remove_balls, "remove_balls", out.removed_balls, where);
+  read_flat(change_balls, "change_balls", out.changed_balls, where);
+  read_flat(insert_balls, "insert_balls", out.inserted_balls, where);
+  if (contours) out.curve = contours_of(contours, "contours");
   return out;
 }
 
-LayersChanged layers_changed_from(const json& object) {
+LayersChanged layers_changed_from(JsonView object) {
+  const auto [changed, order, has_image] = object.pick<3>({"changed", "order", "has_image"});
   LayersChanged out;
-  if (const json* changed = find(object, "changed")) {
-    LayerConfiguration configuration = layers_from(*changed);
+  if (changed) {
+    LayerConfiguration configuration = layers_from(changed);
     out.changed = std::move(configuration.layers);
-    if (find(object, "has_image") != nullptr) out.image = std::move(configuration.image);
+    if (has_image) out.image = std::move(configuration.image);
   }
-  if (const json* order = find(object, "order"); order != nullptr && order->is_array())
-    for (const json& id : *order)
-      if (id.is_string()) out.order.push_back(id.get<std::string>());
+  for (const JsonView id : order.elements()) {
+    if (!id.is_text()) continue;
+    if (out.order.size() == kMostLayers) complain("layers", "more than " + std::to_string(kMostLayers));
+    out.order.push_back(id.text());
+  }
   return out;
 }
 
 /// Nothing for a kind that is not known.
-std::optional<TimelineEntry> entry_from(const json& object) {
+std::optional<TimelineEntry> entry_from(JsonView object) {
   if (!object.is_object()) complain("entry", "not an object");
-  if (const json* edit = find(object, "edit")) return edit_from(*edit);
-  if (find(object, "begin") != nullptr) return GestureBegun{text_at(object, "begin", "gesture")};
-  if (find(object, "end") != nullptr) return GestureEnded{};
-  if (find(object, "undo") != nullptr) return Undone{};
-  if (find(object, "redo") != nullptr) return Redone{};
-  if (const json* layers = find(object, "layers")) return layers_changed_from(*layers);
-  if (const json* settings = find(object, "settings")) return SettingsChanged{settings_from(*settings)};
-  if (const json* view = find(object, "view")) return ViewChanged{view_from(*view)};
-  if (find(object, "caption") != nullptr) {
+  const auto [edit, begin, end, undo, redo, layers, settings, view, caption, seconds] =
+      object.pick<10>({"edit", "begin", "end", "undo", "redo", "layers", "settings", "view", "caption", "seconds"});
+  if (edit) return edit_from(edit);
+  if (begin) return GestureBegun{text_from(begin, "begin", "gesture")};
+  if (end) return GestureEnded{};
+  if (undo) return Undone{};
+  if (redo) return Redone{};
+  if (layers) return layers_changed_from(layers);
+  if (settings) return SettingsChanged{settings_from(settings)};
+  if (view) return ViewChanged{view_from(view)};
+  if (caption) {
     constexpr double kLongest = 600.0;
-    const json* seconds = find(object, "seconds");
-    const double shown = seconds == nullptr ? 0.0 : number_of(*seconds, "caption");
-    return Captioned{text_at(object, "caption", "caption"), std::clamp(shown, 0.0, kLongest)};
+    const double shown = seconds ? number_of(seconds, "caption") : 0.0;
+    return Captioned{text_from(caption, "caption", "caption"), std::clamp(shown, 0.0, kLongest)};
   }
   return std::nullopt;
 }
@@ -414,32 +443,42 @@ std::string entry_name(std::size_t i) {
   return "entry " + std::to_string(i + 1) + " of the timeline";
 }
 
-Session session_from(const json& object) {
-  if (text_at(object, "mesecina", "session") != "session") complain("session", "this is not one");
-  const json* schema = find(object, "schema");
-  if (schema == nullptr || !schema->is_number_integer()) complain("session", "it does not say its version");
-  if (schema->get<std::int64_t>() > kSchema)
+void read_timeline(JsonView timeline, TimelineLog& out) {
+  if (!timeline.is_list()) complain("timeline", "not a list");
+  std::size_t number = 0;
+  for (const JsonView object : timeline.elements()) {
+    try {
+      if (const auto entry = entry_from(object)) out.push_back(*entry);
+    } catch (Nonsense& nonsense) {
+      nonsense.text = entry_name(number) + ": " + nonsense.text;
+      throw;
+    }
+    ++number;
+  }
+}
+
+bool is_of_a_later_version(JsonView schema) {
+  if (schema.is_whole()) {
+    const auto version = schema.count();
+    return version && *version > kSchema;
+  }
+  complain("session", "it does not say its version");
+}
+
+Session session_from(JsonView object) {
+  const auto [what, schema, title, data, layers, settings, evolution, view, timeline] =
+      object.pick<9>({"mesecina", "schema", "title", "data", "layers", "settings", "evolution", "view", "timeline"});
+  if (text_from(what, "mesecina", "session") != "session") complain("session", "this is not one");
+  if (is_of_a_later_version(schema))
     complain("session", "written by a later version of the program, which this one does not understand");
   Session out;
-  out.title = text_at(object, "title", "session");
-  if (const json* data = find(object, "data"))
-    out.data = std::make_shared<const SampleData>(within({"data"}, [&] { return data_of(*data); }));
-  if (const json* layers = find(object, "layers")) out.layers = layers_from(*layers);
-  if (const json* settings = find(object, "settings")) out.settings = settings_from(*settings);
-  if (const json* evolution = find(object, "evolution")) out.evolution = evolution_from(*evolution);
-  if (const json* view = find(object, "view")) out.view = view_from(*view);
-  if (const json* timeline = find(object, "timeline")) {
-    if (!timeline->is_array()) complain("timeline", "not a list");
-    for (std::size_t i = 0; i < timeline->size(); ++i) {
-      try {
-        auto entry = within({"timeline", i, "edit"}, [&] { return entry_from((*timeline)[i]); });
-        if (entry) out.entries.push_back(std::move(*entry));
-      } catch (Nonsense& nonsense) {
-        nonsense.text = entry_name(i) + ": " + nonsense.text;
-        throw;
-      }
-    }
-  }
+  out.title = text_from(title, "title", "session");
+  if (data) out.data = std::make_shared<const SampleData>(data_of(data));
+  if (layers) out.layers = layers_from(layers);
+  if (settings) out.settings = settings_from(settings);
+  if (evolution) out.evolution = evolution_from(evolution);
+  if (view) out.view = view_from(view);
+  if (timeline) read_timeline(timeline, out.entries);
   return out;
 }
 
@@ -462,13 +501,12 @@ std::string write_session(const Session& session) {
 }
 
 Expected<Session> read_session(std::string_view text, const std::string& file) {
-  const auto parsed = parse_json(text, file);
-  if (!parsed) return std::unexpected(parsed.error());
+  if (auto good = check_json(text, file); !good) return std::unexpected(std::move(good.error()));
   try {
-    return session_from(*parsed);
+    return session_from(JsonView::whole(text));
   } catch (const Nonsense& nonsense) {
-    if (nonsense.place.empty()) return bad(file, nonsense.text);
-    return bad_json(text, offset_in_json(text, nonsense.place), nonsense.text, file);
+    if (!nonsense.number) return bad(file, nonsense.text);
+    return bad_json(text, nonsense.number.offset_in(text), nonsense.text, file);
   }
 }
 
@@ -525,32 +563,34 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
       continue;
     }
     const auto stop = [&](const std::string& why) { out.complaint = file + ':' + std::to_string(line) + ": " + why; };
-    const auto parsed = parse_json(this_line, file);
-    if (!parsed) {
-      stop(parsed.error().text);
+    if (const auto good = check_json(this_line, file); !good) {
+      stop(good.error().text);
       break;
     }
     try {
-      if (find(*parsed, "saved") != nullptr) out.unsaved_edits = 0;
-      auto entry = entry_from(*parsed);
+      const JsonView object = JsonView::whole(this_line);
+      if (object.find("saved")) out.unsaved_edits = 0;
+      const auto entry = entry_from(object);
       if (!entry) continue;
       out.unsaved_edits += changes_document(*entry) ? 1U : 0U;
       if (const auto done = replay.apply(*entry); !done) {
         stop(done.error().text);
         break;
       }
-      out.session.entries.push_back(std::move(*entry));
+      out.session.entries.push_back(*entry);
     } catch (const Nonsense& nonsense) {
       stop(nonsense.text);
       break;
     }
   }
   if (is_first) return bad(file, "the first line is missing");
+  LayerFold layers_now(std::move(out.session.layers));
   for (const TimelineEntry& entry : out.session.entries) {
-    if (const auto* layers = std::get_if<LayersChanged>(&entry)) apply(*layers, out.session.layers);
+    if (const auto* layers = std::get_if<LayersChanged>(&entry)) layers_now.apply(*layers);
     if (const auto* settings = std::get_if<SettingsChanged>(&entry)) out.session.settings = settings->settings;
     if (const auto* view = std::get_if<ViewChanged>(&entry)) out.session.view = view->visible;
   }
+  out.session.layers = std::move(layers_now).take();
   return out;
 }
 

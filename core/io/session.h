@@ -7,8 +7,8 @@
 // What it guarantees:
 //  1. What is written reads back equal, every double bit for bit; equal sessions give equal bytes.
 //  2. Keys and kinds of entries that are not known are skipped, so that a later version's files can be opened.
-//  3. Anything else that makes no sense is an error that says where; nothing crashes, and no more memory is used than
-//     the text itself calls for.
+//  3. Anything else that makes no sense is an error that says where; nothing crashes. Reading takes less memory than
+//     twelve times the text, the text included, whatever it holds.
 //
 // Smallest use:
 //     auto session = read_session(text, "a.json");
@@ -39,7 +39,7 @@ struct SessionEvolution {
 struct Session {
   std::string title{};  ///< as in the window's title, without the file
   std::shared_ptr<const SampleData> data = std::make_shared<const SampleData>();
-  std::vector<TimelineEntry> entries{};
+  TimelineLog entries{};
   LayerConfiguration layers{};  ///< now; no layers: as at the start of the program
   ComputationSettings settings{};
   SessionEvolution evolution{};

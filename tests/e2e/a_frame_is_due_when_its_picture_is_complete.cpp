@@ -74,7 +74,7 @@ TEST_CASE("a slider is a frame when it is let go") {
 }
 
 TEST_CASE("a frame is named after what was done") {
-  std::vector<TimelineEntry> timeline;
+  TimelineLog timeline;
   CHECK(name_of(Change::document, timeline) == "Open");
   timeline.emplace_back(TimelineEdit{.name = "Insert sample"});
   CHECK(name_of(Change::document, timeline) == "Insert sample");

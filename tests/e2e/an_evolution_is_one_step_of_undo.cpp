@@ -293,7 +293,7 @@ TEST_CASE("an evolution goes on where a session left it") {
     Desk after(known);
     DocumentReplay replay(after.editor.document());
     REQUIRE(replay.begin(*before.editor.timeline().data()));
-    const auto entries = before.editor.timeline().entries();
+    const TimelineLog& entries = before.editor.timeline().entries();
     for (const TimelineEntry& entry : entries) REQUIRE(replay.apply(entry));
     after.editor.restore(std::move(replay), before.editor.timeline().data(), {entries.begin(), entries.end()});
     after.player.resume(choice, 5);

@@ -16,10 +16,7 @@ struct Bench {
   test::TemporaryFolder folder;
   Editor editor{{}};
   FileDesk desk{editor,
-                [this] {
-                  return Session{.data = editor.timeline().data(),
-                                 .entries = {editor.timeline().entries().begin(), editor.timeline().entries().end()}};
-                },
+                [this] { return Session{.data = editor.timeline().data(), .entries = editor.timeline().entries()}; },
                 {}};
 
   FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }

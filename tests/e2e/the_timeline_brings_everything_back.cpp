@@ -66,8 +66,7 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
     Editor other([&copy](const std::shared_ptr<const DocumentDelta>& delta) { copy.apply(*delta); });
     REQUIRE(other.load({{{1, 2}, {3, 4}}, {}, {{{0, 0}, 1}}}));
     REQUIRE(other.insert(std::array{Vec2{9, 9}}, "insert"));
-    other.restore(replayed(timeline, other.document()), timeline.data(),
-                  {timeline.entries().begin(), timeline.entries().end()});
+    other.restore(replayed(timeline, other.document()), timeline.data(), timeline.entries());
     CHECK_FALSE(other.is_modified());
     CHECK(copy.digest() == other.document().digest());
     CHECK(other.index().nearest(Vec2{0.3, 0.4}, 10.0) == editor.index().nearest(Vec2{0.3, 0.4}, 10.0));

@@ -90,3 +90,25 @@ TEST_CASE("a patch that breaks its promises is refused") {
   unsaid.count = 3;
   refused(PrimitiveKind::point, unsaid);
 }
+
+TEST_CASE("the digest is that of the instances, however they came") {
+  const auto digest_of = [](const std::vector<double>& points) {
+    LayerMirror mirror;
+    mirror.apply(frame_of(PrimitiveKind::point, reset_with(static_cast<std::uint32_t>(points.size() / 3), points)));
+    return mirror.digest(kLayer);
+  };
+  LayerMirror mirror;
+  CHECK(mirror.digest(kLayer) == 0);
+  const auto follow = [&](KindPatch patch) {
+    mirror.apply(frame_of(PrimitiveKind::point, std::move(patch)));
+    CHECK(mirror.digest(kLayer) == digest_of(points_of(mirror)));
+  };
+  follow(reset_with(2, {1, 2, 0, 3, 4, 0}));
+  follow(change(4, {3, 2, 0, 3}, {7, 8, 0, 5, 6, 0, 1, 1, 1, 9, 9, 9}));
+  CHECK(mirror.digest(kLayer) == digest_of({9, 9, 9, 5, 6, 0, 3, 4, 0, 1, 1, 1}));
+  follow(change(4, {1, 1}, {2, 2, 2, 3, 3, 3}));
+  follow(change(2, {0, 3}, {4, 4, 4, 5, 5, 5}));
+  follow(change(1, {}, {}));
+  follow(reset_with(0, {}));
+  CHECK(mirror.digest(kLayer) == 0);
+}
