@@ -34,8 +34,17 @@ LightLook look_of(const ThemeColors& colors, TheoremLight light) {
   return {colors.border, "Open", "There is nothing inside to judge"};
 }
 
+LightLook look_of(const PanelContext& context) {
+  const TheoremLight light = light_of(context.picture.nodes());
+  if (light == TheoremLight::none && context.picture.lacks_memory()) {
+    return {context.gui.colors().warning, "No memory",
+            "Nothing can be said: there is not enough memory. Undo, hide layers or open a smaller file"};
+  }
+  return look_of(context.gui.colors(), light);
+}
+
 constexpr float kChoiceWidth = 118;
-constexpr float kLightWidth = 78;
+constexpr float kLightWidth = 92;
 
 void draw_choice(const PanelContext& context) {
   const float unit = context.gui.unit();
@@ -103,7 +112,7 @@ void draw_reasons(const PanelContext& context) {
       ImGui::Dummy({0, 2 * unit});
     }
   }
-  if (!any) ImGui::TextUnformatted(look_of(context.gui.colors(), light_of(context.picture.nodes())).meaning);
+  if (!any) ImGui::TextUnformatted(look_of(context).meaning);
 }
 
 }  // namespace
@@ -116,7 +125,7 @@ void draw_verdict(const PanelContext& context) {
   const float unit = context.gui.unit();
   draw_choice(context);
   ImGui::SameLine(0, 10 * unit);
-  const LightLook look = look_of(context.gui.colors(), light_of(context.picture.nodes()));
+  const LightLook look = look_of(context);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   if (ImGui::InvisibleButton("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");

@@ -6,6 +6,7 @@
 
 #include "app/canvas_look.h"
 #include "app/color_maps.h"
+#include "app/memory_problem.h"
 #include "app/panels/canvas_legend.h"
 #include "app/panels/empty_hint.h"
 #include "app/panels/evolution_strip.h"
@@ -103,7 +104,7 @@ void App::run() {
     take_saved();
     offer_left_work();
     note_if_complete();
-    picture_.take_from(engine_);
+    if (picture_.take_from(engine_)) tell_of_memory();
     provenance_.take(picture_.take_provenance());
     follow_evolution();
     const bool was_about_to_rest = gui_.is_about_to_rest();
@@ -123,6 +124,16 @@ void App::run() {
   }
   remember_settings();
   record_.end();
+}
+
+// The layers that are grey say nothing by themselves; this does, until there is room again.
+void App::tell_of_memory() {
+  const bool lacks = picture_.lacks_memory();
+  if (lacks == std::exchange(lacks_memory_, lacks)) return;
+  if (lacks)
+    messages_.problem(memory_problem(editor_.document().sample_count(), editor_.document().ball_count()));
+  else if (is_memory_problem(messages_.problem()))
+    messages_.clear_problem();
 }
 
 PanelContext App::panel_context() {

@@ -149,6 +149,7 @@ class App final : private WindowListener {
   ShownState shown_state() const;
   AtRest at_rest() const;
   bool holds_input() const;
+  void tell_of_memory();
   void note_if_complete();
   RecordDesk::Drawn drawn_now() const;
   void follow_recording();
@@ -226,7 +227,8 @@ class App final : private WindowListener {
   std::filesystem::path traced_with_next_;  // when what is being read is there
   bool had_first_file_ = false;
   bool is_closing_ = false;
-  int frames_wanted_ = 3;  // the panels need a few frames to settle after an event
+  bool lacks_memory_ = false;  // as told last
+  int frames_wanted_ = 3;      // the panels need a few frames to settle after an event
   double last_frame_ = 0.0;
   std::uint64_t demand_seen_ = 0;
   bool had_balls_ = false;

@@ -13,6 +13,7 @@
 #include "app/window/detail.h"
 #include "core/engine/engine.h"
 #include "core/graph/layer_mirror.h"
+#include "core/graph/memory_lack.h"
 #include "render/frame_capture.h"
 #include "render/gl_device.h"
 #include "render/gl_handles.h"
@@ -72,6 +73,8 @@ class Picture {
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
   const std::vector<NodeReport>& nodes() const { return nodes_; }
+  /// Some layers show their last picture because there was no room for another.
+  bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
   /// The document state that is on screen.
   std::uint64_t document_revision() const { return document_revision_; }
   const render::Scene& scene() const { return scene_; }

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -16,6 +18,7 @@ namespace mes {
 /// What it guarantees:
 ///  1. Each task is done once, by some thread, before `finish` returns; or it had not begun when `drop` was called.
 ///  2. No thread of it is left when either returns. Without tasks it costs nothing: threads start with the first.
+///  3. `add` throws only when the task was not taken. Threads that the system does not give are done without.
 /// Tasks must not throw.
 ///
 /// Smallest use:
@@ -38,10 +41,15 @@ class TaskQueue {
       tasks_.push_back(std::move(task));
     }
     if (threads_.size() + 1 < worker_count()) {
-      threads_.emplace_back([this] { work(); });
-    } else {
-      there_is_more_.notify_one();
+      try {
+        threads_.emplace_back([this] { work(); });
+        return;
+      } catch (const std::system_error&) {
+        // Without a thread for it the task waits for one of the others, or for `finish`.
+      } catch (const std::bad_alloc&) {
+      }
     }
+    there_is_more_.notify_one();
   }
   /// No task was added since the start or the last `finish` or `drop`.
   bool is_empty() const { return tasks_.empty(); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/graph/explain.h"
+#include "core/graph/memory_lack.h"
 
 namespace mes {
 
@@ -151,7 +152,7 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
     fail(error.what());
     node.witnesses = error.witnesses;
   } catch (const std::bad_alloc&) {
-    fail("out of memory");
+    fail(std::string(kOutOfMemory));
   } catch (const std::exception& error) {
     fail(error.what());
   }
@@ -212,8 +213,13 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
     if (input.state != NodeState::up_to_date) {
       node.state = input.state;
       node.reason = input.reason;
-      // The last good picture stays, unless it is in a frame that is gone.
-      if (node.sent && frame_ != sent_frame_) withdraw(begin_patch(index, out));
+      // The last good picture stays, unless it is in a frame that is gone. Where there was no room for another one,
+      // it is the frame that stays.
+      if (!node.sent || frame_ == sent_frame_) return Emission::none;
+      if (node.reason.ends_with(kOutOfMemory))
+        keeps_frame_ = true;
+      else
+        withdraw(begin_patch(index, out));
       return Emission::none;
     }
     if (input.changed <= node.synced) continue;
@@ -314,7 +320,10 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
     node.sent = true;
     node.synced = run_;
   } catch (const std::bad_alloc&) {
-    fail("out of memory");
+    patch.clear();
+    keeps_frame_ = keeps_frame_ || (node.sent && frame_ != sent_frame_);
+    node.state = NodeState::failed;
+    node.reason = kOutOfMemory;
   } catch (const std::exception& error) {
     fail(error.what());
   }
@@ -391,18 +400,41 @@ Provenance Graph::answer(const ProvenanceQuestion& question) const {
   return out;
 }
 
+// Where there is no room for the report itself.
+void Graph::report_lack_of_memory(FramePatch& out) {
+  out.nodes.clear();
+  for (LayerReport& report : out.reports) {
+    report.state = report.layer < layer_nodes_.size() && layer_nodes_[report.layer].demanded ? NodeState::failed
+                                                                                             : NodeState::inactive;
+    report.reason = kOutOfMemory;
+  }
+}
+
+// There was no room for what holds the run together. Nothing of it is sent, and the next one sends everything.
+void Graph::give_up_for_lack_of_memory(FramePatch& out) {
+  take_back(out);
+  for (LayerNode& node : layer_nodes_) {
+    if (!node.demanded) continue;
+    node.synced = 0;
+    node.state = NodeState::failed;
+    node.reason = kOutOfMemory;
+  }
+}
+
 bool Graph::run(FramePatch& out, JobControl& job) {
   ++run_;
   dirty_ = false;
   out.layer_count = 0;
   out.complete = true;
+  out.provenance.reset();
   if (demand_changed_) mark_needed();
   before_.clear();
   is_stopped_ = false;
-  out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
+  keeps_frame_ = false;
   lap_ms();
   TaskQueue tasks;
   try {
+    out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       StructureNode& node = nodes_[i];
       if (node.needed || node.source != nullptr) {
@@ -413,19 +445,26 @@ bool Graph::run(FramePatch& out, JobControl& job) {
       if (i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
     }
     emit_layers(out, tasks, job);
-    sent_frame_ = frame_;
+    if (!keeps_frame_) sent_frame_ = frame_;
     sent_revision_ = samples_.document_revision();
   } catch (const Cancelled&) {
     out.complete = false;
     dirty_ = true;
     tasks.drop();
     take_back(out);
+  } catch (const std::bad_alloc&) {
+    tasks.drop();
+    give_up_for_lack_of_memory(out);
   }
   out.frame = sent_frame_;
   out.document_revision = sent_revision_;
-  report(out);
-  out.provenance.reset();
-  if (question_ && out.complete) out.provenance = std::make_unique<Provenance>(answer(*std::exchange(question_, {})));
+  try {
+    report(out);
+    if (question_ && out.complete)
+      out.provenance = std::make_unique<Provenance>(answer(*std::exchange(question_, {})));
+  } catch (const std::bad_alloc&) {
+    report_lack_of_memory(out);
+  }
   return out.complete;
 }
 

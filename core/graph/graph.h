@@ -29,6 +29,7 @@ namespace mes {
 ///  3. A structure that throws is *failed*: it and what depends on it keep their last patches, and are rebuilt in the
 ///  next
 ///     run in which their inputs change.
+///  4. Lack of memory ends no run in another way: what found no room is failed, and the reason is `kOutOfMemory`.
 ///
 /// Smallest use:
 ///     Graph graph;
@@ -111,6 +112,8 @@ class Graph {
   void fill(LayerPatch& patch, Emission emission, JobControl& job);
   void follow_extent();
   void report(FramePatch& out);
+  void report_lack_of_memory(FramePatch& out);
+  void give_up_for_lack_of_memory(FramePatch& out);
   Provenance answer(const ProvenanceQuestion& question) const;
   double lap_ms();
 
@@ -123,6 +126,7 @@ class Graph {
   DrawingFrame frame_;
   DrawingFrame sent_frame_;  ///< of the last complete run, and of all that consumers hold
   std::uint64_t sent_revision_ = 0;
+  std::atomic<bool> keeps_frame_ = false;  ///< some layer has a picture in that frame, and no room for another
   std::uint64_t run_ = 0;
   bool dirty_ = false;
   bool demand_changed_ = true;

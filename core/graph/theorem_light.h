@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/graph/memory_lack.h"
 #include "core/graph/patch.h"
 
 namespace mes {
@@ -27,11 +28,11 @@ constexpr std::string_view name_of(TheoremLight light) {
   return "none";
 }
 
-/// From the reports of a run in which findings were wanted.
+/// From the reports of a run in which findings were wanted. Lack of memory is no statement about the result.
 inline TheoremLight light_of(std::span<const NodeReport> nodes) {
   TheoremLight light = TheoremLight::none;
   for (const NodeReport& node : nodes) {
-    if (node.state == NodeState::failed) light = TheoremLight::red;
+    if (node.state == NodeState::failed && node.reason != kOutOfMemory) light = TheoremLight::red;
     if (node.state == NodeState::up_to_date && node.is_judging) light = std::max(light, TheoremLight::green);
   }
   for (const NodeReport& node : nodes)

@@ -9,6 +9,8 @@
 #include "core/engine/engine.h"
 #include "core/graph/explain.h"
 #include "core/graph/graph.h"
+#include "core/graph/memory_lack.h"
+#include "core/graph/theorem_light.h"
 #include "tests/support/layer_contents.h"
 
 using namespace mes;
@@ -248,6 +250,43 @@ TEST_CASE("an old picture is withdrawn when the drawing frame it is in is gone")
   CHECK(bench.patch.frame != before);
   CHECK(bench.contents.count(kShaky, kPoint) == 0);
   CHECK(bench.contents.count(kSteady, kPoint) == 4);
+}
+
+TEST_CASE("where there is no room for a new picture the old one stays, and its frame with it") {
+  Bench bench;
+  bench.insert({0, 0});
+  bench.insert({1, 0});
+  const DrawingFrame before = bench.patch.frame;
+  bench.insert({2, -2});
+  REQUIRE(bench.report("shaky").reason == kOutOfMemory);
+  CHECK(lacks_memory(bench.patch.nodes, bench.patch.reports));
+  bench.insert({1e12, 1e12});
+  CHECK(bench.patch.frame == before);
+  CHECK(bench.contents.count(kShaky, kPoint) == 2);
+  CHECK(bench.contents.count(kDependent, kPoint) == 2);
+  CHECK(bench.contents.count(kSteady, kPoint) == 4);
+  // Another document, and still no room.
+  bench.post(replace_all(bench.document, {.positions = {{5e9, 5e9}, {5e9 + 1, 5e9}, {0, -2}}}));
+  CHECK(bench.patch.frame == before);
+  CHECK(bench.contents.count(kShaky, kPoint) == 2);
+  CHECK(bench.contents.count(kSteady, kPoint) == 3);
+  // With room again, everything is in a new frame.
+  bench.remove_last();
+  CHECK(bench.patch.frame != before);
+  CHECK_FALSE(lacks_memory(bench.patch.nodes, bench.patch.reports));
+  CHECK(bench.brings(kSteady));
+  CHECK(bench.contents.sorted(kShaky) == bench.contents.sorted(kSteady));
+  CHECK(bench.contents.sorted(kDependent) == bench.contents.sorted(kSteady));
+}
+
+TEST_CASE("lack of memory does not call the result wrong") {
+  Bench bench;
+  bench.insert({0, 0});
+  bench.insert({1, -2});
+  CHECK(light_of(bench.patch.nodes) == TheoremLight::none);
+  bench.remove_last();
+  bench.insert({1, -1});
+  CHECK(light_of(bench.patch.nodes) == TheoremLight::red);
 }
 
 TEST_CASE("the engine outlives failures") {
