@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 
 #include "core/base/assert.h"
 
@@ -144,7 +145,16 @@ void SampleIndex::remove(Slot slot, Vec2 p) {
 }
 
 void SampleIndex::follow(const DocumentDelta& delta) {
-  if (delta.replaces_all()) {
+  try {
+    follow_closely(delta);
+    is_lost_ = false;
+  } catch (const std::bad_alloc&) {
+    is_lost_ = true;
+  }
+}
+
+void SampleIndex::follow_closely(const DocumentDelta& delta) {
+  if (delta.replaces_all() || is_lost_) {
     rebuild();
     return;
   }
@@ -204,17 +214,23 @@ void SampleIndex::visit_cells(const Box2& box, const Visit& visit) const {
 Slot SampleIndex::nearest(Vec2 p, double radius) const {
   if (!is_finite(p) || !(radius >= 0.0)) return kNoSlot;
   Best best{kNoSlot, radius};
+  const auto look_at = [&](Slot slot) {
+    const double d = distance(document_.position(slot), p);
+    if (d > best.distance || (d == best.distance && best.slot != kNoSlot && slot < best.slot)) return;
+    best = {slot, d};
+  };
+  if (is_lost_) {
+    for (Slot slot = 0; slot < document_.slot_count(); ++slot)
+      if (document_.is_alive(slot)) look_at(slot);
+    return best.slot;
+  }
   // Growing boxes: a wide radius in a dense place ends after the first ones.
   double reach = std::min(radius, cell_size_);
   for (;;) {
     const Box2 box{{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
     visit_cells(box, [&](Cell cell, Slot first) {
       if (best.slot != kNoSlot && squared_distance_to(box_of(cell, 0), p) > best.distance * best.distance) return;
-      for (Slot slot = first; slot != kNoSlot; slot = next_[slot]) {
-        const double d = distance(document_.position(slot), p);
-        if (d > best.distance || (d == best.distance && best.slot != kNoSlot && slot < best.slot)) continue;
-        best = {slot, d};
-      }
+      for (Slot slot = first; slot != kNoSlot; slot = next_[slot]) look_at(slot);
     });
     // Within the box everything was seen, so a sample at most `reach` away cannot be beaten from outside it.
     if ((best.slot != kNoSlot && best.distance <= reach) || reach >= radius) return best.slot;
@@ -225,6 +241,11 @@ Slot SampleIndex::nearest(Vec2 p, double radius) const {
 std::vector<Slot> SampleIndex::in_box(const Box2& box) const {
   std::vector<Slot> out;
   if (box.is_empty()) return out;
+  if (is_lost_) {
+    for (Slot slot = 0; slot < document_.slot_count(); ++slot)
+      if (document_.is_alive(slot) && box.contains(document_.position(slot))) out.push_back(slot);
+    return out;
+  }
   visit_cells(box, [&](Cell, Slot first) {
     for (Slot slot = first; slot != kNoSlot; slot = next_[slot])
       if (box.contains(document_.position(slot))) out.push_back(slot);

@@ -31,13 +31,14 @@ class SampleIndex {
  public:
   explicit SampleIndex(const Document& document);
 
-  /// To be called after `document.apply(delta)`, with every delta, in order.
+  /// To be called after `document.apply(delta)`, with every delta, in order. Lack of memory makes searches slow, not
+  /// wrong.
   void follow(const DocumentDelta& delta);
   /// Row of the sample nearest to `p` at a distance of at most `radius`, or kNoSlot.
   Slot nearest(Vec2 p, double radius) const;
   /// Rows of the samples in the closed box, increasing.
   std::vector<Slot> in_box(const Box2& box) const;
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return is_lost_ ? document_.sample_count() : size_; }
 
  private:
   struct Cell {
@@ -56,6 +57,7 @@ class SampleIndex {
   static constexpr std::size_t kLevels = 24;  // 4^24 cells across: more than a double tells apart
 
   void rebuild();
+  void follow_closely(const DocumentDelta& delta);
   double chosen_cell_size() const;
   Cell cell_of(Vec2 p, double size) const;
   void add(Slot slot, Vec2 p);
@@ -72,6 +74,7 @@ class SampleIndex {
   Vec2 origin_{};
   std::size_t size_ = 0;
   std::size_t size_at_rebuild_ = 0;
+  bool is_lost_ = false;  // memory ran out: it looks at every sample until there is room to begin anew
   std::unordered_map<Cell, Slot, CellHash> head_;  // level 0: first sample of the cell
   std::vector<std::unordered_map<Cell, std::uint32_t, CellHash>> occupied_children_;  // levels 1, 2, ...
   std::vector<Slot> next_;

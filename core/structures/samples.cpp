@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/samples.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace mes {
 
 Samples::Samples() : SourceStructure("samples"), curve_(std::make_shared<const CurveOrder>()) {}
+
+// Whatever needs memory comes first: what is pending is applied whole or not at all, as nothing else could bring the
+// rows back.
+void Samples::make_room() {
+  recorder_.begin(position_.size());
+  std::size_t rows = position_.size();
+  for (const auto& delta : pending_) {
+    if (delta->replaces_all()) rows = std::max(rows, delta->after->position.size());
+    for (const auto& edit : delta->edits) {
+      // The first note of a row counts, and none of them is applied yet.
+      recorder_.note(edit.slot, edit.slot < id_.size() && id_[edit.slot].is_valid());
+      rows = std::max(rows, edit.slot + std::size_t{1});
+    }
+  }
+  const auto grow = [rows](auto& column) {
+    if (column.capacity() < rows) column.reserve(std::max(rows, column.capacity() + column.capacity() / 2));
+  };
+  grow(position_);
+  grow(id_);
+}
 
 void Samples::apply(const DocumentDelta& delta) {
   // What changes nothing makes no revision, here as in the document.
@@ -22,7 +43,6 @@ void Samples::apply(const DocumentDelta& delta) {
       position_.emplace_back();
       id_.emplace_back();
     }
-    recorder_.note(edit.slot, id_[edit.slot].is_valid());
     const bool lives = edit.kind != SampleEdit::Kind::remove;
     MES_ASSERT(id_[edit.slot].is_valid() == (edit.kind != SampleEdit::Kind::insert));
     position_[edit.slot] = lives ? edit.to : Vec2{};
@@ -36,7 +56,7 @@ void Samples::apply(const DocumentDelta& delta) {
 }
 
 void Samples::rebuild(JobControl&) {
-  recorder_.begin(position_.size());
+  make_room();
   for (const auto& delta : pending_) apply(*delta);
   pending_.clear();
   changes_.clear();
@@ -48,7 +68,7 @@ void Samples::rebuild(JobControl&) {
 bool Samples::update(JobControl&) {
   for (const auto& delta : pending_)
     if (delta->replaces_all()) return false;
-  recorder_.begin(position_.size());
+  make_room();
   for (const auto& delta : pending_) apply(*delta);
   pending_.clear();
   recorder_.finish(changes_, [this](Slot slot) { return id_[slot].is_valid(); });

@@ -39,6 +39,7 @@ class Samples final : public SourceStructure {
   StatList statistics() const override;
 
  private:
+  void make_room();
   void apply(const DocumentDelta& delta);
 
   std::vector<std::shared_ptr<const DocumentDelta>> pending_;

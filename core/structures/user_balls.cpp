@@ -10,6 +10,26 @@ void UserBalls::post(std::shared_ptr<const DocumentDelta> delta) {
   if (delta->replaces_all() || !delta->ball_edits.empty()) pending_.push_back(std::move(delta));
 }
 
+// Whatever needs memory comes first: what is pending is applied whole or not at all, as nothing else could bring the
+// rows back.
+void UserBalls::make_room() {
+  recorder_.begin(disk_.size());
+  std::size_t rows = disk_.size();
+  for (const auto& delta : pending_) {
+    if (delta->replaces_all()) rows = std::max(rows, delta->balls_after->disk.size());
+    for (const auto& edit : delta->ball_edits) {
+      // The first note of a row counts, and none of them is applied yet.
+      recorder_.note(edit.slot, edit.slot < id_.size() && id_[edit.slot].is_valid());
+      rows = std::max(rows, edit.slot + std::size_t{1});
+    }
+  }
+  const auto grow = [rows](auto& column) {
+    if (column.capacity() < rows) column.reserve(std::max(rows, column.capacity() + column.capacity() / 2));
+  };
+  grow(disk_);
+  grow(id_);
+}
+
 void UserBalls::apply(const DocumentDelta& delta) {
   if (delta.replaces_all()) {
     MES_ASSERT(delta.balls_after != nullptr);
@@ -24,7 +44,6 @@ void UserBalls::apply(const DocumentDelta& delta) {
       disk_.emplace_back();
       id_.emplace_back();
     }
-    recorder_.note(edit.slot, id_[edit.slot].is_valid());
     const bool lives = edit.kind != BallEdit::Kind::remove;
     MES_ASSERT(id_[edit.slot].is_valid() == (edit.kind != BallEdit::Kind::insert));
     disk_[edit.slot] = lives ? edit.to : Disk{};
@@ -36,7 +55,7 @@ void UserBalls::apply(const DocumentDelta& delta) {
 }
 
 void UserBalls::rebuild(JobControl&) {
-  recorder_.begin(disk_.size());
+  make_room();
   for (const auto& delta : pending_) apply(*delta);
   pending_.clear();
   changes_.clear();
@@ -48,7 +67,7 @@ void UserBalls::rebuild(JobControl&) {
 bool UserBalls::update(JobControl&) {
   for (const auto& delta : pending_)
     if (delta->replaces_all()) return false;
-  recorder_.begin(disk_.size());
+  make_room();
   for (const auto& delta : pending_) apply(*delta);
   pending_.clear();
   recorder_.finish(changes_, [this](Slot slot) { return id_[slot].is_valid(); });

@@ -38,6 +38,7 @@ class UserBalls final : public SourceStructure {
   StatList statistics() const override;
 
  private:
+  void make_room();
   void apply(const DocumentDelta& delta);
 
   std::vector<std::shared_ptr<const DocumentDelta>> pending_;

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "app/memory_problem.h"
+#include "app/sample_index.h"
+#include "core/base/rng.h"
+#include "core/document/commands.h"
+#include "core/document/timeline.h"
+#include "core/graph/graph.h"
+#include "core/graph/layer_mirror.h"
+#include "core/graph/memory_lack.h"
+#include "core/graph/theorem_light.h"
+#include "core/io/format.h"
+#include "core/io/session.h"
+#include "tests/faults/faulty_memory.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+/// Calls `attempt` with the first allocation failing, the second, and so on until it gets by without; how many
+/// failed.
+template <class Attempt>
+int with_each_allocation_failing(const Attempt& attempt) {
+  for (int call = 0;; ++call) {
+    REQUIRE(call < 100'000);
+    INFO("allocation " << call);
+    if (!attempt(call)) return call;
+  }
+}
+
+std::vector<Vec2> some_places(std::size_t count, std::uint64_t seed) {
+  Rng random(seed);
+  std::vector<Vec2> out(count);
+  for (Vec2& p : out) p = {random.uniform(), random.uniform()};
+  return out;
+}
+
+std::uint64_t digest_from_scratch(const Document& document) {
+  Document copy;
+  SampleData data;
+  for (const Slot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
+  for (const Slot slot : document.ball_slots_in_input_order()) data.balls.push_back(document.disk(slot));
+  copy.apply(replace_all(copy, data).value());
+  return copy.digest();
+}
+
+}  // namespace
+
+TEST_CASE("a delta for which there is no room leaves the document as it was") {
+  Document document;
+  document.apply(replace_all(document, {some_places(7, 1), {}, {{{0, 0}, 1}, {{1, 1}, 2}}}).value());
+  const auto apply_all = [&](const Expected<DocumentDelta>& delta) {
+    REQUIRE(delta.has_value());
+    int failures = with_each_allocation_failing([&](int call) {
+      const std::uint64_t revision = document.revision();
+      const std::uint64_t digest = document.digest();
+      try {
+        const FailingMemory failing(call);
+        document.apply(*delta);
+        return false;
+      } catch (const std::bad_alloc&) {
+      }
+      CHECK(document.revision() == revision);
+      CHECK(document.digest() == digest);
+      return true;
+    });
+    return failures;
+  };
+  int failures = apply_all(insert_samples(document, some_places(20, 2)));
+  failures += apply_all(insert_balls(document, std::vector<Disk>(20, {{5, 5}, 1})));
+  failures += apply_all(remove_samples(document, std::vector{document.id(3), document.id(5), document.id(20)}));
+  failures += apply_all(insert_samples(document, some_places(5, 3)));
+  CHECK(document.sample_count() == 29);
+  CHECK(document.ball_count() == 22);
+  failures += apply_all(replace_all(document, {some_places(40, 4), {}, {{{0, 0}, 1}}}));
+  CHECK(document.sample_count() == 40);
+  CHECK(document.digest() == digest_from_scratch(document));
+  CHECK(failures > 10);
+}
+
+TEST_CASE("an entry for which there is no room leaves the timeline as it was") {
+  Rng random(3);
+  TimelineLog log;
+  std::size_t failures = 0;
+  for (int i = 0; i < 300; ++i) {
+    const TimelineEdit edit{.name = std::string(random.below(2000), 'x'),
+                            .inserted = some_places(random.below(9), 5)};
+    const TimelineLog before = log;
+    failures += static_cast<std::size_t>(with_each_allocation_failing([&](int call) {
+      try {
+        const FailingMemory failing(call);
+        if (i % 5 == 4)
+          log.replace_back(edit);
+        else
+          log.push_back(edit);
+        return false;
+      } catch (const std::bad_alloc&) {
+      }
+      REQUIRE(log == before);
+      return true;
+    }));
+    REQUIRE(log.back() == TimelineEntry(edit));
+    REQUIRE(log.size() == before.size() + (i % 5 == 4 ? 0 : 1));
+  }
+  CHECK(failures > 100);
+}
+
+TEST_CASE("a file that finds no room is refused in one line, and read when there is") {
+  const std::string poff = "POFF\n3\n0 0\n1 0\n0 1\n";
+  Session session;
+  session.data =
+      std::make_shared<const SampleData>(SampleData{some_places(30, 6), {{true, {0, 1, 2}}}, {{{0, 0}, 1}}});
+  session.entries = {TimelineEdit{.name = "Insert a few of them", .inserted = some_places(30, 7)}, Undone{},
+                     Redone{}};
+  const std::array<std::pair<std::string, const char*>, 2> files{
+      {{poff, "a.poff"}, {write_session(session), "a.json"}}};
+  for (const auto& [text, name] : files) {
+    const int failures = with_each_allocation_failing([&, &text = text, name = name](int call) {
+      bool has_failed = false;
+      Expected<LoadedFile> read;
+      {
+        const FailingMemory failing(call);
+        read = read_sample_bytes(text, name);
+        has_failed = failing.has_failed();
+      }
+      if (!has_failed) {
+        CHECK(read.has_value());
+        return false;
+      }
+      if (!read) {
+        CHECK(read.error().code == ErrorCode::out_of_memory);
+        CHECK(read.error().message() == std::string(name) + ": there is not enough memory to read it");
+      }
+      return true;
+    });
+    CHECK(failures > 3);
+  }
+}
+
+TEST_CASE("an index without room finds what there is all the same, and has room again later") {
+  Document document;
+  SampleIndex index(document);
+  std::uint64_t seed = 1;
+  int failures = 0;
+  const auto insert = [&](std::size_t count) {
+    const auto delta = insert_samples(document, some_places(count, ++seed));
+    document.apply(delta.value());
+    return *delta;
+  };
+  for (int call = 0; call < 40; ++call) {
+    const DocumentDelta delta = insert(30);
+    {
+      const FailingMemory failing(call);
+      index.follow(delta);
+      failures += failing.has_failed() ? 1 : 0;
+    }
+    CHECK(index.size() == document.sample_count());
+    CHECK(index.in_box({{0, 0}, {0.5, 1}}) == SampleIndex(document).in_box({{0, 0}, {0.5, 1}}));
+    CHECK(index.nearest({0.3, 0.7}, 1) == SampleIndex(document).nearest({0.3, 0.7}, 1));
+  }
+  CHECK(failures > 20);
+}
+
+TEST_CASE("whichever allocation of a computation fails, the next edit brings the right picture") {
+  const std::vector<LayerIndex> layers{find_layer("points"), find_layer("curve"), find_layer("medial-axis"),
+                                       find_layer("delaunay")};
+  int failures = 0;
+  int reported = 0;
+  bool gets_by = false;
+  for (int call = 0; !gets_by; call += 1 + call / 40) {
+    INFO("allocation " << call);
+    Document document;
+    Graph graph;
+    graph.set_demand(layers);
+    graph.set_want_findings(true);
+    LayerMirror mirror;
+    FramePatch patch;
+    JobControl job;
+    const auto run = [&] {
+      REQUIRE(graph.run(patch, job));
+      mirror.apply(patch);
+    };
+    const auto post = [&](const Expected<DocumentDelta>& delta) {
+      document.apply(delta.value());
+      graph.post(std::make_shared<const DocumentDelta>(*delta));
+    };
+    post(insert_samples(document, some_places(12, 8)));
+    run();
+    post(insert_samples(document, some_places(60, 9)));
+    {
+      const FailingMemory failing(call, true);
+      REQUIRE(graph.run(patch, job));
+      gets_by = !failing.has_failed();
+    }
+    mirror.apply(patch);
+    if (!gets_by) {
+      ++failures;
+      if (lacks_memory(patch.nodes, patch.reports)) {
+        ++reported;
+        CHECK(light_of(patch.nodes) != TheoremLight::red);
+        // What could not be made anew is what it was.
+        CHECK(mirror.count(find_layer("delaunay"), PrimitiveKind::segment) > 0);
+      }
+    }
+    post(insert_samples(document, some_places(1, 10)));
+    run();
+    CHECK_FALSE(lacks_memory(patch.nodes, patch.reports));
+    Graph fresh;
+    LayerMirror expected;
+    fresh.set_demand(layers);
+    Document copy;
+    SampleData data;
+    for (const Slot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
+    const DocumentDelta whole = replace_all(copy, data).value();
+    fresh.post(std::make_shared<const DocumentDelta>(whole));
+    REQUIRE(fresh.run(patch, job));
+    expected.apply(patch);
+    for (const LayerIndex layer : layers)
+      for (const PrimitiveKind kind : kAllPrimitiveKinds)
+        CHECK(mirror.count(layer, kind) == expected.count(layer, kind));
+  }
+  CHECK(failures > 50);
+  CHECK(reported > failures / 2);
+}
+
+TEST_CASE("what is said about memory gives the reason and what to do") {
+  CHECK(memory_problem(1'000'000, 0) ==
+        "Out of memory: 1000000 samples need more than is free. Grey layers show the last picture. Undo, hide layers "
+        "or open a smaller file");
+  CHECK(is_memory_problem(memory_problem(1, 1)));
+  CHECK_FALSE(is_memory_problem("No space left on device"));
+}
