@@ -2,7 +2,6 @@
 #include "app/window/file_conflict.h"
 
 #include <algorithm>
-#include <span>
 #include <system_error>
 
 #include "core/io/format.h"
@@ -10,8 +9,11 @@
 namespace mes {
 namespace {
 
-std::size_t edits_in(std::span<const TimelineEntry> entries) {
-  return static_cast<std::size_t>(std::ranges::count_if(entries, changes_document));
+/// Among the entries before `end`.
+std::size_t edits_in(const TimelineLog& entries, std::size_t end) {
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < end; ++i) out += changes_document(entries[i]) ? 1U : 0U;
+  return out;
 }
 
 bool are_equal(const SampleData& a, const SampleData& b) {
@@ -20,15 +22,16 @@ bool are_equal(const SampleData& a, const SampleData& b) {
 
 std::optional<std::size_t> shared_edits(const Session& mine, const Session& theirs) {
   if (!are_equal(*mine.data, *theirs.data)) return std::nullopt;
-  const auto end = std::ranges::mismatch(mine.entries, theirs.entries).in1;
-  return edits_in({mine.entries.begin(), end});
+  std::size_t end = 0;
+  while (end < mine.entries.size() && end < theirs.entries.size() && mine.entries[end] == theirs.entries[end]) ++end;
+  return edits_in(mine.entries, end);
 }
 
 }  // namespace
 
 FileConflict look_into(const std::filesystem::path& file, const Document& document, const Session* mine) {
   FileConflict out{.file = file, .mine = {document.sample_count(), document.ball_count()}};
-  if (mine != nullptr) out.mine.edits = edits_in(mine->entries);
+  if (mine != nullptr) out.mine.edits = edits_in(mine->entries, mine->entries.size());
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     out.problem = "it is not a regular file any more";
@@ -45,8 +48,9 @@ FileConflict look_into(const std::filesystem::path& file, const Document& docume
     out.found = source->fingerprint;
   out.theirs = Holdings{loaded->data.positions.size(), loaded->data.balls.size()};
   if (!loaded->session) return out;
-  out.theirs->edits = edits_in(loaded->session->entries);
-  if (mine != nullptr) out.shared_edits = shared_edits(*mine, *loaded->session);
+  const Session& theirs = *loaded->session;
+  out.theirs->edits = edits_in(theirs.entries, theirs.entries.size());
+  if (mine != nullptr) out.shared_edits = shared_edits(*mine, theirs);
   return out;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/circumcircle.h"
 #include "core/base/parallel.h"
+#include "core/kernel/circumcircle.h"
 #include "core/structures/internal/hilbert.h"
 
 namespace mes {

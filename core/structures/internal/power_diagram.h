@@ -46,7 +46,7 @@ inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to, const L
   const Exact dd = x * x + y * y;
   if (dd == 0) return frame.to_document(from.disk.center);  // naive triangulations join equal centres
   const Exact t = (dd + r * r - s * s) / (2 * dd);
-  return placed(Exact(from.disk.center.x + t * x), Exact(from.disk.center.y + t * y), frame).position;
+  return placed(Exact(from.disk.center.x + t * x), Exact(from.disk.center.y + t * y), frame).document;
 }
 
 template <class Kernel>

@@ -36,7 +36,6 @@
 #include "core/kernel/circumcircle.h"
 #include "core/kernel/kernels.h"
 #include "core/kernel/rounding.h"
-#include "core/kernel/sliver.h"
 #include "core/structures/internal/point_triangulation.h"
 #include "core/structures/internal/regular_triangulation.h"
 #include "core/structures/internal/union_runs.h"
@@ -972,7 +971,7 @@ auto UnionPipeline<Balls, Points>::circle_of(Slot face) const -> PlacedCircle {
     Vec2 corner[3];
     for (std::size_t i = 0; i < 3; ++i) corner[i] = v_local_[v[i]];
     std::ranges::rotate(corner, std::ranges::min_element(corner, lexicographically_less));
-    const Circle circle = circumcircle_of_sliver(corner[0], corner[1], corner[2]);
+    const Circle circle = circumcircle(corner[0], corner[1], corner[2]);
     return {circle, frame_.to_document(circle.center)};
   } else {
     const auto center = CGAL::circumcenter(v_at_[v[0]], v_at_[v[1]], v_at_[v[2]]);
