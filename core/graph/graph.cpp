@@ -321,7 +321,7 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
     node.synced = run_;
   } catch (const std::bad_alloc&) {
     patch.clear();
-    keeps_frame_ = keeps_frame_ || (node.sent && frame_ != sent_frame_);
+    if (node.sent && frame_ != sent_frame_) keeps_frame_ = true;
     node.state = NodeState::failed;
     node.reason = kOutOfMemory;
   } catch (const std::exception& error) {

@@ -134,7 +134,7 @@ TEST_CASE("a journal that could not be brought to an end holds a state that was"
 
 TEST_CASE("a recording ends at the first frame that cannot be written, with one problem and whole frames") {
   constexpr int kFrames = 6;
-  const int failed = with_each_call_failing([](DiskCall kind, int call) {
+  const int failed = with_each_call_failing([&](DiskCall kind, int call) {
     const TemporaryFolder folder;
     const auto take = begin_take(folder.path(), {8, 6, 25.0});
     REQUIRE(take);

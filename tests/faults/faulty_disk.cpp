@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The checked forms of the C library are inline functions of the same names.
+#undef _FORTIFY_SOURCE
+
 #include "tests/faults/faulty_disk.h"
 
 #include <fcntl.h>
