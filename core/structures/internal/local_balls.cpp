@@ -76,13 +76,12 @@ struct PlainBalls {
 void add_to_extent(const PipelineBall& ball, FrameExtent& extent) {
   if (ball.origin == BallOrigin::circumdisk) {
     for (const Vec2 corner : ball.corner) extent.add_position(corner);
-    extent.add_derived(ball.disk.center);
   } else {
     extent.add_position(ball.disk.center);
     if (ball.origin == BallOrigin::through_sample) extent.add_position(ball.corner[0]);
   }
   if (ball.origin == BallOrigin::disk) extent.add_length(ball.disk.radius);
-  extent.add_derived(ball.drawn.center + Vec2{ball.drawn.radius, 0.0});
+  extent.add_derived(ball.drawn);
 }
 
 PlainBalls plain_balls(const BallFamily& family, std::span<const Slot> rows) {

@@ -40,8 +40,11 @@ class FrameExtent {
     longest_ = std::max(longest_, std::abs(length));
     note_magnitude(length);
   }
-  /// The place of something that is computed, such as a circumcentre: it may be rounded, but not overflow.
-  void add_derived(Vec2 p) { derived_.add(p); }
+  /// Something that is computed, such as a circumcircle: it may be rounded, but not overflow.
+  void add_derived(const Disk& disk) {
+    derived_.add(disk.center);
+    longest_ = std::max(longest_, disk.radius);
+  }
   void add(const FrameExtent& other) {
     positions_.add(other.positions_);
     derived_.add(other.derived_);
@@ -53,16 +56,17 @@ class FrameExtent {
     if (positions_.is_empty()) return out;
     out.origin = {origin_within(positions_.low.x, positions_.high.x),
                   origin_within(positions_.low.y, positions_.high.y)};
-    double largest = longest_;
+    // Halves, because distances of doubles need not be doubles.
+    double half = 0.5 * longest_;
     for (const Box2& box : {positions_, derived_}) {
       if (box.is_empty()) continue;
-      for (const double distance :
-           {box.low.x - out.origin.x, box.high.x - out.origin.x, box.low.y - out.origin.y, box.high.y - out.origin.y})
-        largest = std::max(largest, std::abs(distance));
+      for (const Vec2 corner : {box.low, box.high})
+        half = std::max(
+            {half, std::abs(0.5 * corner.x - 0.5 * out.origin.x), std::abs(0.5 * corner.y - 0.5 * out.origin.y)});
     }
-    if (!(largest > 0.0) || !std::isfinite(largest)) return out;
+    if (!(half > 0.0)) return out;
     // No bit of a number may fall below the range of doubles; that the largest stay within it goes before.
-    const int size = std::ilogb(largest) + 1;
+    const int size = std::ilogb(half) + 2;
     const int most = std::ilogb(smallest_) - std::numeric_limits<double>::min_exponent + 1;
     out.exponent = std::max(std::min(size, most), size - kLargestLocal);
     return out;
