@@ -189,15 +189,18 @@ void write_formats(Markdown& page) {
 
   page.subsection("The range of coordinates");
   page.paragraph(
-      "Whatever brings them, files, sessions, tools or evolutions: " + std::string(coordinate_range_in_words()) +
-      ".\nNumbers are compared by their binary exponents, which differ by at most 100, so a little more than that "
-      "may\n"
-      "pass. What is out of range is refused with its place, and never changed. In the window, and in the steps of\n"
-      "an evolution, a coordinate that is too small beside the others becomes 0.\n"
-      "Inside the range all lengths, radii and positions are finite, and decisions about samples exact. An area is\n"
-      "finite as long as no coordinate is above 2^180 (1e54); beyond that the disk of a very flat triangle can be\n"
-      "larger than any double. Multiplied by a power of two that stays in range, an input gives the same picture\n"
-      "multiplied by it.");
+      "Whatever brings them, files, sessions, tools or evolutions:\n" + std::string(coordinate_range_in_words()) +
+      ".\nBinary exponents are compared, which differ by at most 100, so that a little more than 2^100 may pass. "
+      "What is\n"
+      "out of range is refused with its place, and never changed. In the window, and in the steps of an evolution, "
+      "a\n"
+      "coordinate that is too small beside the others becomes 0.\n"
+      "Inside the range all lengths, radii and positions are finite, and decisions about samples exact. Areas are\n"
+      "finite as long as no coordinate is above 2^180 (1e54); beyond that the disk of a very flat triangle may be "
+      "larger\n"
+      "than any double. Multiplied by a power of two that stays in range, an input gives the same picture multiplied "
+      "by\n"
+      "it.");
 
   page.subsection("POFF and WPOFF");
   page.paragraph(
