@@ -109,7 +109,7 @@ TEST_CASE("an entry for which there is no room leaves the timeline as it was") {
 }
 
 TEST_CASE("a file that finds no room is refused in one line, and read when there is") {
-  const std::string poff = "POFF\n3\n0 0\n1 0\n0 1\n";
+  const std::string poff = "POFF\n3 0 0\n0 0\n1 0\n0 1\n";
   Session session;
   session.data =
       std::make_shared<const SampleData>(SampleData{some_places(30, 6), {{true, {0, 1, 2}}}, {{{0, 0}, 1}}});
