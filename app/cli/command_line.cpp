@@ -118,6 +118,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
                       "Comma list of layer ids (mesecina list layers), or all;\n"
                       "default: those visible at start");
   compute->add_flag("!--no-timing", to.compute.with_timing, "Leave out times: equal input gives equal bytes");
+  compute->add_flag("--digest", to.compute.with_digests,
+                    "Add a digest to each layer: a function of what it draws, equal to that of `play`");
   compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
   add_force(*compute, to.compute.force);
 

@@ -96,8 +96,9 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   out["layers"] = Json::object();
   for (const LayerIndex layer : *layers) {
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
-    out["layers"][std::string(descriptor.id)] =
-        json_of(summarise(mirror, layer), descriptor, result->reports[layer].lost);
+    Json& entry = out["layers"][std::string(descriptor.id)];
+    entry = json_of(summarise(mirror, layer), descriptor, result->reports[layer].lost);
+    if (request.with_digests) entry["digest"] = mirror.digest(layer).text();
   }
   out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be UTF-8, but JSON must.

@@ -20,12 +20,6 @@ std::string hexadecimal(std::uint64_t value) {
   return text.data();
 }
 
-std::uint64_t digest_of(const LayerMirror& mirror, const LayerStack& layers) {
-  std::uint64_t out = 0;
-  for (const LayerIndex layer : layers.visible_layers()) out = out * 31 + mirror.digest(layer);
-  return out;
-}
-
 Expected<std::shared_ptr<const Session>> read(const std::string& file) {
   auto loaded = read_input(file, {});
   if (!loaded) return std::unexpected(loaded.error());
@@ -57,7 +51,16 @@ Expected<void> run_play(const PlayRequest& request, Interruption& interruption) 
     nlohmann::ordered_json line = {{"frame", i + 1}, {"what", step.what}};
     if (const std::string failure = player.complete(); !failure.empty()) line["failed"] = failure;
     line["document"] = hexadecimal(player.document().digest());
-    line["layers"] = hexadecimal(digest_of(mirror, player.layers()));
+    LayerDigest whole;
+    nlohmann::ordered_json digests = nlohmann::ordered_json::object();
+    for (const LayerIndex layer : player.layers().visible_layers()) {
+      const std::string_view id = layer_descriptors()[layer].id;
+      const LayerDigest digest = mirror.digest(layer);
+      digests[std::string(id)] = digest.text();
+      whole += named(id, digest);
+    }
+    line["layers"] = whole.text();
+    line["digests"] = std::move(digests);
     out += line.dump() + '\n';
   }
   return write_output("", out, interruption);

@@ -25,6 +25,7 @@ struct ComputeRequest {
   Source source;
   std::string layers;
   bool with_timing = true;
+  bool with_digests = false;
   std::string output;
   bool force = false;  ///< overwrites the output even if it was read and has changed since
 };

@@ -191,6 +191,7 @@ LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
   LayerPatch& patch = out.layers[out.layer_count++];
   patch.layer = index;
   patch.has_scalars = !layers_[index].descriptor.scalar.empty();
+  patch.scalars_are_names = layers_[index].descriptor.scalars_are_names;
   patch.clear();
   return patch;
 }

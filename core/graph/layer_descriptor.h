@@ -36,6 +36,7 @@ struct LayerDescriptor {
   bool in_fit_box = true;  ///< counts for "fit to view"
   bool visible_at_start = false;
   std::string_view scalar{};                   ///< what the scalar of an instance means; empty = none
+  bool scalars_are_names = false;              ///< they only tell elements apart, and depend on history
   LayerStyle style{};                          ///< the default
   std::vector<PrimitiveKind> kinds{};          ///< what it may emit, in drawing order (first = bottom)
   std::vector<std::string_view> structures{};  ///< ids of the structures it reads

@@ -2,12 +2,10 @@
 #include "core/graph/layer_mirror.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/rng.h"
 
 namespace mes {
 namespace {
@@ -26,20 +24,6 @@ void check_instance(PrimitiveKind kind, std::span<const double> values) {
   }
 }
 
-std::uint64_t digest_of_instance(PrimitiveKind kind, std::span<const double> values) {
-  std::uint64_t sum = static_cast<std::uint64_t>(kind) + 1;
-  for (const double value : values) sum = Rng(sum ^ std::bit_cast<std::uint64_t>(value)).at(0);
-  return sum;
-}
-
-std::uint64_t digest_of_instances(PrimitiveKind kind, std::span<const double> values) {
-  std::uint64_t sum = 0;
-  const std::size_t stride = stride_of(kind);
-  for (std::size_t at = 0; at < values.size(); at += stride)
-    sum += digest_of_instance(kind, values.subspan(at, stride));
-  return sum;
-}
-
 }  // namespace
 
 void LayerMirror::apply(const FramePatch& patch) {
@@ -53,7 +37,7 @@ void LayerMirror::apply(const FramePatch& patch) {
       if (layer[kind].is_empty()) {
         MES_ASSERT(layer[kind].count == instances.values.size() / stride_of(kind));
       } else {
-        apply(layer[kind], kind, instances);
+        apply(layer[kind], kind, !layer.scalars_are_names, instances);
       }
     }
   }
@@ -78,7 +62,8 @@ void LayerMirror::leave_frame(const FramePatch& patch) {
   }
 }
 
-void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, Instances& instances) {
+void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, bool with_scalars, Instances& instances) {
+  const auto digest = [&](std::span<const double> values) { return digest_of(kind, values, with_scalars); };
   const std::size_t stride = stride_of(kind);
   const std::size_t size = patch.count * stride;
   const std::span<const double> data = patch.data;
@@ -87,7 +72,7 @@ void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, Instances& i
     MES_ASSERT(data.size() == size);
     for (std::size_t at = 0; at < size; at += stride) check_instance(kind, data.subspan(at, stride));
     instances.values = patch.data;
-    instances.digest = digest_of_instances(kind, instances.values);
+    instances.digest = digest(instances.values);
     return;
   }
   MES_ASSERT(data.size() == patch.index.size() * stride);
@@ -95,8 +80,7 @@ void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, Instances& i
   const std::size_t known = values.size() / stride;
   std::size_t missing = patch.count > known ? patch.count - known : 0;
   written_.assign(missing, false);
-  if (size < values.size())
-    instances.digest -= digest_of_instances(kind, std::span(std::as_const(values)).subspan(size));
+  if (size < values.size()) instances.digest -= digest(std::span(std::as_const(values)).subspan(size));
   values.resize(size);
   for (std::size_t i = 0; i < patch.index.size(); ++i) {
     const std::size_t instance = patch.index[i];
@@ -104,9 +88,9 @@ void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, Instances& i
     if (instance >= patch.count) continue;  // written and dropped again within one run
     const std::span<double> place = std::span(values).subspan(instance * stride, stride);
     const bool is_new = instance >= known && !written_[instance - known];
-    if (!is_new) instances.digest -= digest_of_instance(kind, place);
+    if (!is_new) instances.digest -= digest(place);
     std::ranges::copy(data.subspan(i * stride, stride), place.begin());
-    instances.digest += digest_of_instance(kind, place);
+    instances.digest += digest(place);
     if (!is_new) continue;
     written_[instance - known] = true;
     --missing;
@@ -123,9 +107,9 @@ std::span<const double> LayerMirror::instances(LayerIndex layer, PrimitiveKind k
   return layers_[layer][static_cast<std::size_t>(kind)].values;
 }
 
-std::uint64_t LayerMirror::digest(LayerIndex layer) const {
-  if (layer >= layers_.size()) return 0;
-  std::uint64_t out = 0;
+LayerDigest LayerMirror::digest(LayerIndex layer) const {
+  LayerDigest out;
+  if (layer >= layers_.size()) return out;
   for (const Instances& instances : layers_[layer]) out += instances.digest;
   return out;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/graph/layer_digest.h"
 #include "core/graph/patch.h"
 
 namespace mes {
@@ -33,8 +34,8 @@ class LayerMirror {
 
   std::uint32_t count(LayerIndex layer, PrimitiveKind kind) const;
   std::span<const double> instances(LayerIndex layer, PrimitiveKind kind) const;
-  /// Of the bits of all instances of a layer, whatever their order. O(1): kept up to date by `apply`.
-  std::uint64_t digest(LayerIndex layer) const;
+  /// Of what the layer draws, without scalars that are names. O(1): kept up to date by `apply`.
+  LayerDigest digest(LayerIndex layer) const;
   /// As of the last patch.
   const DrawingFrame& frame() const { return frame_; }
   std::uint64_t document_revision() const { return document_revision_; }
@@ -42,10 +43,10 @@ class LayerMirror {
  private:
   struct Instances {
     std::vector<double> values;
-    std::uint64_t digest = 0;  // the sum over the instances
+    LayerDigest digest;  // the sum over the instances
   };
   void leave_frame(const FramePatch& patch);
-  void apply(const KindPatch& patch, PrimitiveKind kind, Instances& instances);
+  void apply(const KindPatch& patch, PrimitiveKind kind, bool with_scalars, Instances& instances);
 
   std::vector<std::array<Instances, kPrimitiveKinds>> layers_;
   std::vector<bool> written_;  // while applying: the instances that a growing patch has given

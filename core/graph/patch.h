@@ -41,7 +41,8 @@ struct KindPatch {
 
 struct LayerPatch {
   LayerIndex layer = 0;
-  bool has_scalars = false;  ///< the last double of an instance means something; else it is 0 in all
+  bool has_scalars = false;        ///< the last double of an instance means something; else it is 0 in all
+  bool scalars_are_names = false;  ///< it only tells elements apart, and depends on history
   std::array<KindPatch, kPrimitiveKinds> kinds;
   KindPatch& operator[](PrimitiveKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
   const KindPatch& operator[](PrimitiveKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }

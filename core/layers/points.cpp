@@ -13,6 +13,7 @@ Layer make_points_layer(const StructureSet& set) {
                      .in_paper = true,
                      .visible_at_start = true,
                      .scalar = "id",
+                     .scalars_are_names = true,
                      .style = {.color = palette::black, .point_size_px = 5},
                      .kinds = {PrimitiveKind::point}},
                     {&samples},

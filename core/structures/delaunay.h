@@ -56,8 +56,8 @@ struct EdgeRow {
 /// What it guarantees:
 ///  1. A *site* is a distinct sample position. Samples at one position share a site; it lives until the last is gone.
 ///  2. The tables are the Delaunay triangulation decided by exact predicates; among cocircular sites the diagonals
-///  are
-///     arbitrary and depend on history, everything else does not.
+///     are those of a perturbation by lexicographic order. So the triangulation is a function of the sites, whatever
+///     the history; nothing that is decided depends on these diagonals.
 ///  3. Circumcentres are doubles for drawing; no decision may use them. A centre that no double can hold is not
 ///  finite.
 ///

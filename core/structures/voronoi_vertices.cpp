@@ -2,6 +2,7 @@
 #include "core/structures/voronoi_vertices.h"
 
 #include <algorithm>
+#include <compare>
 #include <span>
 
 namespace mes {
@@ -26,6 +27,15 @@ void VoronoiVertices::gather_group(Slot face) {
       if (group_of_.try_emplace(row.n[i], id).second) members.push_back(row.n[i]);
     }
   }
+  // Each face of the group has the circle rounded in its own way. The first of these circles is drawn for all.
+  const auto comes_before = [this](Slot x, Slot y) {
+    const FaceRow& a = delaunay_.face(x);
+    const FaceRow& b = delaunay_.face(y);
+    if (const auto order = std::strong_order(a.center.x, b.center.x); order != 0) return order < 0;
+    if (const auto order = std::strong_order(a.center.y, b.center.y); order != 0) return order < 0;
+    return std::strong_order(a.radius, b.radius) < 0;
+  };
+  std::ranges::iter_swap(members.begin(), std::ranges::min_element(members, comes_before));
   groups_.emplace(id, std::move(members));
 }
 

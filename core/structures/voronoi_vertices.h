@@ -14,7 +14,7 @@ namespace mes {
 /// What it guarantees:
 ///  1. Two finite faces have the same `vertex` exactly when their circumcircles are equal as real circles (cocircular
 ///     sites); the decision is exact.
-///  2. `vertex(face)` is one face of the group; which one depends on history.
+///  2. `vertex(face)` is one face of the group; the first by its centre and radius in doubles.
 ///
 /// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups).
 class VoronoiVertices final : public Structure {

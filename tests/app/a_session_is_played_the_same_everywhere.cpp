@@ -45,6 +45,37 @@ TEST_CASE("each step of a session has the same digests in every run and build") 
   CHECK(lines[11]["layers"] == lines[10]["layers"]);
 }
 
+TEST_CASE("what is played has the digests that the same document has when it is computed afresh") {
+  const std::vector<json> whole = lines_of(run({"play", kSession}).out);
+  json session = json::parse(contents_of(kSession));
+  const json timeline = session["timeline"];
+  const TemporaryFolder folder;
+  // With the session cut off after each of its entries in turn.
+  std::size_t compared = 0;
+  for (std::size_t length = 4; length <= timeline.size(); ++length) {
+    session["timeline"] = json(timeline.begin(), timeline.begin() + static_cast<std::ptrdiff_t>(length));
+    const std::string file = folder.write("cut.json", session.dump()).string();
+    const std::vector<json> played = lines_of(run({"play", file}).out);
+    REQUIRE(!played.empty());
+    const json& last = played.back();
+    REQUIRE(played.size() <= whole.size());
+    CHECK(last["layers"] == whole[played.size() - 1]["layers"]);
+    std::string layers;
+    for (const auto& [layer, digest] : last["digests"].items()) layers += (layers.empty() ? "" : ",") + layer;
+    const RunResult computed = run({"compute", file, "--layers", layers, "--digest"});
+    REQUIRE(computed.exit_code == 0);
+    const json afresh = json::parse(computed.out)["layers"];
+    for (const auto& [layer, digest] : last["digests"].items()) {
+      INFO("after " << length << " entries: " << layer);
+      CHECK(afresh[layer]["digest"] == digest);
+      ++compared;
+    }
+  }
+  CHECK(compared > 50);
+  // Undo leads back to the same drawing.
+  CHECK(whole[9]["digests"] == whole[2]["digests"]);
+}
+
 TEST_CASE("what cannot be played is bad input, said in one line") {
   const TemporaryFolder folder;
   for (const std::string text :

@@ -55,10 +55,10 @@ class DelaunayStitch {
   CGAL::Orientation turn(VertexHandle a, VertexHandle b, VertexHandle c) const {
     return t_.geom_traits().orientation_2_object()(a->point(), b->point(), c->point());
   }
-  // `d` lies inside the circle through a, b, c, which turn left.
+  // `d` lies inside the circle through a, b, c, which turn left. Of cocircular points CGAL's perturbation decides,
+  // here as in insertions and removals, so that the result depends on the points alone.
   bool encloses(VertexHandle a, VertexHandle b, VertexHandle c, VertexHandle d) const {
-    return t_.geom_traits().side_of_oriented_circle_2_object()(a->point(), b->point(), c->point(), d->point()) ==
-           CGAL::ON_POSITIVE_SIDE;
+    return t_.side_of_oriented_circle(a->point(), b->point(), c->point(), d->point(), true) == CGAL::ON_POSITIVE_SIDE;
   }
 
   // The infinite face whose first vertex is the last of all by `before`.
