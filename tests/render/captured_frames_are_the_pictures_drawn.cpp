@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <new>
 
 #include "render/frame_capture.h"
 #include "tests/render/drawing.h"
@@ -54,6 +55,55 @@ render::Image averaged(const render::Image& large, int factor) {
   }
   return out;
 }
+
+// The device of a drawing, whose memory is used up at one call to draw.
+class ShortOfMemory final : public render::Device {
+ public:
+  explicit ShortOfMemory(render::Device& device) : device_(device) {}
+  /// So many calls to draw succeed, then one fails.
+  void fail_after(int calls) { left_ = calls; }
+
+  render::BufferId create_buffer(std::size_t bytes) override { return device_.create_buffer(bytes); }
+  void destroy_buffer(render::BufferId buffer) override { device_.destroy_buffer(buffer); }
+  void resize_buffer(render::BufferId buffer, std::size_t bytes, std::size_t keep_bytes) override {
+    device_.resize_buffer(buffer, bytes, keep_bytes);
+  }
+  void update_buffer(render::BufferId buffer, std::span<const render::ByteRange> ranges,
+                     std::span<const std::byte> data) override {
+    device_.update_buffer(buffer, ranges, data);
+  }
+  render::FramebufferId create_framebuffer(const render::FramebufferSpec& spec) override {
+    return device_.create_framebuffer(spec);
+  }
+  void destroy_framebuffer(render::FramebufferId framebuffer) override { device_.destroy_framebuffer(framebuffer); }
+  void clear(render::FramebufferId target, const render::PixelRect& area,
+             const render::PremultipliedColor& color) override {
+    device_.clear(target, area, color);
+  }
+  void read_pixels(render::FramebufferId source, const render::PixelRect& area,
+                   std::span<std::uint8_t> rgba) override {
+    device_.read_pixels(source, area, rgba);
+  }
+  render::TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) override {
+    return device_.create_texture(width, height, rgba, smooth);
+  }
+  void destroy_texture(render::TextureId texture) override { device_.destroy_texture(texture); }
+  void draw(const render::DrawCall& call) override {
+    if (left_-- == 0) throw std::bad_alloc();
+    device_.draw(call);
+  }
+  void draw_picture(const render::PictureCall& call) override { device_.draw_picture(call); }
+  void composite(render::FramebufferId target, const render::PixelRect& area, render::FramebufferId group,
+                 const render::PremultipliedColor& color) override {
+    device_.composite(target, area, group, color);
+  }
+  int max_framebuffer_size() const override { return device_.max_framebuffer_size(); }
+  const render::DeviceCounters& counters() const override { return device_.counters(); }
+
+ private:
+  render::Device& device_;
+  int left_ = -1;
+};
 
 }  // namespace
 
@@ -119,4 +169,45 @@ TEST_CASE("a frame comes without being waited for") {
   REQUIRE(capture.draw(drawing.scene(), pixel_camera(50, 50), views(), {}));
   drawing.device().finish();
   CHECK(capture.poll());
+}
+
+TEST_CASE("a frame that was given up for lack of memory is not handed out, and those around it are whole") {
+  Drawing drawing;
+  ShortOfMemory device(drawing.device());
+  render::Scene scene(device);
+  FramePatch patch;
+  patch.layers.resize(1);
+  patch.layer_count = 1;
+  KindPatch& disks = patch.layers[0][PrimitiveKind::disk];
+  disks = {.reset = true, .count = 1, .index = {}, .data = {40, 40, 30, 0}};
+  scene.apply(patch);
+  const render::Camera camera = pixel_camera(80, 80);
+  const std::vector<render::LayerView> shown{{0, style({0, 0, 0})}};
+  render::FrameCapture capture(drawing.device());
+  const auto capture_on = [&](Rgb background) {
+    return capture.draw(scene, camera, shown, {.background = background, .tile_px = 40}).has_value();
+  };
+  const auto corner_of = [](const std::optional<render::RawImage>& raw) {
+    REQUIRE(raw);
+    const render::Image image = render::to_image(*raw);
+    REQUIRE(image.width == 80);
+    for (const auto& [x, y] : {std::pair{79, 0}, std::pair{0, 79}, std::pair{79, 79}})
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        REQUIRE(image.rgba[image.offset(x, y) + channel] == image.rgba[image.offset(0, 0) + channel]);
+    const std::size_t at = image.offset(0, 0);
+    return Rgb{image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
+  };
+  constexpr Rgb kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255};
+  // None, one, two or three of its four tiles had been drawn.
+  for (int tiles = 0; tiles < 4; ++tiles) {
+    INFO(tiles);
+    REQUIRE(capture_on(kRed));
+    device.fail_after(tiles);
+    REQUIRE_FALSE(capture_on(kGreen));
+    REQUIRE(capture_on(kBlue));
+    CHECK(corner_of(capture.wait()) == kRed);
+    CHECK(corner_of(capture.wait()) == kBlue);
+    CHECK_FALSE(capture.wait());
+    CHECK(capture.pending() == 0);
+  }
 }
