@@ -98,7 +98,7 @@ TEST_CASE("the digest is that of the instances, however they came") {
     return mirror.digest(kLayer);
   };
   LayerMirror mirror;
-  CHECK(mirror.digest(kLayer) == 0);
+  CHECK(mirror.digest(kLayer) == LayerDigest{});
   const auto follow = [&](KindPatch patch) {
     mirror.apply(frame_of(PrimitiveKind::point, std::move(patch)));
     CHECK(mirror.digest(kLayer) == digest_of(points_of(mirror)));
@@ -110,5 +110,5 @@ TEST_CASE("the digest is that of the instances, however they came") {
   follow(change(2, {0, 3}, {4, 4, 4, 5, 5, 5}));
   follow(change(1, {}, {}));
   follow(reset_with(0, {}));
-  CHECK(mirror.digest(kLayer) == 0);
+  CHECK(mirror.digest(kLayer) == LayerDigest{});
 }
