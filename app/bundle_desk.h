@@ -32,6 +32,8 @@ class BundleDesk {
   std::string take_message() { return std::exchange(message_, {}); }
 
   void choose(std::size_t index);
+  /// To be called when the layers may have changed otherwise, as by undo.
+  void follow_layers() { current_.follow(layers_); }
   /// The layers as they are, under a new name or over the bundle of that name.
   Expected<void> save(const std::string& name);
   Expected<void> rename(std::size_t index, const std::string& name);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMostSteps = 50;
 constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kMostLooks = 16;
 
 const Bundle* find_in(std::span<const Bundle> bundles, std::string_view name) {
   const auto found = std::ranges::find(bundles, name, &Bundle::name);
@@ -148,8 +149,33 @@ std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const 
 }
 
 void CurrentBundle::choose(const Bundle& bundle, LayerStack& layers) {
+  remember(layers);
   layers.set_configuration(bundle.layers);
   note_saved(bundle.name, layers);
+  remember(layers);
+}
+
+void CurrentBundle::remember(const LayerStack& layers) {
+  LayerConfiguration now = layers.configuration();
+  std::erase_if(looks_, [&](const Look& look) { return look.layers == now; });
+  if (looks_.size() == kMostLooks) looks_.erase(looks_.begin());
+  looks_.push_back({std::move(now), name_, as_chosen_});
+}
+
+void CurrentBundle::follow(const LayerStack& layers) {
+  if (followed_ == layers.revision() || looks_.empty()) return;
+  followed_ = layers.revision();
+  const auto look = std::ranges::find(looks_, layers.configuration(), &Look::layers);
+  if (look == looks_.end() || look->name == name_) return;
+  name_ = look->name;
+  as_chosen_ = look->as_chosen;
+  compared_ = 0;
+}
+
+void CurrentBundle::note_renamed(std::string name) {
+  for (Look& look : looks_)
+    if (look.name == name_) look.name = name;
+  name_ = std::move(name);
 }
 
 void CurrentBundle::note_saved(std::string name, const LayerStack& layers) {

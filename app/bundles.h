@@ -108,13 +108,26 @@ class CurrentBundle {
   void choose(const Bundle& bundle, LayerStack& layers);
   /// The layers have just been saved under this name.
   void note_saved(std::string name, const LayerStack& layers);
-  void note_renamed(std::string name) { name_ = std::move(name); }
+  void note_renamed(std::string name);
+  /// To be called when the layers have changed otherwise: undo and redo lead back to the bundle that was chosen when
+  /// the layers looked as they do now, as far as the last few choices go.
+  void follow(const LayerStack& layers);
   const std::string& name() const { return name_; }
   bool is_changed(const LayerStack& layers) const;
 
  private:
+  /// Before and after a choice.
+  struct Look {
+    LayerConfiguration layers;
+    std::string name;
+    LayerConfiguration as_chosen;
+  };
+  void remember(const LayerStack& layers);
+
   std::string name_;  // empty: none
   LayerConfiguration as_chosen_;
+  std::vector<Look> looks_;  // the last few, newest last
+  std::uint64_t followed_ = 0;
   mutable std::uint64_t compared_ = 0;  // revision of the layers for which the next one is true
   mutable bool is_changed_ = false;
 };

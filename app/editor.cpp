@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor.h"
 
+#include "app/layer_step_name.h"
 #include "core/base/assert.h"
 
 namespace mes {
@@ -34,7 +35,8 @@ std::vector<Thing> placed(const Document& document, std::span<const Thing> thing
 
 }  // namespace
 
-Editor::Editor(Listener listener) : index_(document_), listener_(std::move(listener)) {}
+Editor::Editor(Listener listener, LayerStack* layers)
+    : index_(document_), listener_(std::move(listener)), layers_(layers) {}
 
 void Editor::apply(const DocumentDelta& delta) {
   document_.apply(delta);
@@ -54,6 +56,8 @@ Expected<void> Editor::load(const SampleData& data) {
   apply(*delta);
   history_.clear();
   timeline_.restart(std::make_shared<const SampleData>(data));
+  noted_layers_.reset();
+  saved_layers_.reset();
   mark_saved();
   return {};
 }
@@ -65,6 +69,8 @@ void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> da
   document_ = std::move(replay).take_document();
   history_ = std::move(replay).take_history();
   timeline_.restart(std::move(data), std::move(entries));
+  take_layers_as_noted();
+  saved_layers_.reset();
   // For those who follow it is one replacement.
   DocumentDelta delta;
   delta.from_revision = before;
@@ -77,6 +83,7 @@ void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> da
 }
 
 void Editor::begin_gesture(std::string name) {
+  note_layers();
   timeline_.note_gesture_begun(name);
   history_.begin_gesture(std::move(name));
 }
@@ -88,6 +95,7 @@ void Editor::end_gesture() {
 
 void Editor::record(const DocumentDelta& delta, const std::string& name, bool continues) {
   if (delta.is_empty()) return;
+  note_layers();
   apply(delta);
   timeline_.note_edit(document_, delta, name, continues);
   if (!continues || !history_.extend(delta, name)) history_.record(delta, name);
@@ -164,8 +172,9 @@ Expected<void> Editor::scale_selected_balls(double factor, double least, bool co
 Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
                               const std::string& name) {
   MES_ASSERT(!in_gesture());
+  note_layers();
   std::vector<DocumentDelta> changes;
-  if (document_.revision() == evolved_revision_) changes = history_.undo();
+  if (document_.revision() == evolved_revision_ && history_.raise_edit()) changes = history_.undo();
   for (const DocumentDelta& back : changes) document_.apply(back);
   const bool replaces = !changes.empty();
   const auto delta = arrange_samples(document_, positions, contours);
@@ -189,10 +198,10 @@ Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const S
 }
 
 std::optional<Document> Editor::resume_evolution() {
-  if (!can_undo()) return std::nullopt;
+  const std::vector<DocumentDelta> changes = history_.back_of_last_edit();
+  if (changes.empty()) return std::nullopt;
   Document before = document_;
-  for (const DocumentDelta& back : history_.undo()) before.apply(back);
-  static_cast<void>(history_.redo());
+  for (const DocumentDelta& back : changes) before.apply(back);
   evolved_revision_ = document_.revision();
   return before;
 }
@@ -201,19 +210,111 @@ void Editor::cancel_gesture() {
   if (!in_gesture()) return;
   const std::size_t before = history_.position();
   end_gesture();
-  if (history_.position() != before) undo();
+  if (history_.position() != before) take_back();
+}
+
+void Editor::apply_edits(const std::vector<DocumentDelta>& deltas) {
+  for (const DocumentDelta& delta : deltas) apply(delta);
 }
 
 void Editor::undo() {
+  note_layers();
+  take_back();
+}
+
+void Editor::take_back() {
   if (!can_undo()) return;
-  timeline_.note(Undone{});
-  for (const DocumentDelta& delta : history_.undo()) apply(delta);
+  const LayersChanged* const found = history_.layers_of_undo();
+  const auto layers = found == nullptr ? std::nullopt : std::optional(*found);
+  const bool is_of_layers = history_.undoes_layers();
+  if (!is_of_layers) timeline_.note(Undone{});
+  apply_edits(history_.undo());
+  if (layers) show_layers(*layers, is_of_layers ? LayersChanged::Role::undone : LayersChanged::Role::noted);
 }
 
 void Editor::redo() {
+  note_layers();
   if (!can_redo()) return;
-  timeline_.note(Redone{});
-  for (const DocumentDelta& delta : history_.redo()) apply(delta);
+  const LayersChanged* const found = history_.layers_of_redo();
+  const auto layers = found == nullptr ? std::nullopt : std::optional(*found);
+  const bool is_of_layers = history_.redoes_layers();
+  if (!is_of_layers) timeline_.note(Redone{});
+  apply_edits(history_.redo());
+  if (layers) show_layers(*layers, is_of_layers ? LayersChanged::Role::redone : LayersChanged::Role::noted);
+}
+
+void Editor::undo_edit() {
+  note_layers();
+  if (!history_.raise_edit()) return;
+  timeline_.note(Undone{});
+  apply_edits(history_.undo());
+}
+
+std::optional<History::Layers> Editor::take_changed_layers() {
+  if (layers_ == nullptr || (noted_layers_ && layers_->revision() == noted_revision_)) return std::nullopt;
+  LayerConfiguration now = layers_->configuration();
+  std::optional<History::Layers> out;
+  if (noted_layers_) {
+    History::Layers changed{difference(*noted_layers_, now), difference(now, *noted_layers_)};
+    if (!changed.change.is_empty()) out = std::move(changed);
+  } else {
+    timeline_.note(difference({}, now));
+  }
+  noted_layers_ = std::move(now);
+  noted_revision_ = layers_->revision();
+  return out;
+}
+
+void Editor::note_layers(const std::string& name) {
+  if (in_gesture()) return;
+  auto layers = take_changed_layers();
+  if (!layers) return;
+  LayersChanged entry = layers->change;
+  entry.role = LayersChanged::Role::step;
+  entry.name = name.empty() ? name_of_change(*layers_, layers->back, layers->change) : name;
+  entry.back.push_back(layers->back);
+  history_.record_layers(std::move(*layers), entry.name);
+  timeline_.note(std::move(entry));
+}
+
+void Editor::join_layers() {
+  if (!in_gesture() && !can_undo()) return note_layers();
+  auto layers = take_changed_layers();
+  if (!layers) return;
+  LayersChanged entry = layers->change;
+  entry.role = LayersChanged::Role::joined;
+  entry.back.push_back(layers->back);
+  history_.join_layers(std::move(*layers));
+  timeline_.note(std::move(entry));
+}
+
+void Editor::take_layers_as_noted() {
+  if (layers_ == nullptr) return;
+  noted_layers_ = layers_->configuration();
+  noted_revision_ = layers_->revision();
+}
+
+void Editor::set_saved_layers(std::optional<LayerConfiguration> layers) {
+  saved_layers_ = std::move(layers);
+  compared_revision_ = ~std::uint64_t{0};
+}
+
+void Editor::show_layers(LayersChanged change, LayersChanged::Role role) {
+  if (layers_ == nullptr) return;
+  layers_->apply(change);
+  take_layers_as_noted();
+  change.role = role;
+  timeline_.note(std::move(change));
+}
+
+bool Editor::is_modified() const {
+  if (document_.revision() != saved_revision_) return true;
+  if (!saved_layers_ || layers_ == nullptr) return false;
+  if (compared_revision_ != layers_->revision()) {
+    compared_revision_ = layers_->revision();
+    are_layers_modified_ = layers_->configuration() != *saved_layers_;
+  }
+  return are_layers_modified_;
 }
 
 }  // namespace mes

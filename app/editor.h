@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The document as the window edits it: commands, history, selection and index move together.
+// The document as the window edits it, and the layers as far as they can be undone: commands, history, selection and
+// index move together.
 #pragma once
 
 #include <functional>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/layer_stack.h"
 #include "app/sample_index.h"
 #include "app/selection.h"
 #include "core/document/commands.h"
@@ -25,9 +27,10 @@ namespace mes {
 ///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step.
 ///  3. The timeline tells of each change, once and in order; replaying it gives this document and this history.
 ///  4. Coordinates that are given here and are nothing beside the others of the document
-///  (core/base/coordinate_range.h)
-///     are set to zero; other numbers out of range are refused.
-///  5. `is_modified` compares document states: undoing back to what was saved is "not modified".
+///     (core/base/coordinate_range.h) are set to zero; other numbers out of range are refused.
+///  5. `is_modified` compares states: undoing back to what was saved is "not modified".
+///  6. Layers are changed directly (LayerStack); what is different when they come to rest, or when anything else is
+///     done, is one step of undo. Edits and changes of layers may change places, and never undo each other.
 ///
 /// Smallest use:
 ///     Editor editor([&](auto delta) { engine.post(std::move(delta)); });
@@ -38,7 +41,8 @@ namespace mes {
 class Editor {
  public:
   using Listener = std::function<void(std::shared_ptr<const DocumentDelta>)>;
-  explicit Editor(Listener listener);
+  /// Without `layers`, which outlive it, it is about the document alone.
+  explicit Editor(Listener listener, LayerStack* layers = nullptr);
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;
 
@@ -52,6 +56,26 @@ class Editor {
   /// Takes over a document with all that can be undone; `timeline` is what was replayed. It counts as not modified.
   void restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries);
   const Timeline& timeline() const { return timeline_; }
+
+  /// Makes what became different in the layers a step of undo, called `name`, or by what it is. To be called when no
+  /// control of theirs is held, so that a slider being dragged makes one step; edits and undo call it first. The
+  /// first time after `load` it notes how the layers are, and that is no step.
+  void note_layers(const std::string& name = {});
+  /// The same for a change that somebody else makes between, as one step.
+  template <class Change>
+  void change_layers(const std::string& name, Change change) {
+    note_layers();
+    change();
+    note_layers(name);
+  }
+  /// Makes it part of the newest step instead: an edit shows what it made.
+  void join_layers();
+  /// The layers were brought back with the document: they are on its timeline already.
+  void take_layers_as_noted();
+  /// How the layers are in the file of the document; nothing: it has no file that could hold them. Only with such a
+  /// file do changes of layers count as modifications.
+  void set_saved_layers(std::optional<LayerConfiguration> layers);
+
   /// For what happens beside the document: views, layers, settings.
   void note(const TimelineEntry& entry) { timeline_.note(entry); }
   /// Rows of the new samples.
@@ -97,8 +121,10 @@ class Editor {
   std::string redo_name() const { return history_.redo_name(); }
   void undo();
   void redo();
+  /// Takes the last edit back and leaves the layers as they are, also where they were changed since.
+  void undo_edit();
 
-  bool is_modified() const { return document_.revision() != saved_revision_; }
+  bool is_modified() const;
   void mark_saved() { mark_saved(document_.revision()); }
   /// The document as it was at this revision.
   void mark_saved(std::uint64_t revision) { saved_revision_ = revision; }
@@ -111,6 +137,11 @@ class Editor {
   /// An edit that can be undone.
   void record(const DocumentDelta& delta, const std::string& name, bool continues = false);
   Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
+  void take_back();
+  void apply_edits(const std::vector<DocumentDelta>& deltas);
+  /// What undo and redo do to the layers.
+  void show_layers(LayersChanged change, LayersChanged::Role role);
+  std::optional<History::Layers> take_changed_layers();
 
   Document document_;
   History history_;
@@ -118,6 +149,12 @@ class Editor {
   Selection selection_;
   SampleIndex index_;
   Listener listener_;
+  LayerStack* layers_;
+  std::optional<LayerConfiguration> noted_layers_;  // nothing: they are not on the timeline yet
+  std::uint64_t noted_revision_ = 0;                // of the layers
+  std::optional<LayerConfiguration> saved_layers_;
+  mutable std::uint64_t compared_revision_ = ~std::uint64_t{0};  // of the layers for which the next one is true
+  mutable bool are_layers_modified_ = false;
   std::uint64_t saved_revision_ = 0;
   std::uint64_t evolved_revision_ = ~std::uint64_t{0};  // the last state of an evolution
 };

@@ -106,7 +106,7 @@ void EvolutionPlayer::step_to(std::uint64_t k) {
     wanted_.reset();
     run_.cancel();
     // The step of undo is the evolution: back to its beginning.
-    if (position() != 0) editor_.undo();
+    if (position() != 0) editor_.undo_edit();
     return;
   }
   if (!has_beginning()) begin();

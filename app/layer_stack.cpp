@@ -73,6 +73,34 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   if (visible_layers() != before) ++demand_revision_;
 }
 
+LayerIndex LayerStack::find(std::string_view id) const {
+  const auto found = std::ranges::find(descriptors_, id, &LayerDescriptor::id);
+  return found == descriptors_.end() ? kNoSlot : static_cast<LayerIndex>(found - descriptors_.begin());
+}
+
+void LayerStack::apply(const LayersChanged& change) {
+  for (const LayerConfiguration::Entry& entry : change.changed) {
+    const LayerIndex layer = find(entry.layer);
+    if (layer == kNoSlot) continue;
+    if (visible_[layer] != entry.visible) set_visible(layer, entry.visible);
+    set_style(layer, entry.style);
+  }
+  if (!change.order.empty()) restack(change.order);
+  if (change.image) set_image(*change.image);
+}
+
+// Those that are not named stay below, in the order they had.
+void LayerStack::restack(std::span<const std::string> order) {
+  std::vector<LayerIndex> rest = order_;
+  std::vector<LayerIndex> named;
+  for (const std::string& id : order)
+    if (const LayerIndex layer = find(id); layer != kNoSlot && std::erase(rest, layer) == 1) named.push_back(layer);
+  rest.insert(rest.end(), named.begin(), named.end());
+  if (rest == order_) return;
+  order_ = std::move(rest);
+  ++revision_;
+}
+
 std::vector<LayerIndex> LayerStack::visible_layers() const {
   std::vector<LayerIndex> out;
   for (const LayerIndex layer : order_)

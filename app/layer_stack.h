@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/layer_configuration.h"
+#include "core/document/layers_changed.h"
 #include "core/graph/layer_descriptor.h"
 
 namespace mes {
@@ -21,6 +21,8 @@ class LayerStack {
 
   std::size_t size() const { return order_.size(); }
   const LayerDescriptor& descriptor(LayerIndex layer) const { return descriptors_[layer]; }
+  /// kNoSlot when there is none of this id.
+  LayerIndex find(std::string_view id) const;
   /// Bottom first.
   std::span<const LayerIndex> order() const { return order_; }
   bool is_visible(LayerIndex layer) const { return solo_ == kNoSlot ? visible_[layer] : solo_ == layer; }
@@ -54,8 +56,13 @@ class LayerStack {
   /// Layers that are not named are hidden, keep their style and go below those that are, in their present order;
   /// names that are not known are skipped. Ends solo.
   void set_configuration(const LayerConfiguration& configuration);
+  /// Changes what the difference names and leaves all else; layers that are not known are skipped. Ends solo where a
+  /// visibility changes.
+  void apply(const LayersChanged& change);
 
  private:
+  void restack(std::span<const std::string> order);
+
   std::span<const LayerDescriptor> descriptors_;
   std::vector<LayerIndex> order_;
   std::vector<bool> visible_;

@@ -33,7 +33,7 @@ std::vector<PlayStep> steps_of(const TimelineLog& entries) {
   std::size_t first = 0;
   for (std::size_t at = 0; at < entries.size(); ++at) {
     const TimelineEntry entry = entries[at];
-    if (out.empty() && (changes_document(entry) || std::holds_alternative<GestureBegun>(entry))) {
+    if (out.empty() && (is_work(entry) || std::holds_alternative<GestureBegun>(entry))) {
       out.push_back({.first_entry = 0, .end_entry = at, .what = "open"});
       first = at;
     }

@@ -22,7 +22,7 @@ struct PlayStep {
   double seconds = 0.0;       ///< how long it stays in a video; 0: as long as any
 };
 
-/// Everything before the first change of the document is the first step, then each entry that can be seen is one.
+/// Everything before the first thing that was done is the first step, then each entry that can be seen is one.
 std::vector<PlayStep> steps_of(const TimelineLog& entries);
 
 /// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are

@@ -8,12 +8,6 @@ void SurroundingsNotes::follow(Editor& editor, const Surroundings& now) {
     *this = {};
     generation_ = editor.timeline().generation();
   }
-  if (layers_revision_ != now.layers.revision()) {
-    layers_revision_ = now.layers.revision();
-    LayerConfiguration layers = now.layers.configuration();
-    if (LayersChanged change = difference(layers_, layers); !change.is_empty()) editor.note(std::move(change));
-    layers_ = std::move(layers);
-  }
   if (settings_ != now.settings) {
     settings_ = now.settings;
     editor.note(SettingsChanged{now.settings});
@@ -26,8 +20,6 @@ void SurroundingsNotes::follow(Editor& editor, const Surroundings& now) {
 
 void SurroundingsNotes::take_as_noted(const Editor& editor, const Surroundings& now) {
   generation_ = editor.timeline().generation();
-  layers_revision_ = now.layers.revision();
-  layers_ = now.layers.configuration();
   settings_ = now.settings;
   view_ = now.view;
 }

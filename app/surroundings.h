@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a document is looked at with, and its changes on the timeline.
+// What a document is looked at with, beside its layers, and its changes on the timeline.
 #pragma once
 
 #include "app/editor.h"
-#include "app/layer_stack.h"
 
 namespace mes {
 
 struct Surroundings {
-  const LayerStack& layers;
   const ComputationSettings& settings;
   Box2 view{};  ///< what is to be seen; empty: not known yet
 };
@@ -24,8 +22,6 @@ class SurroundingsNotes {
 
  private:
   std::uint64_t generation_ = ~std::uint64_t{0};
-  std::uint64_t layers_revision_ = ~std::uint64_t{0};
-  LayerConfiguration layers_{};
   std::optional<ComputationSettings> settings_{};
   Box2 view_{};
 };

@@ -6,6 +6,7 @@
 
 #include "app/panels/icons.h"
 #include "app/window/theme.h"
+#include "core/io/text_numbers.h"
 
 namespace mes {
 namespace {
@@ -242,7 +243,9 @@ void BundlesPanel::draw_row(const PanelContext& context, std::size_t index) {
     list.AddCircleFilled({end.x - 8 * unit, at.y + 0.5F * height}, 3 * unit, context.gui.colors().accent);
   if (is_current && shown_current_ != index) ImGui::SetScrollHereY();
   // The list is changed last: what was drawn was the one before.
-  if (clicked) context.bundles.choose(index);
+  if (clicked)
+    context.editor.change_layers("Bundle " + in_quotes(context.bundles.bundles()[index].name),
+                                 [&] { context.bundles.choose(index); });
   if (dropped) tell(context, context.bundles.move(*dropped, index));
   draw_context_menu(context, index);
   ImGui::PopID();

@@ -111,7 +111,8 @@ void view_menu(const PanelContext& context) {
     }
     ImGui::EndMenu();
   }
-  if (ImGui::MenuItem("Layers as at the beginning")) context.layers.reset();
+  if (ImGui::MenuItem("Layers as at the beginning"))
+    context.editor.change_layers("Layers as at the beginning", [&] { context.layers.reset(); });
   tooltip(context.gui, "Give every layer its first place, visibility and style back");
 }
 

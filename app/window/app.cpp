@@ -49,7 +49,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       engine_({.wake = [] { GlfwWindow::wake(); }}),
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets_, layers_),
-      editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
+      editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }, &layers_),
       evolution_(editor_,
                  {[this](Parameter parameter) { return computation_[parameter]; },
                   [this](Parameter parameter, double value) {
@@ -59,7 +59,12 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
                   }},
                  [] { GlfwWindow::wake(); }),
       files_(
-          editor_, [this] { return session_now(); }, [] { GlfwWindow::wake(); }),
+          editor_,
+          [this] {
+            editor_.note_layers();
+            return session_now();
+          },
+          [] { GlfwWindow::wake(); }),
       tool_context_{editor_, settings_.spray_spacing_px, [this](const Error& error) { report(error); },
                     [this](const Pointer& pointer) {
                       provenance_.ask(engine_, layers_, pointer, editor_.document().revision());
@@ -171,12 +176,16 @@ void App::follow_demand() {
 void App::show_first_ball() {
   const bool has_balls = editor_.document().ball_count() != 0;
   if (has_balls == std::exchange(had_balls_, has_balls) || !has_balls) return;
+  // Undone work is brought back as it was looked at.
+  if (editor_.can_redo()) return;
   std::vector<LayerIndex> layers;
   for (const std::string_view id : {"b-inner-disks", "b-inner-circles", "b-inner-centers"})
     layers.push_back(find_layer(id));
   if (layers_.soloed() != kNoSlot) return;
   if (std::ranges::any_of(layers, [this](LayerIndex layer) { return layers_.is_visible(layer); })) return;
+  editor_.note_layers();
   for (const LayerIndex layer : layers) layers_.set_visible(layer, true);
+  editor_.join_layers();
 }
 
 void App::follow_evolution() {
@@ -201,6 +210,7 @@ void App::frame() {
   canvas_.view().set_viewport(size.width, size.height);
   draw_panels();
   show_first_ball();
+  bundles_.follow_layers();
   follow_demand();
   follow_picture();
   advance_animation();

@@ -47,11 +47,13 @@ void App::bind_edit_actions() {
     };
   };
   actions_.bind(ActionId::undo, {by_hand([this] {
+                                   editor_.note_layers();
                                    messages_.remark("Undone: " + editor_.undo_name());
                                    editor_.undo();
                                  }),
                                  [this] { return editor_.can_undo(); }});
   actions_.bind(ActionId::redo, {by_hand([this] {
+                                   editor_.note_layers();
                                    messages_.remark("Redone: " + editor_.redo_name());
                                    editor_.redo();
                                  }),

@@ -5,6 +5,7 @@
 
 #include "app/window/app.h"
 #include "core/io/bundle_file.h"
+#include "core/io/text_numbers.h"
 
 namespace mes {
 
@@ -14,13 +15,13 @@ void App::bind_bundle_actions() {
   constexpr std::size_t kDigits = 9;
   for (std::size_t index = 0; index < kDigits; ++index) {
     const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::bundle_1) + index);
-    actions_.bind(id,
-                  {[this, index] {
-                     bundles_.choose(index);
-                     messages_.remark("Bundle " + std::to_string(index + 1) + ": " + bundles_.bundles()[index].name);
-                   },
-                   [this, index] { return index < bundles_.bundles().size(); },
-                   [this, index] { return bundles_.current() == index; }});
+    actions_.bind(id, {[this, index] {
+                         const std::string name = bundles_.bundles()[index].name;
+                         editor_.change_layers("Bundle " + in_quotes(name), [&] { bundles_.choose(index); });
+                         messages_.remark("Bundle " + std::to_string(index + 1) + ": " + name);
+                       },
+                       [this, index] { return index < bundles_.bundles().size(); },
+                       [this, index] { return bundles_.current() == index; }});
   }
   const auto has_some = [this] { return !bundles_.bundles().empty(); };
   actions_.bind(ActionId::save_bundle, {[this] {
@@ -52,7 +53,8 @@ void App::ask_export(std::optional<std::size_t> index) {
 }
 
 void App::import_bundles(const fs::path& file) {
-  const auto remark = bundles_.import(file);
+  Expected<std::string> remark;
+  editor_.change_layers("Import bundles", [&] { remark = bundles_.import(file); });
   if (!remark)
     report(remark.error());
   else

@@ -30,8 +30,11 @@ void App::follow_picture() {
     } else if (!picture_.set_background(find_layer("image"), *outcome->image)) {
       report({ErrorCode::out_of_memory, "there is not enough graphics memory for it", outcome->file});
     } else {
-      if (!(layers_.image().width > 0.0))
+      if (!(layers_.image().width > 0.0)) {
+        editor_.note_layers();
         layers_.set_image(placed_in(canvas_.view().free_box(), outcome->file, picture_.background_aspect()));
+        editor_.join_layers();
+      }
     }
     on_anything();
   }

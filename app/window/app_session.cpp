@@ -46,14 +46,17 @@ void App::show_as_in(const Session& session) {
   const bool is_known = find_evolution(session.evolution.id).has_value();
   evolution_.resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
   if (!session.view.is_empty()) fit_to_ = session.view;
-  notes_.take_as_noted(editor_, {layers_, computation_, session.view});
+  editor_.take_layers_as_noted();
+  if (files_.has_session_file()) editor_.set_saved_layers(layers_.configuration());
+  notes_.take_as_noted(editor_, {computation_, session.view});
 }
 
 // Surroundings are noted when they are at rest: a slider or a zoom under way is not yet what is meant.
 void App::keep_timeline() {
   const bool at_rest = !ImGui::IsAnyItemActive() && !canvas_.has_pointer() && !canvas_.view().is_moving() &&
                        fit_wanted_ == Fit::none && !files_.is_reading();
-  if (at_rest) notes_.follow(editor_, {layers_, computation_, canvas_.view().free_box()});
+  if (!ImGui::IsAnyItemActive()) editor_.note_layers();
+  if (at_rest) notes_.follow(editor_, {computation_, canvas_.view().free_box()});
   autosave_.follow(editor_, [this] { return session_now(); });
   if (const std::string problem = autosave_.take_problem(); !problem.empty()) messages_.problem(problem);
 }

@@ -339,6 +339,7 @@ std::optional<FileDesk::Saved> FileDesk::finish_saving() {
   note_known(saving->written);
   if (out.error || out.conflict) return out;
   if (saving->is_whole) editor_.mark_saved(saving->revision);
+  editor_.set_saved_layers(saving->session ? std::optional(saving->session->layers) : std::nullopt);
   return out;
 }
 

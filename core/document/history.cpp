@@ -41,14 +41,14 @@ bool History::merge_moves(DocumentDelta& earlier, const DocumentDelta& later) {
 void History::begin_gesture(std::string name) {
   MES_ASSERT(!gesture_open_);
   gesture_open_ = true;
-  gesture_ = Step{std::move(name), {}};
+  gesture_ = Step{.name = std::move(name)};
 }
 
 void History::record(const DocumentDelta& delta, const std::string& name) {
   if (delta.is_empty()) return;
   steps_.resize(position_);
   if (!gesture_open_) {
-    steps_.push_back({name, {delta}});
+    steps_.push_back({.name = name, .deltas = {delta}});
     ++position_;
     return;
   }
@@ -58,26 +58,83 @@ void History::record(const DocumentDelta& delta, const std::string& name) {
 bool History::extend(const DocumentDelta& delta, const std::string& name) {
   if (gesture_open_ || position_ == 0 || position_ != steps_.size()) return false;
   Step& last = steps_.back();
-  if (last.name != name || last.deltas.back().to_revision != delta.from_revision) return false;
+  if (!last.is_edit() || last.name != name || last.deltas.back().to_revision != delta.from_revision) return false;
   return merge_moves(last.deltas.back(), delta);
 }
 
 void History::end_gesture() {
   MES_ASSERT(gesture_open_);
   gesture_open_ = false;
-  if (gesture_.deltas.empty()) return;
+  if (!gesture_.is_edit() && !gesture_.layers) return;
   steps_.resize(position_);
   steps_.push_back(std::move(gesture_));
   ++position_;
 }
 
-std::vector<DocumentDelta> History::undo() {
-  if (!can_undo()) return {};
-  const Step& step = steps_[--position_];
+void History::record_layers(Layers layers, const std::string& name) {
+  MES_ASSERT(!gesture_open_);
+  const auto undone = steps_.begin() + static_cast<std::ptrdiff_t>(position_);
+  steps_.erase(std::remove_if(undone, steps_.end(), [](const Step& step) { return !step.is_edit(); }), steps_.end());
+  // An edit that also showed layers is redone without them: they look as they were made to look since.
+  for (std::size_t i = position_; i < steps_.size(); ++i) steps_[i].layers.reset();
+  steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(position_),
+                Step{.name = name, .layers = std::move(layers)});
+  ++position_;
+}
+
+bool History::join_layers(Layers layers) {
+  if (!gesture_open_ && position_ == 0) return false;
+  Step& step = gesture_open_ ? gesture_ : steps_[position_ - 1];
+  if (!step.layers) {
+    step.layers = std::move(layers);
+    return true;
+  }
+  append(step.layers->change, layers.change);
+  append(layers.back, step.layers->back);
+  step.layers->back = std::move(layers.back);
+  return true;
+}
+
+const LayersChanged* History::layers_of_undo() const {
+  if (!can_undo() || !steps_[position_ - 1].layers) return nullptr;
+  return &steps_[position_ - 1].layers->back;
+}
+
+const LayersChanged* History::layers_of_redo() const {
+  if (!can_redo() || !steps_[position_].layers) return nullptr;
+  return &steps_[position_].layers->change;
+}
+
+std::optional<std::size_t> History::last_edit() const {
+  if (gesture_open_) return std::nullopt;
+  for (std::size_t i = position_; i-- > 0;)
+    if (steps_[i].is_edit()) return i;
+  return std::nullopt;
+}
+
+bool History::raise_edit() {
+  const auto edit = last_edit();
+  if (!edit) return false;
+  const auto at = steps_.begin() + static_cast<std::ptrdiff_t>(*edit);
+  std::rotate(at, at + 1, steps_.begin() + static_cast<std::ptrdiff_t>(position_));
+  return true;
+}
+
+std::vector<DocumentDelta> History::back_of(const Step& step) {
   std::vector<DocumentDelta> out;
   out.reserve(step.deltas.size());
   for (auto delta = step.deltas.rbegin(); delta != step.deltas.rend(); ++delta) out.push_back(delta->inverted());
   return out;
+}
+
+std::vector<DocumentDelta> History::back_of_last_edit() const {
+  const auto edit = last_edit();
+  return edit ? back_of(steps_[*edit]) : std::vector<DocumentDelta>();
+}
+
+std::vector<DocumentDelta> History::undo() {
+  if (!can_undo()) return {};
+  return back_of(steps_[--position_]);
 }
 
 std::vector<DocumentDelta> History::redo() {

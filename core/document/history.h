@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unlimited undo and redo. One gesture, however many deltas it made, is one step.
+// Unlimited undo and redo, of the document and of how the layers look. One gesture, however many deltas it made, is
+// one step.
 //
 // Smallest use:
 //     history.begin_gesture("Move samples");
@@ -8,14 +9,21 @@
 //     for (const DocumentDelta& delta : history.undo()) document.apply(delta);
 //
 // Moves of the same samples within one gesture are merged, so that an hour of dragging costs one step's memory.
+//
+// Steps that edit the document and steps that change layers do not touch each other, so they may change places: the
+// last edit can be undone below changes of layers (`raise_edit`), and a change of layers leaves edits that can be
+// redone as they are. What `redo` would bring back of the layers is lost with such a change, as edits are with an
+// edit.
 #pragma once
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/document/delta.h"
+#include "core/document/layers_changed.h"
 
 namespace mes {
 
@@ -31,6 +39,27 @@ class History {
   /// Makes the delta part of the newest step if that has this name, nothing came between, and the delta only gives
   /// the same things other places; whether it did. If not, it is not recorded.
   bool extend(const DocumentDelta& delta, const std::string& name);
+
+  /// A change of the layers and the way back.
+  struct Layers {
+    LayersChanged change{};
+    LayersChanged back{};
+  };
+  /// Makes a change of the layers a step. Not within a gesture.
+  void record_layers(Layers layers, const std::string& name);
+  /// Makes it part of the newest step, or of the gesture; false when there is none.
+  bool join_layers(Layers layers);
+  /// What `undo` (`redo`) does to the layers, beside the deltas; null: nothing.
+  const LayersChanged* layers_of_undo() const;
+  const LayersChanged* layers_of_redo() const;
+  /// Whether `undo` (`redo`) takes a step of layers alone.
+  bool undoes_layers() const { return can_undo() && !steps_[position_ - 1].is_edit(); }
+  bool redoes_layers() const { return can_redo() && !steps_[position_].is_edit(); }
+  bool redoes_edit() const { return can_redo() && steps_[position_].is_edit(); }
+  /// Moves the last edit above the changes of layers that came after it, where `undo` takes it; false: there is none.
+  bool raise_edit();
+  /// What `raise_edit` and `undo` would give.
+  std::vector<DocumentDelta> back_of_last_edit() const;
 
   bool can_undo() const { return position_ > 0 && !gesture_open_; }
   bool can_redo() const { return position_ < steps_.size() && !gesture_open_; }
@@ -48,8 +77,12 @@ class History {
  private:
   struct Step {
     std::string name;
-    std::vector<DocumentDelta> deltas;
+    std::vector<DocumentDelta> deltas{};
+    std::optional<Layers> layers{};
+    bool is_edit() const { return !deltas.empty(); }
   };
+  static std::vector<DocumentDelta> back_of(const Step& step);
+  std::optional<std::size_t> last_edit() const;
   static bool merge_moves(DocumentDelta& earlier, const DocumentDelta& later);
 
   std::deque<Step> steps_;  // no copies to make room

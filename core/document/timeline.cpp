@@ -114,6 +114,11 @@ bool changes_document(const TimelineEntry& entry) {
          std::holds_alternative<Redone>(entry);
 }
 
+bool is_work(const TimelineEntry& entry) {
+  if (const auto* layers = std::get_if<LayersChanged>(&entry)) return layers->role != LayersChanged::Role::noted;
+  return changes_document(entry);
+}
+
 bool is_visible(const TimelineEntry& entry) {
   return !std::holds_alternative<GestureBegun>(entry) && !std::holds_alternative<GestureEnded>(entry);
 }
@@ -180,8 +185,7 @@ void Timeline::note_gesture_begun(const std::string& name) {
 void Timeline::note_gesture_ended() {
   if (!gesture_at_) return;
   bool has_edits = false;
-  for (std::size_t i = *gesture_at_; i < entries_.size() && !has_edits; ++i)
-    has_edits = std::holds_alternative<TimelineEdit>(entries_[i]);
+  for (std::size_t i = *gesture_at_; i < entries_.size() && !has_edits; ++i) has_edits = is_work(entries_[i]);
   if (has_edits)
     entries_.push_back(GestureEnded{});
   else
@@ -236,7 +240,7 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
 }
 
 Expected<void> DocumentReplay::apply_replacement(const TimelineEdit& edit) {
-  if (!history_.can_undo()) return refuse("there is no step to take the place of");
+  if (!history_.raise_edit()) return refuse("there is no step to take the place of");
   std::vector<DocumentDelta> changes = history_.undo();
   for (const DocumentDelta& back : changes) document_.apply(back);
   const auto delta = delta_of(document_, edit);
@@ -261,6 +265,35 @@ Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
   return {};
 }
 
+// The layers themselves belong to whoever shows them; here it is what can be undone of them.
+Expected<void> DocumentReplay::apply_layers(const LayersChanged& change) {
+  using Role = LayersChanged::Role;
+  switch (change.role) {
+    case Role::noted: return {};
+    case Role::step:
+    case Role::joined: {
+      if (change.back.size() != 1) return refuse("a change of the layers does not say what undoes it");
+      History::Layers layers{change, change.back.front()};
+      if (change.role == Role::step) {
+        if (history_.in_gesture()) return refuse("a change of the layers within a gesture");
+        history_.record_layers(std::move(layers), change.name);
+      } else if (!history_.join_layers(std::move(layers))) {
+        return refuse("there is no step that a change of the layers could be part of");
+      }
+      return {};
+    }
+    case Role::undone:
+      if (!history_.undoes_layers()) return refuse("there is no change of the layers to undo");
+      history_.undo();
+      return {};
+    case Role::redone:
+      if (!history_.redoes_layers()) return refuse("there is no change of the layers to redo");
+      history_.redo();
+      return {};
+  }
+  return {};
+}
+
 Expected<void> DocumentReplay::apply(const TimelineEntry& entry) {
   if (const auto* edit = std::get_if<TimelineEdit>(&entry)) return apply_edit(*edit);
   if (const auto* begun = std::get_if<GestureBegun>(&entry)) {
@@ -270,11 +303,13 @@ Expected<void> DocumentReplay::apply(const TimelineEntry& entry) {
     if (!history_.in_gesture()) return refuse("a gesture ends that never began");
     history_.end_gesture();
   } else if (std::holds_alternative<Undone>(entry)) {
-    if (!history_.can_undo()) return refuse("there is nothing to undo");
+    if (!history_.raise_edit()) return refuse("there is nothing to undo");
     for (const DocumentDelta& delta : history_.undo()) change(delta);
   } else if (std::holds_alternative<Redone>(entry)) {
-    if (!history_.can_redo()) return refuse("there is nothing to redo");
+    if (!history_.redoes_edit()) return refuse("there is nothing to redo");
     for (const DocumentDelta& delta : history_.redo()) change(delta);
+  } else if (const auto* layers = std::get_if<LayersChanged>(&entry)) {
+    return apply_layers(*layers);
   }
   return {};
 }

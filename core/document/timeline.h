@@ -3,7 +3,9 @@
 // read.
 //
 // What it guarantees:
-//  1. The data and the entries determine the document, its free rows, and everything that can be undone and redone.
+//  1. The data and the entries determine the document, its free rows, and everything that can be undone and redone,
+//  of
+//     the layers too.
 //  2. Samples and balls are named by the number of their kind: 0 is the first one since the data were opened. So the
 //     same work has the same timeline, whatever was open before.
 //  3. Entries once `settled` stay as they are; others may still be merged or dropped until their gesture ends, or
@@ -39,7 +41,7 @@
 #include "core/document/computation_settings.h"
 #include "core/document/document.h"
 #include "core/document/history.h"
-#include "core/document/layer_configuration.h"
+#include "core/document/layers_changed.h"
 
 namespace mes {
 
@@ -69,24 +71,14 @@ struct GestureBegun {
 struct GestureEnded {
   friend bool operator==(const GestureEnded&, const GestureEnded&) = default;
 };
+/// The last edit is taken back, also where changes of layers were made since: these stay. What undo does to layers is
+/// a `LayersChanged`.
 struct Undone {
   friend bool operator==(const Undone&, const Undone&) = default;
 };
 struct Redone {
   friend bool operator==(const Redone&, const Redone&) = default;
 };
-
-/// What became different between two configurations of the layers.
-struct LayersChanged {
-  std::vector<LayerConfiguration::Entry> changed{};
-  std::vector<std::string> order{};  ///< of all, bottom first; empty: as before
-  std::optional<BackgroundImage> image{};
-  bool is_empty() const { return changed.empty() && order.empty() && !image; }
-  friend bool operator==(const LayersChanged&, const LayersChanged&) = default;
-};
-LayersChanged difference(const LayerConfiguration& before, const LayerConfiguration& after);
-/// One change; a `LayerFold` applies many without looking at all layers for each.
-void apply(const LayersChanged& change, LayerConfiguration& configuration);
 
 struct SettingsChanged {
   ComputationSettings settings{};
@@ -111,6 +103,8 @@ using TimelineEntry = std::variant<TimelineEdit, GestureBegun, GestureEnded, Und
 
 /// Whether the entry is about samples and balls.
 bool changes_document(const TimelineEntry& entry);
+/// Whether the entry is something that was done and would be missed: an edit, a change of the layers by hand.
+bool is_work(const TimelineEntry& entry);
 /// Whether the entry can change what is on the picture.
 bool is_visible(const TimelineEntry& entry);
 
@@ -243,7 +237,7 @@ class DocumentReplay {
       : document_(before.successor()), listener_(std::move(listener)) {}
 
   Expected<void> begin(const SampleData& data);
-  /// Entries that are not about the document change nothing.
+  /// Entries that are neither about the document nor steps of undo change nothing.
   Expected<void> apply(const TimelineEntry& entry);
   /// Ends a gesture that was left open.
   void finish();
@@ -256,6 +250,7 @@ class DocumentReplay {
  private:
   Expected<void> apply_edit(const TimelineEdit& edit);
   Expected<void> apply_replacement(const TimelineEdit& edit);
+  Expected<void> apply_layers(const LayersChanged& change);
   void change(const DocumentDelta& delta);
 
   Document document_;

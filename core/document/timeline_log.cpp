@@ -159,7 +159,10 @@ void each(auto& /*archive*/, Some<GestureEnded> auto& /*ended*/) {}
 void each(auto& /*archive*/, Some<Undone> auto& /*undone*/) {}
 void each(auto& /*archive*/, Some<Redone> auto& /*redone*/) {}
 void each(auto& archive, Some<LayersChanged> auto& change) {
-  fields(archive, change.changed, change.order, change.image);
+  auto role = static_cast<std::uint8_t>(change.role);
+  fields(archive, role, change.changed, change.order, change.image, change.name, change.back);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(change)>>)
+    change.role = static_cast<LayersChanged::Role>(role);
 }
 void each(auto& archive, Some<SettingsChanged> auto& change) {
   if (!archive.differs(change.settings, ComputationSettings{})) return;

@@ -118,13 +118,25 @@ json to_json(const Undone& /*entry*/) {
 json to_json(const Redone& /*entry*/) {
   return {{"redo", true}};
 }
-json to_json(const LayersChanged& change) {
+json difference_to_json(const LayersChanged& change) {
   LayerConfiguration changed{change.changed, {}};
   if (change.image) changed.image = *change.image;
   json out = {{"changed", to_json(changed)}};
   if (!change.order.empty()) out["order"] = change.order;
   if (change.image) out["has_image"] = true;
-  return {{"layers", std::move(out)}};
+  return out;
+}
+json to_json(const LayersChanged& change) {
+  json out = {{"layers", difference_to_json(change)}};
+  switch (change.role) {
+    case LayersChanged::Role::noted: return out;
+    case LayersChanged::Role::step: out["step"] = change.name; break;
+    case LayersChanged::Role::joined: out["joins"] = true; break;
+    case LayersChanged::Role::undone: out["undoes"] = true; break;
+    case LayersChanged::Role::redone: out["redoes"] = true; break;
+  }
+  if (!change.back.empty()) out["back"] = difference_to_json(change.back.front());
+  return out;
 }
 json to_json(const SettingsChanged& change) {
   return {{"settings", to_json(change.settings)}};
@@ -418,6 +430,16 @@ LayersChanged layers_changed_from(JsonView object) {
   return out;
 }
 
+LayersChanged layers_entry_from(JsonView object, JsonView layers) {
+  using Role = LayersChanged::Role;
+  LayersChanged out = layers_changed_from(layers);
+  const auto [step, joins, undoes, redoes, back] = object.pick<5>({"step", "joins", "undoes", "redoes", "back"});
+  if (step) out.name = text_from(step, "step", "layers");
+  out.role = step ? Role::step : joins ? Role::joined : undoes ? Role::undone : redoes ? Role::redone : Role::noted;
+  if (back) out.back.push_back(layers_changed_from(back));
+  return out;
+}
+
 /// Nothing for a kind that is not known.
 std::optional<TimelineEntry> entry_from(JsonView object) {
   if (!object.is_object()) complain("entry", "not an object");
@@ -428,7 +450,7 @@ std::optional<TimelineEntry> entry_from(JsonView object) {
   if (end) return GestureEnded{};
   if (undo) return Undone{};
   if (redo) return Redone{};
-  if (layers) return layers_changed_from(layers);
+  if (layers) return layers_entry_from(object, layers);
   if (settings) return SettingsChanged{settings_from(settings)};
   if (view) return ViewChanged{view_from(view)};
   if (caption) {
@@ -572,7 +594,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
       if (object.find("saved")) out.unsaved_edits = 0;
       const auto entry = entry_from(object);
       if (!entry) continue;
-      out.unsaved_edits += changes_document(*entry) ? 1U : 0U;
+      out.unsaved_edits += is_work(*entry) ? 1U : 0U;
       if (const auto done = replay.apply(*entry); !done) {
         stop(done.error().text);
         break;

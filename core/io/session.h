@@ -62,7 +62,7 @@ std::string write_journal_line(const TimelineEntry& entry);
 std::string write_journal_saved();
 struct Journaled {
   Session session;                ///< with layers, settings and view as they were last
-  std::size_t unsaved_edits = 0;  ///< entries since the last save that changed the document
+  std::size_t unsaved_edits = 0;  ///< entries since the last save that changed the document, or the layers by hand
   bool is_torn = false;           ///< ends within a line, as after a crash
   std::string complaint;          ///< about the line at which reading ended early; empty: all was read
 };

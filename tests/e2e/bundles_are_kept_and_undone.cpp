@@ -215,6 +215,32 @@ TEST_CASE("the current bundle knows whether the layers are still its own") {
   CHECK_FALSE(current.is_changed(layers));
 }
 
+TEST_CASE("undo of a bundle leads back to the one before, changed as it was") {
+  const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}, {.id = "curve"}};
+  LayerStack layers(descriptors);
+  CurrentBundle current;
+  const LayerConfiguration start = layers.configuration();
+  current.choose({"a", look("curve")}, layers);
+  const LayerConfiguration a = layers.configuration();
+  layers.set_visible(0, true);
+  const LayerConfiguration changed = layers.configuration();
+  current.choose({"b", look("points")}, layers);
+  const LayerConfiguration b = layers.configuration();
+  const auto shows = [&](const LayerConfiguration& configuration) {
+    layers.set_configuration(configuration);
+    current.follow(layers);
+    return current.name() + (current.is_changed(layers) ? "*" : "");
+  };
+  CHECK(shows(changed) == "a*");
+  CHECK(shows(a) == "a");
+  CHECK(current.name() == "a");
+  current.note_renamed("A");
+  CHECK(shows(b) == "b");
+  CHECK(shows(a) == "A");
+  CHECK(shows(start) == "*");
+  CHECK(shows(b) == "b");
+}
+
 TEST_CASE("the starting bundles name layers that exist") {
   const auto [bundles, message] = read_starting_bundles("assets");
   CHECK(message.empty());
