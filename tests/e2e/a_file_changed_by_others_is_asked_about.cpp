@@ -24,10 +24,8 @@ std::string session_with(int edits) {
   Editor editor({});
   REQUIRE(editor.load(*data()));
   for (int i = 0; i < edits; ++i) REQUIRE(editor.insert(std::array{Vec2{1.0 + i, 1}}, "Insert sample"));
-  const Timeline& timeline = editor.timeline();
-  return write_session({.title = "shared.json",
-                        .data = timeline.data(),
-                        .entries = {timeline.entries().begin(), timeline.entries().end()}});
+  return write_session(
+      {.title = "shared.json", .data = editor.timeline().data(), .entries = editor.timeline().entries()});
 }
 
 /// A window on the session, moved by one pixel, when another one has saved three edits.
