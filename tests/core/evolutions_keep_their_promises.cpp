@@ -333,7 +333,7 @@ TEST_CASE("no samples, one, two and many at one place make no trouble") {
 }
 
 TEST_CASE("coordinates that leave their range are an error") {
-  SampleData data{.positions = {{-0x1.8p499, 0}, {0x1.8p499, 0x1p499}, {0, 0x1.8p499}, {0, 0x1p480}},
+  SampleData data{.positions = {{-0x1.ep499, 0}, {0x1.ep499, 0x1p499}, {0, 0x1.ep499}, {0, 0x1p480}},
                   .contours = {{true, {0, 1, 2, 3}}}};
   JobControl job;
   EvolutionStates states(beginning_of(data), choice_of("noise", {{"noise-factor", 10}}));

