@@ -44,11 +44,10 @@ TEST_CASE("the ends of the range survive writing and reading bit for bit") {
   using Limits = std::numeric_limits<double>;
   const double least = 0x1p-500;
   const double most = std::nextafter(0x1p500, 0.0);
-  for (const std::vector<double>& values :
-       std::vector<std::vector<double>>{{0.0, least, std::nextafter(least, 1.0), 1e-150, 0x1.fffffffffffffp-400},
-                                        {0.0, most, std::nextafter(most, 0.0), 1e150, 0x1p399},
-                                        {0.1, 1.0 / 3.0, 1e15 + 0.125, 9007199254740993.0, 0x1p-40,
-                                         1.0 + Limits::epsilon(), 1e14, 3e14}}) {
+  for (const std::vector<double>& values : std::vector<std::vector<double>>{
+           {0.0, least, std::nextafter(least, 1.0), 1e-150, 0x1.fffffffffffffp-400},
+           {0.0, most, std::nextafter(most, 0.0), 1e150, 0x1p399},
+           {0.1, 1.0 / 3.0, 1e15 + 0.125, 9007199254740993.0, 0x1p-40, 1.0 + Limits::epsilon(), 1e14, 3e14}}) {
     SampleData data;
     for (const double value : values)
       for (const double sign : {1.0, -1.0}) data.positions.push_back({sign * value + 0.0, values.back()});

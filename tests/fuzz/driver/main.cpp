@@ -134,7 +134,7 @@ class Fuzzing {
     std::vector<fs::path> places{request_.places[0]};
     if (const std::string from = request_.text("from"); !from.empty()) places.emplace_back(from);
     for (const Input& input : read_inputs(places))
-      if (runs_somewhere_new(input.bytes, input.name)) corpus_.push_back(input.bytes);
+      if (runs_somewhere_new(input.bytes, input.name) || !is_instrumented()) corpus_.push_back(input.bytes);
     if (corpus_.empty()) corpus_.emplace_back();
     watched_.report().inputs = corpus_.size();
   }

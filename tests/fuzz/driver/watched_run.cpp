@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -70,6 +71,7 @@ std::string WatchedRun::watch(const std::function<void()>& work, bool is_quiet) 
   const pid_t child = ::fork();
   if (child < 0) return std::string("fork: ") + std::strerror(errno);
   if (child == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (const int null = is_quiet ? ::open("/dev/null", O_WRONLY | O_CLOEXEC) : -1; null >= 0)
       ::dup2(null, STDERR_FILENO);
     watch_memory();

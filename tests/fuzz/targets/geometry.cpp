@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every layer of some samples and balls, with any number type: nothing fails, and order, translation and scaling by
+// powers of two change nothing but places.
+#include <optional>
+
+#include "tests/fuzz/graph_run.h"
+#include "tests/fuzz/scene.h"
+
+using namespace mes;
+using namespace mes::fuzz;
+
+namespace {
+
+/// p becomes shift + scale * p. Both keep the lexicographic order.
+struct Image {
+  double scale = 1.0;
+  Vec2 shift{};
+  Vec2 operator()(Vec2 p) const { return shift + scale * p; }
+};
+
+Image read_image(ByteSource& bytes) {
+  if (bytes.flag()) return {std::ldexp(1.0, static_cast<int>(bytes.small_integer()) / 2), {}};
+  return {1.0, {std::ldexp(bytes.small_integer(), bytes.byte() % 40), std::ldexp(bytes.small_integer(), 20)}};
+}
+
+/// The image of the data; nothing when it is not exact.
+std::optional<SampleData> image_of(const SampleData& data, const Image& image) {
+  const auto is_exact = [&](Vec2 p) {
+    const Vec2 q = image(p);
+    return q - image.shift == image.scale * p && (1.0 / image.scale) * (q - image.shift) == p;
+  };
+  SampleData out = data;
+  for (Vec2& p : out.positions) {
+    if (!is_exact(p)) return std::nullopt;
+    p = image(p);
+  }
+  for (Disk& ball : out.balls) {
+    if (!is_exact(ball.center) || (ball.radius * image.scale) / image.scale != ball.radius) return std::nullopt;
+    ball = {image(ball.center), ball.radius * image.scale};
+  }
+  return out;
+}
+
+/// What the state of the image must be.
+test::GeometryState image_of(test::GeometryState state, const Image& image) {
+  for (Vec2& p : state.sites) p = image(p);
+  for (auto& edge : state.edges) {
+    edge.a = image(edge.a);
+    edge.b = image(edge.b);
+  }
+  for (auto& node : state.nodes)
+    for (Vec2& p : node.corners) p = image(p);
+  for (auto* lists : {&state.chains, &state.poles})
+    for (auto& list : *lists)
+      for (Vec2& p : list) p = image(p);
+  for (auto& ball : state.balls) {
+    const Vec2 center = image({ball[0], ball[1]});
+    ball = {center.x, center.y, ball[2] * image.scale};
+  }
+  state.normals.clear();  // anchored at places, of a length of their own
+  return state;
+}
+
+/// Circumcentres are rounded where they lie, so what is made of them in doubles may differ after a translation.
+bool is_of_constructed_points(std::string_view key) {
+  for (const std::string_view word : {"-union ", "-diagram ", "-sampling ", "-difference ", "power-crust "})
+    if (key.find(word) != std::string_view::npos) return true;
+  return false;
+}
+
+void require_same(const std::map<std::string, std::int64_t>& a, const std::map<std::string, std::int64_t>& b,
+                  bool is_translated, const std::string& promise) {
+  for (const auto& [key, count] : a) {
+    if (is_translated && is_of_constructed_points(key)) continue;
+    const auto other = b.find(key);
+    require(other != b.end() && other->second == count,
+            promise + ": " + key + ' ' + std::to_string(count) + " or " +
+                (other == b.end() ? "nothing" : std::to_string(other->second)));
+  }
+}
+
+SampleData read_data(ByteSource& bytes, Precision precision) {
+  // Signs of nested roots can take seconds each.
+  const std::size_t most = precision == Precision::fast ? 40 : 8;
+  const std::size_t balls = bytes.below(most / 2);
+  // ... and hours where magnitudes are far apart.
+  PlaceSource places(bytes, static_cast<Places>(bytes.below(precision == Precision::exact_roots ? 3 : 4)));
+  SampleData out;
+  for (std::size_t i = 0; i < balls; ++i) out.balls.push_back(places.disk());
+  while (!bytes.is_at_end() && out.positions.size() < most) out.positions.push_back(places.point());
+  return out;
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
+  ByteSource bytes(data, size);
+  const ComputationSettings settings = read_settings(bytes);
+  const Image image = read_image(bytes);
+  const bool is_about_order = bytes.flag();
+  const SampleData scene = read_data(bytes, settings.precision);
+  Document document;
+  if (const auto delta = replace_all(document, scene); delta) {
+    document.apply(*delta);
+  } else {
+    require_message(delta.error().text);
+    return 0;
+  }
+
+  constexpr std::size_t kFew = 8;
+  const bool is_small = document.sample_count() <= kFew && document.ball_count() <= kFew;
+  const auto original = fresh_run(data_of(document, false), settings, is_small);
+  const std::string broken = test::broken_row(original->graph());
+  require(broken.empty(), "rows refer to each other as they should: " + broken);
+  if (settings.precision == Precision::naive) return 0;  // may lie
+  if (is_about_order) {
+    const auto reversed = fresh_run(data_of(document, true), settings, is_small);
+    const std::string differs = test::difference(reversed->state(), original->state());
+    require(differs.empty(), "the order of the samples does not matter: " + differs);
+    require_same(original->counts(), reversed->counts(), false, "the order of the samples does not matter");
+  } else if (const auto moved = image_of(data_of(document, false), image); moved) {
+    Document other;
+    if (!replace_all(other, *moved)) return 0;  // out of the range of coordinates
+    const auto run = fresh_run(*moved, settings, is_small);
+    test::GeometryState state = run->state();
+    state.normals.clear();
+    const std::string differs = test::difference(state, image_of(original->state(), image));
+    require(differs.empty(), "places and size do not matter: " + differs);
+    require_same(original->counts(), run->counts(), image.shift != Vec2{}, "places and size do not matter");
+  }
+  return 0;
+} catch (const TooMuchWork&) {
+  return 0;  // nothing is known
+}
