@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs tests under sanitizers. Arguments after the first are handed to CTest.
+#
+#   scripts/sanitize.sh [asan]     address and undefined behaviour: geometry, files, the window's model, inputs of fuzzers
+#   scripts/sanitize.sh tsan       threads: the engine, saving and recording; before a release
+set -uo pipefail
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+kind=${1:-asan}
+if (($# > 0)); then shift; fi
+case $kind in
+  asan)
+    targets=(test_document test_geometry test_exactness test_io window_model_tests fuzzers)
+    # What takes minutes under a sanitizer without reaching other code is left to the release.
+    tests='^(test_document|test_exactness|test_io|window_model_tests|fuzz)\.'
+    ;;
+  tsan)
+    targets=(test_document test_engine test_failures window_model_tests)
+    tests='^(test_document|test_engine|test_failures|window_model_tests)\.'
+    ;;
+  *) fail "unknown kind '$kind'; there are asan and tsan" ;;
+esac
+
+"$root/scripts/install_packages.sh" test || exit 1
+configure "$kind"
+build "$kind" --target "${targets[@]}"
+exec ctest --test-dir "build/$kind" --output-on-failure --parallel "$(job_count)" --tests-regex "$tests" "$@"
