@@ -221,7 +221,7 @@ Session Life::session() const {
   Session out;
   out.title = "soak";
   out.data = editor_.timeline().data();
-  out.entries.assign(editor_.timeline().entries().begin(), editor_.timeline().entries().end());
+  out.entries = editor_.timeline().entries();
   out.layers = configuration_;
   out.settings = settings_;
   return out;

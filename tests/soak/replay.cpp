@@ -45,8 +45,9 @@ Session shortened(Session session, int most) {
   for (std::size_t length = (session.entries.size() + 1) / 2; length != 0; length /= 2) {
     for (std::size_t first = 0; first + length <= session.entries.size() && most > 0;) {
       Session candidate = session;
-      const auto at = candidate.entries.begin() + static_cast<std::ptrdiff_t>(first);
-      candidate.entries.erase(at, at + static_cast<std::ptrdiff_t>(length));
+      candidate.entries = TimelineLog(session.entries.between(0, first));
+      for (const TimelineEntry& entry : session.entries.between(first + length, session.entries.size()))
+        candidate.entries.push_back(entry);
       --most;
       if (trouble_of(candidate).empty())
         first += length;
