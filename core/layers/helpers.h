@@ -74,7 +74,13 @@ inline void emit_dual(const Delaunay& delaunay, const OneStepCrust& crust, Slot 
   const Vec2 left = delaunay.circumcenter(row.f[0]);
   const Vec2 right = delaunay.circumcenter(row.f[1]);
   if (left_finite && right_finite) {
-    out.segment(left, crust.is_cocircular(edge) ? left : right, scalar);
+    if (crust.is_cocircular(edge)) {
+      // One point, rounded differently for either face; which of them is the left one depends on history.
+      const Vec2 middle = lexicographically_less(right, left) ? right : left;
+      out.segment(middle, middle, scalar);
+    } else {
+      out.segment(left, right, scalar);
+    }
   } else if (left_finite) {
     out.ray(left, -perpendicular(b - a), scalar);
   } else {

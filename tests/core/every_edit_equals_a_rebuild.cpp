@@ -2,6 +2,7 @@
 // Random edit scripts: after every edit each structure, and every layer's instances, equal those of a graph that sees
 // the final samples only.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <map>
@@ -201,6 +202,16 @@ TEST_CASE("duplicates of a few positions") {
     return Vec2{std::cos(t), std::sin(t)};
   };
   for (std::uint64_t seed = 51; seed <= 54; ++seed) play_script(source, 60, 300, seed, 0.0);
+}
+
+TEST_CASE("exactly cocircular samples, whose common centre each triangle rounds in its own way") {
+  const Source source = [](Rng& rng) {
+    constexpr std::array<Vec2, 12> kCircle{
+        {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}}};
+    const Vec2 middle{10.0 * static_cast<double>(rng.below(3)), 10.0 * static_cast<double>(rng.below(2))};
+    return kCircle[rng.below(12)] + middle;
+  };
+  for (std::uint64_t seed = 71; seed <= 76; ++seed) play_script(source, 30, 300, seed, 1.0);
 }
 
 TEST_CASE("balls among samples, in steps of their own and in common ones") {

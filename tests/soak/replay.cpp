@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/soak/replay.h"
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 
 #include "app/layer_stack.h"
 #include "tests/soak/picture_check.h"
@@ -44,10 +46,10 @@ Session shortened(Session session, int most) {
   if (trouble_of(session).empty()) return session;
   for (std::size_t length = (session.entries.size() + 1) / 2; length != 0; length /= 2) {
     for (std::size_t first = 0; first + length <= session.entries.size() && most > 0;) {
+      std::vector<TimelineEntry> left = session.entries.between(0, first);
+      std::ranges::move(session.entries.between(first + length, session.entries.size()), std::back_inserter(left));
       Session candidate = session;
-      candidate.entries = TimelineLog(session.entries.between(0, first));
-      for (const TimelineEntry& entry : session.entries.between(first + length, session.entries.size()))
-        candidate.entries.push_back(entry);
+      candidate.entries = TimelineLog(left.begin(), left.end());
       --most;
       if (trouble_of(candidate).empty())
         first += length;

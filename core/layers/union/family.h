@@ -122,7 +122,8 @@ inline void emit_v_dual(const UnionTables& t, const VEdge& edge, Instance& out) 
     const VFace& left = t.v_faces[edge.f[0]];
     const VFace& right = t.v_faces[edge.f[1]];
     const bool same_circle = left.ball != kNoSlot && left.ball == right.ball;
-    out.segment(left.center, same_circle ? left.center : right.center);
+    const bool is_turned = same_circle && lexicographically_less(right.center, left.center);
+    out.segment(is_turned ? right.center : left.center, same_circle && !is_turned ? left.center : right.center);
   } else if (edge.f[0] != kNoSlot) {
     out.ray(t.v_faces[edge.f[0]].center, -perpendicular(b - a));
   } else if (edge.f[1] != kNoSlot) {
