@@ -346,16 +346,20 @@ void Graph::report(FramePatch& out) {
     report.findings.clear();
     report.is_judging = want_findings_ && node.structure->has_verdict() && node.state == NodeState::up_to_date;
     report.kernel = node.structure->kernel();
-    if (want_findings_ && node.needed && node.state == NodeState::up_to_date) {
-      if (node.findings_run < node.changed || node.findings_run == 0) {
+    if (!node.needed || node.state != NodeState::up_to_date) continue;
+    // After a run that was stopped, the tables of inputs may be newer than its own, and what it says of itself reads
+    // both.
+    const bool may_ask = node.synced == run_;
+    if (want_findings_) {
+      if (may_ask && (node.findings_run < node.changed || node.findings_run == 0)) {
         node.findings.clear();
         node.structure->find(node.findings);
         node.findings_run = run_;
       }
       report.findings = node.findings;
     }
-    if (!want_statistics_ || !node.needed || node.state != NodeState::up_to_date) continue;
-    if (node.stats_run < node.changed || node.stats.empty()) {
+    if (!want_statistics_) continue;
+    if (may_ask && (node.stats_run < node.changed || node.stats.empty())) {
       node.stats = node.structure->statistics();
       node.stats_run = run_;
     }
