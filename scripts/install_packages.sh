@@ -15,7 +15,7 @@ build_packages=(
   libstb-dev libdeflate-dev                                # PNG
   libcli11-dev nlohmann-json3-dev                          # command line, JSON
 )
-test_packages=(catch2 xvfb xdotool)
+test_packages=(catch2 xvfb xdotool imagemagick)
 bench_packages=(libbenchmark-dev)
 format_packages=(clang-format-14)
 

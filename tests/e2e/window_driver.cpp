@@ -31,7 +31,7 @@ void require_tools() {
     if (has_program(tool)) continue;
     if (const char* ci = std::getenv("CI"); ci != nullptr && ci[0] != '\0') FAIL(tool << " is missing");
     std::fprintf(stderr, "skipped: %s is missing\n", tool);
-    std::exit(4);
+    std::exit(77);
   }
 }
 

@@ -82,7 +82,7 @@ class Screenshot {
 /// Reads any picture ImageMagick can; empty when there is none.
 Screenshot read_picture(const std::filesystem::path& file);
 
-/// A virtual screen of 1280 x 800 pixels. Where the tools for it are missing the test is skipped (exit code 4), on a
+/// A virtual screen of 1280 x 800 pixels. Where the tools for it are missing the test is skipped (exit code 77), on a
 /// build machine (CI set) it fails.
 class VirtualScreen {
  public:
