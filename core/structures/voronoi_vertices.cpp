@@ -2,6 +2,7 @@
 #include "core/structures/voronoi_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <span>
 
@@ -16,6 +17,14 @@ bool VoronoiVertices::has_cocircular_edge(Slot face) const {
   return false;
 }
 
+std::array<Vec2, 3> VoronoiVertices::sorted_corners(Slot face) const {
+  const auto& v = delaunay_.face(face).v;
+  std::array<Vec2, 3> out{delaunay_.site_position(v[0]), delaunay_.site_position(v[1]),
+                          delaunay_.site_position(v[2])};
+  std::ranges::sort(out, lexicographically_less);
+  return out;
+}
+
 void VoronoiVertices::gather_group(Slot face) {
   const Slot id = next_group_++;
   std::vector<Slot> members{face};
@@ -27,13 +36,15 @@ void VoronoiVertices::gather_group(Slot face) {
       if (group_of_.try_emplace(row.n[i], id).second) members.push_back(row.n[i]);
     }
   }
-  // Each face of the group has the circle rounded in its own way. The first of these circles is drawn for all.
+  // Each face of the group has the circle rounded in its own way, and other corners to make balls of. The first of
+  // them stands for all.
   const auto comes_before = [this](Slot x, Slot y) {
     const FaceRow& a = delaunay_.face(x);
     const FaceRow& b = delaunay_.face(y);
     if (const auto order = std::strong_order(a.center.x, b.center.x); order != 0) return order < 0;
     if (const auto order = std::strong_order(a.center.y, b.center.y); order != 0) return order < 0;
-    return std::strong_order(a.radius, b.radius) < 0;
+    if (const auto order = std::strong_order(a.radius, b.radius); order != 0) return order < 0;
+    return std::ranges::lexicographical_compare(sorted_corners(x), sorted_corners(y), lexicographically_less);
   };
   std::ranges::iter_swap(members.begin(), std::ranges::min_element(members, comes_before));
   groups_.emplace(id, std::move(members));

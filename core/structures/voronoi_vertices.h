@@ -2,6 +2,7 @@
 // The vertices of the Voronoi diagram: finite Delaunay faces, with those of one circumcircle known as one.
 #pragma once
 
+#include <array>
 #include <unordered_map>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace mes {
 /// What it guarantees:
 ///  1. Two finite faces have the same `vertex` exactly when their circumcircles are equal as real circles (cocircular
 ///     sites); the decision is exact.
-///  2. `vertex(face)` is one face of the group; the first by its centre and radius in doubles.
+///  2. `vertex(face)` is one face of the group; the first by centre and radius in doubles, then by corners.
 ///
 /// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups).
 class VoronoiVertices final : public Structure {
@@ -49,6 +50,7 @@ class VoronoiVertices final : public Structure {
 
  private:
   bool has_cocircular_edge(Slot face) const;
+  std::array<Vec2, 3> sorted_corners(Slot face) const;
   void gather_group(Slot face);
 
   Delaunay& delaunay_;
