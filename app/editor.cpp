@@ -301,8 +301,13 @@ void Editor::set_saved_layers(std::optional<LayerConfiguration> layers) {
 
 void Editor::show_layers(LayersChanged change, LayersChanged::Role role) {
   if (layers_ == nullptr) return;
+  // What was changed within a gesture that is cancelled is not noted yet, and stays so.
+  const bool is_pending = layers_->revision() != noted_revision_;
   layers_->apply(change);
-  take_layers_as_noted();
+  if (is_pending && noted_layers_)
+    mes::apply(change, *noted_layers_);
+  else
+    take_layers_as_noted();
   change.role = role;
   timeline_.note(std::move(change));
 }

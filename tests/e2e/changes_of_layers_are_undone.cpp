@@ -244,10 +244,13 @@ TEST_CASE("a gesture that is cancelled leaves what was done to the layers meanwh
   Desk desk;
   desk.editor.begin_gesture("Drag");
   desk.insert();
+  desk.layers.set_visible(kDelaunay, true);
+  desk.editor.join_layers();
   desk.layers.set_visible(kVoronoi, true);
   desk.editor.cancel_gesture();
   CHECK(desk.samples() == 3);
   CHECK(desk.layers.is_visible(kVoronoi));
+  CHECK_FALSE(desk.layers.is_visible(kDelaunay));
   desk.editor.note_layers();
   CHECK(desk.editor.undo_name() == "Show voronoi");
 }
