@@ -12,7 +12,7 @@ kind=${1:-asan}
 if (($# > 0)); then shift; fi
 case $kind in
   asan)
-    targets=(test_document test_geometry test_exactness test_io window_model_tests fuzzers)
+    targets=(test_document test_exactness test_io window_model_tests fuzzers)
     # What takes minutes under a sanitizer without reaching other code is left to the release.
     tests='^(test_document|test_exactness|test_io|window_model_tests|fuzz)\.'
     ;;
