@@ -76,21 +76,23 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
                                       bool has_scalars) {
   const std::size_t stride = stride_of(kind_);
   MES_ASSERT(data.size() >= count * stride);
+  const std::size_t doubles = layout_of(kind_).doubles();
+  decltype(extent_) extent{};
+  // First, so that what is there stays when there is no room.
+  std::vector<double> encoded(count * doubles);
+  for (std::size_t i = 0; i < count; ++i) {
+    encode_instance(kind_, frame, data.subspan(i * stride, stride), std::span(encoded).subspan(i * doubles, doubles),
+                    extent);
+  }
   if (has_scalars != has_scalars_) clear();
   has_scalars_ = has_scalars;
   frame_ = frame;
-  extent_ = {};
+  extent_ = extent;
   store_.clear();
   count_ = 0;
   reserve(count, 0);
   count_ = count;
   if (count == 0) return 0;
-  const std::size_t doubles = layout_of(kind_).doubles();
-  std::vector<double> encoded(count * doubles);
-  for (std::size_t i = 0; i < count; ++i) {
-    encode_instance(kind_, frame_, data.subspan(i * stride, stride), std::span(encoded).subspan(i * doubles, doubles),
-                    extent_);
-  }
   const ByteRange all{0, encoded.size() * sizeof(double)};
   device_->update_buffer(buffer_, std::span(&all, 1), std::as_bytes(std::span(encoded)));
   if (!has_scalars_) return all.size;
@@ -117,8 +119,13 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
   if (patch.count > capacity_) reserve(patch.count, count_);
   count_ = patch.count;
   if (count_ == 0) extent_ = {};
-  if (has_scalars_) store_.resize(count_);
-  return write(patch.index, patch.data);
+  try {
+    if (has_scalars_) store_.resize(count_);
+    return write(patch.index, patch.data);
+  } catch (const std::bad_alloc&) {
+    clear();  // half of it would be wrong
+    throw;
+  }
 }
 
 std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::span<const double> data) {

@@ -131,14 +131,17 @@ void App::run() {
   record_.end();
 }
 
-// The layers that are grey say nothing by themselves; this does, until there is room again.
+// The layers that are grey say nothing by themselves; this does, once for each state of the document, until there is
+// room again.
 void App::tell_of_memory() {
-  const bool lacks = picture_.lacks_memory();
-  if (lacks == std::exchange(lacks_memory_, lacks)) return;
-  if (lacks)
-    messages_.problem(memory_problem(editor_.document().sample_count(), editor_.document().ball_count()));
-  else if (is_memory_problem(messages_.problem()))
-    messages_.clear_problem();
+  if (!picture_.lacks_memory()) {
+    if (std::exchange(memory_told_at_, std::nullopt) && is_memory_problem(messages_.problem()))
+      messages_.clear_problem();
+    return;
+  }
+  const Document& document = editor_.document();
+  if (std::exchange(memory_told_at_, document.revision()) == document.revision()) return;
+  messages_.problem(memory_problem(document.sample_count(), document.ball_count()));
 }
 
 PanelContext App::panel_context() {
@@ -165,8 +168,24 @@ PanelContext App::panel_context() {
           [this](std::optional<std::size_t> index) { ask_export(index); }};
 }
 
+// Asks for nothing while there is no room for pictures and nothing changes; after a change for everything anew.
+bool App::waits_for_room() {
+  if (!picture_.is_lost()) return false;
+  const std::pair now{layers_.demand_revision(), editor_.document().revision()};
+  if (engine_.status().busy) return true;
+  if (!demands_nothing_) {
+    demands_nothing_ = true;
+    lost_at_ = now;
+    engine_.set_demand({});
+    return true;
+  }
+  return lost_at_ == now;
+}
+
 void App::follow_demand() {
-  if (layers_.demand_revision() == demand_seen_) return;
+  if (waits_for_room()) return;
+  if (layers_.demand_revision() == demand_seen_ && !std::exchange(demands_nothing_, false)) return;
+  demands_nothing_ = false;
   demand_seen_ = layers_.demand_revision();
   engine_.set_demand(layers_.visible_layers());
   picture_.forget_hidden(layers_);

@@ -158,6 +158,7 @@ class App final : private WindowListener {
   void frame();
   void draw_panels();
   void draw_pointer_marks();
+  bool waits_for_room();
   void follow_demand();
   void show_first_ball();
   void follow_evolution();
@@ -227,10 +228,12 @@ class App final : private WindowListener {
   std::filesystem::path traced_with_next_;  // when what is being read is there
   bool had_first_file_ = false;
   bool is_closing_ = false;
-  bool lacks_memory_ = false;  // as told last
-  int frames_wanted_ = 3;      // the panels need a few frames to settle after an event
+  std::optional<std::uint64_t> memory_told_at_;  // revision of the document
+  int frames_wanted_ = 3;                        // the panels need a few frames to settle after an event
   double last_frame_ = 0.0;
   std::uint64_t demand_seen_ = 0;
+  bool demands_nothing_ = false;                     // the picture was lost
+  std::pair<std::uint64_t, std::uint64_t> lost_at_;  // revisions of demand and document then
   bool had_balls_ = false;
   struct Event {
     bool is_move = false;

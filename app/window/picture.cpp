@@ -39,14 +39,46 @@ void Picture::check(const FramePatch& patch) {
       MES_ASSERT(scene_.instances(layer.layer, kind) == mirror_->count(layer.layer, kind));
 }
 
+bool Picture::apply(const FramePatch& patch) {
+  try {
+    scene_.apply(patch);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+// Every layer that is in demand and up to date is in it, whole. Nothing in demand is no answer.
+bool Picture::brings_all(const FramePatch& patch) {
+  const auto sent = std::span(patch.layers).first(patch.layer_count);
+  return !sent.empty() && std::ranges::all_of(patch.reports, [sent](const LayerReport& report) {
+    if (report.state != NodeState::up_to_date) return true;
+    const auto found = std::ranges::find(sent, report.layer, &LayerPatch::layer);
+    return found != sent.end() &&
+           std::ranges::all_of(found->kinds, [](const KindPatch& kind) { return kind.reset || kind.is_empty(); });
+  });
+}
+
 bool Picture::take_from(Engine& engine) {
   bool took = false;
   while (auto patch = engine.poll()) {
-    scene_.apply(*patch);
-    if (mirror_) check(*patch);
+    // What builds on a patch that was lost is lost too, until the layers are sent whole.
+    if (is_lost_ && !brings_all(*patch)) {
+      engine.recycle(std::move(patch));
+      continue;
+    }
+    is_lost_ = !apply(*patch);
+    if (mirror_ && !is_lost_) check(*patch);
     document_revision_ = patch->document_revision;
     reports_.swap(patch->reports);
     nodes_.swap(patch->nodes);
+    if (is_lost_) {
+      for (LayerReport& report : reports_) {
+        if (report.state != NodeState::up_to_date) continue;
+        report.state = NodeState::failed;
+        report.reason = kOutOfMemory;
+      }
+    }
     if (patch->provenance) provenance_ = std::move(patch->provenance);
     engine.recycle(std::move(patch));
     took = true;

@@ -73,6 +73,9 @@ class Picture {
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
   const std::vector<NodeReport>& nodes() const { return nodes_; }
+  /// There was no room for a patch: the layers are grey until the engine is asked for all of them anew, by a demand
+  /// for none and then for these.
+  bool is_lost() const { return is_lost_; }
   /// Some layers show their last picture because there was no room for another.
   bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
   /// The document state that is on screen.
@@ -100,6 +103,8 @@ class Picture {
   void check(const FramePatch& patch);
   std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers,
                                                               const std::optional<Rgb>& background) const;
+  bool apply(const FramePatch& patch);
+  static bool brings_all(const FramePatch& patch);
   void mark_selection(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_disk_layer(const LayerStack& layers) const;
@@ -111,6 +116,7 @@ class Picture {
   std::unique_ptr<LayerMirror> mirror_;  // null unless patches are checked
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
+  bool is_lost_ = false;
   std::unique_ptr<Provenance> provenance_;
   std::uint64_t document_revision_ = 0;
   std::uint64_t patches_ = 0;

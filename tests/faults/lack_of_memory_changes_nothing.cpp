@@ -13,6 +13,8 @@
 #include "core/graph/theorem_light.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
+#include "render/recording_device.h"
+#include "render/scene.h"
 #include "tests/faults/faulty_memory.h"
 
 using namespace mes;
@@ -224,6 +226,42 @@ TEST_CASE("whichever allocation of a computation fails, the next edit brings the
   }
   CHECK(failures > 50);
   CHECK(reported > failures / 2);
+}
+
+TEST_CASE("instances for which there is no room leave those that are there, or none") {
+  const auto points = [](std::uint32_t count, bool reset) {
+    FramePatch patch;
+    patch.layer_count = 1;
+    patch.layers.emplace_back();
+    KindPatch& kind = patch.layers[0][PrimitiveKind::point];
+    kind.reset = reset;
+    kind.count = count;
+    kind.count_changed = true;
+    for (std::uint32_t i = 0; i < count && !reset; ++i) kind.index.push_back(i);
+    kind.data.assign(std::size_t{count} * stride_of(PrimitiveKind::point), 0.25);
+    return patch;
+  };
+  for (const bool reset : {true, false}) {
+    const FramePatch few = points(3, true);
+    const FramePatch many = points(5000, reset);
+    const int failures = with_each_allocation_failing([&](int call) {
+      render::RecordingDevice device;
+      render::Scene scene(device);
+      scene.apply(few);
+      try {
+        const FailingMemory failing(call);
+        scene.apply(many);
+        return failing.has_failed();
+      } catch (const std::bad_alloc&) {
+      }
+      const std::uint32_t left = scene.instances(0, PrimitiveKind::point);
+      CHECK((left == 0 || left == 3));
+      scene.apply(points(5000, true));
+      CHECK(scene.instances(0, PrimitiveKind::point) == 5000);
+      return true;
+    });
+    CHECK(failures > 0);
+  }
 }
 
 TEST_CASE("what is said about memory gives the reason and what to do") {
