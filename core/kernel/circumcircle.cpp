@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/kernel/two_doubles.h"
+
 namespace mes {
 namespace {
 
@@ -45,6 +47,31 @@ std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   return Circle{a + Vec2{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent)}, std::ldexp(radius, exponent)};
 }
 
+// The same with numbers of two doubles, which tell slivers from segments where doubles cannot: nothing where fewer
+// than 40 bits are sure. Scaled likewise, so what products lose below the range of doubles never decides.
+std::optional<Circle> careful_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
+  const Vec2 u = b - a;
+  const Vec2 v = c - a;
+  const double size = std::max({std::abs(u.x), std::abs(u.y), std::abs(v.x), std::abs(v.y)});
+  if (!(size > 0.0 && std::isfinite(size))) return std::nullopt;
+  const int exponent = size > 0x1p-60 && size < 0x1p60 ? 0 : std::ilogb(size);
+  const auto between = [exponent](double from, double to) {
+    return TwoDoubles::difference(std::ldexp(to, -exponent), std::ldexp(from, -exponent));
+  };
+  const TwoDoubles ux = between(a.x, b.x), uy = between(a.y, b.y), vx = between(a.x, c.x), vy = between(a.y, c.y);
+  const TwoDoubles four_areas = 2.0 * (ux * vy - uy * vx);
+  const TwoDoubles uu = ux * ux + uy * uy;
+  const TwoDoubles vv = vx * vx + vy * vy;
+  const TwoDoubles x = vy * uu - uy * vv;
+  const TwoDoubles y = ux * vv - vx * uu;
+  constexpr double kSure = 0x1p-40;
+  const double reach = std::max(std::abs(x.value()), std::abs(y.value()));
+  if (!(four_areas.error() < kSure * std::abs(four_areas.value()))) return std::nullopt;
+  if (!(std::max(x.error(), y.error()) < kSure * reach)) return std::nullopt;
+  const Vec2 d{x.value() / four_areas.value(), y.value() / four_areas.value()};
+  return Circle{a + Vec2{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent)}, std::ldexp(length(d), exponent)};
+}
+
 Circle exact_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   using Rational = CGAL::Exact_rational;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -64,6 +91,7 @@ Circle exact_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
 
 Circle circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   if (const auto quick = quick_circumcircle(a, b, c)) return *quick;
+  if (const auto careful = careful_circumcircle(a, b, c)) return *careful;
   return exact_circumcircle(a, b, c);
 }
 

@@ -30,6 +30,11 @@ class TwoDoubles {
     return high_ > enough ? 1 : (-high_ > enough ? -1 : 0);
   }
 
+  /// Rounded to a double.
+  double value() const { return high_ + low_; }
+  /// How far the true value may be from `value`, less a unit in its last place.
+  double error() const { return bound_ * (1.0 + 0x1p-40); }
+
   TwoDoubles operator-() const { return {-high_, -low_, bound_}; }
   friend TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
     const TwoDoubles s = sum_of(a.high_, b.high_);
