@@ -90,11 +90,22 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   extent_ = extent;
   store_.clear();
   count_ = 0;
+  try {
+    return fill(count, encoded, data);
+  } catch (const std::bad_alloc&) {
+    clear();  // half of it would be wrong
+    throw;
+  }
+}
+
+std::uint64_t InstanceBuffer::fill(std::uint32_t count, std::span<const double> encoded,
+                                   std::span<const double> data) {
+  const std::size_t stride = stride_of(kind_);
   reserve(count, 0);
   count_ = count;
   if (count == 0) return 0;
-  const ByteRange all{0, encoded.size() * sizeof(double)};
-  device_->update_buffer(buffer_, std::span(&all, 1), std::as_bytes(std::span(encoded)));
+  const ByteRange all{0, encoded.size_bytes()};
+  device_->update_buffer(buffer_, std::span(&all, 1), std::as_bytes(encoded));
   if (!has_scalars_) return all.size;
   store_.resize(count);
   for (std::size_t i = 0; i < count; ++i) store_.set(i, data[i * stride + stride - 1]);

@@ -49,6 +49,7 @@ class InstanceBuffer {
   void swap(InstanceBuffer& other) noexcept;
   void reserve(std::size_t instances, std::size_t keep);
   std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data);
+  std::uint64_t fill(std::uint32_t count, std::span<const double> encoded, std::span<const double> data);
   std::uint64_t write_scalars(std::span<const ByteRange> ranges, std::span<const double> scalars);
 
   Device* device_ = nullptr;

@@ -142,6 +142,7 @@ void App::tell_of_memory() {
   const Document& document = editor_.document();
   if (std::exchange(memory_told_at_, document.revision()) == document.revision()) return;
   messages_.problem(memory_problem(document.sample_count(), document.ball_count()));
+  frames_wanted_ = std::max(frames_wanted_, kSettlingFrames);  // a new panel is measured first
 }
 
 PanelContext App::panel_context() {

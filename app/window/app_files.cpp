@@ -78,6 +78,8 @@ void App::take_read_file() {
   fit_wanted_ = had_first_file_ ? Fit::glide : Fit::at_once;
   // What is to be told at the start stays to be read.
   if (had_first_file_) messages_.clear_problem();
+  memory_told_at_.reset();
+  tell_of_memory();
   had_first_file_ = true;
   if (!outcome->is_shape)
     for (const fs::path& file : outcome->files) remember_file(settings_, file);
