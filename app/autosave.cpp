@@ -74,7 +74,7 @@ class OpenJournal {
   OpenJournal(const OpenJournal&) = delete;
   OpenJournal& operator=(const OpenJournal&) = delete;
 
-  /// It was left behind, and nobody else is asking about it.
+  /// It was left behind, and no other program is asking about it.
   bool is_left(const fs::path& file) const {
     return descriptor_ >= 0 && try_lock(descriptor_) == LockTry::locked && is_named(file, descriptor_);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters that are not at their defaults, in words, so that no picture depends on a number nobody sees.
+// Parameters that are not at their defaults, in words, so that no picture depends on a number that is not on screen.
 #pragma once
 
 #include <cstddef>

@@ -61,7 +61,7 @@ class Editor {
   /// control of theirs is held, so that a slider being dragged makes one step; edits and undo call it first. The
   /// first time after `load` it notes how the layers are, and that is no step.
   void note_layers(const std::string& name = {});
-  /// The same for a change that somebody else makes between, as one step.
+  /// The same for the change that the function makes, as one step.
   template <class Change>
   void change_layers(const std::string& name, Change change) {
     note_layers();

@@ -28,7 +28,7 @@ std::vector<PlayStep> steps_of(const TimelineLog& entries);
 /// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are
 /// those of that moment, and the patches handed on make the whole picture; the same session gives the same pictures
 /// in every run. What is drawn first within a layer depends on the steps before, so each step is to be completed also
-/// where nobody looks at it. The cost of a step grows with what its entries change, not with what came before.
+/// where no caller looks at it. The cost of a step grows with what its entries change, not with what came before.
 ///
 /// Smallest use:
 ///     Player player(session, [&](const FramePatch& patch) { scene.apply(patch); });

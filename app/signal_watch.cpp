@@ -39,7 +39,7 @@ int SignalWatch::wait_until(Clock::time_point end) const {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(rest);
     const timespec time{seconds.count(), (rest - seconds).count()};
     const int signal = ::sigtimedwait(&signals_, nullptr, &time);
-    // A SIGUSR1 of somebody else means nothing here.
+    // A SIGUSR1 from another process means nothing here.
     if (signal > 0 && (signal != SIGUSR1 || is_over_)) return signal;
     if (Clock::now() >= end) return 0;
   }

@@ -119,7 +119,7 @@ std::string describe(RangeFault fault, std::string_view named, const Magnitudes&
 /// The same, with the number's shortest decimal form for a name.
 std::string describe(RangeFault fault, double x, const Magnitudes& others = {});
 
-/// Both rules, as they are told wherever input is documented.
+/// Both rules in words, for everything that documents input.
 std::string_view coordinate_range_in_words();
 
 }  // namespace mes

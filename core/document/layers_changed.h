@@ -13,8 +13,8 @@ namespace mes {
 
 /// What became different between two configurations of the layers.
 struct LayersChanged {
-  /// A step of undo is told by its first change; what undo and redo do to the layers later is a change again, so that
-  /// whoever wants to know how the layers look needs no history.
+  /// A step of undo is recorded with its first change; what undo and redo do to the layers later is a change again,
+  /// so that knowing how the layers look takes no history.
   enum class Role : std::uint8_t {
     noted,   ///< no step of undo: as the layers were at the beginning, or what came with an edit that was undone
     step,    ///< a step of its own

@@ -265,7 +265,7 @@ Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
   return {};
 }
 
-// The layers themselves belong to whoever shows them; here it is what can be undone of them.
+// The layers themselves belong to the window or the player; only what can be undone of them is kept here.
 Expected<void> DocumentReplay::apply_layers(const LayersChanged& change) {
   using Role = LayersChanged::Role;
   switch (change.role) {

@@ -19,7 +19,7 @@ namespace mes {
 ///  2. Digests of disjoint sets add up to that of their union.
 ///
 /// Two sums of 64 bits, each of an independent hash of the instances; by accident different sets agree about once in
-/// 2^128 pairs. It is no defence against somebody who wants them to.
+/// 2^128 pairs. It does not defend against collisions made on purpose.
 ///
 /// Cost: some ten nanoseconds an instance. Threads: plain data.
 struct LayerDigest {

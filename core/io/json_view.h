@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON read where it stands: values are pieces of the text, and nothing is built that nobody asks for.
+// JSON read where it stands: values are pieces of the text, and only what is asked for is built.
 #pragma once
 
 #include <array>

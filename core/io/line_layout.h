@@ -20,7 +20,7 @@ namespace mes {
 /// Cost: constant time a number, constant memory.
 class LineLayout {
  public:
-  /// Numbers on the line of the header are part of no layout: whoever writes so spreads them freely.
+  /// Numbers on the line of the header are part of no layout: such a file spreads its numbers freely.
   LineLayout(std::size_t numbers_each, std::uint64_t header_line) : each_(numbers_each), header_line_(header_line) {}
 
   /// The next number of the file.

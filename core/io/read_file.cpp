@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int kLookInterval = 50;  // milliseconds between two looks at the stop token
 
-/// Closes the descriptor. Opening never waits, not even for a pipe that nobody writes to.
+/// Closes the descriptor. Opening never waits, not even for a pipe without a writer.
 struct OpenFile {
   int descriptor;
   explicit OpenFile(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}

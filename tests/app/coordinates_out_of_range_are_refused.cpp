@@ -73,7 +73,7 @@ TEST_CASE("an evolution that leaves the range ends with one line") {
   CHECK(std::ranges::count(result.err, '\n') == 1);
 }
 
-TEST_CASE("the range is told by the help and the manual") {
+TEST_CASE("the help and the manual state the range") {
   for (const char* command : {"--help", "manual"}) {
     const std::string page = run({command}).out;
     CHECK_THAT(page, Catch::Contains("2^-500") && Catch::Contains("2^500") && Catch::Contains("2^100"));

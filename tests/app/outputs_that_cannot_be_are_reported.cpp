@@ -61,7 +61,7 @@ TEST_CASE("a failed command leaves an older output as it was") {
 
 TEST_CASE("an input that is its own output is overwritten, unless something else has written to it meanwhile") {
   const TemporaryFolder folder;
-  // More complaints than a pipe holds: while nobody reads them, the command has read its input and written nothing.
+  // More complaints than a pipe holds: while they are not read, the command has read its input and written nothing.
   std::string samples = "POFF 3 0 0\n0 0\n1 0\n0 1\n";
   for (int i = 0; i < 5000; ++i) samples += "# loop closed 0 1 7\n";
   const auto file = folder.write("a.poff", samples);

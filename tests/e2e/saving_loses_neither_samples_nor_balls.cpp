@@ -295,7 +295,7 @@ TEST_CASE("a save that ends after something else was opened marks nothing of it"
   CHECK(bench.desk.file().empty());
 }
 
-TEST_CASE("a session that another window has saved is not overwritten, and the difference is told") {
+TEST_CASE("a session that another window has saved is not overwritten, and the difference is shown") {
   Bench bench;
   bench.add_sample();
   const auto file = bench.folder / "a.json";

@@ -72,7 +72,7 @@ TEST_CASE("a file is the old one or the new one, whichever call fails, and nothi
   CHECK(failed >= 5);
 }
 
-TEST_CASE("a journal is whole again when the disk is, and its trouble is told once") {
+TEST_CASE("a journal is whole again when the disk is, and its trouble is reported once") {
   const int failed = with_each_call_failing([](DiskCall kind, int call) {
     const TemporaryFolder folder;
     Editor editor({});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `operator new` of this executable: counts what is in use, and fails when it is told to.
+// `operator new` of this executable: counts what is in use, and fails when asked to.
 #pragma once
 
 #include <cstddef>
