@@ -42,6 +42,13 @@ struct Window {
   }
   std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
   Color corner() const { return screen.shoot().at(20, 765); }
+  fs::path journals() const { return home / "data" / "mesecina" / "autosave"; }
+  bool has_journaled_edit() const {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(journals(), error))
+      if (bytes_of(entry.path()).find("\"edit\"") != std::string::npos) return true;
+    return false;
+  }
   bool has_dialog() const {
     const int light = corner().r;
     return light > 0 && light < 252;
@@ -70,7 +77,7 @@ TEST_CASE("a window that waits for a pipe to be read from ends with a signal, an
   window.screen.xdotool("mousemove 500 30");
   window.screen.xdotool("key ctrl+a");
   window.screen.xdotool("key Right");
-  REQUIRE(eventually([&] { return window.title().starts_with("* a.poff"); }));
+  REQUIRE(eventually([&] { return window.title().starts_with("* a.poff") && window.has_journaled_edit(); }));
   window.screen.xdotool("key ctrl+shift+s");
   REQUIRE(eventually([&] { return window.has_dialog(); }));
   window.screen.settled();
@@ -86,7 +93,7 @@ TEST_CASE("a window that waits for a pipe to be read from ends with a signal, an
   REQUIRE(eventually([&] { return !window.has_dialog(); }));
   kill(window.program.pid(), SIGTERM);
   CHECK(window.program.wait() == 128 + SIGTERM);
-  const FoundWork found = find_left_work(window.home / "data" / "mesecina" / "autosave");
+  const FoundWork found = find_left_work(window.journals());
   REQUIRE(found.works.size() == 1);
   CHECK(found.works[0].edits() == 1);
   CHECK(bytes_of(window.home / "errors").empty());
