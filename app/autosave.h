@@ -25,7 +25,7 @@ namespace mes {
 ///  4. `follow` costs as much as what is new. Writing is done by a thread of its own.
 ///  5. Journals of programs that still run are not touched: each holds a lock on its own from before the moment it
 ///  can
-///     be seen as left behind. Where there are no locks there is no journal, and a problem says so.
+///     be seen as left behind. Without locks no journal is kept, and a problem says so.
 ///
 /// Smallest use:
 ///     Autosave autosave(default_autosave_folder(), [] {});

@@ -59,7 +59,7 @@ class Editor {
 
   /// Makes what became different in the layers a step of undo, called `name`, or by what it is. To be called when no
   /// control of theirs is held, so that a slider being dragged makes one step; edits and undo call it first. The
-  /// first time after `load` it notes how the layers are, and that is no step.
+  /// first time after `load` it notes how the layers are, without a step.
   void note_layers(const std::string& name = {});
   /// The same for the change that the function makes, as one step.
   template <class Change>

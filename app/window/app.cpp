@@ -119,8 +119,8 @@ void App::run() {
     if (was_about_to_rest && !gui_.is_about_to_rest()) frames_wanted_ = kSettlingFrames;
     if (gui_.is_fading()) frames_wanted_ = std::max(frames_wanted_, 1);
   }
-  // In order: whoever was asked has saved or given up what there was. A signal asks nobody; its journal stays, and is
-  // complete before anything that may take longer than a signal waits.
+  // In order: what there was has been saved or given up on request. A signal makes no request; its journal stays, and
+  // is complete before anything that may take longer than a signal waits.
   if (is_closing_) {
     autosave_.discard();
   } else {
@@ -169,7 +169,7 @@ PanelContext App::panel_context() {
           [this](std::optional<std::size_t> index) { ask_export(index); }};
 }
 
-// Asks for nothing while there is no room for pictures and nothing changes; after a change for everything anew.
+// While memory is short and nothing changes, requests nothing; after a change it requests everything again.
 bool App::waits_for_room() {
   if (!picture_.is_lost()) return false;
   const std::pair now{layers_.demand_revision(), editor_.document().revision()};

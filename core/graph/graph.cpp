@@ -405,7 +405,7 @@ Provenance Graph::answer(const ProvenanceQuestion& question) const {
   return out;
 }
 
-// Where there is no room for the report itself.
+// For when memory does not suffice for the report itself.
 void Graph::report_lack_of_memory(FramePatch& out) {
   out.nodes.clear();
   for (LayerReport& report : out.reports) {

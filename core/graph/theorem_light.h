@@ -28,7 +28,7 @@ constexpr std::string_view name_of(TheoremLight light) {
   return "none";
 }
 
-/// From the reports of a run in which findings were wanted. Lack of memory is no statement about the result.
+/// From the reports of a run in which findings were wanted. Lack of memory says nothing about the result.
 inline TheoremLight light_of(std::span<const NodeReport> nodes) {
   TheoremLight light = TheoremLight::none;
   for (const NodeReport& node : nodes) {

@@ -133,7 +133,7 @@ int keep_mode(const PartFile& part, const Target& target) {
   return !target.exists || ::fchmod(part.descriptor(), target.mode) == 0 ? 0 : errno;
 }
 
-// The new name is as durable as the folder; some file systems cannot sync one, which is no failure of ours.
+// The new name is as durable as the folder; some file systems cannot sync one, and that is not an error.
 void sync_folder(const fs::path& path) {
   const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
