@@ -24,7 +24,7 @@
 #include <span>
 
 #include "core/base/color.h"
-#include "core/base/primitives.h"
+#include "core/draw/primitives.h"
 
 namespace mes::render {
 

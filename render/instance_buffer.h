@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/graph/patch.h"
+#include "core/draw/patch.h"
 #include "render/device.h"
 #include "render/instance_encoder.h"
 #include "render/scalar_store.h"

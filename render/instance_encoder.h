@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <span>
 
-#include "core/base/primitives.h"
-#include "core/graph/patch.h"
+#include "core/draw/patch.h"
+#include "core/draw/primitives.h"
 
 namespace mes::render {
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/base/primitives.h"
+#include "core/draw/primitives.h"
 
 namespace mes::render {
 

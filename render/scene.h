@@ -28,9 +28,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/primitives.h"
-#include "core/document/layer_style.h"
-#include "core/graph/patch.h"
+#include "core/draw/layer_style.h"
+#include "core/draw/patch.h"
+#include "core/draw/primitives.h"
 #include "render/camera.h"
 #include "render/colormap.h"
 #include "render/device.h"

@@ -12,13 +12,13 @@ kind=${1:-asan}
 if (($# > 0)); then shift; fi
 case $kind in
   asan)
-    targets=(test_document test_exactness test_io window_model_tests fuzzers)
+    targets=(test_document test_exactness test_io test_model fuzzers)
     # What takes minutes under a sanitizer without reaching other code is left to the release.
-    tests='^(test_document|test_exactness|test_io|window_model_tests|fuzz)\.'
+    tests='^(test_document|test_exactness|test_io|test_model|fuzz)\.'
     ;;
   tsan)
-    targets=(test_document test_engine test_failures window_model_tests)
-    tests='^(test_document|test_engine|test_failures|window_model_tests)\.'
+    targets=(test_document test_engine test_failures test_model)
+    tests='^(test_document|test_engine|test_failures|test_model)\.'
     ;;
   *) fail "unknown kind '$kind'; there are asan and tsan" ;;
 esac

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "app/tools/ball_tool.h"
-#include "app/tools/insert_tool.h"
-#include "app/tools/select_tool.h"
-#include "app/tools/spray_tool.h"
+#include "app/canvas/tools/ball_tool.h"
+#include "app/canvas/tools/insert_tool.h"
+#include "app/canvas/tools/select_tool.h"
+#include "app/canvas/tools/spray_tool.h"
 
 namespace mes {
 namespace {

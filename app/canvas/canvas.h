@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "app/canvas/view_motion.h"
-#include "app/tools/tool.h"
+#include "app/canvas/tools/tool.h"
+#include "app/model/view_motion.h"
 
 namespace mes {
 

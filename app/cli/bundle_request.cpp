@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/bundles.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
-#include "app/sample_shapes.h"
-#include "core/graph/layer_descriptor.h"
+#include "app/store/bundles.h"
+#include "app/store/sample_shapes.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/io/bundle_file.h"
 #include "core/io/text_numbers.h"
 

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "app/cli/progress.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/engine/engine.h"
-#include "core/graph/layer_descriptor.h"
 
 namespace mes::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/document/document.h"
-#include "core/graph/patch.h"
+#include "core/draw/patch.h"
 
 namespace mes::cli {
 

@@ -11,9 +11,9 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
-#include "app/statistics_text.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/graph/theorem_light.h"
+#include "app/model/statistics_text.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/engine/theorem_light.h"
 
 namespace mes::cli {
 namespace {

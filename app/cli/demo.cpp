@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina demo`: the paper's video, computed anew.
-#include "app/demo.h"
+#include "app/model/demo.h"
 
 #include "app/cli/requests.h"
-#include "app/sample_shapes.h"
+#include "app/store/sample_shapes.h"
 #include "core/io/format.h"
 
 namespace mes::cli {

@@ -6,17 +6,17 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/background_loader.h"
-#include "app/canvas_look.h"
 #include "app/cli/messages.h"
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
-#include "app/color_maps.h"
-#include "app/picture_overlay.h"
-#include "app/player.h"
+#include "app/model/player.h"
+#include "app/picture/canvas_look.h"
+#include "app/picture/picture_overlay.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
-#include "app/sample_shapes.h"
+#include "app/store/background_loader.h"
+#include "app/store/color_maps.h"
+#include "app/store/sample_shapes.h"
 #include "core/io/temporary.h"
 #include "core/io/text_numbers.h"
 #include "render/egl_context.h"

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/draw/layer_mirror.h"
 
 namespace mes::cli {
 

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "app/process_end.h"
+#include "app/system/process_end.h"
 
 namespace mes::cli {
 

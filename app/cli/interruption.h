@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-#include "app/signal_watch.h"
+#include "app/system/signal_watch.h"
 
 namespace mes::cli {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/arc.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
 
 namespace mes::cli {
 

@@ -4,17 +4,17 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "app/actions.h"
+#include "app/actions/actions.h"
 #include "app/cli/bundle_request.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
-#include "app/color_maps.h"
-#include "app/sample_shapes.h"
+#include "app/store/color_maps.h"
+#include "app/store/sample_shapes.h"
 #include "core/document/parameter.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
-#include "core/graph/layer_descriptor.h"
 #include "core/graph/structure.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"

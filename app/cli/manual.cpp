@@ -5,17 +5,17 @@
 #include <utility>
 #include <vector>
 
-#include "app/actions.h"
-#include "app/bundles.h"
+#include "app/actions/actions.h"
 #include "app/cli/markdown.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
-#include "app/color_maps.h"
-#include "app/sample_shapes.h"
+#include "app/store/bundles.h"
+#include "app/store/color_maps.h"
+#include "app/store/sample_shapes.h"
 #include "core/base/coordinate_range.h"
 #include "core/document/parameter.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
-#include "core/graph/layer_descriptor.h"
 #include "core/graph/structure.h"
 #include "core/io/bundle_file.h"
 #include "core/io/format.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "app/cli/messages.h"
-#include "core/graph/layer_descriptor.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

@@ -9,7 +9,7 @@
 
 #include "app/cli/layer_summary.h"
 #include "app/cli/messages.h"
-#include "core/graph/layer_descriptor.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

@@ -12,7 +12,7 @@
 #include "core/base/color.h"
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
 
 namespace mes::cli {
 

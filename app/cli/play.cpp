@@ -8,8 +8,8 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
-#include "app/player.h"
-#include "core/graph/layer_mirror.h"
+#include "app/model/player.h"
+#include "core/draw/layer_mirror.h"
 
 namespace mes::cli {
 namespace {

@@ -9,8 +9,6 @@
 #include <cctype>
 #include <filesystem>
 
-#include "app/background_loader.h"
-#include "app/canvas_look.h"
 #include "app/cli/bundle_request.h"
 #include "app/cli/computation.h"
 #include "app/cli/input.h"
@@ -21,10 +19,12 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/cli/style_request.h"
-#include "app/color_maps.h"
-#include "app/legend.h"
-#include "app/sample_shapes.h"
-#include "core/graph/layer_descriptor.h"
+#include "app/picture/canvas_look.h"
+#include "app/picture/legend.h"
+#include "app/store/background_loader.h"
+#include "app/store/color_maps.h"
+#include "app/store/sample_shapes.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 #include "render/gl_device.h"
 #include "render/offscreen.h"

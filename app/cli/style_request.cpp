@@ -9,7 +9,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/picture.h"
-#include "core/graph/layer_descriptor.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

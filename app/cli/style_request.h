@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/slot.h"
-#include "core/document/layer_style.h"
+#include "core/draw/layer_style.h"
 
 namespace mes::cli {
 

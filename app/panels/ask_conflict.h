@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "app/window/file_conflict.h"
-#include "app/window/gui.h"
+#include "app/store/file_conflict.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/autosave.h"
-#include "app/window/gui.h"
+#include "app/store/autosave.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 

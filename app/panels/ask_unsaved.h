@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "app/window/gui.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/icons.h"
-#include "app/window/theme.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/panels/name_field.h"
 #include "app/panels/panel_context.h"
+#include "app/ui/name_field.h"
 
 namespace mes {
 

@@ -3,8 +3,8 @@
 
 #include <cfloat>
 
-#include "app/legend.h"
-#include "app/window/theme.h"
+#include "app/picture/legend.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 

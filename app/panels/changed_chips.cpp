@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/changed_chips.h"
 
-#include "app/panels/icons.h"
-#include "app/window/theme.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

@@ -2,7 +2,7 @@
 // Chips in the status bar: each a parameter that is not at its default, which a click gives back to it.
 #pragma once
 
-#include "app/changed_parameters.h"
+#include "app/model/changed_parameters.h"
 #include "app/panels/panel_context.h"
 
 namespace mes {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/window/theme.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

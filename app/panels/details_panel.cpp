@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "app/panels/icons.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/statistics_panel.h"
+#include "app/ui/icons.h"
 
 namespace mes {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/canvas_look.h"
-#include "app/window/theme.h"
+#include "app/picture/canvas_look.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

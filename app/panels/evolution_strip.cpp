@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "app/panels/icons.h"
-#include "app/window/theme.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 #include "core/base/rng.h"
 
 namespace mes {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/panels/icons.h"
+#include "app/ui/icons.h"
 
 namespace mes {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "app/background_loader.h"
-#include "app/window/theme.h"
+#include "app/store/background_loader.h"
+#include "app/ui/theme.h"
 #include "core/base/coordinate_range.h"
 
 namespace mes {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/panels/icons.h"
 #include "app/panels/image_controls.h"
-#include "app/window/theme.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

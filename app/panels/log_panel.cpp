@@ -4,7 +4,7 @@
 #include <array>
 #include <ctime>
 
-#include "app/window/theme.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "app/canvas_look.h"
+#include "app/picture/canvas_look.h"
 
 namespace mes {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "app/changed_parameters.h"
-#include "app/panels/icons.h"
-#include "app/window/theme.h"
+#include "app/model/changed_parameters.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/window/theme.h"
+#include "app/ui/theme.h"
 #include "core/base/arc.h"
-#include "core/graph/layer_descriptor.h"
+#include "core/draw/layer_descriptor.h"
 
 namespace mes {
 namespace {

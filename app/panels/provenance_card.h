@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "app/canvas/tools/tool.h"
 #include "app/panels/panel_context.h"
-#include "app/tools/tool.h"
-#include "core/graph/provenance.h"
+#include "core/draw/provenance.h"
 
 namespace mes {
 

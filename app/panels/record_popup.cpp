@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/icons.h"
-#include "app/recording/record_settings.h"
-#include "app/window/theme.h"
+#include "app/model/record_settings.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

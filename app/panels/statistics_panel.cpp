@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdio>
 
-#include "app/statistics_text.h"
-#include "app/window/theme.h"
+#include "app/model/statistics_text.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "app/panels/changed_chips.h"
-#include "app/panels/icons.h"
 #include "app/panels/verdict.h"
-#include "app/window/theme.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/icons.h"
 #include "app/panels/record_popup.h"
+#include "app/ui/icons.h"
 
 namespace mes {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/window/theme.h"
-#include "core/graph/theorem_light.h"
+#include "app/ui/theme.h"
+#include "core/engine/theorem_light.h"
 
 namespace mes {
 namespace {

@@ -29,7 +29,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/picture_overlay.h"
+#include "app/picture/picture_overlay.h"
 #include "app/recording/take.h"
 #include "core/io/atomic_file.h"
 #include "render/image.h"

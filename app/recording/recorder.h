@@ -24,7 +24,7 @@
 
 #include "core/document/computation_settings.h"
 #include "core/document/timeline.h"
-#include "core/graph/layer_descriptor.h"
+#include "core/draw/layer_descriptor.h"
 #include "render/camera.h"
 
 namespace mes {

@@ -11,8 +11,8 @@
 #include <system_error>
 #include <vector>
 
-#include "app/child_process.h"
 #include "app/recording/take.h"
+#include "app/system/child_process.h"
 #include "core/io/atomic_file.h"
 
 namespace mes {

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/canvas_look.h"
-#include "app/color_maps.h"
-#include "app/memory_problem.h"
+#include "app/model/memory_problem.h"
 #include "app/panels/canvas_legend.h"
 #include "app/panels/empty_hint.h"
 #include "app/panels/evolution_strip.h"
@@ -14,7 +12,9 @@
 #include "app/panels/menu_bar.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/toolbar.h"
-#include "app/window/theme.h"
+#include "app/picture/canvas_look.h"
+#include "app/store/color_maps.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 namespace {

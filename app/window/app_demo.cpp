@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demo in the window: the same script as the video, computed live. Whoever edits takes over.
-#include "app/demo.h"
+#include "app/model/demo.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/icons.h"
+#include "app/ui/icons.h"
 #include "app/window/app.h"
 #include "core/io/format.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/vec2.h"
-#include "core/document/layer_style.h"
+#include "core/draw/layer_style.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "core/graph/graph.h"
+#include "core/engine/graph.h"
 
 namespace mes {
 

@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "core/document/delta.h"
-#include "core/graph/patch.h"
-#include "core/structures/settings_source.h"
+#include "core/draw/patch.h"
+#include "core/structures/inputs/settings_source.h"
 
 namespace mes {
 

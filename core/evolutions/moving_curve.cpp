@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/structures/curve.h"
+#include "core/structures/crust/curve.h"
 
 namespace mes {
 namespace {

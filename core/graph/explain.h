@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/graph/provenance.h"
+#include "core/draw/provenance.h"
 #include "core/graph/structure.h"
 
 namespace mes {

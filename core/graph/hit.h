@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/graph/provenance.h"
+#include "core/draw/provenance.h"
 
 namespace mes {
 
@@ -14,7 +14,7 @@ namespace mes {
 class HitSearch {
  public:
   HitSearch(Vec2 at, double reach) : at_(at), reach_(reach) {}
-  /// `values` as in core/base/primitives.h.
+  /// `values` as in core/draw/primitives.h.
   void look_at(PrimitiveKind kind, const double* values, ElementType type, Slot row);
 
   struct Hit {

@@ -22,9 +22,9 @@
 #include "core/base/arc.h"
 #include "core/base/change_set.h"
 #include "core/base/prefetch.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/draw/patch.h"
 #include "core/graph/hit.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/graph/patch.h"
 #include "core/graph/structure.h"
 
 namespace mes {

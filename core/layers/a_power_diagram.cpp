@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/union/family.h"
-#include "core/structures/ball_diagrams.h"
+#include "core/layers/parts/family.h"
+#include "core/structures/balls/ball_diagrams.h"
 
 namespace mes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/helpers.h"
+#include "core/layers/parts/helpers.h"
 
 namespace mes {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/helpers.h"
-#include "core/structures/pole_labels.h"
+#include "core/layers/parts/helpers.h"
+#include "core/structures/poles/pole_labels.h"
 
 namespace mes {
 

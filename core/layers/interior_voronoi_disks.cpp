@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/helpers.h"
-#include "core/structures/inner_balls.h"
+#include "core/layers/parts/helpers.h"
+#include "core/structures/axis/inner_balls.h"
 
 namespace mes {
 Layer make_interior_voronoi_disks_layer(const StructureSet& set) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/structures/last_change.h"
-#include "core/layers/helpers.h"
+#include "core/structures/delaunay/last_change.h"
+#include "core/layers/parts/helpers.h"
 
 namespace mes {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/structures/medial_axis.h"
-#include "core/layers/helpers.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/layers/parts/helpers.h"
 
 namespace mes {
 

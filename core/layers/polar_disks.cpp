@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/helpers.h"
-#include "core/structures/poles.h"
+#include "core/layers/parts/helpers.h"
+#include "core/structures/poles/poles.h"
 
 namespace mes {
 

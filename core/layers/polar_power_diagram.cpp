@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/union/family.h"
-#include "core/structures/polar_diagram.h"
+#include "core/layers/parts/family.h"
+#include "core/structures/poles/polar_diagram.h"
 
 namespace mes {
 

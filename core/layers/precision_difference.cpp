@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/structures/precision_difference.h"
-#include "core/layers/helpers.h"
+#include "core/structures/balls/precision_difference.h"
+#include "core/layers/parts/helpers.h"
 
 namespace mes {
 namespace {

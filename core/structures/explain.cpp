@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/structures/ball_diagrams.h"
-#include "core/structures/medial_axis.h"
-#include "core/structures/pole_labels.h"
-#include "core/structures/user_balls.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/balls/ball_diagrams.h"
+#include "core/structures/inputs/user_balls.h"
+#include "core/structures/poles/pole_labels.h"
 
 namespace mes {
 namespace {

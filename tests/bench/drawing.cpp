@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/base/rng.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
 #include "render/egl_context.h"
 #include "render/gl_device.h"
 #include "render/offscreen.h"

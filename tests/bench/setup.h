@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/document/commands.h"
-#include "core/graph/graph.h"
+#include "core/engine/graph.h"
 
 namespace mes::bench {
 

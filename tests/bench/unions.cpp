@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/base/rng.h"
-#include "core/structures/ball_union.h"
-#include "core/structures/internal/local_balls.h"
-#include "core/structures/polar_diagram.h"
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/local_balls.h"
+#include "core/structures/poles/polar_diagram.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
 #include "tests/bench/raw_regular.h"

@@ -7,10 +7,10 @@
 
 #include "core/document/commands.h"
 #include "core/engine/engine.h"
+#include "core/engine/graph.h"
+#include "core/engine/memory_lack.h"
+#include "core/engine/theorem_light.h"
 #include "core/graph/explain.h"
-#include "core/graph/graph.h"
-#include "core/graph/memory_lack.h"
-#include "core/graph/theorem_light.h"
 #include "tests/support/layer_contents.h"
 
 using namespace mes;

@@ -9,7 +9,7 @@
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
-#include "core/structures/delaunay.h"
+#include "core/structures/delaunay/delaunay.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

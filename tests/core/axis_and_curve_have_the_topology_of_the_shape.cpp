@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "core/structures/curve.h"
+#include "core/structures/crust/curve.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 

@@ -9,9 +9,9 @@
 
 #include "core/base/rng.h"
 #include "core/document/commands.h"
-#include "core/graph/graph.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/structures/ball_sampling.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/engine/graph.h"
+#include "core/structures/balls/ball_sampling.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/workbench.h"

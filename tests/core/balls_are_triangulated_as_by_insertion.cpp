@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/rng.h"
-#include "core/structures/internal/regular_triangulation.h"
+#include "core/structures/triangulation/regular_triangulation.h"
 
 using namespace mes;
 

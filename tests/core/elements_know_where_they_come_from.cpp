@@ -4,10 +4,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/structures/ball_union.h"
-#include "core/structures/inner_balls.h"
-#include "core/structures/medial_axis.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/structures/axis/inner_balls.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/balls/ball_union.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 

@@ -10,7 +10,7 @@
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
 #include "tests/support/layer_contents.h"
 #include "tests/support/state_of_graph.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels against two other ways to them: where the curve is closed, counting curve edges between a Voronoi vertex and
-// far away; where it is not, the rule of core/structures/internal/conflict_join.h in its plainest form, one spanning
-// tree of the whole triangulation by exact comparisons.
+// far away; where it is not, the rule of core/structures/crust/internal/conflict_join.h in its plainest form, one
+// spanning tree of the whole triangulation by exact comparisons.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "core/base/rng.h"
-#include "core/structures/labels.h"
+#include "core/structures/crust/labels.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
-#include "core/structures/delaunay.h"
+#include "core/structures/delaunay/delaunay.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

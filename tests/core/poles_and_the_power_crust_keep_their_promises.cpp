@@ -9,9 +9,9 @@
 #include <functional>
 
 #include "core/base/rng.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/structures/curve.h"
-#include "core/structures/polar_diagram.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/structures/crust/curve.h"
+#include "core/structures/poles/polar_diagram.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 

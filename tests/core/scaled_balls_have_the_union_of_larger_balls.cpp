@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "core/base/rng.h"
-#include "core/graph/layer_descriptor.h"
-#include "core/structures/ball_union.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/structures/balls/ball_union.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/structures/axis_certificate.h"
-#include "core/structures/ball_union.h"
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/certificate/axis_certificate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/base/rng.h"
-#include "core/structures/one_step_crust.h"
+#include "core/structures/crust/one_step_crust.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"

@@ -10,7 +10,7 @@
 
 #include "core/base/rng.h"
 #include "core/kernel/kernels.h"
-#include "core/structures/internal/delaunay_stitch.h"
+#include "core/structures/delaunay/internal/delaunay_stitch.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 

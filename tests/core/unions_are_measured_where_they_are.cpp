@@ -10,7 +10,7 @@
 
 #include "core/base/arc.h"
 #include "core/base/rng.h"
-#include "core/structures/ball_union.h"
+#include "core/structures/balls/ball_union.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 

@@ -9,7 +9,7 @@
 #include "core/base/sum.h"
 #include "core/graph/layer.h"
 #include "core/io/format.h"
-#include "core/structures/ball_union.h"
+#include "core/structures/balls/ball_union.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

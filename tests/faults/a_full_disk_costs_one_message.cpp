@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "app/autosave.h"
 #include "app/recording/frame_writer.h"
+#include "app/store/autosave.h"
 #include "core/io/atomic_file.h"
 #include "tests/faults/faulty_disk.h"
 #include "tests/io/temporary_folder.h"

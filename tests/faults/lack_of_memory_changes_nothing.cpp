@@ -2,15 +2,15 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "app/memory_problem.h"
-#include "app/sample_index.h"
+#include "app/model/memory_problem.h"
+#include "app/model/sample_index.h"
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 #include "core/document/timeline.h"
-#include "core/graph/graph.h"
-#include "core/graph/layer_mirror.h"
-#include "core/graph/memory_lack.h"
-#include "core/graph/theorem_light.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/graph.h"
+#include "core/engine/memory_lack.h"
+#include "core/engine/theorem_light.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
 #include "render/recording_device.h"

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "core/document/commands.h"
-#include "core/graph/graph.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/graph.h"
 #include "tests/fuzz/reader_checks.h"
 #include "tests/support/state_of_graph.h"
 

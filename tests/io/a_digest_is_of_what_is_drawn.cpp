@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/graph/layer_digest.h"
+#include "core/draw/layer_digest.h"
 
 using namespace mes;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
 
 #include <catch2/catch.hpp>
 #include <limits>

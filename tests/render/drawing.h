@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "core/graph/patch.h"
+#include "core/draw/patch.h"
 #include "render/camera.h"
 #include "render/egl_context.h"
 #include "render/gl_device.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/graph/graph.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/graph.h"
 
 namespace mes::test {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/primitives.h"
+#include "core/draw/primitives.h"
 
 namespace mes::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "core/graph/graph.h"
+#include "core/engine/graph.h"
 #include "core/io/format.h"
-#include "core/structures/medial_axis.h"
+#include "core/structures/axis/medial_axis.h"
 
 using namespace mes;
 

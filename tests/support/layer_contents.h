@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "core/graph/patch.h"
+#include "core/draw/patch.h"
 
 namespace mes::test {
 

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <tuple>
 
-#include "core/structures/curve.h"
-#include "core/structures/medial_axis.h"
-#include "core/structures/poles.h"
-#include "core/structures/user_balls.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/crust/curve.h"
+#include "core/structures/inputs/user_balls.h"
+#include "core/structures/poles/poles.h"
 
 namespace mes::test {
 namespace {

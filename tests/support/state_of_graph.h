@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/graph/graph.h"
+#include "core/engine/graph.h"
 
 namespace mes::test {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/structures/one_step_crust.h"
+#include "core/structures/crust/one_step_crust.h"
 
 namespace mes::test {
 

@@ -13,8 +13,8 @@
 
 #include "core/document/commands.h"
 #include "core/document/history.h"
-#include "core/graph/graph.h"
-#include "core/graph/layer_mirror.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/graph.h"
 #include "tests/support/layer_contents.h"
 #include "tests/support/state_of_graph.h"
 

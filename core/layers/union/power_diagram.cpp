@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/union/family.h"
+#include "core/layers/parts/family.h"
 
 namespace mes {
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the actions of the table do in this window, and when they are possible.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "app/actions/actions.h"
+
+namespace mes {
+
+class ActionBindings {
+ public:
+  struct Binding {
+    std::function<void()> run{};
+    std::function<bool()> enabled{};  ///< empty: always
+    std::function<bool()> checked{};  ///< empty: nothing to tick
+  };
+
+  void bind(ActionId id, Binding binding) { bindings_[static_cast<std::size_t>(id)] = std::move(binding); }
+  bool is_bound(ActionId id) const { return static_cast<bool>(at(id).run); }
+  bool is_enabled(ActionId id) const { return is_bound(id) && (!at(id).enabled || at(id).enabled()); }
+  bool is_checked(ActionId id) const { return at(id).checked && at(id).checked(); }
+  /// Runs it if it is possible now; whether it was.
+  bool run(ActionId id) const {
+    if (!is_enabled(id)) return false;
+    at(id).run();
+    return true;
+  }
+
+ private:
+  const Binding& at(ActionId id) const { return bindings_[static_cast<std::size_t>(id)]; }
+  std::array<Binding, kActionCount> bindings_;
+};
+
+}  // namespace mes

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one table of actions. Keys, menus, toolbar tooltips, the help overlay and `mesecina list actions` all read it;
+// what an action does and when it is possible is bound to it elsewhere (window/action_bindings.h).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/actions/key_chord.h"
+
+namespace mes {
+
+enum class ActionId : std::uint8_t {
+  new_document,
+  open,
+  save,
+  save_as,
+  trace_picture,
+  snapshot,
+  record,
+  make_video,
+  quit,
+  undo,
+  redo,
+  select_all,
+  invert_selection,
+  deselect,
+  delete_selection,
+  nudge_left,
+  nudge_right,
+  nudge_up,
+  nudge_down,
+  nudge_left_far,
+  nudge_right_far,
+  nudge_up_far,
+  nudge_down_far,
+  tool_select,
+  tool_insert,
+  tool_spray,
+  tool_ball,
+  zoom_in,
+  zoom_out,
+  fit,
+  fit_selection,
+  previous_view,
+  toggle_panels,
+  toggle_layers,
+  toggle_statistics,
+  toggle_parameters,
+  toggle_log,
+  toggle_legend,
+  toggle_evolution,
+  toggle_theme,
+  projector_mode,
+  bundle_1,  // the nine in a row
+  bundle_2,
+  bundle_3,
+  bundle_4,
+  bundle_5,
+  bundle_6,
+  bundle_7,
+  bundle_8,
+  bundle_9,
+  save_bundle,
+  import_bundles,
+  export_bundles,
+  undo_bundles,
+  cancel_computation,
+  resume_computation,
+  precision_naive,  // the four in the order of `Precision`
+  precision_fast,
+  precision_exact,
+  precision_exact_roots,
+  toggle_union_shortcut,
+  toggle_pole_propagation,
+  evolution_first,
+  evolution_play_back,
+  evolution_back,
+  evolution_stop,
+  evolution_forward,
+  evolution_play,
+  evolution_previous,
+  evolution_next,
+  demo,
+  help,
+};
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;
+
+enum class ActionGroup : std::uint8_t { file, edit, tools, view, compute, help };
+std::string_view title_of(ActionGroup group);
+
+/// When the keys of an action are its own: two actions may share a key if they never compete for it.
+enum class ActionContext : std::uint8_t { always, with_selection, without_selection };
+
+struct ActionDescriptor {
+  ActionId id = ActionId::help;
+  std::string_view public_id;  ///< kebab case, stable
+  std::string_view name;       ///< as in a menu
+  std::string_view tooltip;    ///< one sentence, no full stop
+  ActionGroup group = ActionGroup::file;
+  ActionContext context = ActionContext::always;
+  bool repeats = false;                ///< holding the key down does it again
+  std::vector<std::string_view> keys;  ///< the first one is shown in menus
+};
+
+/// Every action, in the order of `ActionId`.
+std::span<const ActionDescriptor> action_descriptors();
+const ActionDescriptor& descriptor_of(ActionId id);
+
+/// The action of a key, given whether anything is selected.
+std::optional<ActionId> find_action(const KeyChord& chord, bool has_selection);
+
+/// "Undo (Ctrl+Z): take back the last step": what a tooltip says.
+std::string tooltip_of(ActionId id);
+
+/// Mouse gestures, which are no actions but belong on the same help page.
+struct GestureDescriptor {
+  std::string_view input;
+  std::string_view meaning;
+};
+std::span<const GestureDescriptor> gesture_descriptors();
+
+}  // namespace mes

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Click to add a sample; while the button is down the new sample stays under the pointer.
+#pragma once
+
+#include "app/canvas/tools/tool.h"
+
+namespace mes {
+
+class InsertTool final : public Tool {
+ public:
+  using Tool::Tool;
+  void press(const Pointer& pointer) override;
+  void drag(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  void cancel() override;
+  bool is_active() const override { return sample_.is_valid(); }
+  void hover(const Pointer& pointer) override { pointer_px_ = pointer.px; }
+  void leave() override { pointer_px_.reset(); }
+  ToolFeedback feedback() const override;
+  PointerShape pointer_shape() const override { return PointerShape::crosshair; }
+  std::string_view hint() const override { return "Click to add a sample; keep the button down to place it"; }
+
+ private:
+  SampleId sample_;
+  std::optional<Vec2> pointer_px_;
+};
+
+}  // namespace mes

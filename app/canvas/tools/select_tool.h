@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Click and box to select; drag a sample or a ball to move it, with the selection it belongs to; turn the wheel on a
+// selected ball to change its radius.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "app/canvas/tools/tool.h"
+
+namespace mes {
+
+/// A ball is taken at its centre or its circle, and is in a box when its centre is. Of a sample and a ball the nearer
+/// one is taken. All turns of the wheel until the pointer moves on are one step.
+class SelectTool final : public Tool {
+ public:
+  using Tool::Tool;
+  void press(const Pointer& pointer) override;
+  void drag(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  void cancel() override;
+  bool is_active() const override { return state_ != State::idle; }
+  bool wheel(const Pointer& pointer, double steps) override;
+  void hover(const Pointer& pointer) override;
+  void leave() override;
+  ToolFeedback feedback() const override;
+  PointerShape pointer_shape() const override;
+  std::string_view hint() const override {
+    return "Drag a sample or a ball to move it; drag empty space to select with a box";
+  }
+
+ private:
+  enum class State : std::uint8_t {
+    idle,
+    pressed_thing,  ///< a click on a sample or a ball, until the pointer moves away
+    pressed_empty,
+    moving,
+    boxing,
+  };
+  enum class Mode : std::uint8_t { replace, add, remove };
+  static Mode mode_of(Modifiers modifiers);
+  /// A sample, a ball, or nothing.
+  struct Hit {
+    Slot sample = kNoSlot;
+    Slot ball = kNoSlot;
+    bool is_any() const { return sample != kNoSlot || ball != kNoSlot; }
+  };
+
+  void begin_move();
+  bool is_selected(const Hit& hit) const;
+  void select(const Hit& hit, Mode mode);
+  void select_one(const Hit& hit, Mode mode);
+  void select_box(const Pointer& pointer);
+  Hit pick(const Pointer& pointer) const;
+
+  State state_ = State::idle;
+  Pointer start_;
+  Pointer now_;
+  Hit pressed_;
+  bool was_selected_ = false;
+  Hit hovered_;
+  std::optional<Vec2> wheel_px_;                 // where the wheel is being turned on balls
+  std::vector<std::pair<SampleId, Vec2>> from_;  // where the moved samples were
+  std::vector<std::pair<BallId, Disk>> from_balls_;
+  std::vector<std::pair<SampleId, Vec2>> targets_;  // kept for their memory
+  std::vector<std::pair<BallId, Disk>> ball_targets_;
+};
+
+}  // namespace mes

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tool turns what the pointer does on the canvas into commands.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "app/actions/key_chord.h"
+#include "app/model/editor.h"
+#include "core/base/box2.h"
+
+namespace mes {
+
+/// Where the pointer is. Pixels are logical, y down; the world is that of the document, y up.
+struct Pointer {
+  Vec2 px{};
+  Vec2 world{};
+  double units_per_px = 1.0;
+  Modifiers modifiers{};
+};
+
+/// What a tool works with. Everything outlives the tool.
+struct ToolContext {
+  Editor& editor;
+  const double& spray_spacing_px;
+  std::function<void(const Error&)> report;         ///< a command was refused
+  std::function<void(const Pointer&)> ask_about{};  ///< what lies there, and where does it come from?
+};
+
+/// What the canvas shows of a tool besides the drawing.
+struct ToolFeedback {
+  Slot hovered = kNoSlot;         ///< the sample a press would take
+  Slot hovered_ball = kNoSlot;    ///< the ball it would take; never both
+  std::optional<Disk> ball;       ///< a ball being drawn
+  std::optional<Box2> box_px;     ///< the selection box being drawn
+  std::optional<Vec2> marker_px;  ///< where a press would put a sample
+  double ring_px = 0.0;           ///< radius of a circle around the marker; 0 = none
+};
+
+enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
+
+/// What it guarantees: a tool holds the state of a gesture and nothing else; between gestures it holds only where the
+/// pointer last was. A gesture is one step of undo. `cancel` takes it back. Threads: the window's.
+class Tool {
+ public:
+  explicit Tool(ToolContext& context) : context_(context) {}
+  virtual ~Tool() = default;
+  Tool(const Tool&) = delete;
+  Tool& operator=(const Tool&) = delete;
+
+  virtual void press(const Pointer& pointer) = 0;
+  /// The pointer moved with the button down, or the view moved under it.
+  virtual void drag(const Pointer& pointer) = 0;
+  virtual void release(const Pointer& pointer) = 0;
+  virtual void cancel() = 0;
+  virtual bool is_active() const = 0;
+
+  /// The wheel was turned, positive away from the user; false when the tool has no use for it and the view zooms.
+  virtual bool wheel(const Pointer& /*pointer*/, double /*steps*/) { return false; }
+  /// The pointer moved with no button down.
+  virtual void hover(const Pointer& pointer) = 0;
+  /// The pointer left the canvas.
+  virtual void leave() = 0;
+  virtual ToolFeedback feedback() const = 0;
+  virtual PointerShape pointer_shape() const = 0;
+  /// What to do with it, one line for the status bar.
+  virtual std::string_view hint() const = 0;
+
+ protected:
+  template <class T>
+  bool accepted(const Expected<T>& result) {
+    if (!result && context_.report) context_.report(result.error());
+    return result.has_value();
+  }
+  ToolContext& context_;
+};
+
+/// How near the pointer must be to a sample to take it, in logical pixels.
+inline constexpr double kPickRadiusPx = 9.0;
+/// How far the pointer moves before a click becomes a drag.
+inline constexpr double kDragThresholdPx = 3.0;
+
+}  // namespace mes

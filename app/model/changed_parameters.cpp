@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/changed_parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+
+namespace mes {
+
+std::string title_of(const ParameterDescriptor& descriptor) {
+  std::string out(descriptor.id);
+  std::ranges::replace(out, '-', ' ');
+  if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+  return out;
+}
+
+std::string value_text(const ParameterDescriptor& descriptor, double value) {
+  if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";
+  // As few digits as tell it from the default, which it may be very near.
+  std::array<char, 32> number{};
+  for (int digits = 4; digits <= 17; ++digits) {
+    std::snprintf(number.data(), number.size(), "%.*g", digits, value);
+    if (value == descriptor.default_value || std::strtod(number.data(), nullptr) != descriptor.default_value) break;
+  }
+  std::string out = number.data();
+  if (descriptor.id.ends_with("-scale")) return out + " \u00d7";
+  if (descriptor.unit == "degrees") return out + "\u00b0";
+  return descriptor.unit.empty() ? out : out + ' ' + std::string(descriptor.unit);
+}
+
+std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings) {
+  std::vector<ChangedParameter> out;
+  for (std::size_t i = 0; i < kParameters; ++i) {
+    const ParameterDescriptor& descriptor = parameter_descriptors()[i];
+    if (settings.values[i] == descriptor.default_value) continue;
+    out.push_back(
+        {static_cast<Parameter>(i), title_of(descriptor) + ' ' + value_text(descriptor, settings.values[i])});
+  }
+  std::ranges::stable_partition(
+      out, [](const ChangedParameter& changed) { return descriptor_of(changed.parameter).is_of_document; });
+  return out;
+}
+
+std::size_t how_many_fit(std::span<const float> widths, float gap, float rest, float room) {
+  std::size_t out = 0;
+  float used = 0.0F;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    used += (i == 0 ? 0.0F : gap) + widths[i];
+    const bool is_last = i + 1 == widths.size();
+    if (used + (is_last ? 0.0F : gap + rest) <= room) out = i + 1;
+  }
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/editor.h"
+
+#include "app/model/layer_step_name.h"
+#include "core/base/assert.h"
+
+namespace mes {
+
+namespace {
+
+Vec2& place_of(Vec2& p) {
+  return p;
+}
+Vec2& place_of(Disk& disk) {
+  return disk.center;
+}
+template <class Id, class Thing>
+Vec2& place_of(std::pair<Id, Thing>& thing) {
+  return place_of(thing.second);
+}
+
+// Places as tools give them, with coordinates that are nothing beside the others of the document set to zero: a
+// pointer close to an axis, or a nudge onto it, means the axis. Radii stay as they are, lest a ball vanish.
+template <class Thing>
+std::vector<Thing> placed(const Document& document, std::span<const Thing> things) {
+  std::vector<Thing> out(things.begin(), things.end());
+  Magnitudes all = document.magnitudes();
+  for (Thing& thing : out) for_each_number(place_of(thing), [&all](double x) { all.add(x); });
+  for (Thing& thing : out) {
+    Vec2& p = place_of(thing);
+    p = {without_traces(p.x, all.most), without_traces(p.y, all.most)};
+  }
+  return out;
+}
+
+}  // namespace
+
+Editor::Editor(Listener listener, LayerStack* layers)
+    : index_(document_), listener_(std::move(listener)), layers_(layers) {}
+
+void Editor::apply(const DocumentDelta& delta) {
+  document_.apply(delta);
+  tell(delta);
+}
+
+void Editor::tell(const DocumentDelta& delta) {
+  index_.follow(delta);
+  selection_.follow(delta);
+  if (listener_) listener_(std::make_shared<const DocumentDelta>(delta));
+}
+
+Expected<void> Editor::load(const SampleData& data) {
+  auto delta = replace_all(document_, data);
+  if (!delta) return std::unexpected(delta.error());
+  if (in_gesture()) end_gesture();
+  apply(*delta);
+  history_.clear();
+  timeline_.restart(std::make_shared<const SampleData>(data));
+  noted_layers_.reset();
+  saved_layers_.reset();
+  mark_saved();
+  return {};
+}
+
+void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries) {
+  if (in_gesture()) end_gesture();
+  replay.finish();
+  const std::uint64_t before = document_.revision();
+  document_ = std::move(replay).take_document();
+  history_ = std::move(replay).take_history();
+  timeline_.restart(std::move(data), std::move(entries));
+  take_layers_as_noted();
+  saved_layers_.reset();
+  // For those who follow it is one replacement.
+  DocumentDelta delta;
+  delta.from_revision = before;
+  delta.to_revision = document_.revision();
+  delta.before = delta.after = document_.snapshot();
+  delta.balls_before = delta.balls_after = document_.ball_snapshot();
+  delta.curve_before = delta.curve_after = document_.curve_order();
+  tell(delta);
+  mark_saved();
+}
+
+void Editor::begin_gesture(std::string name) {
+  note_layers();
+  timeline_.note_gesture_begun(name);
+  history_.begin_gesture(std::move(name));
+}
+
+void Editor::end_gesture() {
+  history_.end_gesture();
+  timeline_.note_gesture_ended();
+}
+
+void Editor::record(const DocumentDelta& delta, const std::string& name, bool continues) {
+  if (delta.is_empty()) return;
+  note_layers();
+  apply(delta);
+  timeline_.note_edit(document_, delta, name, continues);
+  if (!continues || !history_.extend(delta, name)) history_.record(delta, name);
+}
+
+Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, const std::string& name) {
+  auto delta = insert_samples(document_, placed(document_, positions));
+  if (!delta) return std::unexpected(delta.error());
+  std::vector<Slot> slots;
+  slots.reserve(delta->edits.size());
+  for (const SampleEdit& edit : delta->edits) slots.push_back(edit.slot);
+  record(*delta, name);
+  return slots;
+}
+
+Expected<std::vector<Slot>> Editor::insert_balls(std::span<const Disk> disks, const std::string& name) {
+  auto delta = mes::insert_balls(document_, placed(document_, disks));
+  if (!delta) return std::unexpected(delta.error());
+  std::vector<Slot> slots;
+  slots.reserve(delta->ball_edits.size());
+  for (const BallEdit& edit : delta->ball_edits) slots.push_back(edit.slot);
+  record(*delta, name);
+  return slots;
+}
+
+Expected<void> Editor::perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues) {
+  if (!delta) return std::unexpected(delta.error());
+  record(*delta, name, continues);
+  return {};
+}
+
+Expected<void> Editor::move(std::span<const std::pair<SampleId, Vec2>> samples,
+                            std::span<const std::pair<BallId, Disk>> balls, const std::string& name) {
+  return perform(
+      change_document(document_, {.moved = placed(document_, samples), .changed_balls = placed(document_, balls)}),
+      name);
+}
+
+Expected<void> Editor::remove(std::span<const SampleId> samples, std::span<const BallId> balls,
+                              const std::string& name) {
+  return perform(change_document(document_, {.removed = samples, .removed_balls = balls}), name);
+}
+
+Expected<void> Editor::remove_selection() {
+  std::vector<SampleId> samples;
+  for (const Slot slot : selection_.slots()) samples.push_back(document_.id(slot));
+  std::vector<BallId> balls;
+  for (const Slot slot : selection_.ball_slots()) balls.push_back(document_.ball_id(slot));
+  return remove(samples, balls, "Delete " + noun_of(selection_));
+}
+
+Expected<void> Editor::nudge_selection(Vec2 offset) {
+  std::vector<std::pair<SampleId, Vec2>> samples;
+  for (const Slot slot : selection_.slots())
+    samples.emplace_back(document_.id(slot), document_.position(slot) + offset);
+  std::vector<std::pair<BallId, Disk>> balls;
+  for (const Slot slot : selection_.ball_slots()) {
+    const Disk& disk = document_.disk(slot);
+    balls.emplace_back(document_.ball_id(slot), Disk{disk.center + offset, disk.radius});
+  }
+  return move(samples, balls, "Nudge");
+}
+
+Expected<void> Editor::scale_selected_balls(double factor, double least, bool continues) {
+  std::vector<std::pair<BallId, Disk>> balls;
+  for (const Slot slot : selection_.ball_slots()) {
+    const Disk& disk = document_.disk(slot);
+    const double radius = disk.radius == 0.0 && factor > 1.0 ? least : disk.radius;
+    balls.emplace_back(document_.ball_id(slot), Disk{disk.center, radius * factor});
+  }
+  return perform(change_balls(document_, balls), balls.size() == 1 ? "Change radius" : "Change radii", continues);
+}
+
+Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
+                              const std::string& name) {
+  MES_ASSERT(!in_gesture());
+  note_layers();
+  std::vector<DocumentDelta> changes;
+  if (document_.revision() == evolved_revision_ && history_.raise_edit()) changes = history_.undo();
+  for (const DocumentDelta& back : changes) document_.apply(back);
+  const bool replaces = !changes.empty();
+  const auto delta = arrange_samples(document_, positions, contours);
+  if (!delta) {
+    if (replaces)
+      for (const DocumentDelta& again : history_.redo()) document_.apply(again);
+    return std::unexpected(delta.error());
+  }
+  if (!delta->is_empty()) {
+    document_.apply(*delta);
+    history_.record(*delta, name);
+    changes.push_back(*delta);
+    timeline_.note_evolved(document_, *delta, name, replaces);
+    evolved_revision_ = document_.revision();
+  } else if (replaces) {
+    timeline_.note(Undone{});
+  }
+  // Whoever follows the document sees one change.
+  if (!changes.empty()) tell(one_after_the_other(changes));
+  return {};
+}
+
+std::optional<Document> Editor::resume_evolution() {
+  const std::vector<DocumentDelta> changes = history_.back_of_last_edit();
+  if (changes.empty()) return std::nullopt;
+  Document before = document_;
+  for (const DocumentDelta& back : changes) before.apply(back);
+  evolved_revision_ = document_.revision();
+  return before;
+}
+
+void Editor::cancel_gesture() {
+  if (!in_gesture()) return;
+  const std::size_t before = history_.position();
+  end_gesture();
+  if (history_.position() != before) take_back();
+}
+
+void Editor::apply_edits(const std::vector<DocumentDelta>& deltas) {
+  for (const DocumentDelta& delta : deltas) apply(delta);
+}
+
+void Editor::undo() {
+  note_layers();
+  take_back();
+}
+
+void Editor::take_back() {
+  if (!can_undo()) return;
+  const LayersChanged* const found = history_.layers_of_undo();
+  const auto layers = found == nullptr ? std::nullopt : std::optional(*found);
+  const bool is_of_layers = history_.undoes_layers();
+  if (!is_of_layers) timeline_.note(Undone{});
+  apply_edits(history_.undo());
+  if (layers) show_layers(*layers, is_of_layers ? LayersChanged::Role::undone : LayersChanged::Role::noted);
+}
+
+void Editor::redo() {
+  note_layers();
+  if (!can_redo()) return;
+  const LayersChanged* const found = history_.layers_of_redo();
+  const auto layers = found == nullptr ? std::nullopt : std::optional(*found);
+  const bool is_of_layers = history_.redoes_layers();
+  if (!is_of_layers) timeline_.note(Redone{});
+  apply_edits(history_.redo());
+  if (layers) show_layers(*layers, is_of_layers ? LayersChanged::Role::redone : LayersChanged::Role::noted);
+}
+
+void Editor::undo_edit() {
+  note_layers();
+  if (!history_.raise_edit()) return;
+  timeline_.note(Undone{});
+  apply_edits(history_.undo());
+}
+
+std::optional<History::Layers> Editor::take_changed_layers() {
+  if (layers_ == nullptr || (noted_layers_ && layers_->revision() == noted_revision_)) return std::nullopt;
+  LayerConfiguration now = layers_->configuration();
+  std::optional<History::Layers> out;
+  if (noted_layers_) {
+    History::Layers changed{difference(*noted_layers_, now), difference(now, *noted_layers_)};
+    if (!changed.change.is_empty()) out = std::move(changed);
+  } else {
+    timeline_.note(difference({}, now));
+  }
+  noted_layers_ = std::move(now);
+  noted_revision_ = layers_->revision();
+  return out;
+}
+
+void Editor::note_layers(const std::string& name) {
+  if (in_gesture()) return;
+  auto layers = take_changed_layers();
+  if (!layers) return;
+  LayersChanged entry = layers->change;
+  entry.role = LayersChanged::Role::step;
+  entry.name = name.empty() ? name_of_change(*layers_, layers->back, layers->change) : name;
+  entry.back.push_back(layers->back);
+  history_.record_layers(std::move(*layers), entry.name);
+  timeline_.note(std::move(entry));
+}
+
+void Editor::join_layers() {
+  if (!in_gesture() && !can_undo()) return note_layers();
+  auto layers = take_changed_layers();
+  if (!layers) return;
+  LayersChanged entry = layers->change;
+  entry.role = LayersChanged::Role::joined;
+  entry.back.push_back(layers->back);
+  history_.join_layers(std::move(*layers));
+  timeline_.note(std::move(entry));
+}
+
+void Editor::take_layers_as_noted() {
+  if (layers_ == nullptr) return;
+  noted_layers_ = layers_->configuration();
+  noted_revision_ = layers_->revision();
+}
+
+void Editor::set_saved_layers(std::optional<LayerConfiguration> layers) {
+  saved_layers_ = std::move(layers);
+  compared_revision_ = ~std::uint64_t{0};
+}
+
+void Editor::show_layers(LayersChanged change, LayersChanged::Role role) {
+  if (layers_ == nullptr) return;
+  // What was changed within a gesture that is cancelled is not noted yet, and stays so.
+  const bool is_pending = layers_->revision() != noted_revision_;
+  layers_->apply(change);
+  if (is_pending && noted_layers_)
+    mes::apply(change, *noted_layers_);
+  else
+    take_layers_as_noted();
+  change.role = role;
+  timeline_.note(std::move(change));
+}
+
+bool Editor::is_modified() const {
+  if (document_.revision() != saved_revision_) return true;
+  if (!saved_layers_ || layers_ == nullptr) return false;
+  if (compared_revision_ != layers_->revision()) {
+    compared_revision_ = layers_->revision();
+    are_layers_modified_ = layers_->configuration() != *saved_layers_;
+  }
+  return are_layers_modified_;
+}
+
+}  // namespace mes

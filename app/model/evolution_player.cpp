@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/evolution_player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mes {
+
+EvolutionPlayer::EvolutionPlayer(Editor& editor, Settings settings, std::function<void()> wake)
+    : editor_(editor), settings_(std::move(settings)), run_({.wake = std::move(wake)}) {}
+
+bool EvolutionPlayer::has_beginning() const {
+  if (evolution().moved_parameter() != nullptr) return true;
+  const std::uint64_t revision = editor_.document().revision();
+  return revision == beginning_revision_ || revision == shown_revision_;
+}
+
+std::uint64_t EvolutionPlayer::position() const {
+  if (const ParameterMove* move = evolution().moved_parameter())
+    return moved_.k != 0 && settings_.value(move->parameter) == moved_.value ? moved_.k : 0;
+  return editor_.document().revision() == shown_revision_ ? shown_ : 0;
+}
+
+std::optional<double> EvolutionPlayer::parameter_value() const {
+  const ParameterMove* move = evolution().moved_parameter();
+  return move == nullptr ? std::nullopt : std::optional(settings_.value(move->parameter));
+}
+
+void EvolutionPlayer::begin() {
+  beginning_ = state_of(editor_.document());
+  beginning_revision_ = editor_.document().revision();
+  shown_revision_ = ~std::uint64_t{0};
+  run_.begin(beginning_, choice_);
+}
+
+void EvolutionPlayer::restart_from_beginning() {
+  if (evolution().moved_parameter() == nullptr && has_beginning()) run_.begin(beginning_, choice_);
+  wanted_.reset();
+}
+
+void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
+  cancel();
+  choice_ = choice;
+  beginning_revision_ = shown_revision_ = ~std::uint64_t{0};
+  shown_ = 0;
+  moved_ = {};
+  if (k == 0) return;
+  if (const ParameterMove* move = evolution().moved_parameter()) {
+    const double first = descriptor_of(move->parameter).default_value;
+    const auto value = moved_value(*move, first, k, choice_.values);
+    if (!value || *value != settings_.value(move->parameter)) return;
+    moved_ = {k, first, *value};
+    end_ = std::max(end_, k);
+    return;
+  }
+  const auto before = editor_.resume_evolution();
+  if (!before) return;
+  beginning_ = state_of(*before);
+  beginning_revision_ = before->revision();
+  run_.begin(beginning_, choice_);
+  shown_revision_ = editor_.document().revision();
+  shown_ = k;
+  end_ = std::max(end_, k);
+}
+
+void EvolutionPlayer::choose(EvolutionIndex evolution) {
+  if (evolution == choice_.evolution) return;
+  play(Direction::none);
+  step_to(0);
+  choice_.evolution = evolution;
+  moved_ = {};
+  restart_from_beginning();
+}
+
+void EvolutionPlayer::choose_next(int places) {
+  const auto count = static_cast<int>(evolutions().size());
+  const int next = (static_cast<int>(choice_.evolution) + places) % count;
+  choose(static_cast<EvolutionIndex>(next < 0 ? next + count : next));
+}
+
+void EvolutionPlayer::set_seed(std::uint64_t seed) {
+  if (seed == choice_.seed) return;
+  const std::uint64_t k = target();
+  choice_.seed = seed;
+  restart_from_beginning();
+  if (k != 0) step_to(k);
+}
+
+void EvolutionPlayer::set_value(std::string_view parameter, double value) {
+  if (value == choice_.values[parameter]) return;
+  const std::uint64_t k = target();
+  choice_.values.set(parameter, value);
+  restart_from_beginning();
+  if (k != 0) step_to(k);
+}
+
+void EvolutionPlayer::set_end(std::uint64_t end) {
+  end_ = std::max({std::uint64_t{1}, end, target()});
+}
+
+void EvolutionPlayer::step_to(std::uint64_t k) {
+  if (editor_.in_gesture()) return;
+  if (const ParameterMove* move = evolution().moved_parameter()) return move_parameter(*move, k);
+  end_ = std::max(end_, k);
+  if (k == 0) {
+    wanted_.reset();
+    run_.cancel();
+    // The step of undo is the evolution: back to its beginning.
+    if (position() != 0) editor_.undo_edit();
+    return;
+  }
+  if (!has_beginning()) begin();
+  wanted_from_ = position();
+  wanted_ = k;
+  run_.want(k);
+}
+
+void EvolutionPlayer::move_parameter(const ParameterMove& move, std::uint64_t k) {
+  const double before = position() == 0 ? settings_.value(move.parameter) : moved_.before;
+  const auto value = k == 0 ? Expected<double>(before) : moved_value(move, before, k, choice_.values);
+  if (!value) {
+    problem_ = value.error();
+    direction_ = Direction::none;
+    return;
+  }
+  end_ = std::max(end_, k);
+  moved_ = {k, before, *value};
+  settings_.set(move.parameter, *value);
+}
+
+void EvolutionPlayer::play(Direction direction) {
+  if (direction != Direction::none && !has_beginning()) begin();
+  direction_ = direction;
+}
+
+double EvolutionPlayer::progress() const {
+  if (!wanted_ || *wanted_ <= wanted_from_) return 0.0;
+  const auto whole = static_cast<double>(*wanted_ - wanted_from_);
+  const auto done = static_cast<double>(std::max(run_.reached(), wanted_from_) - wanted_from_);
+  return std::min(1.0, done / whole);
+}
+
+void EvolutionPlayer::cancel() {
+  direction_ = Direction::none;
+  wanted_.reset();
+  run_.cancel();
+}
+
+void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
+  const std::string name = std::string(descriptor().name) + ", " + std::to_string(k) + (k == 1 ? " step" : " steps");
+  // Contours change only where samples were added; all states of the others share those of the document.
+  const bool has_new_loops = state.curve != beginning_.curve;
+  if (auto done = editor_.evolve(state.positions,
+                                 has_new_loops ? contours_of(state) : std::vector<SampleData::Contour>(), name);
+      !done) {
+    problem_ = done.error();
+    direction_ = Direction::none;
+    return;
+  }
+  shown_revision_ = editor_.document().revision();
+  shown_ = k;
+}
+
+void EvolutionPlayer::follow(bool picture_is_complete, double now) {
+  if (editor_.in_gesture()) return;
+  // Edited meanwhile: what goes on was meant for what was there before.
+  if ((wanted_ || direction_ != Direction::none) && !has_beginning()) cancel();
+  if (auto answer = run_.poll(); answer && wanted_ == answer->k) {
+    wanted_.reset();
+    if (answer->state) {
+      show(answer->k, **answer->state);
+      picture_is_complete = false;
+    } else {
+      problem_ = answer->state.error();
+      direction_ = Direction::none;
+    }
+  }
+  if (direction_ == Direction::none || wanted_ || !picture_is_complete || next_due(now) > 0.0) return;
+  last_step_ = now;
+  if (direction_ == Direction::forward)
+    step_forward();
+  else
+    step_back();
+  if (direction_ == Direction::backward && target() == 0) direction_ = Direction::none;
+}
+
+std::optional<double> EvolutionPlayer::next_due(double now) const {
+  if (direction_ == Direction::none || wanted_) return std::nullopt;
+  return speed_ >= kFastest ? 0.0 : std::max(0.0, last_step_ + 1.0 / speed_ - now);
+}
+
+}  // namespace mes

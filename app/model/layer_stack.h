@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the drawing shows: which layers, in which order, in which style.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/document/layers_changed.h"
+#include "core/draw/layer_descriptor.h"
+
+namespace mes {
+
+/// What it guarantees: `order` is always a permutation of all layers, bottom first; changing it, a style or a
+/// visibility never asks for geometry by itself: `visible_layers` tells the engine what is wanted, and
+/// `demand_revision` grows only when that answer changed. Cost: O(layers). Threads: none.
+class LayerStack {
+ public:
+  /// Takes order, visibility and styles from the descriptors.
+  explicit LayerStack(std::span<const LayerDescriptor> descriptors);
+
+  std::size_t size() const { return order_.size(); }
+  const LayerDescriptor& descriptor(LayerIndex layer) const { return descriptors_[layer]; }
+  /// kNoSlot when there is none of this id.
+  LayerIndex find(std::string_view id) const;
+  /// Bottom first.
+  std::span<const LayerIndex> order() const { return order_; }
+  bool is_visible(LayerIndex layer) const { return solo_ == kNoSlot ? visible_[layer] : solo_ == layer; }
+  /// Visible ones, bottom first.
+  std::vector<LayerIndex> visible_layers() const;
+  std::uint64_t demand_revision() const { return demand_revision_; }
+  /// Grows with every change of what `configuration` gives.
+  std::uint64_t revision() const { return revision_; }
+
+  void set_visible(LayerIndex layer, bool visible);
+  /// Shows this layer alone until `end_solo`, or until any visibility is set; the visibilities are kept.
+  void solo(LayerIndex layer);
+  void end_solo();
+  LayerIndex soloed() const { return solo_; }
+
+  /// Moves a layer to just above (`above`) or just below another one.
+  void move(LayerIndex layer, LayerIndex target, bool above);
+
+  const LayerStyle& style(LayerIndex layer) const { return styles_[layer]; }
+  void set_style(LayerIndex layer, const LayerStyle& style);
+  void reset_style(LayerIndex layer) { set_style(layer, descriptors_[layer].style); }
+  bool has_default_style(LayerIndex layer) const { return styles_[layer] == descriptors_[layer].style; }
+  /// Order, visibility and styles as at the beginning.
+  void reset();
+
+  const BackgroundImage& image() const { return image_; }
+  void set_image(const BackgroundImage& image);
+
+  /// All of it as a value. Solo is a way of looking and not part of it.
+  LayerConfiguration configuration() const;
+  /// Layers that are not named are hidden, keep their style and go below those that are, in their present order;
+  /// names that are not known are skipped. Ends solo.
+  void set_configuration(const LayerConfiguration& configuration);
+  /// Changes what the difference names and leaves all else; layers that are not known are skipped. Ends solo where a
+  /// visibility changes.
+  void apply(const LayersChanged& change);
+
+ private:
+  void restack(std::span<const std::string> order);
+
+  std::span<const LayerDescriptor> descriptors_;
+  std::vector<LayerIndex> order_;
+  std::vector<bool> visible_;
+  std::vector<LayerStyle> styles_;
+  LayerIndex solo_ = kNoSlot;
+  BackgroundImage image_;
+  std::uint64_t demand_revision_ = 0;
+  std::uint64_t revision_ = 0;
+};
+
+/// Whether a search text picks the layer: every word of it occurs in its name, id or group, whatever the case.
+bool matches_search(const LayerDescriptor& descriptor, std::string_view text);
+
+}  // namespace mes

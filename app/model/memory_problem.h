@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said when memory runs out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "app/model/selection.h"
+
+namespace mes {
+
+inline constexpr std::string_view kMemoryProblem = "Out of memory: ";
+
+/// The reason, and what can be done.
+inline std::string memory_problem(std::size_t samples, std::size_t balls) {
+  const std::string what = counted(samples, balls);
+  return std::string(kMemoryProblem) + what + (samples + balls == 1 ? " needs" : " need") +
+         " more than is free. Grey layers show the last picture. Undo, hide layers or open a smaller file";
+}
+
+inline bool is_memory_problem(std::string_view text) {
+  return text.starts_with(kMemoryProblem);
+}
+
+}  // namespace mes

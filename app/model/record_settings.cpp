@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/record_settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "app/system/data_folder.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path home() {
+  const char* value = std::getenv("HOME");
+  return value != nullptr && value[0] == '/' ? value : "";
+}
+
+// XDG_PICTURES_DIR="$HOME/Pictures" or ="/absolute", as xdg-user-dirs writes it.
+fs::path pictures_by_desktop(const fs::path& file) {
+  constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"";
+  constexpr std::string_view kHome = "$HOME";
+  std::error_code error;
+  // A pipe would be waited for.
+  if (!fs::is_regular_file(file, error)) return {};
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with(kKey)) continue;
+    std::string value = line.substr(kKey.size());
+    value.resize(std::min(value.size(), value.find('"')));
+    if (value.starts_with(kHome)) value = home().string() + value.substr(kHome.size());
+    if (value.starts_with('/')) return value;
+  }
+  return {};
+}
+
+}  // namespace
+
+Expected<void> check(const RecordSettings& settings) {
+  const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
+  const std::string size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+  const bool is_window = settings.width == 0 && settings.height == 0;
+  if (!is_window && (settings.width < 1 || settings.height < 1))
+    return refuse("a frame of " + size + " pixels cannot be: each side needs at least 1");
+  const std::string most = std::to_string(kLargestFrameSide);
+  if (std::max(settings.width, settings.height) > kLargestFrameSide)
+    return refuse("a frame of " + size + " pixels is too large: a side has at most " + most);
+  if (static_cast<long long>(settings.width) * settings.height > kMostFramePixels)
+    return refuse("a frame of " + size + " pixels is too large: it has at most " +
+                  std::to_string(kMostFramePixels >> 20) + " million pixels");
+  if (settings.supersampling != 1 && settings.supersampling != 2 && settings.supersampling != 4)
+    return refuse("supersampling is by 1, 2 or 4");
+  if (!(settings.fps >= 1.0 && settings.fps <= 120.0)) return refuse("frames per second are from 1 to 120");
+  return {};
+}
+
+WindowPart part_between(const Insets& panels, int width, int height) {
+  constexpr int kLeast = 64;
+  const auto left = static_cast<int>(std::ceil(panels.left));
+  const auto top = static_cast<int>(std::ceil(panels.top));
+  const WindowPart out{left, top, width - left - static_cast<int>(std::ceil(panels.right)),
+                       height - top - static_cast<int>(std::ceil(panels.bottom))};
+  return out.width < kLeast || out.height < kLeast ? WindowPart{0, 0, width, height} : out;
+}
+
+FrameView frame_view(const render::Camera& window, const WindowPart& part, double content_scale,
+                     const RecordSettings& settings) {
+  FrameView out{window.part(part.left, part.top, part.width, part.height), content_scale};
+  if (settings.width == 0 || (settings.width == part.width && settings.height == part.height)) return out;
+  const double factor =
+      std::min(static_cast<double>(settings.width) / part.width, static_cast<double>(settings.height) / part.height);
+  out.content_scale *= factor;
+  out.camera.set_viewport(settings.width, settings.height);
+  // About its middle, so that not even a deep zoom's centre is rounded.
+  out.camera.zoom_at({0.5 * settings.width, 0.5 * settings.height}, factor);
+  return out;
+}
+
+fs::path pictures_folder() {
+  const fs::path config = config_folder();
+  std::error_code error;
+  if (!config.empty()) {
+    const fs::path folder = pictures_by_desktop(config.parent_path() / "user-dirs.dirs");
+    if (!folder.empty() && fs::is_directory(folder, error)) return folder;
+  }
+  return home();
+}
+
+fs::path takes_folder() {
+  const fs::path pictures = pictures_folder();
+  return pictures.empty() ? pictures : pictures / "mesecina";
+}
+
+}  // namespace mes

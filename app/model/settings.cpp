@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/settings.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/system/data_folder.h"
+#include "core/io/atomic_file.h"
+
+namespace mes {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kSchema = 1;
+// A settings file is small; what is larger is not one, and is not read into memory.
+constexpr std::uintmax_t kLargestFile = 1U << 20U;
+
+// In the order of `DetailsPage`.
+constexpr std::array<std::string_view, 4> kPages{"none", "statistics", "parameters", "log"};
+
+constexpr std::string_view kDark = "dark";
+constexpr std::string_view kLight = "light";
+
+template <class T>
+T number_in(const json& object, const char* key, T low, T high, T otherwise) {
+  const auto entry = object.find(key);
+  if (entry == object.end() || !entry->is_number()) return otherwise;
+  const double value = entry->get<double>();
+  return static_cast<T>(std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
+}
+
+bool flag_in(const json& object, const char* key, bool otherwise) {
+  const auto entry = object.find(key);
+  return entry != object.end() && entry->is_boolean() ? entry->get<bool>() : otherwise;
+}
+
+std::string text_in(const json& object, const char* key) {
+  const auto entry = object.find(key);
+  return entry != object.end() && entry->is_string() ? entry->get<std::string>() : std::string();
+}
+
+// 0xRRGGBB; none: nothing, or no colour.
+std::optional<Rgb> color_in(const json& object, const char* key) {
+  const auto entry = object.find(key);
+  if (entry == object.end() || !entry->is_number_integer()) return std::nullopt;
+  const auto value = entry->get<std::int64_t>();
+  if (value < 0 || value > 0xFFFFFF) return std::nullopt;
+  return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+             static_cast<std::uint8_t>(value)};
+}
+
+json to_json(const std::optional<Rgb>& color) {
+  if (!color) return nullptr;
+  return static_cast<unsigned>(color->r) << 16U | static_cast<unsigned>(color->g) << 8U |
+         static_cast<unsigned>(color->b);
+}
+
+RecordSettings record_from_json(const json& object) {
+  RecordSettings out;
+  out.width = number_in(object, "width", 0, kLargestFrameSide, out.width);
+  out.height = number_in(object, "height", 0, kLargestFrameSide, out.height);
+  out.supersampling = number_in(object, "supersampling", 1, 4, out.supersampling);
+  out.transparent = flag_in(object, "transparent", out.transparent);
+  out.background = color_in(object, "background");
+  out.with_panels = flag_in(object, "with_panels", out.with_panels);
+  out.each_motion = flag_in(object, "each_motion", out.each_motion);
+  out.fps = number_in(object, "fps", 1.0, 120.0, out.fps);
+  out.folder = text_in(object, "folder");
+  // What fits each range may still not go together.
+  if (!check(out)) {
+    out.width = out.height = 0;
+    out.supersampling = 1;
+  }
+  return out;
+}
+
+json to_json(const RecordSettings& record) {
+  return {{"width", record.width},
+          {"height", record.height},
+          {"supersampling", record.supersampling},
+          {"transparent", record.transparent},
+          {"background", to_json(record.background)},
+          {"with_panels", record.with_panels},
+          {"each_motion", record.each_motion},
+          {"fps", record.fps},
+          {"folder", record.folder}};
+}
+
+Settings from_json(const json& object) {
+  Settings out;
+  if (const auto recent = object.find("recent_files"); recent != object.end() && recent->is_array()) {
+    for (const json& entry : *recent)
+      if (entry.is_string() && out.recent_files.size() < kRecentFiles) out.recent_files.push_back(entry);
+  }
+  out.spray_spacing_px = number_in(object, "spray_spacing_px", 2.0, 100.0, out.spray_spacing_px);
+  out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
+  if (text_in(object, "theme") == kDark) out.theme = Theme::dark;
+  out.for_projector = flag_in(object, "for_projector", out.for_projector);
+  out.canvas_background = color_in(object, "canvas_background");
+  out.window_width = number_in(object, "window_width", 320, 16384, out.window_width);
+  out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
+  out.show_bundles = flag_in(object, "show_bundles", out.show_bundles);
+  out.show_layers = flag_in(object, "show_layers", out.show_layers);
+  const auto page = std::ranges::find(kPages, text_in(object, "details"));
+  if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
+  out.show_legend = flag_in(object, "show_legend", out.show_legend);
+  out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
+  out.last_folder = text_in(object, "last_folder");
+  if (const auto record = object.find("record"); record != object.end() && record->is_object())
+    out.record = record_from_json(*record);
+  return out;
+}
+
+std::string set_aside(const fs::path& path, const std::string& why) {
+  fs::path broken = path;
+  broken += ".broken";
+  std::error_code error;
+  fs::rename(path, broken, error);
+  if (error) return "the settings in " + path.string() + " cannot be used (" + why + "); started with the defaults";
+  return "the settings could not be read (" + why + "); they were set aside as " + broken.string();
+}
+
+}  // namespace
+
+void remember_file(Settings& settings, const fs::path& file) {
+  std::error_code error;
+  fs::path absolute = fs::weakly_canonical(file, error);
+  if (error) absolute = fs::absolute(file, error);
+  const std::string text = absolute.string();
+  std::erase(settings.recent_files, text);
+  settings.recent_files.insert(settings.recent_files.begin(), text);
+  if (settings.recent_files.size() > kRecentFiles) settings.recent_files.resize(kRecentFiles);
+}
+
+fs::path default_settings_path() {
+  const fs::path folder = config_folder();
+  return folder.empty() ? folder : folder / "settings.json";
+}
+
+LoadedSettings load_settings(const fs::path& path) {
+  if (path.empty()) return {};
+  std::error_code error;
+  if (!fs::exists(path, error) || error) return {};
+  if (!fs::is_regular_file(path, error))
+    return {Settings{}, path.string() + " is not a file; started with the defaults"};
+  if (fs::file_size(path, error) > kLargestFile || error) return {Settings{}, set_aside(path, "far too large")};
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  if (!stream) return {Settings{}, path.string() + " cannot be read; started with the defaults"};
+  const json parsed = json::parse(bytes.str(), nullptr, false);
+  if (parsed.is_discarded()) return {Settings{}, set_aside(path, "not JSON")};
+  if (!parsed.is_object()) return {Settings{}, set_aside(path, "not a JSON object")};
+  if (number_in(parsed, "schema", 0, 1'000'000, 0) != kSchema)
+    return {Settings{}, set_aside(path, "another version")};
+  return {from_json(parsed), {}};
+}
+
+namespace {
+
+json to_json(const Settings& settings) {
+  return {{"schema", kSchema},
+          {"recent_files", settings.recent_files},
+          {"spray_spacing_px", settings.spray_spacing_px},
+          {"interface_scale", settings.interface_scale},
+          {"theme", settings.theme == Theme::dark ? kDark : kLight},
+          {"for_projector", settings.for_projector},
+          {"canvas_background", to_json(settings.canvas_background)},
+          {"window_width", settings.window_width},
+          {"window_height", settings.window_height},
+          {"show_bundles", settings.show_bundles},
+          {"show_layers", settings.show_layers},
+          {"details", kPages[static_cast<std::size_t>(settings.details)]},
+          {"show_legend", settings.show_legend},
+          {"show_evolution", settings.show_evolution},
+          {"last_folder", settings.last_folder},
+          {"record", to_json(settings.record)}};
+}
+
+}  // namespace
+
+Settings merged(const Settings& ours, const Settings& at_start, const Settings& now) {
+  const json mine = to_json(ours);
+  const json before = to_json(at_start);
+  json out = to_json(now);
+  for (const auto& [key, value] : mine.items())
+    if (value != before[key]) out[key] = value;
+  Settings result = from_json(out);
+  // Files are remembered by both.
+  result.recent_files = ours.recent_files;
+  for (const std::string& file : now.recent_files)
+    if (std::ranges::count(at_start.recent_files, file) == 0 && std::ranges::count(result.recent_files, file) == 0)
+      result.recent_files.push_back(file);
+  if (result.recent_files.size() > kRecentFiles) result.recent_files.resize(kRecentFiles);
+  return result;
+}
+
+Expected<void> save_settings(const Settings& settings, const fs::path& path) {
+  if (path.empty()) return {};
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error)
+    return std::unexpected(
+        Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path.parent_path().string()});
+  // A pipe would wait for somebody who reads it.
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+    return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
+  // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
+  return write_file_atomically(path, to_json(settings).dump(2, ' ', false, json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace mes

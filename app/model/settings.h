@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window remembers from one start to the next.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/model/record_settings.h"
+#include "core/base/color.h"
+#include "core/base/error.h"
+
+namespace mes {
+
+/// What the lower right panel shows.
+enum class DetailsPage : std::uint8_t { none, statistics, parameters, log };
+
+enum class Theme : std::uint8_t { light, dark };
+
+struct Settings {
+  std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
+  double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
+  double interface_scale = 1.0;           ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
+  Theme theme = Theme::light;
+  bool for_projector = false;            ///< everything larger, with the strongest contrast
+  std::optional<Rgb> canvas_background;  ///< none: what goes with the theme
+  int window_width = 1280;               ///< logical pixels
+  int window_height = 800;
+  bool show_layers = true;
+  bool show_bundles = true;  ///< unfolded, above the layers
+  DetailsPage details = DetailsPage::none;
+  bool show_legend = true;  ///< of the colour maps in use
+  bool show_evolution = false;
+  std::string last_folder;  ///< of the file browser
+  RecordSettings record;
+};
+
+inline constexpr std::size_t kRecentFiles = 12;
+
+/// Puts the file first, without a twin further down.
+void remember_file(Settings& settings, const std::filesystem::path& file);
+
+/// $XDG_CONFIG_HOME/mesecina/settings.json, or ~/.config/mesecina/settings.json; empty when there is no home.
+std::filesystem::path default_settings_path();
+
+struct LoadedSettings {
+  Settings settings;
+  std::string message;  ///< for the user, one line; empty when all is well
+};
+
+/// Never fails: a missing file gives the defaults; one that is broken is renamed to `settings.json.broken`, with a
+/// message; unknown keys are ignored and values out of range are brought into it.
+LoadedSettings load_settings(const std::filesystem::path& path);
+
+/// What to save when another window has saved `now` since this one began with `at_start`: of each setting what was
+/// changed here, or else what stands there; recent files of both.
+Settings merged(const Settings& ours, const Settings& at_start, const Settings& now);
+
+/// Atomic; makes the folder if need be.
+Expected<void> save_settings(const Settings& settings, const std::filesystem::path& path);
+
+}  // namespace mes

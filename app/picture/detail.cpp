@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/detail.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace mes {
+namespace {
+
+constexpr double kMovingMs = 60.0;        // a frame while something moves; longer is felt as a jerk
+constexpr double kRestingMs = 300.0;      // a frame of a picture at rest; longer delays the next input too much
+constexpr std::uint32_t kAlways = 256;    // so many disks show the shape of their union; never fewer
+constexpr std::uint32_t kUntried = 4096;  // more than that are not painted at once before it is known what they cost
+
+std::uint32_t largest_step(std::uint32_t disks) {
+  return std::bit_floor(std::max(1U, disks / kAlways));
+}
+
+}  // namespace
+
+std::uint32_t Detail::begin_changed(std::uint32_t disks) {
+  // Four times as many are another drawing, of which nothing is known yet.
+  if (disks > kUntried && (disks / 4 > disks_ || disks_ / 4 > disks)) every_moving_ = largest_step(disks);
+  disks_ = disks;
+  every_moving_ = std::min(every_moving_, largest_step(disks));
+  every_ = every_moving_;
+  is_refinement_ = false;
+  return every_;
+}
+
+std::uint32_t Detail::begin_refinement() {
+  every_ = std::max(1U, every_ / 2);
+  is_refinement_ = true;
+  return every_;
+}
+
+void Detail::painted(double milliseconds) {
+  if (!is_refinement_) {
+    if (milliseconds > kMovingMs) {
+      const auto factor = std::bit_ceil(static_cast<std::uint32_t>(std::min(1e6, milliseconds / kMovingMs) + 0.999));
+      every_moving_ = std::min(largest_step(disks_), every_moving_ * std::min(factor, 1U << 16U));
+    } else if (milliseconds < 0.3 * kMovingMs) {
+      every_moving_ = std::max(1U, every_moving_ / 2);
+    }
+  }
+  // Twice the disks take twice the time at most.
+  is_refining_ = every_ > 1 && 2.0 * milliseconds < kRestingMs;
+}
+
+}  // namespace mes

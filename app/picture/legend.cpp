@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/legend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "app/picture/canvas_look.h"
+
+namespace mes {
+namespace {
+
+constexpr double kWidth = 240.0;
+constexpr double kPadding = 12.0;
+constexpr double kBar = 12.0;
+constexpr double kTickLength = 4.0;
+constexpr double kTitleSize = 15.0;
+constexpr double kTextSize = 13.0;
+constexpr double kLineHeight = 17.0;
+constexpr double kGap = 12.0;  // between entries
+constexpr double kMargin = 12.0;
+constexpr int kBarSteps = 108;
+constexpr std::size_t kMostSwatches = 12;
+
+struct Colors {
+  Rgb paper;
+  Rgb frame;
+  Rgb ink;
+  Rgb quiet;
+};
+constexpr Colors kOnLight{{0xff, 0xff, 0xff}, {0xd0, 0xd4, 0xd9}, {0x1f, 0x23, 0x28}, {0x5b, 0x64, 0x6e}};
+constexpr Colors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf4, 0xf6}, {0xb4, 0xbc, 0xc4}};
+
+std::string shortest(double value, int digits) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return text.data();
+}
+
+// Logarithms of round numbers may come out just below whole ones.
+constexpr double kRounding = 1e-9;
+
+/// With as many digits as tell steps of that size apart; without an exponent where that is short.
+std::string number_text(double value, double step) {
+  if (std::abs(value) < 0.5 * step || value == 0.0) return "0";
+  constexpr double kMostDigits = 17.0;
+  constexpr double kMostPlain = 6.0;
+  const double before_point = std::floor(std::log10(std::abs(value)) + kRounding) + 1.0;
+  const double after_point = step > 0.0 ? -std::floor(std::log10(step) + kRounding) : 0.0;
+  const double least = before_point <= kMostPlain ? before_point : 1.0;
+  const double digits = std::clamp(before_point + after_point, std::max(least, 1.0), kMostDigits);
+  return shortest(value, static_cast<int>(digits));
+}
+
+/// 1, 2 or 5 times a power of ten, so that some five steps make the width.
+double round_step(double width) {
+  const double raw = width / 5.0;
+  const double power = std::pow(10.0, std::floor(std::log10(raw) + kRounding));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= (1.0 - kRounding) * raw) return factor * power;
+  return 10.0 * power;
+}
+
+/// The text in lines no wider than that; broken at spaces.
+std::vector<std::string> wrapped(const std::string& text, double width, const MeasureText& measure) {
+  std::vector<std::string> lines(1);
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    std::string& line = lines.back();
+    if (line.empty())
+      line = word;
+    else if (measure(line + ' ' + word, kTextSize, false) <= width)
+      line += ' ' + word;
+    else
+      lines.push_back(word);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Writes one entry below the other.
+class Layout {
+ public:
+  Layout(const MeasureText& measure, const Colors& colors) : measure_(&measure), colors_(colors) {}
+
+  double y() const { return y_; }
+  LegendDrawing& drawing() { return drawing_; }
+
+  void text(const std::string& line, bool is_bold, Rgb color) {
+    drawing_.lines.push_back({kPadding, y_, is_bold ? kTitleSize : kTextSize, is_bold, color, line});
+    y_ += is_bold ? kLineHeight + 2.0 : kLineHeight;
+  }
+
+  void entry(const LegendEntry& entry) {
+    if (y_ > kPadding) y_ += kGap;
+    text(entry.title, true, colors_.ink);
+    for (const std::string& line : wrapped(entry.scalar, kWidth - 2.0 * kPadding, *measure_))
+      text(line, false, colors_.quiet);
+    y_ += 3.0;
+    if (entry.map->is_categorical)
+      swatches(entry);
+    else
+      bar(entry);
+  }
+
+ private:
+  void bar(const LegendEntry& entry) {
+    const double width = kWidth - 2.0 * kPadding;
+    for (int i = 0; i < kBarSteps; ++i) {
+      const double left = width * i / kBarSteps;
+      const Rgb color = entry.map->at((i + 0.5) / kBarSteps);
+      // Each reaches to the end of the bar and is covered by the next: edges within a pixel show no seam.
+      drawing_.boxes.push_back({kPadding + left, y_, width - left, kBar, color});
+    }
+    y_ += kBar;
+    std::vector<LegendTick> ticks = legend_ticks(entry.range);
+    if (ticks.empty()) {
+      text("no number is finite", false, colors_.quiet);
+      return;
+    }
+    // The ends first; between them what has room.
+    if (ticks.size() > 1) std::rotate(ticks.begin() + 1, ticks.end() - 1, ticks.end());
+    std::vector<std::pair<double, double>> taken;
+    for (const LegendTick& tick : ticks) {
+      const double x = kPadding + tick.at * width;
+      drawing_.boxes.push_back({std::min(x, kPadding + width - 1.0), y_, 1.0, kTickLength, colors_.quiet});
+      const double size = (*measure_)(tick.label, kTextSize, false);
+      const double left = std::clamp(x - 0.5 * size, kPadding, std::max(kPadding, kPadding + width - size));
+      constexpr double kApart = 8.0;
+      const bool is_free = std::ranges::none_of(taken, [&](const auto& other) {
+        return left < other.second + kApart && other.first < left + size + kApart;
+      });
+      if (!is_free) continue;
+      taken.emplace_back(left, left + size);
+      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kTextSize, false, colors_.ink, tick.label});
+    }
+    y_ += kTickLength + 1.0 + kLineHeight;
+  }
+
+  // Whole numbers in the range, each with its colour, side by side while there is room.
+  void swatches(const LegendEntry& entry) {
+    const double low = std::ceil(entry.range.low - 0.5);
+    const double high = std::floor(entry.range.high + 0.5);
+    if (!(low <= high)) {
+      text("no number is finite", false, colors_.quiet);
+      return;
+    }
+    double x = kPadding;
+    std::size_t shown = 0;
+    for (double value = low; value <= high; value += 1.0) {
+      const bool is_left_out = shown == kMostSwatches;
+      const std::string label = is_left_out ? "..." : shortest(value, 9);
+      const double size = (is_left_out ? 0.0 : kBar + 4.0) + (*measure_)(label, kTextSize, false);
+      if (x > kPadding && x + size > kWidth - kPadding) {
+        x = kPadding;
+        y_ += kLineHeight + 2.0;
+      }
+      if (!is_left_out) {
+        const std::optional<Rgb> color = entry.map->color_of(value, entry.range);
+        drawing_.boxes.push_back({x, y_ + 2.0, kBar, kBar, *color});
+      }
+      drawing_.lines.push_back({x + (is_left_out ? 0.0 : kBar + 4.0), y_, kTextSize, false, colors_.ink, label});
+      x += size + 12.0;
+      if (is_left_out) break;
+      ++shown;
+    }
+    y_ += kLineHeight;
+  }
+
+  const MeasureText* measure_;
+  Colors colors_;
+  LegendDrawing drawing_;
+  double y_ = kPadding;
+};
+
+struct PixelPlace {
+  int left = 0;
+  int top = 0;
+};
+
+PixelPlace lower_right(const render::Image& image, double width, double height, double margin) {
+  const auto m = static_cast<int>(std::lround(margin));
+  return {image.width - m - static_cast<int>(std::ceil(width)),
+          image.height - m - static_cast<int>(std::ceil(height))};
+}
+
+/// Where a rectangle hides the fewest pixels that differ from the first one of the picture.
+PixelPlace emptiest_corner(const render::Image& image, double width, double height, double margin) {
+  const auto w = static_cast<int>(std::ceil(width));
+  const auto h = static_cast<int>(std::ceil(height));
+  const auto m = static_cast<int>(std::lround(margin));
+  const auto [right, bottom] = lower_right(image, width, height, margin);
+  PixelPlace best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const PixelPlace place :
+       {PixelPlace{right, bottom}, PixelPlace{m, bottom}, PixelPlace{right, m}, PixelPlace{m, m}}) {
+    std::size_t hidden = 0;
+    for (int y = std::max(place.top, 0); y < std::min(place.top + h, image.height); ++y)
+      for (int x = std::max(place.left, 0); x < std::min(place.left + w, image.width); ++x)
+        hidden += std::equal(&image.rgba[image.offset(x, y)], &image.rgba[image.offset(x, y)] + 4, image.rgba.begin())
+                      ? 0U
+                      : 1U;
+    if (hidden < least) {
+      least = hidden;
+      best = place;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views) {
+  std::vector<LegendEntry> out;
+  for (auto view = views.rbegin(); view != views.rend(); ++view) {
+    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
+    const LayerDescriptor& layer = layer_descriptors()[view->layer];
+    if (shown.map != nullptr)
+      out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+  }
+  return out;
+}
+
+std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
+  if (range.is_empty() || !std::isfinite(range.low) || !std::isfinite(range.high)) return {};
+  constexpr int kAlone = 6;
+  if (range.low == range.high) return {{0.5, shortest(range.low, kAlone)}};
+  const double width = range.high - range.low;
+  // An end need not be round; a hundredth of the width says where it is.
+  const double fine = 0.005 * range.high - 0.005 * range.low;
+  std::vector<LegendTick> out{{0.0, number_text(range.low, fine)}};
+  if (std::isfinite(width)) {
+    const double step = round_step(width);
+    const double first = std::ceil(range.low / step);
+    constexpr int kMostTicks = 12;
+    constexpr double kNearEnd = 0.02;
+    for (int i = 0; i < kMostTicks; ++i) {
+      const double value = (first + i) * step;
+      const double at = render::place_in(value, range);
+      if (!(value < range.high)) break;
+      if (value > range.low && at > kNearEnd && at < 1.0 - kNearEnd) out.push_back({at, number_text(value, step)});
+    }
+  }
+  out.push_back({1.0, number_text(range.high, fine)});
+  return out;
+}
+
+LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
+                            const std::optional<Rgb>& background) {
+  if (entries.empty()) return {};
+  const Colors& colors = background && is_dark(*background) ? kOnDark : kOnLight;
+  Layout layout(measure, colors);
+  std::size_t shown = 0;
+  for (const LegendEntry& entry : entries) {
+    Layout with = layout;
+    with.entry(entry);
+    const double rest = shown + 1 < entries.size() ? kGap + kLineHeight : 0.0;
+    if (shown > 0 && with.y() + rest + kPadding > room) break;
+    layout = std::move(with);
+    ++shown;
+  }
+  if (shown < entries.size())
+    layout.text("and " + std::to_string(entries.size() - shown) + " more", false, colors.quiet);
+  LegendDrawing out = std::move(layout.drawing());
+  out.width = kWidth;
+  out.height = layout.y() + kPadding - 4.0;
+  out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, colors.frame},
+                                       {1.0, 1.0, out.width - 2.0, out.height - 2.0, colors.paper}});
+  return out;
+}
+
+Expected<LegendFonts> LegendFonts::read(const std::filesystem::path& assets) {
+  auto plain = render::Font::read(assets / "fonts" / "Inter-Regular.otf");
+  if (!plain) return std::unexpected(plain.error());
+  auto bold = render::Font::read(assets / "fonts" / "Inter-SemiBold.otf");
+  if (!bold) return std::unexpected(bold.error());
+  return LegendFonts{std::move(*plain), std::move(*bold)};
+}
+
+PictureLegend layout_legend(std::span<const LegendEntry> entries, const LegendFonts& fonts, int width, int height,
+                            double scale, const std::optional<Rgb>& background) {
+  constexpr double kShare = 0.3;
+  constexpr double kLeast = 0.7;
+  scale *= std::clamp(kShare * width / (scale * kWidth), kLeast, 1.0);
+  const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
+    return render::text_width(is_bold ? fonts.bold : fonts.plain, scale * size, text) / scale;
+  };
+  return {layout_legend(entries, measure, height / scale - 2.0 * kMargin, background), scale};
+}
+
+void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLegend& picture_legend,
+                 LegendPlace place, double foot) {
+  const auto& [legend, scale] = picture_legend;
+  const double width = scale * legend.width;
+  const double height = scale * legend.height;
+  PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
+                                                    : emptiest_corner(image, width, height, scale * kMargin);
+  if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
+  const auto left = static_cast<double>(at.left);
+  const auto top = static_cast<double>(at.top);
+  // On whole pixels, so that edges are sharp and thin lines alike.
+  for (const LegendDrawing::Box& box : legend.boxes) {
+    const double x0 = std::round(left + scale * box.left);
+    const double y0 = std::round(top + scale * box.top);
+    const double x1 = std::max(std::round(left + scale * (box.left + box.width)), x0 + 1.0);
+    const double y1 = std::max(std::round(top + scale * (box.top + box.height)), y0 + 1.0);
+    render::fill_rectangle(image, x0, y0, x1 - x0, y1 - y0, box.color, box.opacity);
+  }
+  // From the top of a line to the foot of its letters.
+  constexpr double kAscent = 0.8;
+  for (const LegendDrawing::Line& line : legend.lines)
+    render::draw_text(image, line.is_bold ? fonts.bold : fonts.plain, scale * line.size, left + scale * line.x,
+                      top + scale * (line.top + kAscent * line.size), line.color, line.text);
+}
+
+}  // namespace mes

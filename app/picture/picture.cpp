@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <new>
+#include <span>
+
+#include "core/base/assert.h"
+
+namespace mes {
+namespace {
+
+constexpr std::uint32_t kSelectionMark = 1;
+constexpr std::uint32_t kSelectedCircleMark = 0;  // below the points
+constexpr double kFailedOpacity = 0.35;
+
+// The last good picture of a failed layer stays, drained of its colour.
+LayerStyle greyed(LayerStyle style) {
+  const auto luma = static_cast<std::uint8_t>((2 * style.color.r + 3 * style.color.g + style.color.b) / 6);
+  const auto pale = static_cast<std::uint8_t>((luma + 2 * 0x99) / 3);
+  style.color = {pale, pale, pale};
+  style.color_map.clear();
+  style.opacity *= kFailedOpacity;
+  return style;
+}
+
+}  // namespace
+
+Picture::Picture() : scene_(device_) {
+  if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
+}
+
+void Picture::check(const FramePatch& patch) {
+  mirror_->apply(patch);
+  for (const LayerPatch& layer : std::span(patch.layers).first(patch.layer_count))
+    for (const PrimitiveKind kind : kAllPrimitiveKinds)
+      MES_ASSERT(scene_.instances(layer.layer, kind) == mirror_->count(layer.layer, kind));
+}
+
+bool Picture::apply(const FramePatch& patch) {
+  try {
+    scene_.apply(patch);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+// Every layer that is in demand and up to date is in it, whole. With nothing in demand there is no answer.
+bool Picture::brings_all(const FramePatch& patch) {
+  const auto sent = std::span(patch.layers).first(patch.layer_count);
+  return !sent.empty() && std::ranges::all_of(patch.reports, [sent](const LayerReport& report) {
+    if (report.state != NodeState::up_to_date) return true;
+    const auto found = std::ranges::find(sent, report.layer, &LayerPatch::layer);
+    return found != sent.end() &&
+           std::ranges::all_of(found->kinds, [](const KindPatch& kind) { return kind.reset || kind.is_empty(); });
+  });
+}
+
+bool Picture::take_from(Engine& engine) {
+  bool took = false;
+  while (auto patch = engine.poll()) {
+    // What builds on a patch that was lost is lost too, until the layers are sent whole.
+    if (is_lost_ && !brings_all(*patch)) {
+      engine.recycle(std::move(patch));
+      continue;
+    }
+    is_lost_ = !apply(*patch);
+    if (mirror_ && !is_lost_) check(*patch);
+    document_revision_ = patch->document_revision;
+    reports_.swap(patch->reports);
+    nodes_.swap(patch->nodes);
+    if (is_lost_) {
+      for (LayerReport& report : reports_) {
+        if (report.state != NodeState::up_to_date) continue;
+        report.state = NodeState::failed;
+        report.reason = kOutOfMemory;
+      }
+    }
+    if (patch->provenance) provenance_ = std::move(patch->provenance);
+    engine.recycle(std::move(patch));
+    took = true;
+    ++patches_;
+  }
+  return took;
+}
+
+bool Picture::set_background(LayerIndex layer, const render::Image& image) {
+  ++background_revision_;
+  try {
+    scene_.set_picture(layer, image);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  background_aspect_ = static_cast<double>(image.height) / image.width;
+  return true;
+}
+
+void Picture::place_background(const render::PicturePlace& place) {
+  if (place == background_place_) return;
+  background_place_ = place;
+  scene_.place_picture(place);
+  ++background_revision_;
+}
+
+void Picture::clear_background() {
+  scene_.clear_picture();
+  background_aspect_ = 0.0;
+  ++background_revision_;
+}
+
+void Picture::forget_hidden(const LayerStack& layers) {
+  for (const LayerIndex layer : layers.order())
+    if (!layers.is_visible(layer)) scene_.forget(layer);
+}
+
+const LayerReport* Picture::report(LayerIndex layer) const {
+  const auto found = std::ranges::find(reports_, layer, &LayerReport::layer);
+  return found == reports_.end() ? nullptr : &*found;
+}
+
+NodeState Picture::state(LayerIndex layer) const {
+  const LayerReport* found = report(layer);
+  return found == nullptr ? NodeState::inactive : found->state;
+}
+
+void Picture::mark_selection(const Editor& editor) {
+  const MarkedState now{editor.document().revision(), editor.selection().revision(), scene_.frame(), canvas_};
+  if (now == marked_) return;
+  marked_ = now;
+  LayerStyle style;
+  style.color = mark_color(canvas_);
+  style.point_size_px = 9.0;
+  style.line_width_px = 2.5;
+  const Document& document = editor.document();
+  mark_data_.clear();
+  for (const Slot slot : editor.selection().slots()) {
+    const Vec2 p = document.position(slot);
+    mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
+  }
+  for (const Slot slot : editor.selection().ball_slots()) {
+    const Vec2 p = document.disk(slot).center;
+    mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
+  }
+  set_mark(kSelectionMark, PrimitiveKind::point, style);
+  mark_data_.clear();
+  for (const Slot slot : editor.selection().ball_slots()) {
+    const Disk& disk = document.disk(slot);
+    if (disk.radius > 0.0) mark_data_.insert(mark_data_.end(), {disk.center.x, disk.center.y, disk.radius, 0.0});
+  }
+  set_mark(kSelectedCircleMark, PrimitiveKind::circle, style);
+}
+
+void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style) {
+  if (mark_data_.empty())
+    scene_.clear_overlay(slot);
+  else
+    scene_.set_overlay(slot, {kind, mark_data_, style, false});
+}
+
+// The picture without panels, for frames in which it stays the same.
+void Picture::keep(int width, int height) {
+  GLuint name = kept_.get();
+  if (name == 0) {
+    glGenTextures(1, &name);
+    kept_ = render::GlTexture(name);
+    GLuint reader = 0;
+    glGenFramebuffers(1, &reader);
+    kept_reader_ = render::GlFramebuffer(reader);
+  }
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glReadBuffer(GL_BACK);
+  glBindTexture(GL_TEXTURE_2D, name);
+  if (width != kept_width_ || height != kept_height_) {
+    kept_width_ = width;
+    kept_height_ = height;
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, width, height, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_reader_.get());
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  } else {
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void Picture::show_kept(int width, int height) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_reader_.get());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
+  std::uint32_t out = 0;
+  for (const LayerIndex layer : layers.visible_layers())
+    out = std::max(out, scene_.instances(layer, PrimitiveKind::disk));
+  return out;
+}
+
+std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const LayerStack& layers,
+                                                                     const std::optional<Rgb>& background) const {
+  std::vector<std::pair<LayerIndex, LayerStyle>> out;
+  for (const LayerIndex layer : layers.visible_layers()) {
+    const NodeState is = state(layer);
+    const bool failed = is == NodeState::failed || is == NodeState::blocked;
+    out.emplace_back(layer, drawn_on(failed ? greyed(layers.style(layer)) : layers.style(layer), background));
+  }
+  return out;
+}
+
+Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
+                                const render::CaptureOptions& options) {
+  std::vector<render::LayerView> views;
+  for (const auto& [layer, style] : shown_layers(layers, options.background)) views.push_back({layer, style});
+  return capture.draw(scene_, camera, views, options);
+}
+
+std::vector<LegendEntry> Picture::legend(const LayerStack& layers) const {
+  std::vector<render::LayerView> views;
+  for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
+  return legend_of(scene_, views);
+}
+
+void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
+                   double content_scale) {
+  mark_selection(editor);
+  ShownState now{camera, content_scale, patches_, background_revision_, marked_, shown_layers(layers, canvas_)};
+  const bool is_same = now == shown_;
+  if (is_same && !detail_.is_refining()) {
+    show_kept(camera.width(), camera.height());
+    return;
+  }
+  const std::uint32_t every =
+      is_same ? detail_.begin_refinement() : detail_.begin_changed(largest_disk_layer(layers));
+  std::vector<render::LayerView> views;
+  for (const auto& [layer, style] : now.layers) views.push_back({layer, style, every});
+  const auto start = std::chrono::steady_clock::now();
+  device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
+  scene_.draw(camera, views, {.content_scale = content_scale});
+  // Only then is it known what it cost. Nothing else is left to do in this frame.
+  device_.finish();
+  detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  keep(camera.width(), camera.height());
+  shown_ = std::move(now);
+}
+
+}  // namespace mes

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the engine has computed, on the graphics card, with the marks of the window above it.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/model/editor.h"
+#include "app/model/layer_stack.h"
+#include "app/picture/canvas_look.h"
+#include "app/picture/detail.h"
+#include "app/picture/legend.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/engine.h"
+#include "core/engine/memory_lack.h"
+#include "render/frame_capture.h"
+#include "render/gl_device.h"
+#include "render/gl_handles.h"
+#include "render/scene.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. It never waits for the engine; a layer whose structure failed keeps its last good picture, greyed.
+///  2. The layers are drawn only when the view, a style, a patch or the selection changed; a frame in which only
+///  panels
+///     or the pointer moved costs one copy of the last picture, however many primitives there are.
+///  3. Where MESECINA_CHECK_PATCHES is set, as in the tests of the window, each patch goes through a `LayerMirror`
+///  too,
+///     which refuses broken ones, and what is drawn is as much as that holds.
+///  4. However many large disks there are, a picture that moves is painted within a fraction of a second (detail.h).
+///
+/// Needs a current OpenGL context for its life. Threads: the window's.
+class Picture {
+ public:
+  Picture();
+
+  void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
+  /// The picture to trace, in the place of a layer.
+  /// False when graphics memory is exhausted.
+  bool set_background(LayerIndex layer, const render::Image& image);
+  void place_background(const render::PicturePlace& place);
+  void clear_background();
+  /// Its height by its width; 0 while there is none.
+  double background_aspect() const { return background_aspect_; }
+
+  /// Takes what is finished; true when something was.
+  bool take_from(Engine& engine);
+  /// Frees the graphics memory of layers that are shown no more.
+  void forget_hidden(const LayerStack& layers);
+  /// What the window is filled with from now on.
+  void set_canvas(Rgb background) { canvas_ = background; }
+  Rgb canvas() const { return canvas_; }
+  /// Fills the window.
+  void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale);
+
+  /// The layers as they are now, with the marks of the selection as last drawn, whole and without the window.
+  Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
+                         const render::CaptureOptions& options);
+  render::GlDevice& device() { return device_; }
+  /// Of the visible layers.
+  std::vector<LegendEntry> legend(const LayerStack& layers) const;
+
+  /// The picture at rest can be painted in more detail: draw again soon.
+  bool is_refining() const { return detail_.is_refining(); }
+  /// Of disks only each so manieth is on screen; 1: all.
+  std::uint32_t every() const { return detail_.every(); }
+
+  /// The last answer that came, once.
+  std::unique_ptr<Provenance> take_provenance() { return std::move(provenance_); }
+
+  NodeState state(LayerIndex layer) const;
+  const LayerReport* report(LayerIndex layer) const;
+  const std::vector<NodeReport>& nodes() const { return nodes_; }
+  /// There was no room for a patch: the layers are grey until the engine is asked for all of them anew, by a demand
+  /// for none and then for these.
+  bool is_lost() const { return is_lost_; }
+  /// Some layers show their last picture because there was no room for another.
+  bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
+  /// The document state that is on screen.
+  std::uint64_t document_revision() const { return document_revision_; }
+  const render::Scene& scene() const { return scene_; }
+
+ private:
+  struct MarkedState {
+    std::uint64_t document = ~std::uint64_t{0};
+    std::uint64_t selection = ~std::uint64_t{0};
+    DrawingFrame frame;
+    Rgb canvas;
+    friend bool operator==(const MarkedState&, const MarkedState&) = default;
+  };
+  /// Everything the pixels of the layers depend on.
+  struct ShownState {
+    render::Camera camera;
+    double content_scale = 0.0;
+    std::uint64_t patches = 0;
+    std::uint64_t background = 0;
+    MarkedState marked;
+    std::vector<std::pair<LayerIndex, LayerStyle>> layers;
+    friend bool operator==(const ShownState&, const ShownState&) = default;
+  };
+  void check(const FramePatch& patch);
+  std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers,
+                                                              const std::optional<Rgb>& background) const;
+  bool apply(const FramePatch& patch);
+  static bool brings_all(const FramePatch& patch);
+  void mark_selection(const Editor& editor);
+  void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
+  std::uint32_t largest_disk_layer(const LayerStack& layers) const;
+  void keep(int width, int height);
+  void show_kept(int width, int height) const;
+
+  render::GlDevice device_;
+  render::Scene scene_;
+  std::unique_ptr<LayerMirror> mirror_;  // null unless patches are checked
+  std::vector<LayerReport> reports_;
+  std::vector<NodeReport> nodes_;
+  bool is_lost_ = false;
+  std::unique_ptr<Provenance> provenance_;
+  std::uint64_t document_revision_ = 0;
+  std::uint64_t patches_ = 0;
+  Rgb canvas_ = kWhiteCanvas;
+  std::uint64_t background_revision_ = 0;  // grows with the picture and its place
+  double background_aspect_ = 0.0;
+  render::PicturePlace background_place_;
+  MarkedState marked_;
+  std::vector<double> mark_data_;  // kept for its memory
+  ShownState shown_;
+  Detail detail_;
+  render::GlTexture kept_;
+  render::GlFramebuffer kept_reader_;
+  int kept_width_ = 0;
+  int kept_height_ = 0;
+};
+
+}  // namespace mes

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/picture_overlay.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/picture/canvas_look.h"
+#include "render/text.h"
+
+namespace mes {
+namespace {
+
+/// Height of the letters, and of the band they stand on, in pixels.
+struct CaptionSize {
+  double letters = 0.0;
+  double band = 0.0;
+};
+
+CaptionSize caption_size(const render::Image& image, const render::Font& font, const std::string& text) {
+  if (text.empty()) return {};
+  double letters = std::max(11.0, 0.034 * image.height);
+  const double room = 0.94 * image.width;
+  const double width = render::text_width(font, letters, text);
+  if (width > room) letters *= room / width;
+  return {letters, 2.2 * letters};
+}
+
+void draw_caption(render::Image& image, const render::Font& font, const std::string& text, const CaptionSize& size,
+                  const std::optional<Rgb>& background) {
+  const bool on_dark = background && is_dark(*background);
+  const Rgb paper = background.value_or(kWhiteCanvas);
+  const Rgb ink = on_dark ? Rgb{0xF2, 0xF4, 0xF6} : Rgb{0x22, 0x26, 0x2B};
+  const double height = image.height;
+  render::fill_rectangle(image, 0, height - size.band, image.width, size.band, paper, 0.9);
+  const double x = 0.5 * (image.width - render::text_width(font, size.letters, text));
+  render::draw_text(image, font, size.letters, x, height - 0.85 * size.letters, ink, text);
+}
+
+}  // namespace
+
+void PictureOverlay::paint(render::Image& image) const {
+  if (is_empty()) return;
+  const CaptionSize size = caption_size(image, fonts->bold, caption);
+  if (!legend.drawing.boxes.empty()) draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band);
+  if (!caption.empty()) draw_caption(image, fonts->bold, caption, size, background);
+}
+
+PictureOverlay picture_overlay_of(std::span<const LegendEntry> entries, std::string caption,
+                                  std::shared_ptr<const LegendFonts> fonts, const OverlayTarget& target) {
+  PictureOverlay out{std::move(fonts), {}, std::move(caption), target.background};
+  if (out.fonts && !entries.empty())
+    out.legend = layout_legend(entries, *out.fonts, target.width, target.height, target.scale, target.background);
+  return out;
+}
+
+}  // namespace mes

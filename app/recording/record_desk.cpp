@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/record_desk.h"
+
+#include <chrono>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "render/png.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class T>
+bool is_ready(const std::future<T>& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+std::string counted_frames(std::size_t n) {
+  return std::to_string(n) + (n == 1 ? " frame" : " frames");
+}
+
+Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder) {
+  render::Image image = render::to_image(raw);
+  overlay.paint(image);
+  const auto png = render::encode_png(image, render::kPngSmall);
+  if (!png) return std::unexpected(png.error());
+  const auto file = claim_file(folder, "mesecina", "png");
+  if (!file) return std::unexpected(file.error());
+  if (auto done = write_file_atomically(*file, {reinterpret_cast<const char*>(png->data()), png->size()}); !done) {
+    std::error_code ignored;
+    fs::remove(*file, ignored);
+    return std::unexpected(done.error());
+  }
+  return *file;
+}
+
+// Beside the take, under a name that is free. A link that leads nowhere has its name too.
+fs::path video_name(const fs::path& take) {
+  std::error_code error;
+  fs::path out = take.string() + ".mp4";
+  for (int twin = 2; fs::exists(fs::symlink_status(out, error)); ++twin)
+    out = take.string() + "-" + std::to_string(twin) + ".mp4";
+  return out;
+}
+
+}  // namespace
+
+RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
+                       std::function<void()> wake)
+    : picture_(picture),
+      messages_(messages),
+      fonts_(std::move(fonts)),
+      wake_(std::move(wake)),
+      capture_(picture.device()),
+      video_(wake_) {}
+
+void RecordDesk::start(const RecordSettings& settings, int width, int height, const Insets& panels,
+                       const ShownState& now) {
+  if (is_recording()) return;
+  const auto refuse = [this](const Error& error) { messages_.problem("Cannot record: " + error.message()); };
+  if (const auto good = check(settings); !good) return refuse(good.error());
+  const fs::path folder = settings.folder.empty() ? takes_folder() : fs::path(settings.folder);
+  if (folder.empty()) return refuse({ErrorCode::cannot_write, "there is no home folder; choose one for the takes"});
+  settings_ = settings;
+  panels_ = panels;
+  if (settings.with_panels) {
+    settings_.width = width;
+    settings_.height = height;
+  } else if (settings.width == 0) {
+    const WindowPart part = part_between(panels, width, height);
+    settings_.width = part.width;
+    settings_.height = part.height;
+  }
+  auto take = begin_take(folder, {settings_.width, settings_.height, settings.fps});
+  if (!take) return refuse(take.error());
+  messages_.remark("Recording into " + take->folder.string());
+  writer_ = std::make_unique<FrameWriter>(std::move(*take), FrameWriterOptions{.wake = wake_});
+  recorder_.emplace(now, settings.each_motion);
+  recorder_->note_complete(complete_);
+  frames_ = 0;
+}
+
+void RecordDesk::stop() {
+  if (!is_recording()) return;
+  while (auto raw = capture_.wait()) hand_on(std::move(*raw));
+  recorder_.reset();
+  // Of two takes in quick succession the first is waited for.
+  if (finished_.valid()) finished_.wait();
+  take_results();
+  finished_ = std::async(std::launch::async, [writer = std::move(writer_), wake = wake_] {
+    Finished out{writer->take().folder, 0, writer->finish()};
+    out.frames = writer->written();
+    if (out.frames == 0) {
+      std::error_code ignored;
+      fs::remove(out.folder / kManifestName, ignored);
+      fs::remove(out.folder, ignored);
+    }
+    wake();
+    return out;
+  });
+}
+
+void RecordDesk::end() {
+  stop();
+  while (auto raw = capture_.wait()) hand_on(std::move(*raw));
+  if (finished_.valid()) finished_.wait();
+  if (written_snapshot_.valid()) written_snapshot_.wait();
+}
+
+void RecordDesk::snapshot(const RecordSettings& settings) {
+  if (const auto good = check(settings); !good)
+    messages_.problem("No snapshot: " + good.error().message());
+  else
+    snapshot_ = settings;
+}
+
+void RecordDesk::note_complete(const std::optional<ShownState>& state) {
+  complete_ = state;
+  if (recorder_) recorder_->note_complete(state);
+}
+
+bool RecordDesk::holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const {
+  return recorder_ && recorder_->holds_input(now, rest, is_cancelled);
+}
+
+bool RecordDesk::holds_motion(const ShownState& now) const {
+  return recorder_ && settings_.each_motion && recorder_->change(now) != Change::none;
+}
+
+bool RecordDesk::has_room() const {
+  const auto bytes = 4 * static_cast<std::size_t>(settings_.width) * static_cast<std::size_t>(settings_.height);
+  const std::size_t wanted = capture_.pending() + 1;
+  return writer_->has_room(wanted, wanted * bytes) || (capture_.pending() == 0 && writer_->pending() == 0);
+}
+
+bool RecordDesk::is_frame_due(const Drawn& drawn) const {
+  return recorder_ && recorder_->is_due(drawn.state, drawn.rest) && has_room();
+}
+
+bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
+  return snapshot_ && (complete_ == drawn.state || drawn.is_cancelled);
+}
+
+void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
+  const Change change = recorder_->change(drawn.state);
+  asked_.push_back({false,
+                    {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest()},
+                    std::move(overlay)});
+  recorder_->note_captured(drawn.state);
+  ++frames_;
+}
+
+std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings,
+                                              const Insets& panels) {
+  const WindowPart part = part_between(panels, drawn.camera.width(), drawn.camera.height());
+  const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
+  const Rgb background = settings.background.value_or(picture_.canvas());
+  const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
+  PictureOverlay overlay = picture_overlay_of(
+      drawn.state.legend ? picture_.legend(drawn.layers) : std::vector<LegendEntry>(), drawn.state.caption, fonts_,
+      {view.camera.width(), view.camera.height(), view.content_scale, behind});
+  const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
+                            view.content_scale == drawn.content_scale && settings.supersampling == 1 &&
+                            !settings.transparent && background == picture_.canvas() && picture_.every() == 1;
+  if (is_on_screen) {
+    capture_.take({}, {part.left, drawn.camera.height() - part.top - part.height, part.width, part.height});
+    return overlay;
+  }
+  const render::CaptureOptions options{
+      .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
+  if (const auto done = picture_.capture(capture_, view.camera, drawn.layers, options); !done) {
+    messages_.problem(done.error().message());
+    return std::nullopt;
+  }
+  return overlay;
+}
+
+void RecordDesk::picture_drawn(const Drawn& drawn) {
+  if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
+    if (auto overlay = ask(drawn, *snapshot_, drawn.panels))
+      asked_.push_back({.is_snapshot = true, .overlay = std::move(*overlay)});
+    snapshot_.reset();
+  }
+  if (!is_frame_due(drawn) || settings_.with_panels) return;
+  if (auto overlay = ask(drawn, settings_, panels_))
+    frame_asked(drawn, std::move(*overlay));
+  else
+    stop();
+}
+
+void RecordDesk::panels_drawn(const Drawn& drawn) {
+  const render::PixelRect all{0, 0, drawn.camera.width(), drawn.camera.height()};
+  // More disks may be on their way to the window.
+  if (picture_.is_refining()) return;
+  if (is_snapshot_due(drawn)) {
+    capture_.take({}, all);
+    asked_.push_back({.is_snapshot = true});
+    snapshot_.reset();
+  }
+  if (!settings_.with_panels || !is_frame_due(drawn)) return;
+  if (all.width != settings_.width || all.height != settings_.height) {
+    stop();
+    messages_.problem("Recording ended: the window has another size now, and its panels cannot be scaled");
+    return;
+  }
+  capture_.take({}, all);
+  frame_asked(drawn, {});
+}
+
+void RecordDesk::hand_on(render::RawImage raw) {
+  Asked asked = std::move(asked_.front());
+  asked_.pop_front();
+  if (asked.is_snapshot)
+    write_snapshot(std::move(raw), std::move(asked.overlay));
+  else if (writer_)
+    writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
+}
+
+void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay) {
+  const fs::path folder = pictures_folder();
+  if (folder.empty()) {
+    messages_.problem("No snapshot: there is no home folder");
+    return;
+  }
+  if (written_snapshot_.valid()) {
+    written_snapshot_.wait();
+    take_results();
+  }
+  written_snapshot_ =
+      std::async(std::launch::async, [raw = std::move(raw), overlay = std::move(overlay), folder, wake = wake_] {
+        auto out = write_picture(raw, overlay, folder);
+        wake();
+        return out;
+      });
+}
+
+bool RecordDesk::follow() {
+  while (auto raw = capture_.poll()) hand_on(std::move(*raw));
+  if (writer_ && writer_->problem()) stop();
+  return take_results();
+}
+
+bool RecordDesk::take_results() {
+  bool told = false;
+  if (is_ready(finished_)) {
+    told = true;
+    const Finished done = finished_.get();
+    if (done.frames != 0) last_take_ = done.folder;
+    if (!done.result)
+      messages_.problem("Recording stopped after " + counted_frames(done.frames) + ": " +
+                        done.result.error().message());
+    else if (done.frames == 0)
+      messages_.remark("Nothing was recorded");
+    else
+      messages_.remark("Recorded " + counted_frames(done.frames) + " in " + done.folder.string());
+  }
+  if (is_ready(written_snapshot_)) {
+    told = true;
+    const auto file = written_snapshot_.get();
+    if (file)
+      messages_.remark("Snapshot in " + file->string());
+    else
+      messages_.problem("No snapshot: " + file.error().message());
+  }
+  if (const auto done = video_.take_result()) {
+    told = true;
+    if (done->has_value())
+      messages_.remark("Video in " + video_.output().string());
+    else if (done->error().code == ErrorCode::cancelled)
+      messages_.remark("The video was cancelled");
+    else
+      messages_.problem(done->error().message());
+  }
+  return told;
+}
+
+void RecordDesk::start_video(double fps) {
+  if (can_make_video()) video_.start(last_take_, fps, video_name(last_take_));
+}
+
+}  // namespace mes

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recording, snapshots and videos of the window.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/model/messages.h"
+#include "app/model/record_settings.h"
+#include "app/picture/picture.h"
+#include "app/recording/frame_writer.h"
+#include "app/recording/recorder.h"
+#include "app/recording/video.h"
+#include "render/frame_capture.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. What Recorder and FrameWriter guarantee: each change one frame, each frame whole.
+///  2. No call but `end` waits for a disk or for another program.
+///  3. All frames of a take have the size that the first one has, even if the window is resized meanwhile. Frames of
+///  the
+///     drawing alone show what is between the panels when the take begins.
+///
+/// Smallest use, each turn of the window's loop:
+///     if (!desk.holds_input(now, rest, is_cancelled)) deliver_events();
+///     desk.note_complete(...); take_results(); draw_picture();
+///     desk.picture_drawn(what); draw_panels(); desk.panels_drawn(what); desk.follow();
+///
+/// Threads: the window's, with its OpenGL context current; `wake` is called from others.
+class RecordDesk {
+ public:
+  RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
+             std::function<void()> wake);
+
+  bool is_recording() const { return writer_ != nullptr; }
+  /// Of a window this large, with these panels at its sides.
+  void start(const RecordSettings& settings, int width, int height, const Insets& panels, const ShownState& now);
+  /// What was captured is written in the background.
+  void stop();
+  /// Stops, and waits until everything is written.
+  void end();
+  /// One picture into the folder for pictures, as soon as what is shown is complete.
+  void snapshot(const RecordSettings& settings);
+
+  void note_complete(const std::optional<ShownState>& state);
+  bool holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const;
+  /// A view that glides by itself has to wait, or some of its steps would get no frame.
+  bool holds_motion(const ShownState& now) const;
+
+  struct Drawn {
+    const render::Camera& camera;
+    Insets panels{};
+    const LayerStack& layers;
+    const Editor& editor;
+    double content_scale = 1.0;
+    ShownState state{};
+    AtRest rest{};
+    bool is_cancelled = false;
+  };
+  /// The window shows the drawing and nothing else yet.
+  void picture_drawn(const Drawn& drawn);
+  /// The window shows everything.
+  void panels_drawn(const Drawn& drawn);
+  /// Hands on what came from the graphics card, and tells what was finished; whether there was something to tell.
+  bool follow();
+  /// Something is under way that needs the next turn soon.
+  bool wants_turn() const { return capture_.pending() != 0 || snapshot_.has_value(); }
+
+  std::size_t frames() const { return frames_; }
+  std::size_t unwritten() const { return writer_ ? capture_.pending() + writer_->pending() : 0; }
+  bool is_waiting_for_disk() const { return writer_ && !has_room(); }
+  bool is_finishing() const { return finished_.valid(); }
+
+  /// Of the last take, if it has frames.
+  bool can_make_video() const {
+    return !last_take_.empty() && !is_recording() && !is_finishing() && !video_.is_running();
+  }
+  void start_video(double fps);
+  bool is_making_video() const { return video_.is_running(); }
+  void cancel_video() { video_.cancel(); }
+
+ private:
+  struct Finished {
+    std::filesystem::path folder;
+    std::size_t frames = 0;
+    Expected<void> result{};
+  };
+  /// Where a captured picture goes: a frame, or a snapshot.
+  struct Asked {
+    bool is_snapshot = false;
+    FrameInfo info{};
+    PictureOverlay overlay{};
+  };
+  bool has_room() const;
+  bool is_frame_due(const Drawn& drawn) const;
+  bool is_snapshot_due(const Drawn& drawn) const;
+  void frame_asked(const Drawn& drawn, PictureOverlay overlay);
+  /// What to paint on the picture asked for; nothing: it cannot be had.
+  std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
+  void hand_on(render::RawImage raw);
+  void write_snapshot(render::RawImage raw, PictureOverlay overlay);
+  bool take_results();
+
+  Picture& picture_;
+  Messages& messages_;
+  std::shared_ptr<const LegendFonts> fonts_;  // none: no legend, no caption
+  std::function<void()> wake_;
+  render::FrameCapture capture_;
+  std::deque<Asked> asked_;
+  std::optional<ShownState> complete_{};
+
+  RecordSettings settings_{};  // of the take
+  Insets panels_{};            // as the take began: its frames do not jump when a panel comes or goes
+  std::optional<Recorder> recorder_{};
+  std::unique_ptr<FrameWriter> writer_;
+  std::size_t frames_ = 0;
+  std::future<Finished> finished_;
+  std::filesystem::path last_take_;
+
+  std::optional<RecordSettings> snapshot_{};  // wanted
+  std::future<Expected<std::filesystem::path>> written_snapshot_;
+  VideoJob video_;
+};
+
+}  // namespace mes

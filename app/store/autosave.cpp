@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/autosave.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <expected>
+#include <utility>
+
+#include "app/system/data_folder.h"
+#include "core/io/file_lock.h"
+#include "core/io/read_file.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".journal";
+
+std::string local_time(std::time_t when, const char* format) {
+  std::tm parts{};
+  ::localtime_r(&when, &parts);
+  std::array<char, 64> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), format, &parts);
+  return {text.data(), length};
+}
+
+/// Under a name that was free: nothing that was set aside before is lost. Empty: it stays where it is.
+fs::path set_aside(const fs::path& file) {
+  for (int twin = 1;; ++twin) {
+    fs::path aside = file.string() + ".broken" + (twin == 1 ? "" : '-' + std::to_string(twin));
+    if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, aside.c_str(), RENAME_NOREPLACE) == 0) return aside;
+    // Some file systems cannot do that in one step.
+    if (errno == EINVAL && ::access(aside.c_str(), F_OK) != 0 && ::rename(file.c_str(), aside.c_str()) == 0)
+      return aside;
+    constexpr int kMostTwins = 10'000;
+    if ((errno != EEXIST && errno != EINVAL) || twin == kMostTwins) return {};
+  }
+}
+
+/// A new file that is locked. What cannot be locked would be taken by another program as left behind, so there is
+/// none then. Error: errno.
+std::expected<int, int> create_journal(const fs::path& folder, fs::path& file) {
+  const std::string stem =
+      local_time(std::time(nullptr), "%Y%m%d-%H%M%S") + '-' + std::to_string(static_cast<long>(::getpid()));
+  for (int attempt = 0;; ++attempt) {
+    file = folder / (stem + (attempt == 0 ? "" : '-' + std::to_string(attempt)) + kExtension);
+    const auto created = create_locked(file, 0600);
+    if (!created && created.error() == EEXIST) continue;
+    if (!created) return std::unexpected(created.error());
+    if (created->is_locked) return created->descriptor;
+    ::unlink(file.c_str());
+    ::close(created->descriptor);
+    return std::unexpected(ENOLCK);
+  }
+}
+
+/// Closes the descriptor.
+class OpenJournal {
+ public:
+  explicit OpenJournal(const fs::path& file)
+      : descriptor_(::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {}
+  ~OpenJournal() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenJournal(const OpenJournal&) = delete;
+  OpenJournal& operator=(const OpenJournal&) = delete;
+
+  /// It was left behind, and no other program is asking about it.
+  bool is_left(const fs::path& file) const {
+    return descriptor_ >= 0 && try_lock(descriptor_) == LockTry::locked && is_named(file, descriptor_);
+  }
+  Expected<std::string> text(const fs::path& file) const { return read_whole(descriptor_, file.string()); }
+  int release() { return std::exchange(descriptor_, -1); }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+/// The file being written. What could not be written is kept for the next attempt.
+struct Autosave::Journal {
+  int fd = -1;
+  fs::path file;
+  off_t length = 0;  // up to the last whole line
+  std::string unwritten;
+  bool is_wanted = false;
+
+  Journal() = default;
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal() { close(); }
+
+  void close() {
+    if (fd >= 0) ::close(fd);
+    fd = -1;
+  }
+  void drop() {
+    if (fd >= 0) ::unlink(file.c_str());
+    close();
+    length = 0;
+    unwritten.clear();
+    is_wanted = false;
+  }
+  /// Error number, 0 when all is written.
+  int put(const fs::path& folder) {
+    if (!is_wanted || unwritten.empty()) return 0;
+    if (fd < 0) {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      const auto created = create_journal(folder, file);
+      if (!created) return created.error();
+      fd = *created;
+    }
+    std::size_t done = 0;
+    while (done < unwritten.size()) {
+      const ssize_t n =
+          ::pwrite(fd, unwritten.data() + done, unwritten.size() - done, length + static_cast<off_t>(done));
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) {
+        const int error = n < 0 ? errno : ENOSPC;
+        // A torn line in the middle would hide all that comes after it.
+        return ::ftruncate(fd, length) == 0 ? error : errno;
+      }
+      done += static_cast<std::size_t>(n);
+    }
+    if (::fdatasync(fd) != 0) return errno;
+    length += static_cast<off_t>(done);
+    unwritten.clear();
+    return 0;
+  }
+};
+
+Autosave::Autosave(fs::path folder, std::function<void()> wake, std::chrono::milliseconds gather)
+    : folder_(std::move(folder)), wake_(std::move(wake)), gather_(gather) {
+  if (!folder_.empty()) thread_ = std::jthread([this](const std::stop_token& stop) { write_on(stop); });
+}
+
+Autosave::~Autosave() = default;
+
+void Autosave::follow(const Editor& editor, const std::function<Session()>& head) {
+  if (folder_.empty()) return;
+  const Timeline& timeline = editor.timeline();
+  Work work;
+  if (timeline.generation() != generation_) {
+    generation_ = timeline.generation();
+    work.ends = std::exchange(has_journal_, false);
+    told_ = 0;
+  }
+  if (!has_journal_ && editor.is_modified() && timeline.settled() > 0) {
+    work.begins = has_journal_ = true;
+    work.head = head();
+    told_ = 0;
+  }
+  if (has_journal_ && told_ < timeline.settled()) {
+    work.entries = timeline.entries().between(told_, timeline.settled());
+    told_ = timeline.settled();
+  }
+  if (work.is_empty()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.push_back(std::move(work));
+  }
+  condition_.notify_all();
+}
+
+void Autosave::note_saved() {
+  if (!has_journal_) return;
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.emplace_back().saved = true;
+  }
+  condition_.notify_all();
+}
+
+void Autosave::discard() {
+  if (!has_journal_) return;
+  has_journal_ = false;
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.emplace_back().ends = true;
+  }
+  flush();
+}
+
+std::string Autosave::take_problem() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(problem_, {});
+}
+
+void Autosave::flush() {
+  if (folder_.empty()) return;
+  std::unique_lock lock(mutex_);
+  hurry_ = true;
+  condition_.notify_all();
+  condition_.wait(lock, [this] { return queue_.empty() && !is_writing_; });
+  hurry_ = false;
+}
+
+void Autosave::write(Work& work, Journal& journal) {
+  if (work.ends) journal.drop();
+  if (work.begins) {
+    journal.drop();
+    journal.is_wanted = true;
+    journal.unwritten = write_journal_head(work.head);
+  }
+  for (const TimelineEntry& entry : work.entries) journal.unwritten += write_journal_line(entry);
+  if (work.saved) journal.unwritten += write_journal_saved();
+}
+
+void Autosave::write_on(const std::stop_token& stop) {
+  Journal journal;
+  bool has_complained = false;
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested() || !queue_.empty()) {
+    condition_.wait(lock, stop, [this] { return !queue_.empty(); });
+    condition_.wait_for(lock, stop, gather_, [this] { return hurry_; });
+    std::vector<Work> works = std::exchange(queue_, {});
+    is_writing_ = true;
+    lock.unlock();
+    for (Work& work : works) write(work, journal);
+    const int error = journal.put(folder_);
+    lock.lock();
+    is_writing_ = false;
+    if (error == 0) {
+      has_complained = false;
+    } else if (!std::exchange(has_complained, true)) {
+      problem_ = "unsaved work is not protected against a crash: " + folder_.string() + ": " + std::strerror(error);
+      if (wake_) wake_();
+    }
+    condition_.notify_all();
+  }
+}
+
+fs::path default_autosave_folder() {
+  const fs::path folder = data_folder();
+  return folder.empty() ? folder : folder / "autosave";
+}
+
+LeftWork::LeftWork(fs::path file, int lock, Journaled journal)
+    : file_(std::move(file)),
+      lock_(lock),
+      session_(std::move(journal.session)),
+      edits_(journal.unsaved_edits),
+      is_partial_(!journal.complaint.empty()) {
+  std::error_code error;
+  const auto written = fs::last_write_time(file_, error);
+  if (!error)
+    when_ =
+        local_time(std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(written)), "%Y-%m-%d %H:%M");
+}
+
+LeftWork::~LeftWork() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+LeftWork::LeftWork(LeftWork&& other) noexcept
+    : file_(std::move(other.file_)),
+      lock_(std::exchange(other.lock_, -1)),
+      session_(std::move(other.session_)),
+      edits_(other.edits_),
+      is_partial_(other.is_partial_),
+      when_(std::move(other.when_)) {}
+
+LeftWork& LeftWork::operator=(LeftWork&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(lock_, other.lock_);
+  std::swap(session_, other.session_);
+  std::swap(edits_, other.edits_);
+  std::swap(is_partial_, other.is_partial_);
+  std::swap(when_, other.when_);
+  return *this;
+}
+
+void LeftWork::remove() {
+  std::error_code error;
+  if (is_partial_)
+    set_aside(file_);
+  else
+    fs::remove(file_, error);
+}
+
+FoundWork find_left_work(const fs::path& folder) {
+  FoundWork out;
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    if (entry->path().extension() == kExtension) files.push_back(entry->path());
+  std::ranges::sort(files, std::ranges::greater());
+  for (const fs::path& file : files) {
+    OpenJournal open(file);
+    if (!open.is_left(file)) continue;
+    const auto text = open.text(file);
+    // It may be readable another time.
+    if (!text) continue;
+    auto journal = read_journal(*text, file.string());
+    if (!journal && !text->empty()) {
+      const fs::path aside = set_aside(file);
+      out.message = "work that was left unsaved cannot be read (" + journal.error().text + "); it is kept as " +
+                    (aside.empty() ? file : aside).string();
+    } else if (!journal || journal->unsaved_edits == 0) {
+      ::unlink(file.c_str());
+    } else {
+      if (!journal->complaint.empty())
+        out.message = "some of the work that was left unsaved cannot be read: " + journal->complaint;
+      out.works.emplace_back(file, open.release(), std::move(*journal));
+    }
+  }
+  return out;
+}
+
+}  // namespace mes

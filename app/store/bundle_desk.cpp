@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/bundle_desk.h"
+
+#include <algorithm>
+
+#include "core/io/atomic_file.h"
+#include "core/io/bundle_file.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+
+namespace fs = std::filesystem;
+
+BundleDesk::BundleDesk(fs::path file, const fs::path& assets, LayerStack& layers)
+    : layers_(layers), store_(std::move(file)) {
+  StartingBundles starting = read_starting_bundles(assets);
+  starting_ = std::move(starting.bundles);
+  BundleStore::Loaded loaded = store_.load(starting_);
+  list_.replace(std::move(loaded.bundles));
+  message_ = loaded.message.empty() ? std::move(starting.message) : std::move(loaded.message);
+}
+
+std::optional<std::size_t> BundleDesk::current() const {
+  const Bundle* const found = list_.find(current_.name());
+  if (found == nullptr) return std::nullopt;
+  return static_cast<std::size_t>(found - list_.bundles().data());
+}
+
+Expected<void> BundleDesk::write() {
+  offers_undo_ = true;
+  auto written = store_.write(list_.bundles());
+  if (!written) return std::unexpected(written.error());
+  if (!written->message.empty()) message_ = std::move(written->message);
+  if (!std::ranges::equal(written->bundles, list_.bundles())) list_.replace(std::move(written->bundles));
+  return {};
+}
+
+void BundleDesk::choose(std::size_t index) {
+  current_.choose(list_.bundles()[index], layers_);
+  offers_undo_ = false;
+}
+
+Expected<void> BundleDesk::save(const std::string& name) {
+  auto checked = checked_bundle_name(name);
+  if (!checked) return std::unexpected(checked.error());
+  if (auto saved = list_.save(*checked, layers_.configuration()); !saved) return saved;
+  current_.note_saved(std::move(*checked), layers_);
+  return write();
+}
+
+Expected<void> BundleDesk::rename(std::size_t index, const std::string& name) {
+  const bool is_current = current() == index;
+  if (auto renamed = list_.rename(index, name); !renamed) return renamed;
+  if (is_current) current_.note_renamed(list_.bundles()[index].name);
+  return write();
+}
+
+Expected<void> BundleDesk::move(std::size_t index, std::size_t to) {
+  list_.move(index, to);
+  return write();
+}
+
+Expected<void> BundleDesk::remove(std::size_t index) {
+  list_.remove(index);
+  return write();
+}
+
+Expected<void> BundleDesk::undo() {
+  list_.undo();
+  auto written = write();
+  offers_undo_ = false;
+  return written;
+}
+
+Expected<std::string> BundleDesk::import(const fs::path& file) {
+  const auto loaded = read_bundle_file(file, known_layers());
+  if (!loaded) return std::unexpected(loaded.error());
+  const std::vector<std::string> names = list_.import(loaded->bundles);
+  auto written = write();
+  if (const Bundle* first = list_.find(names.front())) current_.choose(*first, layers_);
+  if (!written) return std::unexpected(written.error());
+  if (!loaded->warnings.empty()) return loaded->warnings.front();
+  return names.size() == 1 ? "Imported the bundle " + in_quotes(names.front())
+                           : "Imported " + std::to_string(names.size()) + " bundles";
+}
+
+Expected<void> BundleDesk::add_starting_set() {
+  const std::uint64_t before = list_.revision();
+  list_.import(starting_);
+  return list_.revision() == before ? Expected<void>{} : write();
+}
+
+Expected<void> BundleDesk::export_to(const fs::path& file, std::optional<std::size_t> index) const {
+  return write_file_atomically(file, write_bundles(index ? list_.bundles().subspan(*index, 1) : list_.bundles()));
+}
+
+}  // namespace mes

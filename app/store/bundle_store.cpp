@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bundles on disk.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "app/store/bundles.h"
+#include "app/system/data_folder.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/io/atomic_file.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Between reading and writing nobody else writes. A lock that cannot be had soon is done without: the file is
+/// replaced whole in any case, and the window must not wait for a program that was stopped while it had the lock.
+class FileLock {
+ public:
+  explicit FileLock(const fs::path& path) : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+    constexpr int kAttempts = 20;
+    constexpr std::chrono::milliseconds kPause(5);
+    for (int i = 0; file_ >= 0 && i < kAttempts && ::flock(file_, LOCK_EX | LOCK_NB) != 0; ++i)
+      std::this_thread::sleep_for(kPause);
+  }
+  ~FileLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int file_;
+};
+
+std::string bytes_of(const fs::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(out).str();
+}
+
+/// The first name like this one that is free: nothing that was set aside before is lost.
+fs::path free_name(const fs::path& path, const std::string& ending) {
+  fs::path out = path.string() + ending;
+  std::error_code error;
+  for (int number = 2; fs::exists(out, error); ++number) out = path.string() + ending + "-" + std::to_string(number);
+  return out;
+}
+
+}  // namespace
+
+fs::path default_bundles_path() {
+  const fs::path folder = data_folder();
+  return folder.empty() ? folder : folder / "bundles.json";
+}
+
+std::vector<KnownLayer> known_layers() {
+  std::vector<KnownLayer> out;
+  for (const LayerDescriptor& layer : layer_descriptors()) out.push_back({layer.id, layer.style});
+  return out;
+}
+
+StartingBundles read_starting_bundles(const fs::path& assets) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(assets / "bundles", error))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::ranges::sort(files);
+  StartingBundles out;
+  if (files.empty()) out.message = "the bundles that come with the program are missing";
+  for (const fs::path& file : files) {
+    auto loaded = read_bundle_file(file, known_layers());
+    if (loaded)
+      std::ranges::move(loaded->bundles, std::back_inserter(out.bundles));
+    else if (out.message.empty())
+      out.message = "bundles that come with the program are left out: " + loaded.error().message();
+  }
+  return out;
+}
+
+std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
+  std::error_code error;
+  if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
+  auto loaded = read_bundle_file(path_, known_layers());
+  if (loaded) return std::move(loaded->bundles);
+  // Reading a pipe would wait for somebody who writes to it.
+  const std::string bytes = fs::is_regular_file(path_, error) ? bytes_of(path_) : std::string();
+  // A list that was emptied on purpose is no fault.
+  if (bytes == write_bundles({})) return std::vector<Bundle>{};
+  const bool is_later = are_bundles_of_the_future(bytes);
+  const fs::path aside = free_name(path_, is_later ? ".later" : ".broken");
+  fs::rename(path_, aside, error);
+  message = "the bundles could not be read (" + loaded.error().text + "); ";
+  if (error) {
+    message += "they stay in " + path_.string() + ", and new ones will not be kept";
+    path_.clear();
+  } else {
+    message += "they were set aside as " + aside.string();
+  }
+  return std::nullopt;
+}
+
+BundleStore::Loaded BundleStore::load(std::vector<Bundle> starting) {
+  Loaded out;
+  auto found = read(out.message);
+  out.bundles = found ? std::move(*found) : std::move(starting);
+  seen_ = out.bundles;
+  return out;
+}
+
+Expected<BundleStore::Loaded> BundleStore::write(std::span<const Bundle> mine) {
+  Loaded out{{mine.begin(), mine.end()}, {}};
+  if (path_.empty()) return out;
+  std::error_code error;
+  fs::create_directories(path_.parent_path(), error);
+  if (error)
+    return std::unexpected(
+        Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path_.parent_path().string()});
+  const FileLock lock(path_.string() + ".lock");
+  if (const auto theirs = read(out.message)) out.bundles = merge_bundles(seen_, mine, *theirs);
+  if (path_.empty()) return out;
+  if (auto written = write_file_atomically(path_, write_bundles(out.bundles)); !written)
+    return std::unexpected(written.error());
+  seen_ = out.bundles;
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which file the document belongs to; reading and writing it.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "app/model/editor.h"
+#include "app/store/file_conflict.h"
+#include "core/io/format.h"
+#include "core/io/session.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. Reading happens on a thread of its own; until it ends well the document stays as it is, and a file that cannot
+///     be read leaves it so for good.
+///  2. Saving is atomic, and writes a session, POFF or WPOFF, whatever was read. A session holds everything. A POFF
+///     file holds samples and a WPOFF file balls, so a document of both has two files; until each holds what the
+///     document holds, it counts as modified.
+///  3. Writing happens on a thread of its own too, and saves the document as it was when that began. A file that
+///  cannot
+///     be written leaves names and marks as they were. Whatever was begun is written before the object ends.
+///  4. A file that something else has written to since it was opened or saved here is not overwritten: saving ends
+///  with
+///     a conflict, and `overwrite` is the answer to it.
+///
+/// Smallest use:
+///     desk.open("a.poff");
+///     ... each frame: if (auto outcome = desk.poll()) show(*outcome);
+///
+/// Threads: the window's; `wake` is called from the reader's.
+class FileDesk {
+ public:
+  /// `session_now` gives what a session file is to hold.
+  FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake);
+  ~FileDesk();
+
+  /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something
+  /// else each: a file of samples and a file of balls are one document again.
+  void open(const std::vector<std::filesystem::path>& files);
+  void open(const std::filesystem::path& file) { open(std::vector{file}); }
+  /// The same for a built-in shape: it has a title, but saving asks for a file.
+  void open_shape(const std::filesystem::path& file, const std::string& title);
+  void cancel_reading();
+  bool is_reading() const { return reading_ != nullptr; }
+  std::string reading_name() const;
+
+  struct Outcome {
+    std::filesystem::path file;                ///< the first one, or the one to blame
+    std::vector<std::filesystem::path> files;  ///< that were opened
+    std::size_t left_out = 0;                  ///< files that would have replaced what the first brought
+    bool is_shape = false;
+    std::shared_ptr<const Session> session;  ///< if it was one; the document is the session's already
+    std::string format;
+    std::size_t samples = 0;
+    std::size_t balls = 0;
+    std::vector<std::string> warnings;
+    std::optional<Error> error;
+  };
+  /// What became of the reading, once, when it has ended.
+  std::optional<Outcome> poll();
+
+  void start_empty();
+  /// Takes over work that a crash left behind: no file holds it.
+  Expected<void> recover(const Session& session);
+  /// Begins to write the session, or samples and balls, to the files they have. Waits for a writing under way.
+  void save();
+  /// The same for everything when the name ends in .json, for the balls when it ends in .wpoff, else for the samples.
+  /// That is their file from then on.
+  void save_as(const std::filesystem::path& file);
+  /// Begins once more the saving that ended with this conflict. What is in the file now is given up, and nothing
+  /// else: if the file changes again there is another conflict.
+  void overwrite(const FileConflict& conflict);
+  bool is_saving() const { return saving_ != nullptr; }
+  std::string saving_name() const;
+  struct Saved {
+    std::vector<std::filesystem::path> files;
+    std::optional<Error> error;
+    std::optional<FileConflict> conflict;  ///< nothing was written to this file
+  };
+  /// What became of the writing, once, when it has ended.
+  std::optional<Saved> poll_saved();
+  /// The same, and waits for it; nothing when none is under way.
+  std::optional<Saved> finish_saving();
+  /// What of the document no file holds as it is now.
+  struct Unsaved {
+    bool samples = false;
+    bool balls = false;
+  };
+  Unsaved unsaved() const;
+
+  /// The file opened or saved last, if Save can write it; empty when a name must be asked for.
+  const std::filesystem::path& file() const { return held_.file; }
+  const std::filesystem::path& sample_file() const { return held_.sample_file; }
+  const std::filesystem::path& ball_file() const { return held_.ball_file; }
+  bool has_session_file() const { return !held_.session_file.empty(); }
+  /// Of the window: "a.poff", "Elephant", "Untitled".
+  const std::string& title() const { return held_.title; }
+
+ private:
+  struct Reading {
+    std::vector<std::filesystem::path> files;
+    std::string title;  // of a shape
+    std::atomic<bool> is_done = false;
+    std::vector<Expected<LoadedFile>> results;  // up to the first that failed
+    std::jthread thread;                        // last: it ends before what it writes to
+  };
+  void begin(const std::vector<std::filesystem::path>& files, const std::string& shape_title);
+  static void read(Reading& reading, const std::stop_token& stop);
+  /// Which files hold what.
+  struct Held {
+    std::filesystem::path file{};
+    std::filesystem::path sample_file{};  // empty: none yet
+    std::filesystem::path ball_file{};
+    std::filesystem::path session_file{};
+    std::uint64_t samples = 0;  // digests of what the files hold
+    std::uint64_t balls = 0;
+    std::string title = "Untitled";
+    std::map<std::filesystem::path, FileFingerprint>
+        known{};  // what was in files when they were opened or saved here
+  };
+  struct Part {
+    std::filesystem::path file;
+    std::function<std::string()> text;
+    std::optional<FileFingerprint> expected;
+  };
+  struct Saving {
+    std::vector<Part> parts;
+    Held after;
+    std::uint64_t revision = 0;            // of the document that is written
+    bool is_whole = false;                 // the parts hold all of it
+    std::shared_ptr<const SampleData> of;  // what was loaded
+    std::shared_ptr<const Document> document;
+    std::shared_ptr<const Session> session;  // null: not saved as one
+    std::vector<SourceFile> written;
+    std::optional<Error> error;
+    std::optional<FileConflict> conflict;
+    std::atomic<bool> is_done = false;
+    std::jthread thread;  // last, as above
+  };
+  void note_all_as_saved();
+  void forget_files();
+  void note_known(std::span<const SourceFile> files);
+  void begin_saving(Held after);
+  static void write(Saving& saving);
+  static bool write_part(Saving& saving, const Part& part);
+  Expected<void> take_over(const Session& session, const std::string& name);
+
+  Editor& editor_;
+  std::function<Session()> session_now_;
+  std::function<void()> wake_;
+  Held held_;
+  std::optional<Held> contested_;  // what a saving that ended with a conflict would have led to
+  std::unique_ptr<Saving> saving_;
+  std::unique_ptr<Reading> reading_;
+  std::vector<std::unique_ptr<Reading>> given_up_;  // they wait for nothing, but may take long to end
+};
+
+}  // namespace mes

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/sample_shapes.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace mes {
+
+namespace fs = std::filesystem;
+
+fs::path find_assets(const fs::path& executable) {
+  std::vector<fs::path> candidates;
+  if (const char* given = std::getenv("MESECINA_ASSETS"); given != nullptr && given[0] != '\0')
+    candidates.emplace_back(given);
+  std::error_code error;
+  // The link of the running program is right whatever name it was started by.
+  fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error) self = fs::absolute(executable, error);
+  const fs::path folder = self.parent_path();
+  candidates.push_back(folder / "assets");
+  candidates.push_back(folder / ".." / "share" / "mesecina");
+  candidates.push_back(folder / ".." / ".." / "assets");
+#ifdef MESECINA_SOURCE_ASSETS
+  candidates.emplace_back(MESECINA_SOURCE_ASSETS);
+#endif
+  for (const fs::path& candidate : candidates)
+    if (fs::is_directory(candidate / "shapes", error)) return candidate.lexically_normal();
+  return {};
+}
+
+std::vector<SampleShape> read_sample_shapes(const fs::path& assets) {
+  std::vector<SampleShape> out;
+  if (assets.empty()) return out;
+  std::ifstream stream(assets / "shapes" / "index.json", std::ios::binary);
+  const nlohmann::json index = nlohmann::json::parse(stream, nullptr, false);
+  if (!index.is_array()) return out;
+  const auto text = [](const nlohmann::json& entry, const char* key) {
+    const auto found = entry.find(key);
+    return found != entry.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  for (const nlohmann::json& entry : index) {
+    if (!entry.is_object()) continue;
+    SampleShape shape{assets / "shapes" / text(entry, "file"), text(entry, "name"), text(entry, "description")};
+    std::error_code error;
+    if (!shape.name.empty() && fs::is_regular_file(shape.file, error)) out.push_back(std::move(shape));
+  }
+  return out;
+}
+
+}  // namespace mes

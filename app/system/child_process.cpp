@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/system/child_process.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <mutex>
+#include <string_view>
+#include <thread>
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kLookInterval = std::chrono::milliseconds(30);
+constexpr auto kKillInterval = std::chrono::milliseconds(1);
+constexpr auto kPatience = std::chrono::seconds(3);  // for a child that was asked to end
+
+/// Children that were started and not yet reaped: their numbers cannot be those of other processes. It is never
+/// destroyed: threads may outlive `main`.
+struct Children {
+  std::timed_mutex mutex;
+  bool is_closed = false;
+  std::vector<pid_t> running;
+};
+Children& children() {
+  static Children& out = *new Children;
+  return out;
+}
+
+int spawn(const std::vector<std::string>& words, const fs::path& folder, int errors, pid_t& pid) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+  ::posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  sigset_t none;
+  sigset_t usual;
+  sigemptyset(&none);
+  sigemptyset(&usual);
+  for (const int signal : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setsigdefault(&attributes, &usual);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  const int reason = ::posix_spawnp(&pid, pointers[0], &files, &attributes, pointers.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&files);
+  return reason;
+}
+
+}  // namespace
+
+ChildProcess::~ChildProcess() {
+  if (errors_ != nullptr) std::fclose(errors_);
+}
+
+int ChildProcess::start(const std::vector<std::string>& words, const fs::path& folder) {
+  errors_ = std::tmpfile();
+  if (errors_ == nullptr) return errno;
+  const std::lock_guard lock(children().mutex);
+  if (children().is_closed) return ECANCELED;
+  const int reason = spawn(words, folder, ::fileno(errors_), pid_);
+  if (reason == 0) children().running.push_back(pid_);
+  return reason;
+}
+
+bool ChildProcess::wait(const std::stop_token& stop) {
+  int status = 0;
+  Clock::time_point asked{};
+  for (;;) {
+    {
+      const std::lock_guard lock(children().mutex);
+      if (const pid_t ended = ::waitpid(pid_, &status, WNOHANG); ended != 0) {
+        std::erase(children().running, pid_);
+        return ended == pid_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+      }
+    }
+    const Clock::time_point now = Clock::now();
+    if (stop.stop_requested() && asked.time_since_epoch().count() == 0) {
+      ::kill(pid_, SIGTERM);
+      asked = now;
+    } else if (asked.time_since_epoch().count() != 0 && now - asked > kPatience) {
+      ::kill(pid_, SIGKILL);
+    }
+    std::this_thread::sleep_for(kLookInterval);
+  }
+}
+
+std::string ChildProcess::complaint() {
+  std::rewind(errors_);
+  std::string last;
+  std::array<char, 512> line{};
+  while (std::fgets(line.data(), static_cast<int>(line.size()), errors_) != nullptr) {
+    std::string text;
+    for (const char c : std::string_view(line.data()))
+      if (c >= ' ' && c <= '~') text += c;
+    if (!text.empty()) last = text;
+  }
+  return last;
+}
+
+void kill_children(Clock::time_point until) {
+  const std::unique_lock lock(children().mutex, until);
+  if (!lock) return;
+  children().is_closed = true;
+  for (const pid_t pid : children().running) ::kill(pid, SIGKILL);
+  // What it has begun to write may only be removed when it cannot make it anew.
+  for (const pid_t pid : children().running) {
+    siginfo_t ended{};
+    while (::waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0 &&
+           Clock::now() < until)
+      std::this_thread::sleep_for(kKillInterval);
+  }
+}
+
+}  // namespace mes

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ui/glfw_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "imgui_impl_glfw.h"
+
+namespace mes {
+namespace {
+
+Modifiers modifiers_of(int bits) {
+  return {(bits & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, (bits & GLFW_MOD_SHIFT) != 0,
+          (bits & GLFW_MOD_ALT) != 0};
+}
+
+// Cursor events come without modifiers.
+Modifiers modifiers_now(GLFWwindow* window) {
+  const auto held = [window](int left, int right) {
+    return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+  };
+  return {held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) || held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
+          held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+char32_t named_key(int code) {
+  switch (code) {
+    case GLFW_KEY_ESCAPE: return key::escape;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER: return key::enter;
+    case GLFW_KEY_TAB: return key::tab;
+    case GLFW_KEY_BACKSPACE: return key::backspace;
+    case GLFW_KEY_DELETE: return key::del;
+    case GLFW_KEY_HOME: return key::home;
+    case GLFW_KEY_END: return key::end;
+    case GLFW_KEY_LEFT: return key::left;
+    case GLFW_KEY_RIGHT: return key::right;
+    case GLFW_KEY_UP: return key::up;
+    case GLFW_KEY_DOWN: return key::down;
+    case GLFW_KEY_PAGE_UP: return key::page_up;
+    case GLFW_KEY_PAGE_DOWN: return key::page_down;
+    default: break;
+  }
+  if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return key::f1 + static_cast<char32_t>(code - GLFW_KEY_F1);
+  return 0;
+}
+
+// What the key says on the user's layout; on layouts without Latin letters, what it says on the American one.
+char32_t printed_key(int code, int scancode) {
+  const char* name = glfwGetKeyName(code, scancode);
+  if (name != nullptr && name[0] > ' ' && name[0] <= '~' && name[1] == '\0')
+    return static_cast<char32_t>(name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0]);
+  if (code > GLFW_KEY_SPACE && code <= GLFW_KEY_GRAVE_ACCENT) return static_cast<char32_t>(code);
+  return 0;
+}
+
+GlfwWindow* self_of(GLFWwindow* window) {
+  return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+}
+
+std::string last_glfw_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text != nullptr ? text : "no reason given";
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<GlfwWindow>> GlfwWindow::create(const Options& options) {
+  const auto refuse = [](const std::string& what) {
+    return std::unexpected(Error{ErrorCode::no_display, what + ": " + last_glfw_error() +
+                                                            "; mesecina render draws pictures without a display"});
+  };
+  if (glfwInit() != GLFW_TRUE) return refuse("cannot open a window");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "mesecina");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "mesecina");
+  GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    auto error = refuse("cannot open a window with OpenGL 3.3");
+    glfwTerminate();
+    return error;
+  }
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(1);
+  return std::unique_ptr<GlfwWindow>(new GlfwWindow(window));
+}
+
+GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  crosshair_ = glfwCreateStandardCursor(GLFW_CROSSHAIR_CURSOR);
+  hand_ = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
+  install_callbacks();
+  keep_on_screen();
+}
+
+// A size that was right on another screen may be too large for this one.
+void GlfwWindow::keep_on_screen() {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  int x = 0;
+  int y = 0;
+  Size free;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &free.width, &free.height);
+  const Size now = size();
+  if (free.width < 1 || free.height < 1 || (now.width <= free.width && now.height <= free.height)) return;
+  glfwSetWindowSize(window_, std::min(now.width, free.width), std::min(now.height, free.height));
+  glfwSetWindowPos(window_, x, y);
+}
+
+GlfwWindow::~GlfwWindow() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void GlfwWindow::install_callbacks() {
+  // Dear ImGui hears of everything too; who acts on it is decided by the listener.
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    GlfwWindow* self = self_of(window);
+    self->pointer_ = {x, y};
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    self->listener_->on_pointer_moved(self->to_framebuffer(x, y), modifiers_now(window));
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+    GlfwWindow* self = self_of(window);
+    ImGui_ImplGlfw_CursorEnterCallback(window, entered);
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    if (entered == GLFW_FALSE) self->listener_->on_pointer_left();
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int bits) {
+    GlfwWindow* self = self_of(window);
+    ImGui_ImplGlfw_MouseButtonCallback(window, button, action, bits);
+    if (action == GLFW_PRESS && !self->press_) self->press_ = self->pointer_;
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    // It happened where the last move ended; asking for the position now would give that of later events.
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    const PointerButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? PointerButton::left
+                                : button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::right
+                                                                    : PointerButton::middle;
+    self->listener_->on_button(which, action == GLFW_PRESS, modifiers_of(bits));
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+    GlfwWindow* self = self_of(window);
+    ImGui_ImplGlfw_ScrollCallback(window, x, y);
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    self->listener_->on_wheel(y);
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int code, int scancode, int action, int bits) {
+    GlfwWindow* self = self_of(window);
+    self->tell_gui(code, scancode, action, bits);
+    self->key(code, scancode, action, bits);
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int symbol) {
+    GlfwWindow* self = self_of(window);
+    ImGui_ImplGlfw_CharCallback(window, symbol);
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    self->listener_->on_typed(static_cast<char32_t>(symbol), self->key_repeats_);
+  });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+    GlfwWindow* self = self_of(window);
+    ImGui_ImplGlfw_WindowFocusCallback(window, focused);
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    if (focused == GLFW_FALSE) self->listener_->on_space(false);
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    GlfwWindow* self = self_of(window);
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    self->listener_->on_files_dropped({paths, paths + count});
+  });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) {
+    GlfwWindow* self = self_of(window);
+    glfwSetWindowShouldClose(window, GLFW_FALSE);
+    if (self->listener_ == nullptr) return;
+    self->listener_->on_anything();
+    self->listener_->on_close_wanted();
+  });
+  const auto redraw = [](GLFWwindow* window) {
+    if (GlfwWindow* self = self_of(window); self->listener_ != nullptr) self->listener_->on_anything();
+  };
+  glfwSetWindowRefreshCallback(window_, redraw);
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) {
+    if (GlfwWindow* self = self_of(window); self->listener_ != nullptr) self->listener_->on_anything();
+  });
+  glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) {
+    if (GlfwWindow* self = self_of(window); self->listener_ != nullptr) self->listener_->on_anything();
+  });
+}
+
+// Dear ImGui looks once a frame which keys are down: one pressed and released between two frames it would never see.
+void GlfwWindow::tell_gui(int code, int scancode, int action, int bits) {
+  const bool is_new = std::ranges::find(just_pressed_, code) != just_pressed_.end();
+  if (action == GLFW_RELEASE && is_new) {
+    releases_.push_back({code, scancode, bits});
+    return;
+  }
+  std::erase_if(releases_, [&](const Release& release) { return release.key == code; });
+  if (action == GLFW_PRESS && !is_new) just_pressed_.push_back(code);
+  ImGui_ImplGlfw_KeyCallback(window_, code, scancode, action, bits);
+}
+
+void GlfwWindow::tell_gui_of_releases() {
+  just_pressed_.clear();
+  if (releases_.empty()) return;
+  for (const Release& release : std::exchange(releases_, {}))
+    ImGui_ImplGlfw_KeyCallback(window_, release.key, release.scancode, GLFW_RELEASE, release.modifiers);
+  if (listener_ != nullptr) listener_->on_anything();
+}
+
+void GlfwWindow::key(int code, int scancode, int action, int bits) {
+  if (listener_ == nullptr) return;
+  listener_->on_anything();
+  key_repeats_ = action == GLFW_REPEAT;
+  if (code == GLFW_KEY_SPACE && action != GLFW_REPEAT) listener_->on_space(action == GLFW_PRESS);
+  if (action == GLFW_RELEASE) return;
+  KeyChord chord{named_key(code), modifiers_of(bits)};
+  if (chord.symbol == 0) chord.symbol = printed_key(code, scancode);
+  // Symbols come as text (on_typed), because only the layout knows which keys make them.
+  if (chord.symbol == 0 || code == GLFW_KEY_SPACE || is_typed_symbol(chord)) return;
+  listener_->on_key(chord, key_repeats_);
+}
+
+Vec2 GlfwWindow::to_framebuffer(double x, double y) const {
+  const double ratio = pixel_ratio();
+  return {x * ratio, y * ratio};
+}
+
+void GlfwWindow::poll() {
+  glfwPollEvents();
+}
+
+void GlfwWindow::wait(double seconds) {
+  if (seconds > 0.0)
+    glfwWaitEventsTimeout(seconds);
+  else
+    glfwWaitEvents();
+}
+
+void GlfwWindow::wake() {
+  glfwPostEmptyEvent();
+}
+
+void GlfwWindow::swap() {
+  glfwSwapBuffers(window_);
+  tell_gui_of_releases();
+}
+
+void GlfwWindow::set_title(const std::string& title) {
+  if (title == title_) return;
+  title_ = title;
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+void GlfwWindow::set_pointer_shape(PointerShape shape) {
+  if (shape == shape_) return;
+  shape_ = shape;
+  GLFWcursor* cursor = shape == PointerShape::crosshair ? crosshair_ : shape == PointerShape::hand ? hand_ : nullptr;
+  glfwSetCursor(window_, cursor);
+}
+
+GlfwWindow::Size GlfwWindow::framebuffer_size() const {
+  Size out;
+  glfwGetFramebufferSize(window_, &out.width, &out.height);
+  return out;
+}
+
+GlfwWindow::Size GlfwWindow::size() const {
+  Size out;
+  glfwGetWindowSize(window_, &out.width, &out.height);
+  return out;
+}
+
+double GlfwWindow::pixel_ratio() const {
+  const Size inner = framebuffer_size();
+  const Size outer = size();
+  return outer.width > 0 && inner.width > 0 ? static_cast<double>(inner.width) / outer.width : 1.0;
+}
+
+double GlfwWindow::content_scale() const {
+  float x = 1.0F;
+  float y = 1.0F;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::clamp(static_cast<double>(std::max(x, y)), 0.5, 8.0);
+}
+
+bool GlfwWindow::is_minimized() const {
+  return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+}
+
+}  // namespace mes

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ui/gui.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "imgui_impl_glfw.h"
+#include "imgui_impl_opengl3.h"
+#include "imgui_internal.h"
+#include "render/text.h"
+
+namespace mes {
+namespace {
+
+constexpr float kTextPx = 15.0F;
+constexpr float kSmallTextPx = 12.5F;
+constexpr double kProjectorScale = 1.35;
+constexpr float kRestSeconds = 0.4F;  // before a tooltip comes; shorter is a nuisance while passing by
+
+// Latin, Greek, and the few symbols that messages and panels use.
+constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2032, 0x2190,
+                                          0x2193, 0x2212, 0x2265, 0x25CF, 0x25CF, 0};
+
+ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
+  std::error_code error;
+  // The library ends the program when it meets a broken file.
+  if (!std::filesystem::is_regular_file(file, error) || !render::Font::read(file)) return nullptr;
+  ImFontConfig config;
+  config.OversampleH = 2;
+  config.OversampleV = 1;
+  config.PixelSnapH = true;
+  return atlas.AddFontFromFileTTF(file.c_str(), size, &config, kGlyphs.data());
+}
+
+}  // namespace
+
+Gui::Gui(GlfwWindow& window, std::filesystem::path assets) : window_(window), assets_(std::move(assets)) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // the layout is ours, not the library's
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window awake
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  // Callbacks are forwarded by GlfwWindow.
+  ImGui_ImplGlfw_InitForOpenGL(window_.handle(), false);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Gui::~Gui() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Gui::load_fonts(double scale) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  const auto fonts = assets_ / "fonts";
+  const auto size = [scale](float px) { return std::round(px * static_cast<float>(scale)); };
+  ImFont* regular = add_font(atlas, fonts / "Inter-Regular.otf", size(kTextPx));
+  if (regular == nullptr) {
+    // The built-in font is a bitmap of 13 pixels: whole multiples keep it sharp.
+    ImFontConfig config;
+    config.SizePixels = 13.0F * static_cast<float>(std::max(1.0, std::round(scale)));
+    config.OversampleH = config.OversampleV = 1;
+    config.PixelSnapH = true;
+    regular = atlas.AddFontDefault(&config);
+  }
+  bold_ = add_font(atlas, fonts / "Inter-SemiBold.otf", size(kTextPx));
+  if (bold_ == nullptr) bold_ = regular;
+  small_ = add_font(atlas, fonts / "Inter-Regular.otf", size(kSmallTextPx));
+  if (small_ == nullptr) small_ = regular;
+  atlas.Build();
+}
+
+void Gui::begin_frame(const Settings& settings) {
+  const double ratio = window_.pixel_ratio();
+  const double enlarged = settings.interface_scale * (settings.for_projector ? kProjectorScale : 1.0);
+  const double scale = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
+  const bool is_new_scale = scale != font_scale_;
+  if (is_new_scale) {
+    const bool is_first = font_scale_ == 0.0;
+    font_scale_ = scale;
+    unit_ = static_cast<float>(scale / ratio);
+    load_fonts(scale);
+    // Destroying all device objects would be wrong: the library remembers the sizes of its old buffers, so it would
+    // write beyond the new, empty ones and draw nothing from then on. The first texture comes with those objects.
+    if (!is_first) {
+      ImGui_ImplOpenGL3_DestroyFontsTexture();
+      ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+  }
+  if (is_new_scale || settings.theme != theme_ || settings.for_projector != for_projector_) {
+    theme_ = settings.theme;
+    for_projector_ = settings.for_projector;
+    colors_ = theme_colors(theme_, for_projector_);
+    apply_theme(ImGui::GetStyle(), colors_, unit_);
+  }
+  ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / ratio);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  if (const auto press = window_.take_press())
+    ImGui::GetIO().MousePos = {static_cast<float>(press->x), static_cast<float>(press->y)};
+  ImGui::NewFrame();
+}
+
+double Gui::drawing_scale() const {
+  return std::clamp(window_.content_scale() * (for_projector_ ? kProjectorScale : 1.0), 0.5, 8.0);
+}
+
+void Gui::end_frame() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Gui::wants_pointer(Vec2 px) const {
+  // The library's own answer dates from its last frame; the pointer may have jumped onto a panel since.
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.ActiveId != 0 || has_popup()) return true;
+  const double ratio = window_.pixel_ratio();
+  const ImVec2 at(static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio));
+  // Popups are known by the stack of open ones; their windows outlive them by a frame.
+  constexpr int kNotPanels = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
+  for (const ImGuiWindow* window : context.Windows) {
+    if (!window->Active || window->Hidden || (window->Flags & kNotPanels) != 0) continue;
+    if (window->OuterRectClipped.Contains(at)) return true;
+  }
+  return false;
+}
+
+bool Gui::is_resting() const {
+  return ImGui::GetCurrentContext()->HoveredIdTimer > kRestSeconds;
+}
+
+bool Gui::is_about_to_rest() const {
+  return ImGui::GetCurrentContext()->HoveredIdPreviousFrame != 0 && !is_resting();
+}
+
+bool Gui::is_fading() const {
+  const float dim = ImGui::GetCurrentContext()->DimBgRatio;
+  return dim > 0.0F && dim < 1.0F;
+}
+
+bool Gui::wants_text() const {
+  return ImGui::GetIO().WantTextInput;
+}
+
+bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
+  const bool was_open = ImGui::IsPopupOpen(id);
+  if (!open && !was_open) return false;
+  if (!was_open) ImGui::OpenPopup(id);
+  if (!ImGui::BeginPopupModal(id, nullptr, flags | ImGuiWindowFlags_NoSavedSettings)) return false;
+  if (open) return true;
+  ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+  return false;
+}
+
+bool Gui::close_popup() {
+  if (!has_popup()) return false;
+  ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
+  return true;
+}
+
+bool Gui::has_popup() const {
+  return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+}
+
+}  // namespace mes

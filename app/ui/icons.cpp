@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ui/icons.h"
+
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "app/ui/theme.h"
+
+namespace mes {
+namespace {
+
+// Icons are designed on a 24 x 24 grid.
+class Pen {
+ public:
+  Pen(ImDrawList& list, ImVec2 at, float size, ImU32 color)
+      : list_(list), at_(at), unit_(size / 24.0F), color_(color), width_(std::max(1.0F, 1.7F * unit_)) {}
+
+  ImVec2 p(float x, float y) const { return {at_.x + x * unit_, at_.y + y * unit_}; }
+  void line(float x1, float y1, float x2, float y2) { list_.AddLine(p(x1, y1), p(x2, y2), color_, width_); }
+  void dot(float x, float y, float r) { list_.AddCircleFilled(p(x, y), r * unit_, color_); }
+  void ring(float x, float y, float r) { list_.AddCircle(p(x, y), r * unit_, color_, 0, width_); }
+  void arc(float x, float y, float r, float from, float to) {
+    list_.PathArcTo(p(x, y), r * unit_, from, to);
+    list_.PathStroke(color_, 0, width_);
+  }
+  void curve(ImVec2 a, ImVec2 b, ImVec2 c, ImVec2 d) { list_.AddBezierCubic(a, b, c, d, color_, width_); }
+  void outline(std::span<const ImVec2> points) {
+    list_.AddPolyline(points.data(), static_cast<int>(points.size()), color_, ImDrawFlags_Closed, width_);
+  }
+  void fill(std::span<const ImVec2> points) {
+    list_.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color_);
+  }
+
+ private:
+  ImDrawList& list_;
+  ImVec2 at_;
+  float unit_;
+  ImU32 color_;
+  float width_;
+};
+
+void draw_turn(Pen& pen, bool backwards) {
+  const auto x = [backwards](float value) { return backwards ? value : 24.0F - value; };
+  const float pi = 3.14159265F;
+  // It ends where the head begins: they may be translucent.
+  pen.arc(12.0F, 13.5F, 6.0F, backwards ? -pi * 0.72F : -pi * 0.28F, backwards ? pi * 0.55F : -pi * 1.55F);
+  ImVec2 head[] = {pen.p(x(3.6F), 12.6F), pen.p(x(4.6F), 5.2F), pen.p(x(10.2F), 10.2F)};
+  // Only clockwise are its edges smooth.
+  if (!backwards) std::swap(head[0], head[1]);
+  pen.fill(head);
+}
+
+}  // namespace
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) {
+  Pen pen(list, at, size, color);
+  switch (icon) {
+    case Icon::select: {
+      const ImVec2 arrow[] = {pen.p(6, 3.5F),   pen.p(6, 18.5F),     pen.p(9.8F, 15.2F), pen.p(12.4F, 20.8F),
+                              pen.p(15, 19.6F), pen.p(12.5F, 14.2F), pen.p(17.6F, 13.8F)};
+      pen.outline(arrow);
+      break;
+    }
+    case Icon::insert:
+      pen.dot(9, 14, 3.4F);
+      pen.line(17, 4, 17, 12);
+      pen.line(13, 8, 21, 8);
+      break;
+    case Icon::spray:
+      pen.dot(4.5F, 17.5F, 1.9F);
+      pen.dot(8.2F, 13.4F, 1.9F);
+      pen.dot(12.6F, 12.6F, 1.9F);
+      pen.dot(16.6F, 10.6F, 1.9F);
+      pen.dot(19.6F, 6.6F, 1.9F);
+      break;
+    case Icon::ball:
+      pen.ring(12, 12, 8.5F);
+      pen.dot(12, 12, 1.9F);
+      pen.line(12, 12, 18, 6);
+      break;
+    case Icon::fit:
+      for (const float sx : {0.0F, 1.0F}) {
+        for (const float sy : {0.0F, 1.0F}) {
+          const auto x = [sx](float v) { return sx == 0.0F ? v : 24.0F - v; };
+          const auto y = [sy](float v) { return sy == 0.0F ? v : 24.0F - v; };
+          pen.line(x(4), y(4), x(9), y(4));
+          pen.line(x(4), y(4), x(4), y(9));
+        }
+      }
+      pen.ring(12, 12, 3.2F);
+      break;
+    case Icon::undo: draw_turn(pen, true); break;
+    case Icon::redo: draw_turn(pen, false); break;
+    case Icon::eye:
+      pen.curve(pen.p(2.5F, 12), pen.p(7, 4.5F), pen.p(17, 4.5F), pen.p(21.5F, 12));
+      pen.curve(pen.p(2.5F, 12), pen.p(7, 19.5F), pen.p(17, 19.5F), pen.p(21.5F, 12));
+      pen.dot(12, 12, 3.2F);
+      break;
+    case Icon::eye_closed: pen.curve(pen.p(2.5F, 11), pen.p(7, 17.5F), pen.p(17, 17.5F), pen.p(21.5F, 11)); break;
+    case Icon::close:
+      pen.line(6.5F, 6.5F, 17.5F, 17.5F);
+      pen.line(17.5F, 6.5F, 6.5F, 17.5F);
+      break;
+    case Icon::grip:
+      for (const float x : {9.5F, 14.5F})
+        for (const float y : {6.5F, 12.0F, 17.5F}) pen.dot(x, y, 1.3F);
+      break;
+    case Icon::help: {
+      pen.arc(12, 9, 4, -3.3F, 0.9F);
+      pen.line(14.4F, 12.2F, 12, 15);
+      pen.dot(12, 19, 1.4F);
+      break;
+    }
+    case Icon::layers: {
+      const ImVec2 top[] = {pen.p(12, 4), pen.p(21, 9), pen.p(12, 14), pen.p(3, 9)};
+      pen.outline(top);
+      pen.line(3, 13.5F, 12, 18.5F);
+      pen.line(12, 18.5F, 21, 13.5F);
+      break;
+    }
+    case Icon::play: {
+      const ImVec2 head[] = {pen.p(8, 5.5F), pen.p(18.5F, 12), pen.p(8, 18.5F)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::pause:
+      for (const float x : {7.5F, 13.5F}) {
+        const ImVec2 bar[] = {pen.p(x, 6), pen.p(x + 3, 6), pen.p(x + 3, 18), pen.p(x, 18)};
+        pen.fill(bar);
+      }
+      break;
+    case Icon::record:
+      pen.ring(12, 12, 8.5F);
+      pen.dot(12, 12, 4.6F);
+      break;
+    case Icon::snapshot: {
+      const ImVec2 body[] = {pen.p(3.5F, 7.5F), pen.p(8, 7.5F),     pen.p(9.5F, 5),   pen.p(14.5F, 5),
+                             pen.p(16, 7.5F),   pen.p(20.5F, 7.5F), pen.p(20.5F, 19), pen.p(3.5F, 19)};
+      pen.outline(body);
+      pen.ring(12, 13, 3.4F);
+      break;
+    }
+    case Icon::more:
+      for (const float x : {6.0F, 12.0F, 18.0F}) pen.dot(x, 12, 1.7F);
+      break;
+    case Icon::parameters:
+      for (const auto& [y, x] : {std::pair{6.5F, 15.0F}, std::pair{12.0F, 8.5F}, std::pair{17.5F, 13.0F}}) {
+        pen.line(4, y, x - 2.4F, y);
+        pen.line(x + 2.4F, y, 20, y);
+        pen.ring(x, y, 2.4F);
+      }
+      break;
+    case Icon::play_back: {
+      const ImVec2 head[] = {pen.p(18, 5), pen.p(18, 19), pen.p(6, 12)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::step_forward: {
+      pen.line(17.5F, 6, 17.5F, 18);
+      const ImVec2 head[] = {pen.p(7, 6), pen.p(15, 12), pen.p(7, 18)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::step_back: {
+      pen.line(6.5F, 6, 6.5F, 18);
+      const ImVec2 head[] = {pen.p(17, 18), pen.p(9, 12), pen.p(17, 6)};
+      pen.fill(head);
+      break;
+    }
+    case Icon::to_start: {
+      pen.line(4.5F, 6, 4.5F, 18);
+      const ImVec2 first[] = {pen.p(12.5F, 18), pen.p(6, 12), pen.p(12.5F, 6)};
+      const ImVec2 second[] = {pen.p(20, 18), pen.p(13.5F, 12), pen.p(20, 6)};
+      pen.fill(first);
+      pen.fill(second);
+      break;
+    }
+    case Icon::stop: {
+      const ImVec2 square[] = {pen.p(7, 7), pen.p(17, 7), pen.p(17, 17), pen.p(7, 17)};
+      pen.fill(square);
+      break;
+    }
+    case Icon::evolution:
+      pen.ring(12, 12, 8.5F);
+      pen.ring(12, 12, 5);
+      pen.dot(12, 12, 1.6F);
+      break;
+    case Icon::statistics:
+      pen.line(4, 20, 20.5F, 20);
+      for (const auto& [x, y] : {std::pair{7.0F, 12.0F}, std::pair{12.0F, 5.0F}, std::pair{17.0F, 9.0F}}) {
+        pen.line(x - 1, 19, x - 1, y);
+        pen.line(x + 1, 19, x + 1, y);
+        pen.line(x - 1, y, x + 1, y);
+      }
+      break;
+  }
+}
+
+bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool enabled) {
+  ImGui::BeginDisabled(!enabled);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::InvisibleButton(id, {size, size});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  if (look == ButtonLook::chosen)
+    list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_CheckMark), rounding);
+  else if (look == ButtonLook::on || ImGui::IsItemHovered())
+    list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_Header), rounding);
+  const float inset = 0.16F * size;
+  ImGuiCol color = ImGuiCol_Text;
+  if (look == ButtonLook::chosen) color = ImGuiCol_WindowBg;
+  if (look == ButtonLook::on) color = ImGuiCol_CheckMark;
+  draw_icon(list, icon, {at.x + inset, at.y + inset}, size - 2 * inset, ImGui::GetColorU32(color));
+  ImGui::EndDisabled();
+  return clicked;
+}
+
+bool choice_button(const char* label, bool chosen) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? style.Colors[ImGuiCol_Header] : ImVec4());
+  ImGui::PushStyleColor(ImGuiCol_Text, style.Colors[chosen ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled]);
+  const bool clicked = ImGui::Button(label);
+  ImGui::PopStyleColor(2);
+  return clicked;
+}
+
+}  // namespace mes

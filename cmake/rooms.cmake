@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Which rooms there are, and which others each of them may include. A room is a folder; what
+# lies in its folder `internal` is for that room only. Every room comes after those it uses, so no arrow leads back. Run at each configuration, and as a test:
+#
+#   cmake -DROOT=. -P cmake/rooms.cmake
+cmake_policy(VERSION 3.25)
+set(rooms
+  "core/base:"
+  "core/kernel: core/base"
+  "core/draw: core/base"
+  "core/document: core/base core/kernel core/draw"
+  "core/io: core/base core/document"
+  "core/graph: core/base core/draw core/document"
+  "core/structures/inputs: core/base core/document core/graph"
+  "core/structures/triangulation: core/base core/kernel"
+  "core/structures/delaunay: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation"
+  "core/structures/crust: core/base core/kernel core/graph core/structures/delaunay"
+  "core/structures/axis: core/base core/graph core/structures/crust"
+  "core/structures/certificate: core/base core/kernel core/graph core/structures/axis"
+  "core/structures/balls: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation core/structures/crust core/structures/axis core/structures/certificate"
+  "core/structures/poles: core/base core/kernel core/graph core/structures/inputs core/structures/crust core/structures/balls"
+  "core/structures: core/graph core/structures/*"
+  "core/layers/parts: core/graph core/structures/*"
+  "core/layers/union: core/layers/parts core/structures/balls"
+  "core/layers: core/graph core/layers/parts core/structures/*"
+  "core/evolutions: core/base core/document core/structures/crust"
+  "core/engine: core/base core/draw core/document core/graph core/structures/inputs"
+  "render: core/base core/draw"
+  "app/system: core/io"
+  "app/actions: core/base"
+  "app/model: core/* app/system render"
+  "app/store: core/* app/model app/system render"
+  "app/picture: core/* app/model render"
+  "app/canvas/tools: core/base app/model app/actions"
+  "app/canvas: app/model app/canvas/tools"
+  "app/recording: core/* app/model app/picture app/system render"
+  "app/ui: core/* app/model app/actions app/canvas render"
+  "app/panels: core/* app/ui app/model app/store app/picture app/canvas app/canvas/tools app/recording app/actions render"
+  "app/window: core/* app/panels app/ui app/model app/store app/picture app/canvas app/canvas/tools app/recording app/actions app/system render"
+  "app/cli: core/* app/model app/store app/picture app/recording app/actions app/system render"
+  "app: app/cli app/window core/base")
+
+if(NOT DEFINED ROOT)
+  set(ROOT ${PROJECT_SOURCE_DIR})
+endif()
+
+set(known "")
+set(problems "")
+foreach(line IN LISTS rooms)
+  string(REGEX MATCH "^([^:]+):(.*)$" matched "${line}")
+  set(room ${CMAKE_MATCH_1})
+  string(STRIP "${CMAKE_MATCH_2}" allowed)
+  # What a room may include, as one regular expression; `core/*` is every room below core that is listed above.
+  set(pattern "${room}")
+  string(REPLACE " " ";" allowed "${allowed}")
+  foreach(other IN LISTS allowed)
+    string(REGEX REPLACE "/\\*$" "" folder "${other}")
+    if(folder STREQUAL other)
+      if(NOT other IN_LIST known)
+        list(APPEND problems "cmake/rooms.cmake: ${room} may use ${other}, which does not come before it")
+      endif()
+      string(APPEND pattern "|${other}")
+    else()
+      foreach(below IN LISTS known)
+        if(below MATCHES "^${folder}/")
+          string(APPEND pattern "|${below}")
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+  list(APPEND known ${room})
+
+  file(GLOB sources ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cpp ${ROOT}/${room}/internal/*.h
+       ${ROOT}/${room}/internal/*.cpp)
+  if(sources STREQUAL "")
+    list(APPEND problems "cmake/rooms.cmake: ${room} is empty")
+  endif()
+  foreach(source IN LISTS sources)
+    file(STRINGS ${source} includes REGEX "^#include \"(app|core|render)/")
+    foreach(include IN LISTS includes)
+      string(REGEX REPLACE "^#include \"(.*)/[^/]*\".*$" "\\1" used "${include}")
+      string(REGEX REPLACE "^${room}/internal$" "${room}" used "${used}")
+      if(NOT used MATCHES "^(${pattern})$")
+        file(RELATIVE_PATH name ${ROOT} ${source})
+        list(APPEND problems "${name}: ${room} may not include from ${used}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+file(GLOB_RECURSE everything RELATIVE ${ROOT} ${ROOT}/app/*.h ${ROOT}/app/*.cpp ${ROOT}/core/*.h ${ROOT}/core/*.cpp
+     ${ROOT}/render/*.h ${ROOT}/render/*.cpp)
+foreach(source IN LISTS everything)
+  get_filename_component(room ${source} DIRECTORY)
+  string(REGEX REPLACE "/internal$" "" room "${room}")
+  if(NOT room IN_LIST known)
+    list(APPEND problems "${source}: ${room} is not a room of cmake/rooms.cmake")
+  endif()
+endforeach()
+
+if(problems)
+  list(REMOVE_DUPLICATES problems)
+  list(JOIN problems "\n  " text)
+  message(FATAL_ERROR "Includes against the arrows between rooms:\n  ${text}")
+endif()

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What everybody may know of a layer: the command line, the window, the manual page, the renderer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/slot.h"
+#include "core/draw/layer_style.h"
+#include "core/draw/primitives.h"
+
+namespace mes {
+
+enum class LayerGroup : std::uint8_t {
+  samples,
+  delaunay_voronoi,
+  crust_axis,
+  poles,
+  union_a,
+  union_p,
+  union_b,
+  diagnostics
+};
+
+/// Heading of the group in the layer panel, e.g. "Delaunay & Voronoi".
+std::string_view title_of(LayerGroup group);
+
+struct LayerDescriptor {
+  std::string_view id{};       ///< public name, kebab case
+  std::string_view name{};     ///< as shown
+  std::string_view tooltip{};  ///< one sentence, no full stop
+  LayerGroup group = LayerGroup::samples;
+  bool in_paper = false;   ///< one of the 41 layers of the 2007 paper
+  bool in_fit_box = true;  ///< counts for "fit to view"
+  bool visible_at_start = false;
+  std::string_view scalar{};                   ///< what the scalar of an instance means; empty = none
+  bool scalars_are_names = false;              ///< they only tell elements apart, and depend on history
+  LayerStyle style{};                          ///< the default
+  std::vector<PrimitiveKind> kinds{};          ///< what it may emit, in drawing order (first = bottom)
+  std::vector<std::string_view> structures{};  ///< ids of the structures it reads
+};
+
+/// Every layer, in default stacking order: first = bottom.
+std::span<const LayerDescriptor> layer_descriptors();
+
+/// Registry position of a public id, or kNoSlot.
+LayerIndex find_layer(std::string_view id);
+
+}  // namespace mes

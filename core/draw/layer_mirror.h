@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a renderer would hold, in plain memory: every instance of every layer, kept up to date by patches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/draw/layer_digest.h"
+#include "core/draw/patch.h"
+
+namespace mes {
+
+/// For whoever wants the whole result instead of its changes: the command line and tests.
+///
+/// What it guarantees:
+///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
+///  each,
+///     in the order of the drawing buffer.
+///  2. A patch that breaks its promises (data of the wrong size, growth without data, a count that changes unsaid, a
+///     value that is not finite, a negative radius, a ray or line without direction, instances left in a drawing
+///     frame that is gone, layers of a run that was stopped) is refused by an assertion.
+///
+/// Smallest use:
+///     LayerMirror mirror;
+///     while (auto patch = engine.sync()) { mirror.apply(*patch); engine.recycle(std::move(patch)); }
+///     mirror.count(find_layer("medial-axis"), PrimitiveKind::segment);
+///
+/// Cost: O(size of the patch). Threads: none inside; reading from several is fine while nobody applies.
+class LayerMirror {
+ public:
+  void apply(const FramePatch& patch);
+
+  std::uint32_t count(LayerIndex layer, PrimitiveKind kind) const;
+  std::span<const double> instances(LayerIndex layer, PrimitiveKind kind) const;
+  /// Of what the layer draws, without scalars that are names. O(1): kept up to date by `apply`.
+  LayerDigest digest(LayerIndex layer) const;
+  /// As of the last patch.
+  const DrawingFrame& frame() const { return frame_; }
+  std::uint64_t document_revision() const { return document_revision_; }
+
+ private:
+  struct Instances {
+    std::vector<double> values;
+    LayerDigest digest;  // the sum over the instances
+  };
+  void leave_frame(const FramePatch& patch);
+  void apply(const KindPatch& patch, PrimitiveKind kind, bool with_scalars, Instances& instances);
+
+  std::vector<std::array<Instances, kPrimitiveKinds>> layers_;
+  std::vector<bool> written_;  // while applying: the instances that a growing patch has given
+  DrawingFrame frame_;
+  std::uint64_t document_revision_ = 0;
+};
+
+}  // namespace mes

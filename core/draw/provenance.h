@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where something on the canvas comes from and what it made: the question, and the answer as text and shapes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/slot.h"
+#include "core/base/vec2.h"
+#include "core/draw/primitives.h"
+
+namespace mes {
+
+class Structure;
+
+/// What the rows of a layer's part are.
+enum class ElementKind : std::uint8_t {
+  other,  ///< nothing is known but the shape
+  sample,
+  site,
+  voronoi_vertex,  ///< Delaunay face
+  delaunay_edge,   ///< with its dual Voronoi edge
+  own_ball,        ///< of the document
+  ball,            ///< of a union
+  dual_edge,
+  dual_face,
+  v_point,
+  v_origin,
+  axis_piece,
+  v_face,
+  v_edge,
+  boundary_arc,
+  power_edge,
+};
+
+struct ElementType {
+  ElementKind kind = ElementKind::other;
+  const Structure* owner = nullptr;  ///< of the rows, where several structures have such
+};
+
+struct Element {
+  ElementType type;
+  Slot row = kNoSlot;
+};
+
+/// What lies at a place, nearest in the topmost layer that has something within reach.
+struct ProvenanceQuestion {
+  std::uint64_t ticket = 0;  ///< of the asker; the answer repeats it
+  Vec2 at{};
+  double reach = 0.0;              ///< in units of the document
+  std::vector<LayerIndex> layers;  ///< to look at, top first
+};
+
+struct ProvenanceShape {
+  PrimitiveKind kind = PrimitiveKind::point;
+  std::array<double, 7> values{};  ///< as in core/draw/primitives.h, without the scalar
+};
+
+enum class ProvenanceRole : std::uint8_t { itself, origin, product };
+
+struct ProvenanceLine {
+  ProvenanceRole role = ProvenanceRole::itself;
+  std::string text;  ///< no full stop
+  std::vector<ProvenanceShape> shapes;
+};
+
+struct Provenance {
+  std::uint64_t ticket = 0;
+  LayerIndex layer = 0;               ///< where it was found
+  std::vector<ProvenanceLine> lines;  ///< itself first; empty = nothing was there
+};
+
+}  // namespace mes

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/engine/graph.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "core/engine/memory_lack.h"
+#include "core/graph/explain.h"
+
+namespace mes {
+
+Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Samples>()) {
+  const auto position_of = [this](const Structure* structure) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (nodes_[i].structure == structure) return i;
+    assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
+  };
+  for (const auto& structure : structures_.all()) {
+    StructureNode node;
+    node.structure = structure.get();
+    node.source = dynamic_cast<SourceStructure*>(structure.get());
+    for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
+    if (node.source != nullptr) last_source_ = nodes_.size();
+    nodes_.push_back(std::move(node));
+  }
+  layers_ = make_layers(structures_);
+  for (const Layer& layer : layers_) {
+    LayerNode node;
+    std::size_t last = last_source_;  // the sources have a say in all layers: the drawing frame follows them
+    for (const Structure* structure : layer.structures) {
+      node.structures.push_back(position_of(structure));
+      last = std::max(last, node.structures.back());
+    }
+    nodes_[last].completes.push_back(static_cast<LayerIndex>(layer_nodes_.size()));
+    layer_nodes_.push_back(std::move(node));
+  }
+}
+
+void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
+  for (const StructureNode& node : nodes_)
+    if (node.source != nullptr) node.source->post(delta);
+  dirty_ = true;
+}
+
+void Graph::post_settings(const ComputationSettings& settings) {
+  structures_.get<SettingsSource>().post(settings);
+  dirty_ = true;
+}
+
+void Graph::set_demand(std::span<const LayerIndex> layers) {
+  for (LayerNode& node : layer_nodes_) node.demanded = false;
+  for (const LayerIndex layer : layers) {
+    MES_ASSERT(layer < layer_nodes_.size());
+    layer_nodes_[layer].demanded = true;
+  }
+  for (LayerNode& node : layer_nodes_) {
+    if (node.demanded) continue;
+    node.sent = false;
+    node.state = NodeState::inactive;
+  }
+  demand_changed_ = true;
+  dirty_ = true;
+}
+
+void Graph::set_want_findings(bool wanted) {
+  if (wanted == want_findings_) return;
+  want_findings_ = wanted;
+  demand_changed_ = true;
+  dirty_ = true;
+}
+
+void Graph::mark_needed() {
+  for (StructureNode& node : nodes_) node.needed = false;
+  nodes_.front().needed = true;
+  for (const LayerNode& layer : layer_nodes_) {
+    if (!layer.demanded) continue;
+    for (const std::size_t structure : layer.structures) nodes_[structure].needed = true;
+  }
+  for (StructureNode& node : nodes_)
+    if (want_findings_ && node.structure->is_judge()) node.needed = true;
+  // Inputs stand before their consumers.
+  for (std::size_t i = nodes_.size(); i-- > 0;)
+    if (nodes_[i].needed)
+      for (const std::size_t input : nodes_[i].inputs) nodes_[input].needed = true;
+  demand_changed_ = false;
+}
+
+double Graph::lap_ms() {
+  const std::int64_t now =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+          .count();
+  const double elapsed = 1e-6 * static_cast<double>(now - lap_ns_);
+  lap_ns_ = now;
+  return elapsed;
+}
+
+void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
+  bool inputs_changed =
+      node.source != nullptr && (node.source->has_pending() || (node.synced == 0 && node.state != NodeState::failed));
+  // What failed is tried again when its inputs have changed since, not before.
+  const std::uint64_t seen = node.state == NodeState::failed ? node.tried : node.synced;
+  bool may_update = node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
+  for (const std::size_t i : node.inputs) {
+    const StructureNode& input = nodes_[i];
+    if (input.state != NodeState::up_to_date) {
+      node.state = NodeState::blocked;
+      node.reason = std::string(input.structure->id()) + ": " + input.reason;
+      node.synced = 0;
+      return;
+    }
+    if (input.changed <= seen && seen != 0) continue;
+    inputs_changed = true;
+    may_update = may_update && input.rebuilt != run_;
+  }
+  if (!inputs_changed && (node.state == NodeState::up_to_date || node.state == NodeState::failed)) {
+    if (std::exchange(node.has_changes, false)) node.structure->clear_changes();
+    if (node.state == NodeState::up_to_date) node.synced = run_;
+    return;
+  }
+  compute(node, may_update, job);
+}
+
+void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
+  if (on_task_) on_task_(node.structure->id());
+  node.state = NodeState::computing;
+  node.reason.clear();
+  node.witnesses.clear();
+  const auto fail = [&node](std::string reason) {
+    node.state = NodeState::failed;
+    node.reason = std::move(reason);
+  };
+  // Whatever goes wrong, the tables are worthless then: nothing may follow them until they are rebuilt.
+  node.synced = 0;
+  node.tried = run_;
+  node.has_changes = true;
+  try {
+    node.last_was_rebuild = !(may_update && node.structure->update(job));
+    if (node.last_was_rebuild) {
+      node.structure->rebuild(job);
+      node.rebuilt = run_;
+    }
+    node.state = NodeState::up_to_date;
+    node.synced = run_;
+    node.touched = node.structure->touched();
+    if (node.last_was_rebuild || node.touched != 0) node.changed = run_;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const GeometryError& error) {
+    fail(error.what());
+    node.witnesses = error.witnesses;
+  } catch (const std::bad_alloc&) {
+    fail(std::string(kOutOfMemory));
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  node.ms = lap_ms();
+}
+
+// The frame in which the pictures are drawn follows the samples only when they leave it by far, because a new one
+// means that every instance is sent again.
+void Graph::follow_extent() {
+  Box2 box;
+  bool replaced = false;
+  for (const StructureNode& node : nodes_) {
+    if (node.source == nullptr) continue;
+    const Box2 extent = node.source->extent();
+    if (extent.is_empty()) continue;
+    box.add(extent.low);
+    box.add(extent.high);
+    replaced = replaced || node.rebuilt == run_;
+  }
+  if (!box.is_empty()) {
+    const auto outside = [this](Vec2 p) {
+      const double reach = std::max(std::abs(p.x - frame_.origin.x), std::abs(p.y - frame_.origin.y)) * frame_.scale;
+      return !(reach < 0x1p20);
+    };
+    if (replaced || outside(box.low) || outside(box.high)) {
+      const double half = std::max({0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y});
+      DrawingFrame frame{box.center(), 1.0};
+      if (half > 0.0) frame.scale = std::ldexp(1.0, std::clamp(-std::ilogb(half), -1000, 1000));
+      frame_ = frame;
+    }
+  }
+}
+
+LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
+  if (out.layers.size() <= out.layer_count) out.layers.emplace_back();
+  LayerPatch& patch = out.layers[out.layer_count++];
+  patch.layer = index;
+  patch.has_scalars = !layers_[index].descriptor.scalar.empty();
+  patch.scalars_are_names = layers_[index].descriptor.scalars_are_names;
+  patch.clear();
+  return patch;
+}
+
+// Turns the patch into one that takes all instances of the layer from its consumer.
+void Graph::withdraw(LayerPatch& patch) {
+  patch.clear();
+  for (const PrimitiveKind kind : layers_[patch.layer].descriptor.kinds) patch[kind].reset = true;
+  layer_nodes_[patch.layer].sent = false;
+}
+
+// Decides what a layer needs: nothing, an update, or a reset.
+Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
+  LayerNode& node = layer_nodes_[index];
+  before_.push_back({index, node.state, node.sent, node.synced});
+  bool changed = false;
+  bool may_update = node.sent && node.synced + 1 == run_ && frame_ == sent_frame_;
+  for (const std::size_t i : node.structures) {
+    const StructureNode& input = nodes_[i];
+    if (input.state != NodeState::up_to_date) {
+      node.state = input.state;
+      node.reason = input.reason;
+      // The last good picture stays, unless it is in a frame that is gone. Where there was no room for another one,
+      // it is the frame that stays.
+      if (!node.sent || frame_ == sent_frame_) return Emission::none;
+      if (node.reason.ends_with(kOutOfMemory))
+        keeps_frame_ = true;
+      else
+        withdraw(begin_patch(index, out));
+      return Emission::none;
+    }
+    if (input.changed <= node.synced) continue;
+    changed = true;
+    may_update = may_update && input.rebuilt != run_;
+  }
+  node.state = NodeState::up_to_date;
+  node.reason.clear();
+  if (node.sent && !changed && frame_ == sent_frame_) {
+    node.synced = run_;
+    return Emission::none;
+  }
+  return may_update ? Emission::update : Emission::reset;
+}
+
+void Graph::begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  LayerPatch& patch = begin_patch(index, out);
+  tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
+}
+
+// Layers only read tables, and those of the structures up to a rebuilt one do not change any more. So layers that
+// waited for it are given away at once.
+void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  for (const LayerIndex index : node.completes) {
+    LayerNode& layer = layer_nodes_[index];
+    if (!layer.demanded) continue;
+    layer.begun = run_;
+    if (emission_of(index, out) != Emission::none) begin_reset(index, out, tasks, job);
+  }
+}
+
+void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
+  for (LayerIndex index = 0; index < layer_nodes_.size(); ++index) {
+    const LayerNode& node = layer_nodes_[index];
+    if (!node.demanded || node.begun == run_) continue;
+    const Emission emission = emission_of(index, out);
+    if (emission == Emission::reset) begin_reset(index, out, tasks, job);
+    if (emission != Emission::update) continue;
+    LayerPatch& patch = begin_patch(index, out);
+    fill(patch, emission, job);
+    if (patch.is_empty()) --out.layer_count;
+  }
+  if (!tasks.is_empty()) {
+    if (on_task_) on_task_("layers");
+    tasks.finish();
+  }
+  if (is_stopped_) throw Cancelled{};
+  // A layer that could not be made has nothing to say.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < out.layer_count; ++i) {
+    if (out.layers[i].is_empty()) continue;
+    if (i != kept) std::swap(out.layers[i], out.layers[kept]);
+    ++kept;
+  }
+  out.layer_count = kept;
+}
+
+// A run that is stopped brings nothing: half of its layers would show another state than the rest. The consumer holds
+// what it held before, and what was made for it is forgotten; `synced` of those layers is then in the past, so the
+// next run sends them whole.
+void Graph::take_back(FramePatch& out) {
+  for (const LayerBefore& before : before_) {
+    LayerNode& node = layer_nodes_[before.layer];
+    node.state = before.state;
+    node.sent = before.sent;
+    node.synced = before.synced;
+  }
+  out.layer_count = 0;
+}
+
+// Whatever ends early leaves an empty patch. The consumer then keeps the instances it has, unless they are in a frame
+// that is gone; which rows they belong to is forgotten, so the layer is sent whole next time.
+void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
+  LayerNode& node = layer_nodes_[patch.layer];
+  node.synced = 0;
+  const auto fail = [&](std::string reason) {
+    patch.clear();
+    if (node.sent && frame_ != sent_frame_) withdraw(patch);
+    node.state = NodeState::failed;
+    node.reason = std::move(reason);
+  };
+  try {
+    if (emission == Emission::update) {
+      for (const auto& part : layers_[patch.layer].parts) part->update(patch);
+    } else {
+      const auto start = std::chrono::steady_clock::now();
+      for (const auto& part : layers_[patch.layer].parts) {
+        if (job.stop_requested()) {
+          is_stopped_ = true;
+          return;
+        }
+        part->reset(patch);
+      }
+      node.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+    node.lost = 0;
+    for (const auto& part : layers_[patch.layer].parts) node.lost += part->lost();
+    node.sent = true;
+    node.synced = run_;
+  } catch (const std::bad_alloc&) {
+    patch.clear();
+    if (node.sent && frame_ != sent_frame_) keeps_frame_ = true;
+    node.state = NodeState::failed;
+    node.reason = kOutOfMemory;
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+}
+
+void Graph::report(FramePatch& out) {
+  out.nodes.resize(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    StructureNode& node = nodes_[i];
+    NodeReport& report = out.nodes[i];
+    if (report.structure.empty()) report.structure = node.structure->id();
+    report.state = node.needed ? node.state : NodeState::inactive;
+    if (report.reason != node.reason) report.reason = node.reason;
+    if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
+    report.update_ms = node.ms;
+    report.touched = node.changed == run_ ? node.touched : 0;
+    report.rebuilt = node.last_was_rebuild;
+    report.stats.clear();
+    report.findings.clear();
+    report.is_judging = want_findings_ && node.structure->has_verdict() && node.state == NodeState::up_to_date;
+    report.kernel = node.structure->kernel();
+    if (!node.needed || node.state != NodeState::up_to_date) continue;
+    // After a run that was stopped, the tables of inputs may be newer than its own, and what it says of itself reads
+    // both.
+    const bool may_ask = node.synced == run_;
+    if (want_findings_) {
+      if (may_ask && (node.findings_run < node.changed || node.findings_run == 0)) {
+        node.findings.clear();
+        node.structure->find(node.findings);
+        node.findings_run = run_;
+      }
+      report.findings = node.findings;
+    }
+    if (!want_statistics_) continue;
+    if (may_ask && (node.stats_run < node.changed || node.stats.empty())) {
+      node.stats = node.structure->statistics();
+      node.stats_run = run_;
+    }
+    report.stats = node.stats;
+  }
+  out.reports.resize(layer_nodes_.size());
+  for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
+    const LayerNode& node = layer_nodes_[i];
+    LayerReport& report = out.reports[i];
+    report.layer = i;
+    report.state = node.state;
+    report.emit_ms = node.ms;
+    report.lost = node.lost;
+    if (report.reason != node.reason) report.reason = node.reason;
+  }
+}
+
+void Graph::ask(ProvenanceQuestion question) {
+  question_ = std::move(question);
+  dirty_ = true;
+}
+
+Provenance Graph::answer(const ProvenanceQuestion& question) const {
+  Provenance out;
+  out.ticket = question.ticket;
+  for (const LayerIndex layer : question.layers) {
+    const LayerNode& node = layer_nodes_[layer];
+    if (!node.demanded || node.state != NodeState::up_to_date) continue;
+    HitSearch search(question.at, question.reach);
+    for (const auto& part : layers_[layer].parts) part->look_for(search);
+    if (!search.best()) continue;
+    const auto is_current = [this](const Structure& structure) {
+      const auto found = std::ranges::find(nodes_, &structure, &StructureNode::structure);
+      return found != nodes_.end() && found->needed && found->state == NodeState::up_to_date;
+    };
+    out.layer = layer;
+    out.lines = explain(structures_, is_current, search.best()->element);
+    if (out.lines.empty())
+      out.lines.push_back({ProvenanceRole::itself, std::string(layers_[layer].descriptor.tooltip), {}});
+    if (out.lines.front().shapes.empty()) out.lines.front().shapes.push_back(search.best()->shape);
+    break;
+  }
+  return out;
+}
+
+// For when memory does not suffice for the report itself.
+void Graph::report_lack_of_memory(FramePatch& out) {
+  out.nodes.clear();
+  for (LayerReport& report : out.reports) {
+    report.state = report.layer < layer_nodes_.size() && layer_nodes_[report.layer].demanded ? NodeState::failed
+                                                                                             : NodeState::inactive;
+    report.reason = kOutOfMemory;
+  }
+}
+
+// There was no room for what holds the run together. Nothing of it is sent, and the next one sends everything.
+void Graph::give_up_for_lack_of_memory(FramePatch& out) {
+  take_back(out);
+  for (LayerNode& node : layer_nodes_) {
+    if (!node.demanded) continue;
+    node.synced = 0;
+    node.state = NodeState::failed;
+    node.reason = kOutOfMemory;
+  }
+}
+
+bool Graph::run(FramePatch& out, JobControl& job) {
+  ++run_;
+  dirty_ = false;
+  out.layer_count = 0;
+  out.complete = true;
+  out.provenance.reset();
+  if (demand_changed_) mark_needed();
+  before_.clear();
+  is_stopped_ = false;
+  keeps_frame_ = false;
+  lap_ms();
+  TaskQueue tasks;
+  try {
+    out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      StructureNode& node = nodes_[i];
+      if (node.needed || node.source != nullptr) {
+        job.reset_progress();
+        bring_up_to_date(node, job);
+      }
+      if (i == last_source_) follow_extent();
+      if (i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
+    }
+    emit_layers(out, tasks, job);
+    if (!keeps_frame_) sent_frame_ = frame_;
+    sent_revision_ = samples_.document_revision();
+  } catch (const Cancelled&) {
+    out.complete = false;
+    dirty_ = true;
+    tasks.drop();
+    take_back(out);
+  } catch (const std::bad_alloc&) {
+    tasks.drop();
+    give_up_for_lack_of_memory(out);
+  }
+  out.frame = sent_frame_;
+  out.document_revision = sent_revision_;
+  try {
+    report(out);
+    if (question_ && out.complete)
+      out.provenance = std::make_unique<Provenance>(answer(*std::exchange(question_, {})));
+  } catch (const std::bad_alloc&) {
+    report_lack_of_memory(out);
+  }
+  return out.complete;
+}
+
+}  // namespace mes

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The geometry graph: structures and layers, brought up to date on demand.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/base/task_queue.h"
+#include "core/draw/patch.h"
+#include "core/graph/layer.h"
+#include "core/structures/inputs/samples.h"
+#include "core/structures/inputs/settings_source.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. After a complete `run`, every demanded layer shows the document state of the last posted delta.
+///  2. A structure is computed only if a demanded layer needs it, and follows an edit locally when it was up to date
+///  in
+///     the run before; otherwise it is rebuilt. Nothing is computed twice in a run, nothing at all when nothing
+///     changed.
+///  3. A structure that throws is *failed*: it and what depends on it keep their last patches, and are rebuilt in the
+///  next
+///     run in which their inputs change.
+///  4. Lack of memory ends no run in another way: what found no room is failed, and the reason is `kOutOfMemory`.
+///
+/// Smallest use:
+///     Graph graph;
+///     graph.set_demand({find_layer("medial-axis")});
+///     graph.post(delta);
+///     FramePatch patch;
+///     JobControl job;
+///     graph.run(patch, job);
+///
+/// Threads: `Engine` runs it on a thread of its own. Inside `run`, layers that are sent whole are made on other cores
+/// as soon as their structures are done, while it goes on with the structures after those; none is left at its end.
+class Graph {
+ public:
+  Graph();
+
+  void post(std::shared_ptr<const DocumentDelta> delta);
+  void post_settings(const ComputationSettings& settings);
+  void set_demand(std::span<const LayerIndex> layers);
+  void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
+  /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
+  void set_want_findings(bool wanted);
+  /// The next complete run answers; a later question takes the place of an earlier one.
+  void ask(ProvenanceQuestion question);
+  /// Something was posted or demanded that `run` has not seen.
+  bool is_dirty() const { return dirty_; }
+  /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
+  /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
+  bool run(FramePatch& out, JobControl& job);
+  /// Called with the public id of each structure or layer before it is worked on.
+  void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
+
+  const StructureSet& structures() const { return structures_; }
+
+ private:
+  struct StructureNode {
+    Structure* structure = nullptr;
+    SourceStructure* source = nullptr;  ///< the structure, if it is one
+    std::vector<std::size_t> inputs;
+    std::vector<LayerIndex> completes;  ///< layers for which this is the last structure to wait for
+    bool needed = false;
+    NodeState state = NodeState::inactive;
+    std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
+    std::uint64_t tried = 0;    ///< run in which it was last computed, well or not
+    std::uint64_t changed = 0;  ///< run in which its tables last changed
+    std::uint64_t rebuilt = 0;  ///< run in which they were last rebuilt
+    bool last_was_rebuild = false;
+    bool has_changes = false;  ///< its change sets are those of an earlier run, perhaps one that was stopped
+    double ms = 0.0;
+    std::uint64_t touched = 0;
+    std::string reason;
+    std::vector<SampleId> witnesses;
+    StatList stats;
+    std::uint64_t stats_run = 0;
+    std::vector<Finding> findings;
+    std::uint64_t findings_run = 0;
+  };
+  struct LayerNode {
+    std::vector<std::size_t> structures;
+    bool demanded = false;
+    bool sent = false;  ///< the consumer holds instances of it
+    NodeState state = NodeState::inactive;
+    std::uint64_t synced = 0;
+    std::uint64_t begun = 0;  ///< run in which it did not wait for all structures
+    std::uint64_t lost = 0;   ///< primitives that are not finite
+    double ms = 0.0;
+    std::string reason;
+  };
+
+  void mark_needed();
+  void bring_up_to_date(StructureNode& node, JobControl& job);
+  void compute(StructureNode& node, bool may_update, JobControl& job);
+  void begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job);
+  void begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job);
+  LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
+  void withdraw(LayerPatch& patch);
+  enum class Emission : std::uint8_t { none, update, reset };
+  Emission emission_of(LayerIndex index, FramePatch& out);
+  void emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
+  void take_back(FramePatch& out);
+  void fill(LayerPatch& patch, Emission emission, JobControl& job);
+  void follow_extent();
+  void report(FramePatch& out);
+  void report_lack_of_memory(FramePatch& out);
+  void give_up_for_lack_of_memory(FramePatch& out);
+  Provenance answer(const ProvenanceQuestion& question) const;
+  double lap_ms();
+
+  StructureSet structures_;
+  Samples& samples_;
+  std::vector<StructureNode> nodes_;
+  std::size_t last_source_ = 0;
+  std::vector<Layer> layers_;
+  std::vector<LayerNode> layer_nodes_;
+  DrawingFrame frame_;
+  DrawingFrame sent_frame_;  ///< of the last complete run, and of all that consumers hold
+  std::uint64_t sent_revision_ = 0;
+  std::atomic<bool> keeps_frame_ = false;  ///< some layer has a picture in that frame, and no room for another
+  std::uint64_t run_ = 0;
+  bool dirty_ = false;
+  bool demand_changed_ = true;
+  bool want_statistics_ = false;
+  bool want_findings_ = false;
+  std::optional<ProvenanceQuestion> question_;
+  std::int64_t lap_ns_ = 0;
+  std::function<void(std::string_view)> on_task_;
+
+  // Work space of one run.
+  struct LayerBefore {
+    LayerIndex layer;
+    NodeState state;
+    bool sent;
+    std::uint64_t synced;
+  };
+  std::vector<LayerBefore> before_;       // layers that were looked at, as they were
+  std::atomic<bool> is_stopped_ = false;  // some layer was not made
+};
+
+}  // namespace mes

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lack of memory, told from failures that say something about the input or the program.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "core/draw/patch.h"
+
+namespace mes {
+
+/// The reason of a structure or layer that found no room. Short enough to be noted without asking for more.
+inline constexpr std::string_view kOutOfMemory = "out of memory";
+
+/// Some structure, or some layer by itself, found no room.
+inline bool lacks_memory(std::span<const NodeReport> nodes, std::span<const LayerReport> layers) {
+  const auto lacks = [](const auto& report) {
+    return report.state == NodeState::failed && report.reason == kOutOfMemory;
+  };
+  return std::ranges::any_of(nodes, lacks) || std::ranges::any_of(layers, lacks);
+}
+
+}  // namespace mes

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The theorem light: does the one-step axis deserve to be called the medial axis?
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "core/draw/patch.h"
+#include "core/engine/memory_lack.h"
+
+namespace mes {
+
+enum class TheoremLight : std::uint8_t {
+  none,    ///< nothing inside, or the judges are not up to date
+  green,   ///< the one-step axis is the medial axis of the union of the inner balls: proved for this input
+  yellow,  ///< exact, but what the theorem asks for does not hold everywhere
+  red,     ///< the chosen number type gave a wrong or inconsistent result
+};
+
+constexpr std::string_view name_of(TheoremLight light) {
+  switch (light) {
+    case TheoremLight::green: return "green";
+    case TheoremLight::yellow: return "yellow";
+    case TheoremLight::red: return "red";
+    case TheoremLight::none: break;
+  }
+  return "none";
+}
+
+/// From the reports of a run in which findings were wanted. Lack of memory says nothing about the result.
+inline TheoremLight light_of(std::span<const NodeReport> nodes) {
+  TheoremLight light = TheoremLight::none;
+  for (const NodeReport& node : nodes) {
+    if (node.state == NodeState::failed && node.reason != kOutOfMemory) light = TheoremLight::red;
+    if (node.state == NodeState::up_to_date && node.is_judging) light = std::max(light, TheoremLight::green);
+  }
+  for (const NodeReport& node : nodes)
+    for (const Finding& finding : node.findings)
+      light = std::max(light, finding.level == FindingLevel::wrong ? TheoremLight::red : TheoremLight::yellow);
+  return light;
+}
+
+}  // namespace mes

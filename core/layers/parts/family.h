@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the layers of a union of balls have in common: each exists once for every family of balls.
+//
+// A file here defines `Layer make_union_name_layer(const UnionFamily&)`; core/layers/CMakeLists.txt lists it once,
+// and the registration makes a layer of it for each family, with the family's letter before id and name.
+#pragma once
+
+#include <string>
+
+#include "core/layers/parts/helpers.h"
+#include "core/structures/balls/ball_diagrams.h"
+#include "core/structures/balls/ball_sampling.h"
+#include "core/structures/balls/ball_union.h"
+
+namespace mes {
+
+struct UnionFamily {
+  char letter;  ///< 'A'
+  const BallUnion& balls;
+  const PowerDiagram& power_diagram;
+  const VDiagram& v_diagram;
+  const BallSampling& sampling;
+  LayerGroup group;
+  bool in_paper;  ///< the paper has this family
+};
+
+/// Text that lives as long as the program.
+std::string_view keep_text(std::string text);
+
+/// A layer of the family. `id` and `name` without the letter: "v-points" becomes "a-v-points".
+template <class... Parts>
+Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDescriptor descriptor, Parts... parts) {
+  const char small = static_cast<char>(family.letter - 'A' + 'a');
+  descriptor.id = keep_text(std::string(1, small) + '-' + std::string(descriptor.id));
+  descriptor.name = keep_text(std::string(1, family.letter) + ' ' + std::string(descriptor.name));
+  descriptor.group = family.group;
+  descriptor.in_paper = descriptor.in_paper && family.in_paper;
+  return make_layer(std::move(descriptor), {&family.balls, &read}, std::move(parts)...);
+}
+template <class... Parts>
+Layer union_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts... parts) {
+  Layer layer = union_layer_of(family, family.balls, std::move(descriptor), std::move(parts)...);
+  layer.structures.pop_back();
+  layer.descriptor.structures.pop_back();
+  return layer;
+}
+
+template <class Table>
+constexpr ElementKind kElementOf = ElementKind::other;
+template <>
+inline constexpr ElementKind kElementOf<DualEdge> = ElementKind::dual_edge;
+template <>
+inline constexpr ElementKind kElementOf<DualFace> = ElementKind::dual_face;
+template <>
+inline constexpr ElementKind kElementOf<VPoint> = ElementKind::v_point;
+template <>
+inline constexpr ElementKind kElementOf<VOrigin> = ElementKind::v_origin;
+template <>
+inline constexpr ElementKind kElementOf<AxisPiece> = ElementKind::axis_piece;
+template <>
+inline constexpr ElementKind kElementOf<VFace> = ElementKind::v_face;
+template <>
+inline constexpr ElementKind kElementOf<VEdge> = ElementKind::v_edge;
+template <>
+inline constexpr ElementKind kElementOf<BoundaryArc> = ElementKind::boundary_arc;
+
+/// Part over a table of the union: `emit(row of the table, instance)`.
+template <class Table, class Emit>
+auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, std::vector<Table> UnionTables::*table,
+                const ChangeSet& changes, Emit emit) {
+  return table_part(
+      std::move(kinds), [&balls, table] { return (balls.tables().*table).size(); }, changes,
+      [&balls, table, emit](Slot row, Instance& out) { emit((balls.tables().*table)[row], out); },
+      ElementType{kElementOf<Table>, &balls});
+}
+
+template <class Emit>
+auto power_part(std::vector<PrimitiveKind> kinds, const PowerDiagram& diagram, Emit emit) {
+  return table_part(
+      std::move(kinds), [&diagram] { return diagram.edges().size(); }, diagram.changes(),
+      [&diagram, emit](Slot row, Instance& out) { emit(diagram.edges()[row], out); },
+      ElementType{ElementKind::power_edge, &diagram});
+}
+
+/// Edge of the power diagram.
+inline void emit_power_edge(const PowerEdge& edge, Instance& out) {
+  switch (edge.kind) {
+    case PowerEdge::Kind::segment: out.segment(edge.from, edge.to); break;
+    case PowerEdge::Kind::ray: out.ray(edge.from, edge.to); break;
+    case PowerEdge::Kind::line: out.line(edge.from, edge.to); break;
+  }
+}
+/// Its dual, edge of the regular triangulation.
+inline void emit_centers(const PowerDiagram& diagram, const PowerEdge& edge, Instance& out) {
+  out.segment(diagram.family().disk(edge.ball[0]).center, diagram.family().disk(edge.ball[1]).center);
+}
+
+template <class Table, class Emit>
+auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, std::vector<Table> UnionTables::*table,
+            Emit emit) {
+  return table_part(
+      std::move(kinds), [&diagram, table] { return (diagram.tables().*table).size(); }, diagram.changes(),
+      [&diagram, table, emit](Slot row, Instance& out) { emit((diagram.tables().*table)[row], out); },
+      ElementType{kElementOf<Table>, &diagram});
+}
+
+/// Part over sampled balls: `emit(disk, instance)`.
+template <class Emit>
+auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, Emit emit) {
+  return table_part(
+      std::move(kinds), [&balls] { return balls.rows(); }, balls.changes(),
+      [&balls, emit](Slot row, Instance& out) {
+        if (balls.is_alive(row)) emit(balls.disk(row), out);
+      });
+}
+
+/// Voronoi edge of two v-points.
+inline void emit_v_dual(const UnionTables& t, const VEdge& edge, Instance& out) {
+  const Vec2 a = t.v_points[edge.v[0]].position;
+  const Vec2 b = t.v_points[edge.v[1]].position;
+  if (edge.f[0] != kNoSlot && edge.f[1] != kNoSlot) {
+    const VFace& left = t.v_faces[edge.f[0]];
+    const VFace& right = t.v_faces[edge.f[1]];
+    const bool same_circle = left.ball != kNoSlot && left.ball == right.ball;
+    const bool is_turned = same_circle && lexicographically_less(right.center, left.center);
+    out.segment(is_turned ? right.center : left.center, same_circle && !is_turned ? left.center : right.center);
+  } else if (edge.f[0] != kNoSlot) {
+    out.ray(t.v_faces[edge.f[0]].center, -perpendicular(b - a));
+  } else if (edge.f[1] != kNoSlot) {
+    out.ray(t.v_faces[edge.f[1]].center, perpendicular(b - a));
+  } else {
+    out.line({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y}, perpendicular(b - a));
+  }
+}
+
+}  // namespace mes

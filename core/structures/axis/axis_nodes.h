@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which nodes of the medial axis changed.
+#pragma once
+
+#include "core/base/change_set.h"
+#include "core/graph/structure.h"
+#include "core/structures/axis/medial_axis.h"
+
+namespace mes {
+
+/// The degree of a node depends on the labels of the faces around it, so nodes next to a change change too. Kept
+/// apart from `MedialAxis` because only those who show nodes need it. Rows are Delaunay face rows.
+class AxisNodes final : public Structure {
+ public:
+  AxisNodes(Delaunay& delaunay, InnerBalls& balls, MedialAxis& axis);
+
+  /// Faces that may have become a node, ceased to be one, or have a new degree.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  Delaunay& delaunay_;
+  InnerBalls& balls_;
+  MedialAxis& axis_;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inner Voronoi balls: the circumdisks of inside triangles, with equal ones known as one.
+#pragma once
+
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/graph/structure.h"
+#include "core/structures/crust/labels.h"
+#include "core/structures/crust/voronoi_vertices.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. A face is a ball exactly when it is finite and inside.
+///  2. Two faces have the same `ball` exactly when their circumcircles are equal as real circles. Such faces always
+///     have the same label.
+///
+/// Rows are those of the Delaunay faces; `ball(face)` is one face of the group. Cost: O(faces); updates O(changed
+/// faces).
+class InnerBalls final : public Structure {
+ public:
+  InnerBalls(Delaunay& delaunay, VoronoiVertices& vertices, Labels& labels);
+
+  bool is_ball(Slot face) const { return labels_.is_inside(face) && delaunay_.is_finite_face(face); }
+  /// The face that stands for all faces with this circumcircle.
+  Slot ball(Slot face) const { return vertices_.vertex(face); }
+  /// Faces with the same circumcircle, for a face for which there are several; otherwise null.
+  const std::vector<Slot>* group(Slot face) const { return vertices_.group(face); }
+
+  const VoronoiVertices& vertices() const { return vertices_; }
+
+  /// Faces that became, are still or stopped being balls, or whose group changed.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  Delaunay& delaunay_;
+  VoronoiVertices& vertices_;
+  Labels& labels_;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the one-step axis and the axis of the union of the inner balls do not have in common.
+#pragma once
+
+#include <vector>
+
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/balls/ball_union.h"
+
+namespace mes {
+
+/// Compared as graphs: a piece of either axis counts as common when it joins the same two balls in both. Where the
+/// union follows from the certified shortcut there is no difference, and an edit costs nothing here; otherwise it is
+/// made anew with the union.
+class AxisDifference final : public Structure {
+ public:
+  struct Piece {
+    Vec2 a{}, b{};
+    bool only_one_step = false;
+  };
+  AxisDifference(Delaunay& delaunay, OneStepCrust& crust, InnerBalls& balls, MedialAxis& axis, AUnion& a_union);
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Always empty: every row is new after a rebuild.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+
+ private:
+  const Delaunay& delaunay_;
+  const OneStepCrust& crust_;
+  const InnerBalls& balls_;
+  const MedialAxis& axis_;
+  const AUnion& union_;
+  std::vector<Piece> pieces_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes

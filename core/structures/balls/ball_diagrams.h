@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two diagrams of a union of balls that only those need who look at them: the regular triangulation with the power
+// diagram of the balls, and the Voronoi diagram of the v-points.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/structures/balls/ball_union.h"
+
+namespace mes {
+
+/// Regular triangulation of the balls of a union and its dual, the power diagram. Decided in the number type of the
+/// settings; `exact_roots` needs no roots here. Hidden balls have no cell. No local update.
+class PowerDiagram : public Structure {
+ public:
+  const std::vector<PowerEdge>& edges() const { return edges_; }
+  const BallFamily& family() const { return *family_; }
+  /// Always empty: every row is new after a rebuild.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+  std::string_view kernel() const override;
+
+ protected:
+  /// Without `scale` the balls are taken as they are.
+  PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+               std::unique_ptr<BallFamily> family, std::optional<Parameter> scale = std::nullopt);
+  BallFamily& own_family() { return *family_; }
+
+ private:
+  double scale() const { return scale_ ? settings_.current()[*scale_] : 1.0; }
+
+  const SettingsSource& settings_;
+  std::unique_ptr<BallFamily> family_;
+  std::optional<Parameter> scale_;
+  Precision made_with_ = Precision::fast;
+  std::vector<PowerEdge> edges_;
+  ChangeSet changes_;
+};
+
+/// Delaunay triangulation and Voronoi diagram of the v-points, with what of it belongs to the axis. The union's own
+/// where its pipeline made one; after the shortcut, whose v-points are samples, made here. No local update.
+class VDiagram : public Structure {
+ public:
+  /// Holds `v_points`, `v_faces` and `v_edges`.
+  const UnionTables& tables() const { return union_.rung() == UnionRung::shortcut ? own_ : union_.tables(); }
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+
+ protected:
+  VDiagram(std::string_view id, std::vector<Structure*> inputs, const BallUnion& balls);
+  /// For the shortcut: how the v-points lie on the circles.
+  virtual KnownVPoints known_v_points(const std::vector<PipelineBall>& balls) const;
+
+ private:
+  const BallUnion& union_;
+  UnionTables own_;
+  ChangeSet changes_;
+};
+
+class APowerDiagram final : public PowerDiagram {
+ public:
+  APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls);
+};
+
+/// Of all finite Voronoi balls, inside and outside.
+class VoronoiBallDiagram final : public PowerDiagram {
+ public:
+  VoronoiBallDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices);
+};
+
+class BPowerDiagram final : public PowerDiagram {
+ public:
+  BPowerDiagram(SettingsSource& settings, UserBalls& balls);
+};
+
+class BVDiagram final : public VDiagram {
+ public:
+  explicit BVDiagram(BUnion& b_union);
+};
+
+class AVDiagram final : public VDiagram {
+ public:
+  AVDiagram(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls, AUnion& a_union);
+
+ private:
+  KnownVPoints known_v_points(const std::vector<PipelineBall>& balls) const override;
+  bool is_diagonal(Slot face, int i) const;
+  const Delaunay& delaunay_;
+  const OneStepCrust& crust_;
+  const Labels& labels_;
+  const InnerBalls& balls_;
+  const AUnion& union_;
+};
+
+}  // namespace mes

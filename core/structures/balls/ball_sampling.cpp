@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/balls/ball_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+namespace mes {
+namespace {
+
+constexpr int kMostHalvings = 20;
+constexpr double kShortest = 1e-4;  // of the diameter
+constexpr double kThinnest = 0.1;   // of the smaller ball
+constexpr std::array kDead{kNoSlot, kNoSlot};
+
+// Owners of sampled balls: nodes have even numbers, links odd ones.
+Slot owner_of_node(Slot node) {
+  return 2 * node;
+}
+Slot owner_of_link(Slot link) {
+  return 2 * link + 1;
+}
+
+Vec2 between(Vec2 a, Vec2 b, double u) {
+  return (1.0 - u) * a + u * b;
+}
+
+}  // namespace
+
+BallSampling::BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls)
+    : Structure(id, {&settings, &balls}), settings_(settings), union_(balls) {}
+
+void BallSampling::measure() {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  reach_.side.fill(kNone);
+  reach_.ball.fill(kNoSlot);
+  for (Slot ball = 0; ball < union_.tables().balls.size(); ++ball) add_to_reach(ball);
+}
+
+void BallSampling::add_to_reach(Slot ball) {
+  if (union_.tables().balls[ball] == BallState::none) return;
+  const Box2 box = bounding_box_of(union_.family().disk(ball));
+  const std::array side{box.high.x, box.high.y, -box.low.x, -box.low.y};
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (!(side[i] > reach_.side[i])) continue;
+    reach_.side[i] = side[i];
+    reach_.ball[i] = ball;
+  }
+}
+
+// Rounded down to a power of two, so that an edit at the border of the data seldom concerns what lies inside.
+double BallSampling::shortest() const {
+  const double diameter = std::hypot(reach_.side[0] + reach_.side[2], reach_.side[1] + reach_.side[3]);
+  const double length = kShortest * diameter;
+  return std::isnormal(length) ? std::ldexp(1.0, std::ilogb(length)) : 0.0;
+}
+
+void BallSampling::set_ends(Sampling& sampling, Slot link, const std::array<Slot, 2>& ends) {
+  if (sampling.ends.size() <= link) sampling.ends.resize(link + std::size_t{1}, kDead);
+  const auto note = [this](Slot node) {
+    if (!is_recording_) return;
+    marks_.grow(node + std::size_t{1});
+    if (marks_.insert(node)) touched_balls_.push_back(node);
+  };
+  for (const Slot node : sampling.ends[link]) {
+    if (node == kNoSlot) continue;
+    --sampling.degree[node];
+    note(node);
+  }
+  sampling.ends[link] = ends;
+  for (const Slot node : ends) {
+    if (node == kNoSlot) continue;
+    ++sampling.degree[node];
+    note(node);
+  }
+}
+
+bool BallSampling::is_near(const Disk& a, const Disk& b) const {
+  const double d = distance(a.center, b.center);
+  if (!(d > 0.0) || d < shortest_) return true;
+  // In units of the largest: squares of what doubles hold need not fit.
+  const double size = std::max({a.radius, b.radius, d});
+  const double ra = a.radius / size;
+  const double rb = b.radius / size;
+  return ra * ra + rb * rb - (d / size) * (d / size) >= least_cosine_ * 2.0 * ra * rb;
+}
+
+// Parts are named by their place along the whole, which halving keeps exact: seen from either end they are the same.
+template <class At>
+void BallSampling::halve(SampledBalls& out, Slot owner, const At& at, double from, const Disk& first, double to,
+                         const Disk& last, int depth) const {
+  if (depth == kMostHalvings || is_near(first, last)) return;
+  const double middle = 0.5 * (from + to);
+  const Disk disk = at(middle);
+  if (!is_finite(disk)) return;
+  out.add(owner, disk);
+  halve(out, owner, at, from, first, middle, disk, depth + 1);
+  halve(out, owner, at, middle, disk, to, last, depth + 1);
+}
+
+void BallSampling::remake_piece(Slot row) {
+  const UnionTables& t = union_.tables();
+  const AxisPiece& piece = t.axis[row];
+  medial_.balls.drop(owner_of_link(row));
+  set_ends(medial_, row, piece.is_alive() ? std::array{piece.node[0], piece.node[1]} : kDead);
+  if (!piece.is_alive() || piece.is_zero != 0) return;
+  const auto at = [&](double u) {
+    Disk disk{between(piece.a, piece.b, u), std::numeric_limits<double>::infinity()};
+    for (const Slot v : piece.v)
+      if (v != kNoSlot) disk.radius = std::min(disk.radius, distance(disk.center, t.v_points[v].position));
+    return disk;
+  };
+  halve(medial_.balls, owner_of_link(row), at, 0.0, {piece.a, piece.radius_a}, 1.0, {piece.b, piece.radius_b}, 0);
+}
+
+void BallSampling::remake_edge(Slot row) {
+  const DualEdge& edge = union_.tables().dual_edges[row];
+  const bool is_boundary = edge.is_alive() && edge.kind != DualClass::interior;
+  convex_.balls.drop(owner_of_link(row));
+  set_ends(convex_, row, is_boundary ? std::array{edge.ball[0], edge.ball[1]} : kDead);
+  if (!is_boundary) return;
+  const Disk a = union_.family().disk(edge.ball[0]);
+  const Disk b = union_.family().disk(edge.ball[1]);
+  const double d = distance(a.center, b.center);
+  const double size = std::max({a.radius, b.radius, d});
+  const auto square = [size](double length) { return (length / size) * (length / size); };
+  const double least = kThinnest * std::min(a.radius, b.radius);
+  const auto at = [&](double u) {
+    const double weight = ((1.0 - u) * square(a.radius) + u * square(b.radius)) - u * (1.0 - u) * square(d);
+    return Disk{between(a.center, b.center, u), std::max(least, size * std::sqrt(std::max(weight, 0.0)))};
+  };
+  halve(convex_.balls, owner_of_link(row), at, 0.0, a, 1.0, b, 0);
+}
+
+void BallSampling::remake_ball(Slot ball) {
+  const bool is_isolated = union_.tables().balls[ball] == BallState::isolated;
+  for (Sampling* sampling : {&medial_, &convex_}) {
+    sampling->balls.drop(owner_of_node(ball));
+    const bool is_node = sampling->degree[ball] != 0 || (is_isolated && sampling == &medial_);
+    if (is_node) sampling->balls.add(owner_of_node(ball), union_.family().disk(ball));
+  }
+}
+
+// Nodes of the axis that are centres of no ball. Several triangles of v-points have one circle, and are one node,
+// where more than three lie on it.
+void BallSampling::add_vertices_of_axis() {
+  const UnionTables& t = union_.tables();
+  struct Node {
+    Disk disk;
+    Slot node;
+  };
+  std::vector<Node> nodes;
+  for (Slot face = 0; face < t.v_faces.size(); ++face) {
+    const Slot node = static_cast<Slot>(t.balls.size()) + face;
+    const Disk disk{t.v_faces[face].center, t.v_faces[face].radius};
+    if (medial_.degree[node] != 0 && is_finite(disk)) nodes.push_back({disk, node});
+  }
+  std::ranges::sort(nodes, {},
+                    [](const Node& n) { return std::tuple(n.disk.center.x, n.disk.center.y, n.disk.radius); });
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (i == 0 || nodes[i].disk.center != nodes[i - 1].disk.center)
+      medial_.balls.add(owner_of_node(nodes[i].node), nodes[i].disk);
+}
+
+void BallSampling::rebuild(JobControl& job) {
+  const UnionTables& t = union_.tables();
+  made_with_ = angle();
+  least_cosine_ = std::cos((180.0 - made_with_) * std::numbers::pi / 180.0);
+  measure();
+  shortest_ = shortest();
+  is_recording_ = false;
+  for (Sampling* sampling : {&medial_, &convex_}) {
+    sampling->balls.reset();
+    sampling->ends.clear();
+    sampling->degree.assign(t.balls.size() + t.v_faces.size(), 0);
+  }
+  for (Slot piece = 0; piece < t.axis.size(); ++piece) {
+    if ((piece & 0x3ffU) == 0) job.checkpoint(piece, t.axis.size() + t.dual_edges.size());
+    remake_piece(piece);
+  }
+  for (Slot edge = 0; edge < t.dual_edges.size(); ++edge) {
+    if ((edge & 0x3ffU) == 0) job.checkpoint(t.axis.size() + edge, t.axis.size() + t.dual_edges.size());
+    remake_edge(edge);
+  }
+  for (Slot ball = 0; ball < t.balls.size(); ++ball) remake_ball(ball);
+  add_vertices_of_axis();
+}
+
+// Only the certified shortcut follows edits. It knows no faces of v-points, and its pieces and dual edges share rows.
+bool BallSampling::update(JobControl&) {
+  clear_changes();
+  if (angle() != made_with_) return false;
+  const UnionChanges& changes = union_.changes();
+  if (changes.size() == 0) return true;
+  if (union_.rung() != UnionRung::shortcut) return false;
+  const UnionTables& t = union_.tables();
+
+  bool is_reach_lost = false;
+  for (const auto* rows : {&changes.balls.touched, &changes.balls.removed})
+    for (const Slot ball : *rows)
+      is_reach_lost = is_reach_lost || std::ranges::find(reach_.ball, ball) != reach_.ball.end();
+  if (is_reach_lost) {
+    measure();
+  } else {
+    for (const Slot ball : changes.balls.touched) add_to_reach(ball);
+  }
+  if (shortest() != shortest_) return false;
+
+  is_recording_ = true;
+  marks_.begin(t.balls.size());
+  touched_balls_.clear();
+  for (Sampling* sampling : {&medial_, &convex_}) {
+    sampling->balls.begin();
+    sampling->degree.resize(t.balls.size(), 0);
+  }
+  for (const auto* rows : {&changes.balls.touched, &changes.balls.removed})
+    for (const Slot ball : *rows)
+      if (marks_.insert(ball)) touched_balls_.push_back(ball);
+  for (const auto* rows : {&changes.dual_edges.touched, &changes.dual_edges.removed}) {
+    for (const Slot edge : *rows) {
+      remake_piece(edge);
+      remake_edge(edge);
+    }
+  }
+  for (const Slot ball : touched_balls_) remake_ball(ball);
+  for (Sampling* sampling : {&medial_, &convex_}) sampling->balls.finish();
+  return true;
+}
+
+void BallSampling::clear_changes() {
+  medial_.balls.clear_changes();
+  convex_.balls.clear_changes();
+}
+
+StatList BallSampling::statistics() const {
+  return {{"medial_balls", static_cast<std::int64_t>(medial().count())},
+          {"convex_balls", static_cast<std::int64_t>(convex().count())}};
+}
+
+}  // namespace mes

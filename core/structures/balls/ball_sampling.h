@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Balls along the medial axis of a union, and along the boundary of its dual complex, as densely as a parameter says.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/internal/sampled_balls.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. `medial` holds the ball of each node of the axis once, and balls of points in between. A ball of the axis is
+///     the largest in the union about its centre: its radius is the distance to the v-points of its piece.
+///  2. `convex` holds the balls that singular or regular dual edges join, and in between circles through both
+///     crossings of the two (their pencil), none thinner than a tenth of the smaller ball.
+///  3. A piece or edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more
+///     (their radii at the crossing enclose 180 degrees less that), or the part is shorter than 1e-4 of the union's
+///     diameter, or twenty times.
+///
+/// For display and for growing: radii and decisions are those of doubles. The samples of a piece depend on that piece
+/// only, so updates of the union are followed locally; a diameter that doubles asks for a rebuild.
+/// Cost: O(samples made anew), and O(n) when the ball farthest out on one side changes.
+class BallSampling : public Structure {
+ public:
+  const SampledBalls& medial() const { return medial_.balls; }
+  const SampledBalls& convex() const { return convex_.balls; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override;
+  std::size_t touched() const override { return medial().changes().size() + convex().changes().size(); }
+  StatList statistics() const override;
+
+ protected:
+  BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls);
+
+ private:
+  /// One of the two samplings: balls of nodes, and of the links between them.
+  struct Sampling {
+    SampledBalls balls;
+    std::vector<std::array<Slot, 2>> ends;  ///< nodes, by link; kNoSlot: the link is dead
+    std::vector<std::uint32_t> degree;      ///< links, by node
+  };
+  /// Where the balls reach: each side of their box, and the ball there.
+  struct Reach {
+    std::array<double, 4> side{};
+    std::array<Slot, 4> ball{};
+  };
+  double angle() const { return settings_.current()[Parameter::medial_sampling_angle]; }
+  void measure();
+  void add_to_reach(Slot ball);
+  double shortest() const;
+  void set_ends(Sampling& sampling, Slot link, const std::array<Slot, 2>& ends);
+  void remake_piece(Slot piece);
+  void remake_edge(Slot edge);
+  void remake_ball(Slot ball);
+  void add_vertices_of_axis();
+  bool is_near(const Disk& a, const Disk& b) const;
+  template <class At>
+  void halve(SampledBalls& out, Slot owner, const At& at, double from, const Disk& first, double to, const Disk& last,
+             int depth) const;
+
+  const SettingsSource& settings_;
+  const BallUnion& union_;
+  double made_with_ = 0.0;
+  double least_cosine_ = 1.0;
+  double shortest_ = 0.0;
+  Reach reach_;
+  Sampling medial_;  // links: pieces of the axis; nodes: balls, after them faces of the v-points
+  Sampling convex_;  // links: dual edges; nodes: balls
+  bool is_recording_ = false;
+  SlotMarks marks_;
+  std::vector<Slot> touched_balls_;
+};
+
+class ABallSampling final : public BallSampling {
+ public:
+  ABallSampling(SettingsSource& settings, AUnion& balls) : BallSampling("a-ball-sampling", settings, balls) {}
+};
+
+class BBallSampling final : public BallSampling {
+ public:
+  BBallSampling(SettingsSource& settings, BUnion& balls) : BallSampling("b-ball-sampling", settings, balls) {}
+};
+
+}  // namespace mes

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/balls/ball_union.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/isolated.h"
+#include "core/structures/balls/local_balls.h"
+#include "core/structures/balls/internal/union_runs.h"
+#include "core/structures/balls/voronoi_balls.h"
+
+namespace mes {
+namespace {
+
+template <class Tables, class Visit>
+void for_each_table(Tables& t, Visit&& visit) {
+  visit(t.balls);
+  visit(t.dual_edges);
+  visit(t.dual_faces);
+  visit(t.v_points);
+  visit(t.v_origins);
+  visit(t.axis);
+  visit(t.v_faces);
+  visit(t.v_edges);
+  visit(t.arcs);
+  visit(t.counts);
+  visit(t.measures);
+}
+
+constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
+constexpr IsolationLimits kRoots{0.0, std::size_t{1} << 34U, "arithmetic with roots"};
+
+UnionTables isolated(UnionTables (*run)(const PipelineInput&, JobControl&), const PipelineInput& input,
+                     const IsolationLimits& limits, JobControl& job) {
+  const std::vector<std::byte> bytes = run_isolated(
+      [&] {
+        JobControl own;
+        const UnionTables tables = run(input, own);
+        TableWriter writer;
+        for_each_table(tables, writer);
+        return writer.take();
+      },
+      limits, job);
+  UnionTables tables;
+  TableReader reader(bytes);
+  for_each_table(tables, reader);
+  return tables;
+}
+
+class InnerVoronoiBalls final : public VoronoiBalls {
+ public:
+  InnerVoronoiBalls(const Delaunay& delaunay, const InnerBalls& balls)
+      : VoronoiBalls(delaunay, balls.vertices()), balls_(balls) {}
+  bool is_ball(Slot row) const override { return balls_.is_ball(row) && VoronoiBalls::is_ball(row); }
+  const ChangeSet& changes() const override { return balls_.changes(); }
+
+ private:
+  const InnerBalls& balls_;
+};
+
+/// The balls of the document.
+class OwnBalls final : public BallFamily {
+ public:
+  explicit OwnBalls(const UserBalls& balls) : balls_(balls) {}
+  std::size_t rows() const override { return balls_.row_count(); }
+  bool is_ball(Slot row) const override { return balls_.is_alive(row); }
+  Disk plain_disk(Slot row) const override { return balls_.disk(row); }
+  bool is_from_samples() const override { return false; }
+  std::array<Vec2, 3> corners(Slot) const override { return {}; }
+  void touched_samples(Slot, std::vector<TouchedSample>&) const override {}
+  const ChangeSet& changes() const override { return balls_.changes(); }
+
+ private:
+  const UserBalls& balls_;
+};
+
+/// Vertices and pieces that no double can place: crossings so nearly in line that their circle reaches beyond.
+struct BeyondDoubles {
+  std::int64_t count = 0;
+  std::vector<Vec2> places;
+};
+BeyondDoubles beyond_doubles(const UnionTables& t) {
+  BeyondDoubles out;
+  for (const VFace& face : t.v_faces) {
+    if (is_finite(Disk{face.center, face.radius})) continue;
+    ++out.count;
+    // The centre cannot be shown; the v-points that have it can.
+    const Vec2 place = t.v_points[face.v[0]].position;
+    if (out.places.size() < kMostPlaces && is_finite(place)) out.places.push_back(place);
+  }
+  for (const VPoint& v : t.v_points)
+    if (v.is_alive() && !is_finite(v.position)) ++out.count;
+  return out;
+}
+
+struct AxisCounts {
+  std::int64_t nodes = 0, edges = 0, components = 0, leaves = 0, branch_points = 0;
+};
+AxisCounts count_axis(const UnionTables& t) {
+  AxisCounts out;
+  std::vector<Slot> parent(t.balls.size() + t.v_faces.size());
+  std::iota(parent.begin(), parent.end(), Slot{0});
+  std::vector<std::uint32_t> degree(parent.size(), 0);
+  const auto root = [&parent](Slot node) {
+    while (parent[node] != node) node = parent[node] = parent[parent[node]];
+    return node;
+  };
+  // Ends of pieces without length are one node.
+  for (const AxisPiece& piece : t.axis)
+    if (piece.is_alive() && piece.is_zero != 0) parent[root(piece.node[0])] = root(piece.node[1]);
+  std::vector<Slot> merged(parent.size());
+  for (Slot node = 0; node < parent.size(); ++node) merged[node] = root(node);
+  std::vector<bool> is_node(parent.size(), false);
+  for (Slot ball = 0; ball < t.balls.size(); ++ball)
+    if (t.balls[ball] == BallState::isolated) is_node[ball] = true;
+  for (const AxisPiece& piece : t.axis) {
+    if (!piece.is_alive()) continue;
+    for (const Slot node : piece.node) is_node[merged[node]] = true;
+    if (piece.is_zero != 0) continue;
+    ++out.edges;
+    for (const Slot node : piece.node) ++degree[merged[node]];
+  }
+  std::iota(parent.begin(), parent.end(), Slot{0});
+  for (Slot node = 0; node < parent.size(); ++node) {
+    if (!is_node[node] || merged[node] != node) continue;
+    ++out.nodes;
+    out.leaves += degree[node] == 1 ? 1 : 0;
+    out.branch_points += degree[node] >= 3 ? 1 : 0;
+  }
+  out.components = out.nodes;
+  for (const AxisPiece& piece : t.axis) {
+    if (!piece.is_alive() || piece.is_zero != 0) continue;
+    const Slot a = root(merged[piece.node[0]]);
+    const Slot b = root(merged[piece.node[1]]);
+    if (a == b) continue;
+    parent[a] = b;
+    --out.components;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view name_of(UnionRung rung) {
+  switch (rung) {
+    case UnionRung::shortcut: return "shortcut";
+    case UnionRung::naive: return "naive";
+    case UnionRung::doubles: return "doubles";
+    case UnionRung::rational: return "rational";
+    case UnionRung::mixed: return "mixed";
+    case UnionRung::roots: return "roots";
+  }
+  return "";
+}
+
+BallUnion::BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                     Parameter scale, std::unique_ptr<BallFamily> family, const AxisCertificate* certificate,
+                     std::unique_ptr<SampleUnion> shortcut)
+    : Structure(id, std::move(inputs)),
+      settings_(settings),
+      scale_(scale),
+      family_(std::move(family)),
+      certificate_(certificate),
+      shortcut_(std::move(shortcut)) {}
+
+BallUnion::Choice BallUnion::choice() const {
+  const ComputationSettings& settings = settings_.current();
+  return {settings.precision, settings.is_on(Parameter::union_shortcut), settings[scale_]};
+}
+
+bool BallUnion::is_shortcut_valid() const {
+  const Choice now = choice();
+  const bool may = now.precision == Precision::fast || now.precision == Precision::exact;
+  return may && now.use_shortcut && now.scale == 1.0 && shortcut_ && certificate_->is_certified();
+}
+
+void BallUnion::rebuild(JobControl& job) {
+  changes_.clear();
+  made_with_ = choice();
+  family_->set_scale(made_with_.scale);
+  if (is_shortcut_valid()) {
+    rung_ = UnionRung::shortcut;
+    why_ = "certified";
+    shortcut_->rebuild(tables_, job);
+    return;
+  }
+  if (made_with_.scale != 1.0) {
+    why_ = "scaled balls";
+  } else if (!shortcut_) {
+    why_ = family_->is_from_samples() ? "no certificate for these balls" : "no samples to follow";
+  } else if (!made_with_.use_shortcut || made_with_.precision == Precision::naive ||
+             made_with_.precision == Precision::exact_roots) {
+    why_ = "as asked for";
+  } else {
+    why_ = "not certified: " + std::to_string(certificate_->bad_edge_count()) + " arcs met by other balls, " +
+           std::to_string(certificate_->bad_site_count()) + " samples not on one border";
+  }
+  run_pipeline(made_with_.precision, job);
+}
+
+void BallUnion::run_pipeline(Precision precision, JobControl& job) {
+  const LocalBalls balls = local_balls(*family_);
+  ignored_ = balls.ignored;
+  tables_ = run_pipeline(precision, balls.input(), job);
+}
+
+UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {
+  switch (precision) {
+    case Precision::naive: rung_ = UnionRung::naive; return isolated(run_union_naive, input, kNaive, job);
+    case Precision::fast: rung_ = UnionRung::doubles; return run_union_doubles(input, job);
+    case Precision::exact:
+      if (family_->touch_samples()) {
+        try {
+          rung_ = UnionRung::rational;
+          return run_union_rational(input, job);
+        } catch (const NeedsRoots&) {
+          why_ += "; some circles cross where no sample is";
+        }
+      }
+      rung_ = UnionRung::mixed;
+      return isolated(run_union_mixed, input, kRoots, job);
+    case Precision::exact_roots: rung_ = UnionRung::roots; return isolated(run_union_roots, input, kRoots, job);
+  }
+  return {};
+}
+
+UnionTables BallUnion::exact_dual_complex(JobControl& job) const {
+  if (is_exact()) return tables_;
+  if (shortcut_ && made_with_.scale == 1.0 && certificate_->is_certified()) {
+    SampleUnion fresh = *shortcut_;
+    UnionTables tables;
+    fresh.rebuild(tables, job);
+    return tables;
+  }
+  const LocalBalls balls = local_balls(*family_);
+  return run_dual_complex_exact(balls.input(), job);
+}
+
+bool BallUnion::update(JobControl&) {
+  changes_.clear();
+  const bool same_balls = family_->changes().is_empty() && (!certificate_ || certificate_->touched() == 0);
+  if (made_with_ == choice() && same_balls && rung_ != UnionRung::shortcut) return true;
+  if (made_with_ != choice() || rung_ != UnionRung::shortcut || !is_shortcut_valid()) return false;
+  shortcut_->update(tables_, changes_);
+  return true;
+}
+
+StatList BallUnion::statistics() const {
+  const UnionTables& t = tables_;
+  std::vector<std::int64_t> edges(3, 0);
+  std::int64_t faces = 0;
+  std::int64_t zero_faces = 0;
+  std::int64_t visible = 0;
+  std::int64_t isolated_balls = 0;
+  std::int64_t hidden = 0;
+  std::int64_t duplicates = 0;
+  for (const BallState state : t.balls) {
+    visible += state == BallState::visible || state == BallState::isolated ? 1 : 0;
+    isolated_balls += state == BallState::isolated ? 1 : 0;
+    hidden += state == BallState::hidden ? 1 : 0;
+    duplicates += state == BallState::duplicate ? 1 : 0;
+  }
+  for (const DualEdge& edge : t.dual_edges)
+    if (edge.is_alive()) ++edges[static_cast<std::size_t>(edge.kind)];
+  for (const DualFace& face : t.dual_faces) {
+    faces += face.is_alive() ? 1 : 0;
+    zero_faces += face.is_alive() && face.is_exactly_zero != 0 ? 1 : 0;
+  }
+  std::int64_t v_points = 0;
+  std::int64_t foreign = 0;
+  for (const VPoint& v : t.v_points) {
+    v_points += v.is_alive() ? 1 : 0;
+    foreign += v.is_alive() && v.site == kNoSlot ? 1 : 0;
+  }
+  const AxisCounts axis = count_axis(t);
+  const UnionMeasures measures = rung_ == UnionRung::shortcut ? shortcut_->measures() : t.measures;
+  StatList out{{"rung", std::string(name_of(rung_))},
+               {"why", why_},
+               {"balls", visible + hidden + duplicates},
+               {"visible", visible},
+               {"hidden", hidden},
+               {"duplicates", duplicates},
+               {"ignored", static_cast<std::int64_t>(ignored_)},
+               {"dual_edges", edges[0] + edges[1] + edges[2]},
+               {"dual_singular", edges[0]},
+               {"dual_regular", edges[1]},
+               {"dual_interior", edges[2]},
+               {"dual_faces", faces},
+               {"zero_faces", zero_faces},
+               {"chi_dual", visible - edges[0] - edges[1] - edges[2] + faces},
+               {"isolated", isolated_balls},
+               {"v_points", v_points},
+               {"nodes", axis.nodes},
+               {"edges", axis.edges},
+               {"components", axis.components},
+               {"cycles", axis.edges - axis.nodes + axis.components},
+               {"chi", axis.nodes - axis.edges},
+               {"leaves", axis.leaves},
+               {"branch_points", axis.branch_points},
+               {"length", measures.axis_length},
+               {"area", measures.area},
+               {"perimeter", measures.perimeter}};
+  if (family_->touch_samples()) out.push_back({"foreign_v_points", foreign});
+  if (rung_ == UnionRung::shortcut) return out;
+  const UnionCounts& c = t.counts;
+  out.insert(out.end(), {{"raw_v_points", c.raw_v_points},
+                         {"edges_without_sample", c.edges_without_sample},
+                         {"sign_flips", c.sign_flips},
+                         {"negative_faces", c.negative_faces},
+                         {"negative_radicands", c.negative_radicands},
+                         {"near_duplicates", c.near_duplicates},
+                         {"lost_crossings", c.lost_crossings},
+                         {"contradictions", c.contradictions},
+                         {"not_finite", t.measures.left_out + beyond_doubles(t).count}});
+  return out;
+}
+
+std::string_view BallUnion::kernel() const {
+  switch (rung_) {
+    case UnionRung::shortcut: return "none needed: certified";
+    case UnionRung::naive: return "double";
+    case UnionRung::doubles: return "EPICK on rounded points";
+    case UnionRung::rational: return "EPECK";
+    case UnionRung::mixed: return "EPECK, then CORE::Expr";
+    case UnionRung::roots: return "CORE::Expr";
+  }
+  return {};
+}
+
+void BallUnion::find(std::vector<Finding>& out) const {
+  if (rung_ == UnionRung::shortcut) return;
+  const UnionTables& t = tables_;
+  const auto say = [&](FindingLevel level, std::int64_t count, const char* text) -> std::vector<Vec2>& {
+    return out.emplace_back(Finding{level, std::string(id()) + ": " + text, count, {}}).places;
+  };
+  const bool rounded = !is_exact();
+  if (t.counts.sign_flips != 0) {
+    auto& places =
+        say(FindingLevel::wrong, t.counts.sign_flips,
+            "triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise");
+    // The misjudged ones that are left out cannot be shown; those beside them have lost their neighbours.
+    for (const DualEdge& edge : t.dual_edges) {
+      if (places.size() >= kMostPlaces) break;
+      if (edge.is_alive() && edge.kind == DualClass::singular)
+        places.push_back(0.5 * (family_->disk(edge.ball[0]).center + family_->disk(edge.ball[1]).center));
+    }
+  }
+  std::int64_t foreign = 0;
+  std::vector<Vec2> foreign_places;
+  for (const VPoint& v : t.v_points) {
+    if (!v.is_alive() || v.site != kNoSlot) continue;
+    ++foreign;
+    if (foreign_places.size() < kMostPlaces) foreign_places.push_back(v.position);
+  }
+  if (family_->touch_samples() && foreign != 0)
+    say(rounded ? FindingLevel::wrong : FindingLevel::doubt, foreign,
+        rounded ? "v-points that are no samples, by rounding or in truth" : "v-points that are no samples") =
+        std::move(foreign_places);
+  if (t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands != 0)
+    say(FindingLevel::wrong, t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands,
+        "contradictions between dual complex and Voronoi diagram of the v-points");
+  if (BeyondDoubles beyond = beyond_doubles(t); beyond.count != 0)
+    say(FindingLevel::wrong, beyond.count, "points that are not finite, left out of sums and drawing") =
+        std::move(beyond.places);
+  const StatList stats = statistics();
+  const auto value = [&stats](std::string_view key) {
+    for (const Stat& stat : stats)
+      if (stat.key == key) return std::get<std::int64_t>(stat.value);
+    return std::int64_t{0};
+  };
+  if (value("chi_dual") != value("chi"))
+    say(FindingLevel::wrong, 1, "the axis and the dual complex differ in Euler characteristic");
+}
+
+std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const InnerBalls& balls) {
+  return std::make_unique<InnerVoronoiBalls>(delaunay, balls);
+}
+
+AUnion::AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
+               MedialAxis& axis, AxisCertificate& certificate)
+    : BallUnion("a-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &certificate}, settings,
+                Parameter::a_scale, inner_voronoi_balls(delaunay, balls), &certificate,
+                std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
+
+std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls) {
+  return std::make_unique<OwnBalls>(balls);
+}
+
+BUnion::BUnion(SettingsSource& settings, UserBalls& balls)
+    : BallUnion("b-union", {&settings, &balls}, settings, Parameter::b_scale, user_ball_family(balls)) {}
+
+}  // namespace mes

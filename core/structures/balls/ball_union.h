@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The union of a family of balls: dual complex, v-points, medial axis.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/graph/structure.h"
+#include "core/structures/balls/ball_family.h"
+#include "core/structures/balls/internal/sample_union.h"
+#include "core/structures/balls/internal/union_runs.h"
+#include "core/structures/balls/internal/union_tables.h"
+#include "core/structures/inputs/settings_source.h"
+#include "core/structures/inputs/user_balls.h"
+
+namespace mes {
+
+/// How a union was computed.
+enum class UnionRung : std::uint8_t {
+  shortcut,  ///< from shared samples, certified: exact, no arithmetic
+  naive,     ///< the pipeline in plain doubles, in a process of its own
+  doubles,   ///< the pipeline, exact predicates on doubles, constructed points rounded
+  rational,  ///< the pipeline in rationals: every crossing is a sample or the image of one
+  mixed,     ///< triangulation and dual complex in rationals, crossings in algebraic numbers
+  roots,     ///< the pipeline in algebraic numbers
+};
+std::string_view name_of(UnionRung rung);
+
+/// What it guarantees:
+///  1. With `exact` and `exact_roots` the tables are those of the balls as real disks: for Voronoi balls the
+///     circumdisks of the samples, not their rounded images. Positions are rounded at the very end.
+///  2. `fast` gives the same for the inner Voronoi balls where `AxisCertificate` holds; otherwise the result is that
+///     of the rounded balls, which may differ in kind, and `findings` says so where it shows.
+///  3. `naive` may give anything or fail, but ends.
+///  4. Closed convention: balls that touch are joined. Balls of radius zero take no part.
+///  5. Balls are scaled about their centres before all else: with `exact` and `exact_roots` by the double that the
+///     parameter holds, exactly. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
+///
+/// Cost: the shortcut O(n), updates O(changes), no arithmetic; `doubles` some three times the regular triangulation;
+/// rationals some thirty times as much for Voronoi balls, all of whose dual triangles are degenerate.
+/// Source: Edelsbrunner 1995 (dual complex), Attali and Montanvert 1997 (axis); the theorem of the demo paper.
+class BallUnion : public Structure {
+ public:
+  const BallFamily& family() const { return *family_; }
+  const UnionTables& tables() const { return tables_; }
+  const UnionChanges& changes() const { return changes_; }
+  UnionRung rung() const { return rung_; }
+  /// Why this rung and not a cheaper one.
+  const std::string& why() const { return why_; }
+  /// Dual edges and faces of the balls as real disks, whatever the number type of the settings.
+  UnionTables exact_dual_complex(JobControl& job) const;
+  bool is_exact() const { return rung_ != UnionRung::naive && rung_ != UnionRung::doubles; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+  std::string_view kernel() const override;
+  void find(std::vector<Finding>& out) const override;
+
+ protected:
+  /// `certificate` and `shortcut` only for the inner Voronoi balls.
+  BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings, Parameter scale,
+            std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
+            std::unique_ptr<SampleUnion> shortcut = nullptr);
+
+ private:
+  struct Choice {
+    Precision precision = Precision::fast;
+    bool use_shortcut = true;
+    double scale = 1.0;
+    friend bool operator==(const Choice&, const Choice&) = default;
+  };
+  Choice choice() const;
+  bool is_shortcut_valid() const;
+  void run_pipeline(Precision precision, JobControl& job);
+  UnionTables run_pipeline(Precision precision, const PipelineInput& input, JobControl& job);
+
+  const SettingsSource& settings_;
+  Parameter scale_;
+  std::unique_ptr<BallFamily> family_;
+  const AxisCertificate* certificate_;
+  std::unique_ptr<SampleUnion> shortcut_;
+  Choice made_with_;
+  UnionRung rung_ = UnionRung::doubles;
+  std::string why_;
+  std::size_t ignored_ = 0;  ///< balls of radius zero, and those beyond doubles
+  UnionTables tables_;
+  UnionChanges changes_;
+};
+
+/// The inner Voronoi balls as a family. Rows: Delaunay faces.
+std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const InnerBalls& balls);
+
+/// Rows of balls: Delaunay faces. The inner Voronoi balls.
+class AUnion final : public BallUnion {
+ public:
+  AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
+         MedialAxis& axis, AxisCertificate& certificate);
+};
+
+/// The user's balls. Rows: the document's ball slots.
+class BUnion final : public BallUnion {
+ public:
+  BUnion(SettingsSource& settings, UserBalls& balls);
+};
+std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls);
+
+}  // namespace mes

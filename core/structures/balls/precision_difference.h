@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the number type of the settings judges the dual complex of a union otherwise than exact arithmetic does.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/structures/balls/ball_union.h"
+
+namespace mes {
+
+/// Compared are the classes of dual edges (none, singular, regular, interior) and which triangles belong to the dual
+/// complex. Where more than three balls have a point of equal power, as around every sample that several balls touch,
+/// the triangulation of their centres is arbitrary and says nothing: there an edge between two triangles does not
+/// count against no edge, and the triangles are compared by how many there are.
+///
+/// Nothing to do while the union is exact; otherwise a dual complex in rationals, or from the certificate.
+class PrecisionDifference : public Structure {
+ public:
+  struct Edge {
+    Slot ball[2] = {kNoSlot, kNoSlot};
+    std::int8_t chosen = -1, exact = -1;  ///< dual triangles at it; -1 = not in the dual complex
+  };
+  struct Face {
+    Slot ball[3] = {kNoSlot, kNoSlot, kNoSlot};
+    bool is_exact = false;  ///< it belongs to the exact dual complex, and is missed; otherwise the other way round
+  };
+  const BallUnion& balls() const { return union_; }
+  const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<Face>& faces() const { return faces_; }
+  /// Always empty: every row is new after a rebuild.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+
+ protected:
+  PrecisionDifference(std::string_view id, BallUnion& balls) : Structure(id, {&balls}), union_(balls) {}
+
+ private:
+  void compare_edges(const UnionTables& exact);
+  void compare_faces(const UnionTables& exact);
+  Slot common_sample_of(const Slot (&ball)[3]) const;
+
+  const BallUnion& union_;
+  std::vector<Edge> edges_;
+  std::vector<Face> faces_;
+  ChangeSet changes_;
+};
+
+class APrecisionDifference final : public PrecisionDifference {
+ public:
+  explicit APrecisionDifference(AUnion& balls) : PrecisionDifference("a-precision-difference", balls) {}
+};
+
+class BPrecisionDifference final : public PrecisionDifference {
+ public:
+  explicit BPrecisionDifference(BUnion& balls) : PrecisionDifference("b-precision-difference", balls) {}
+};
+
+}  // namespace mes

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proof that the one-step axis is the medial axis of the union of the inner balls, or the places where there is none.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/graph/structure.h"
+#include "core/kernel/arc_predicates.h"
+#include "core/structures/axis/inner_balls.h"
+
+namespace mes {
+
+/// Border edges are Delaunay edges between an inside and an outside face. Each is an arc of its inner ball's circle,
+/// the part beyond the edge. What it guarantees:
+///  1. `is_certified()` exactly if (a) every sample that touches an inner ball has two border edges, and (b) no other
+///     inner ball meets the open arc of a border edge, touching included. Decided exactly.
+///  2. Then these arcs are the boundary of the union, its vertices are samples, and with Q_p the convex hull of the
+///     centres of the inner balls that touch sample p:
+///       - the dual complex of the union (closed convention) is the union of all Q_p;
+///       - the v-points are the samples touched by at least two distinct balls;
+///       - the medial axis of the union is the set of Voronoi edges between inside faces.
+///     docs/union_of_balls.md has the argument.
+///
+/// Why it is local: the Delaunay disks that contain a point form a connected region of faces. If an inner ball meets
+/// the arc beyond pq at x, the faces whose open disk contains x are connected to it, and include the outside face at
+/// pq. So the search goes from that face through outside faces that meet the arc and looks at their neighbours.
+/// In a dense sample these are faces at p or q.
+///
+/// Cost: rebuild O(n) for dense samples, some 3 us a border edge; update O(changed faces).
+class AxisCertificate final : public Structure {
+ public:
+  AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls& balls);
+
+  bool is_certified() const { return bad_edges_ == 0 && bad_sites_ == 0; }
+  /// Another inner ball meets the arc of this border edge.
+  bool is_bad_edge(Slot edge) const { return edge < edge_.size() && (edge_[edge] & kBad) != 0; }
+  /// Touches inner balls but has no border edge, or more than two.
+  bool is_bad_site(Slot site) const { return site < bad_site_.size() && bad_site_[site] != 0; }
+  std::size_t bad_edge_count() const { return bad_edges_; }
+  std::size_t bad_site_count() const { return bad_sites_; }
+
+  bool is_border(Slot edge) const {
+    const EdgeRow& row = delaunay_.edge(edge);
+    return row.f[0] != kNoSlot && labels_.is_inside(row.f[0]) != labels_.is_inside(row.f[1]);
+  }
+  /// Edges whose verdict was taken anew.
+  const ChangeSet& edge_changes() const { return edge_changes_; }
+  const ChangeSet& site_changes() const { return site_changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {
+    edge_changes_.clear();
+    site_changes_.clear();
+  }
+  std::size_t touched() const override { return edge_changes_.size() + site_changes_.size(); }
+  StatList statistics() const override;
+  std::string_view kernel() const override { return "intervals, then rationals"; }
+  void find(std::vector<Finding>& out) const override;
+  bool is_judge() const override { return true; }
+  /// Without inner balls there is nothing to prove.
+  bool has_verdict() const override { return border_edges_ != 0; }
+
+ private:
+  static constexpr std::uint8_t kBorder = 1;
+  static constexpr std::uint8_t kBad = 2;
+
+  void judge_edge(Slot edge);
+  void judge_site(Slot site);
+  void forget_edge(Slot edge);
+  bool is_arc_free(Slot edge);
+  Corners corners_of(Slot face) const;
+
+  Delaunay& delaunay_;
+  Labels& labels_;
+  InnerBalls& balls_;
+  std::vector<std::uint8_t> edge_;
+  std::vector<std::uint8_t> bad_site_;
+  std::size_t border_edges_ = 0;
+  std::size_t bad_edges_ = 0;
+  std::size_t bad_sites_ = 0;
+  // Searches that went beyond the faces at the ends of their edge, and the far faces they saw.
+  std::unordered_map<Slot, std::vector<Slot>> far_faces_;
+  std::unordered_map<Slot, std::vector<Slot>> watchers_;
+  ChangeRecorder edge_recorder_;
+  ChangeRecorder site_recorder_;
+  ChangeSet edge_changes_;
+  ChangeSet site_changes_;
+  // Work space.
+  SlotMarks seen_;
+  SlotMarks judged_sites_;
+  SlotMarks judged_edges_;
+  std::vector<Slot> queue_;
+};
+
+}  // namespace mes

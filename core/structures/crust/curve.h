@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reconstructed curve: crust edges in order, as loops and open chains, with normals.
+#pragma once
+
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/graph/structure.h"
+#include "core/structures/crust/labels.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. Every crust edge is in exactly one chain. Chains end at sites of degree other than two; what remains are
+///  loops.
+///  2. A chain whose edges all have the inside on the same side runs with the inside on its left: outer loops
+///     counter-clockwise, holes clockwise. Any other starts at its lexicographically smaller end. Loops start at
+///     their lexicographically smallest site.
+///  3. A site of degree two has a unit normal, pointing outside where the chain has an inside: the normalised sum of
+///  the
+///     unit normals of its two edges, or at a cusp where that sum vanishes the normal of the edge before it.
+///
+/// Cost: rebuild O(n); an update traces the chains through changed sites again, so O(length of those chains), and
+/// tells of those sites only whose normals are other ones.
+class Curve final : public Structure {
+ public:
+  struct Chain {
+    bool closed = false;
+    bool has_inside = false;  ///< the inside is on the left all along
+    std::vector<Slot> sites;  ///< in order; the first is not repeated when closed. Empty: the row is free
+    std::vector<Slot> edges;  ///< edges[i] joins sites[i] and the next
+  };
+
+  Curve(Delaunay& delaunay, OneStepCrust& crust, Labels& labels);
+
+  const std::vector<Chain>& chains() const { return chains_; }
+  bool has_normal(Slot site) const {
+    return site < normal_.size() && (normal_[site].x != 0.0 || normal_[site].y != 0.0);
+  }
+  /// Unit length; (0, 0) where there is none.
+  Vec2 normal(Slot site) const { return normal_[site]; }
+  /// Mean length of the two curve edges at a site with a normal.
+  double spacing(Slot site) const { return spacing_[site]; }
+
+  /// Sites that moved, came or went, and those whose normal or spacing is another one.
+  const ChangeSet& site_changes() const { return site_changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { site_changes_.clear(); }
+  std::size_t touched() const override { return site_changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  void trace_from(Slot edge);
+  Slot other_crust_edge(Slot site, Slot edge) const;
+  Slot other_end(Slot edge, Slot site) const {
+    const EdgeRow& row = delaunay_.edge(edge);
+    return row.v[0] == site ? row.v[1] : row.v[0];
+  }
+  void orient(Chain& chain) const;
+  void set_normals(const Chain& chain);
+  void set_normal(Slot site, Vec2 normal, double spacing);
+  void dissolve(Slot chain);
+
+  Delaunay& delaunay_;
+  OneStepCrust& crust_;
+  Labels& labels_;
+  std::vector<Chain> chains_;
+  std::vector<Slot> free_chains_;
+  std::vector<Slot> chain_of_edge_;
+  std::vector<Vec2> normal_;
+  std::vector<double> spacing_;
+  ChangeRecorder recorder_;
+  ChangeSet site_changes_;
+  std::vector<Slot> seeds_;
+  // Of the present update:
+  std::vector<Slot> dissolved_;  ///< sites of chains that are no more
+  SlotMarks has_new_normal_;
+};
+
+}  // namespace mes

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vertices of the Voronoi diagram: finite Delaunay faces, with those of one circumcircle known as one.
+#pragma once
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/graph/structure.h"
+#include "core/structures/crust/one_step_crust.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. Two finite faces have the same `vertex` exactly when their circumcircles are equal as real circles (cocircular
+///     sites); the decision is exact.
+///  2. `vertex(face)` is one face of the group; the first by centre and radius in doubles, then by corners.
+///
+/// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups).
+class VoronoiVertices final : public Structure {
+ public:
+  VoronoiVertices(Delaunay& delaunay, OneStepCrust& crust);
+
+  /// The face that stands for all faces with this circumcircle.
+  Slot vertex(Slot face) const {
+    if (group_of_.empty()) return face;
+    const auto found = group_of_.find(face);
+    return found == group_of_.end() ? face : groups_.at(found->second).front();
+  }
+  bool is_vertex(Slot face) const { return delaunay_.is_finite_face(face) && vertex(face) == face; }
+  /// Faces with the same circumcircle, for a face for which there are several; otherwise null.
+  const std::vector<Slot>* group(Slot face) const {
+    const auto found = group_of_.find(face);
+    return found == group_of_.end() ? nullptr : &groups_.at(found->second);
+  }
+  /// The last changes are just those of the triangulation: no group came, changed or went.
+  bool follows_faces() const { return follows_faces_; }
+  /// The sites on the circle, each once, appended to `out`.
+  void append_sites(Slot face, std::vector<Slot>& out) const;
+
+  /// Faces that came, changed or went, and those whose group changed.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  bool has_cocircular_edge(Slot face) const;
+  std::array<Vec2, 3> sorted_corners(Slot face) const;
+  void gather_group(Slot face);
+
+  Delaunay& delaunay_;
+  OneStepCrust& crust_;
+  // Groups of two or more faces; without cocircular samples both are empty.
+  std::unordered_map<Slot, Slot> group_of_;
+  std::unordered_map<Slot, std::vector<Slot>> groups_;
+  Slot next_group_ = 0;
+  bool follows_faces_ = true;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+  std::vector<Slot> work_;
+};
+
+}  // namespace mes

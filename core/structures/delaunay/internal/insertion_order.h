@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In which order samples enter a triangulation that is built from nothing, and where many are cut in two.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/structures/delaunay/internal/delaunay_stitch.h"
+#include "core/structures/triangulation/hilbert.h"
+
+namespace mes {
+
+/// Biased randomised insertion order (Amenta, Choi, Rote 2003): rounds of doubling size, each along a Hilbert curve.
+/// The rounds keep bad inputs from being bad; the curve keeps the walk to each new site short. `position(slot)` gives
+/// the place of a sample.
+template <class Position>
+std::vector<KeyedSlot> insertion_order(const std::vector<Slot>& samples, const Box2& extent, Position position) {
+  constexpr int kRoundBits = 3;
+  const HilbertGrid grid(extent);
+  const int rounds = std::max(0, static_cast<int>(std::bit_width(samples.size())) - 6) / kRoundBits;
+  std::vector<KeyedSlot> order;
+  order.reserve(samples.size());
+  for (const Slot sample : samples) {
+    const std::uint32_t hash = (sample + 1U) * 2654435769U;
+    const int round = rounds - std::min(rounds, std::countl_zero(hash ^ (hash << 15U)) / kRoundBits);
+    order.push_back({(std::uint64_t(static_cast<unsigned>(round)) << 32U) | grid.key(position(sample)), sample});
+  }
+  std::vector<KeyedSlot> scratch;
+  radix_sort(order, scratch, 38);
+  return order;
+}
+
+/// Two sets of about the same size, divided by a line across the longer side: `near` comes before `far`. One of them
+/// is empty when the samples cannot be told apart.
+struct Halves {
+  std::vector<Slot> near;
+  std::vector<Slot> far;
+  SweepOrder before;
+};
+
+template <class Position>
+Halves cut_in_two(const std::vector<Slot>& samples, Position position) {
+  Halves halves;
+  if (samples.empty()) return halves;
+  // The median of some hundred samples is near enough to that of all.
+  constexpr std::size_t kProbes = 255;
+  std::vector<Vec2> probes;
+  Box2 extent;
+  for (std::size_t i = 0; i < kProbes; ++i) {
+    probes.push_back(position(samples[samples.size() * i / kProbes]));
+    extent.add(probes.back());
+  }
+  halves.before.along_y = extent.height() > extent.width();
+  const auto middle = probes.begin() + kProbes / 2;
+  std::nth_element(probes.begin(), middle, probes.end(), halves.before);
+  halves.near.reserve(samples.size());
+  halves.far.reserve(samples.size());
+  for (const Slot sample : samples)
+    (halves.before(position(sample), *middle) ? halves.near : halves.far).push_back(sample);
+  return halves;
+}
+
+}  // namespace mes

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The user's balls as their union takes them and as they are drawn: with their radii scaled.
+#pragma once
+
+#include "core/structures/inputs/settings_source.h"
+#include "core/structures/inputs/user_balls.h"
+
+namespace mes {
+
+/// Rows: those of `UserBalls`. Radii are multiplied by the parameter `b-scale` and rounded. Nothing is kept, so an
+/// edit costs what it changes; another scale makes every row new.
+class ScaledUserBalls final : public Structure {
+ public:
+  ScaledUserBalls(SettingsSource& settings, UserBalls& balls);
+
+  std::size_t row_count() const { return balls_.row_count(); }
+  bool is_alive(Slot slot) const { return balls_.is_alive(slot); }
+  Disk disk(Slot slot) const { return {balls_.disk(slot).center, balls_.disk(slot).radius * scale_}; }
+  double scale() const { return scale_; }
+  const ChangeSet& changes() const { return balls_.changes(); }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return changes().size(); }
+  StatList statistics() const override { return {{"scale", scale_}}; }
+
+ private:
+  double wanted() const { return settings_.current()[Parameter::b_scale]; }
+
+  const SettingsSource& settings_;
+  const UserBalls& balls_;
+  double scale_ = 1.0;
+};
+
+}  // namespace mes

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/inputs/user_balls.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mes {
+
+void UserBalls::post(std::shared_ptr<const DocumentDelta> delta) {
+  if (delta->replaces_all() || !delta->ball_edits.empty()) pending_.push_back(std::move(delta));
+}
+
+// Whatever needs memory comes first: what is pending is applied whole or not at all, as nothing else could bring the
+// rows back.
+void UserBalls::make_room() {
+  recorder_.begin(disk_.size());
+  std::size_t rows = disk_.size();
+  for (const auto& delta : pending_) {
+    if (delta->replaces_all()) rows = std::max(rows, delta->balls_after->disk.size());
+    for (const auto& edit : delta->ball_edits) {
+      // The first note of a row counts, and none of them is applied yet.
+      recorder_.note(edit.slot, edit.slot < id_.size() && id_[edit.slot].is_valid());
+      rows = std::max(rows, edit.slot + std::size_t{1});
+    }
+  }
+  const auto grow = [rows](auto& column) {
+    if (column.capacity() < rows) column.reserve(std::max(rows, column.capacity() + column.capacity() / 2));
+  };
+  grow(disk_);
+  grow(id_);
+}
+
+void UserBalls::apply(const DocumentDelta& delta) {
+  if (delta.replaces_all()) {
+    MES_ASSERT(delta.balls_after != nullptr);
+    disk_ = delta.balls_after->disk;
+    id_ = delta.balls_after->id;
+    count_ = 0;
+    for (const BallId id : id_) count_ += id.is_valid() ? 1U : 0U;
+  }
+  for (const BallEdit& edit : delta.ball_edits) {
+    if (edit.slot >= disk_.size()) {
+      MES_ASSERT(edit.slot == disk_.size() && edit.kind == BallEdit::Kind::insert);
+      disk_.emplace_back();
+      id_.emplace_back();
+    }
+    const bool lives = edit.kind != BallEdit::Kind::remove;
+    MES_ASSERT(id_[edit.slot].is_valid() == (edit.kind != BallEdit::Kind::insert));
+    disk_[edit.slot] = lives ? edit.to : Disk{};
+    id_[edit.slot] = lives ? edit.id : BallId{};
+    if (lives) extent_.add(bounding_box_of(edit.to));
+    if (edit.kind == BallEdit::Kind::insert) ++count_;
+    if (edit.kind == BallEdit::Kind::remove) --count_;
+  }
+}
+
+void UserBalls::rebuild(JobControl&) {
+  make_room();
+  for (const auto& delta : pending_) apply(*delta);
+  pending_.clear();
+  changes_.clear();
+  extent_ = Box2{};
+  for (Slot slot = 0; slot < disk_.size(); ++slot)
+    if (id_[slot].is_valid()) extent_.add(bounding_box_of(disk_[slot]));
+}
+
+bool UserBalls::update(JobControl&) {
+  for (const auto& delta : pending_)
+    if (delta->replaces_all()) return false;
+  make_room();
+  for (const auto& delta : pending_) apply(*delta);
+  pending_.clear();
+  recorder_.finish(changes_, [this](Slot slot) { return id_[slot].is_valid(); });
+  return true;
+}
+
+StatList UserBalls::statistics() const {
+  std::int64_t zero = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (Slot slot = 0; slot < disk_.size(); ++slot) {
+    if (!id_[slot].is_valid()) continue;
+    const double radius = disk_[slot].radius;
+    if (radius == 0.0) ++zero;
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+  }
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return {{"balls", static_cast<std::int64_t>(count_)},
+          {"zero_radius", zero},
+          {"radius_min", count_ == 0 ? none : least},
+          {"radius_max", count_ == 0 ? none : most}};
+}
+
+}  // namespace mes

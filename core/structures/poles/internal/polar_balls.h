@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The polar balls, with a large ball in place of each pole at infinity.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/box2.h"
+#include "core/structures/balls/voronoi_balls.h"
+#include "core/structures/poles/poles.h"
+
+namespace mes {
+
+/// A ball around a pole at infinity is the half plane beyond the sample. Power diagrams want balls; so a hull sample
+/// gets one of `kReach` times the extent of all samples, through the sample and in that direction. Rows: faces, then
+/// for these balls sites. `measure` must have been called since the last change.
+class PolarBalls final : public VoronoiBalls {
+ public:
+  PolarBalls(const Delaunay& delaunay, const VoronoiVertices& vertices, const Poles& poles)
+      : VoronoiBalls(delaunay, vertices), poles_(poles) {}
+
+  void measure() {
+    Box2 box;
+    for (Slot site = 0; site < delaunay_.site_rows(); ++site)
+      if (delaunay_.is_site(site)) box.add(delaunay_.site_position(site));
+    const double extent = box.is_empty() ? 1.0 : std::max(box.width(), box.height());
+    // A power of two: the balls stay the same while the extent changes little.
+    reach_ = std::ldexp(kReach, std::isfinite(extent) && extent > 0.0 ? std::ilogb(extent) : 0);
+  }
+
+  bool is_at_infinity(Slot row) const { return row >= delaunay_.face_rows(); }
+  Slot row_at_infinity(Slot site) const { return static_cast<Slot>(delaunay_.face_rows()) + site; }
+
+  std::size_t rows() const override { return delaunay_.face_rows() + delaunay_.site_rows(); }
+  bool is_ball(Slot row) const override {
+    if (delaunay_.dimension() < 2) return false;
+    if (!is_at_infinity(row)) return delaunay_.face(row).is_alive() && poles_.is_pole(row);
+    return delaunay_.is_site(site_of(row)) && poles_.plus(site_of(row)) == kInfinitePole;
+  }
+  Disk plain_disk(Slot row) const override {
+    if (!is_at_infinity(row)) return VoronoiBalls::plain_disk(row);
+    const Vec2 p = delaunay_.site_position(site_of(row));
+    const Vec2 center = p + reach_ * poles_.direction_to_infinity(site_of(row));
+    return {center, distance(center, p)};
+  }
+  BallOrigin origin(Slot row) const override {
+    return is_at_infinity(row) ? BallOrigin::through_sample : BallOrigin::circumdisk;
+  }
+  void touched_samples(Slot row, std::vector<TouchedSample>& out) const override {
+    if (!is_at_infinity(row)) return VoronoiBalls::touched_samples(row, out);
+    out.push_back({site_of(row), delaunay_.site_position(site_of(row))});
+  }
+  const ChangeSet& changes() const override { return poles_.face_changes(); }
+
+ private:
+  static constexpr double kReach = 4096.0;
+  Slot site_of(Slot row) const { return row - static_cast<Slot>(delaunay_.face_rows()); }
+
+  const Poles& poles_;
+  double reach_ = 1.0;
+};
+
+}  // namespace mes

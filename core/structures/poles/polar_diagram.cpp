@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/poles/polar_diagram.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/sum.h"
+
+namespace mes {
+
+PolarDiagram::PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles)
+    : PolarDiagram(settings, delaunay, vertices, poles, std::make_unique<PolarBalls>(delaunay, vertices, poles)) {}
+
+PolarDiagram::PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
+                           std::unique_ptr<PolarBalls> family)
+    : PowerDiagram("polar-diagram", {&settings, &delaunay, &vertices, &poles}, settings, std::move(family)),
+      polar_balls_(static_cast<PolarBalls&>(own_family())) {}
+
+void PolarDiagram::rebuild(JobControl& job) {
+  polar_balls_.measure();
+  PowerDiagram::rebuild(job);
+}
+
+PowerCrust::PowerCrust(PoleLabels& labels, PolarDiagram& diagram)
+    : Structure("power-crust", {&labels, &diagram}), labels_(labels), diagram_(diagram) {}
+
+void PowerCrust::rebuild(JobControl&) {
+  const auto is_inside = [this](Slot ball) { return !diagram_.is_at_infinity(ball) && labels_.is_inside(ball); };
+  const std::vector<PowerEdge>& edges = diagram_.edges();
+  is_crust_.resize(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    is_crust_[i] = is_inside(edges[i].ball[0]) != is_inside(edges[i].ball[1]) ? 1 : 0;
+}
+
+bool PowerCrust::update(JobControl&) {
+  return labels_.changes().is_empty();
+}
+
+StatList PowerCrust::statistics() const {
+  const std::vector<PowerEdge>& edges = diagram_.edges();
+  std::vector<Slot> parent;
+  const auto root = [&parent](Slot face) {
+    while (parent[face] != face) face = parent[face] = parent[parent[face]];
+    return face;
+  };
+  std::int64_t crust = 0;
+  std::int64_t unbounded = 0;
+  std::int64_t loops = 0;
+  Sum length;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (is_crust_[i] == 0) continue;
+    const PowerEdge& edge = edges[i];
+    if (edge.kind != PowerEdge::Kind::segment) {
+      ++unbounded;
+      continue;
+    }
+    crust += edge.from != edge.to ? 1 : 0;
+    length.add(edge.length);
+    const std::size_t needed = std::max(edge.face[0], edge.face[1]) + std::size_t{1};
+    while (parent.size() < needed) parent.push_back(static_cast<Slot>(parent.size()));
+    const Slot a = root(edge.face[0]);
+    const Slot b = root(edge.face[1]);
+    // Every vertex has two crust edges: a curve closes just once.
+    loops += a == b ? 1 : 0;
+    parent[a] = b;
+  }
+  return {{"edges", crust}, {"unbounded", unbounded}, {"loops", loops}, {"length", length.value()}};
+}
+
+}  // namespace mes

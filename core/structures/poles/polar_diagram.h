@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regular triangulation and power diagram of the polar balls, and the power crust in it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/structures/balls/ball_diagrams.h"
+#include "core/structures/poles/internal/polar_balls.h"
+#include "core/structures/poles/pole_labels.h"
+
+namespace mes {
+
+/// Each pole at infinity takes part as a very large ball through its sample.
+class PolarDiagram final : public PowerDiagram {
+ public:
+  PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles);
+
+  bool is_at_infinity(Slot ball) const { return polar_balls_.is_at_infinity(ball); }
+  void rebuild(JobControl& job) override;
+
+ private:
+  PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
+               std::unique_ptr<PolarBalls> family);
+  PolarBalls& polar_balls_;
+};
+
+/// Edges of the polar power diagram between the cell of an inside pole and that of an outside one. At each vertex of
+/// the diagram two of them meet or none: they form closed curves. Every sample lies on the crust, as it touches a
+/// pole on either side and no ball holds it.
+///
+/// Rows: edges of `PolarDiagram`. O(n); no local update. Source: Amenta, Choi and Kolluri 2001.
+class PowerCrust final : public Structure {
+ public:
+  PowerCrust(PoleLabels& labels, PolarDiagram& diagram);
+
+  bool is_crust(Slot edge) const { return is_crust_[edge] != 0; }
+  const PolarDiagram& diagram() const { return diagram_; }
+  /// Always empty: every row is new after a rebuild.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+
+ private:
+  PoleLabels& labels_;
+  PolarDiagram& diagram_;
+  std::vector<std::uint8_t> is_crust_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The union of the interior polar balls: what the union of the inner Voronoi balls would be if only poles counted.
+#pragma once
+
+#include "core/structures/balls/ball_diagrams.h"
+#include "core/structures/balls/ball_sampling.h"
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/poles/pole_labels.h"
+
+namespace mes {
+
+/// Rows of balls: Delaunay faces. There is no shortcut: neighbours need not share a sample.
+class PUnion final : public BallUnion {
+ public:
+  PUnion(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles, PoleLabels& labels);
+};
+
+class PPowerDiagram final : public PowerDiagram {
+ public:
+  PPowerDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
+                PoleLabels& labels);
+};
+
+class PVDiagram final : public VDiagram {
+ public:
+  explicit PVDiagram(PUnion& p_union) : VDiagram("p-v-diagram", {&p_union}, p_union) {}
+};
+
+class PBallSampling final : public BallSampling {
+ public:
+  PBallSampling(SettingsSource& settings, PUnion& balls) : BallSampling("p-ball-sampling", settings, balls) {}
+};
+
+}  // namespace mes

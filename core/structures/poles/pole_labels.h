@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which poles are inside.
+#pragma once
+
+#include <vector>
+
+#include "core/structures/crust/labels.h"
+#include "core/structures/inputs/settings_source.h"
+#include "core/structures/poles/poles.h"
+
+namespace mes {
+
+/// Two ways, by the parameter `pole-propagation`:
+///  0. A pole has the label of its triangle.
+///  1. Poles at infinity are outside. The two poles of a sample have opposite labels, and polar balls that are
+///     neighbours in the regular triangulation and overlap deeply have equal ones; labels spread from there, the
+///     surest link first (opposite poles by the angle at the sample, overlapping balls by the angle of their
+///     circles). Poles that nothing reaches have the label of their triangle. Which balls overlap deeply is exact; in
+///     which order links count is decided in doubles, ties by coordinates.
+///
+/// Cost: the first O(changes); the second a regular triangulation of the poles, anew after every change.
+/// Source of the second: Amenta, Choi and Kolluri 2001.
+class PoleLabels final : public Structure {
+ public:
+  PoleLabels(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Labels& labels, Poles& poles);
+
+  /// Of a pole: a face for which `Poles::is_pole` holds.
+  bool is_inside(Slot face) const { return is_spread_ ? inside_[face] != 0 : labels_.is_inside(face); }
+  bool is_inside_pole(Slot face) const { return poles_.is_pole(face) && is_inside(face); }
+
+  /// Faces that became, are still or stopped being poles, or changed their label.
+  const ChangeSet& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+  std::string_view kernel() const override;
+
+ private:
+  bool wants_spreading() const { return settings_.current().is_on(Parameter::pole_propagation); }
+  void spread(JobControl& job);
+
+  SettingsSource& settings_;
+  Delaunay& delaunay_;
+  VoronoiVertices& vertices_;
+  Labels& labels_;
+  Poles& poles_;
+  bool is_spread_ = false;
+  Precision made_with_ = Precision::fast;
+  std::vector<std::uint8_t> inside_;  // by face, when spread
+  std::int64_t unreached_ = 0;
+  ChangeRecorder recorder_;
+  ChangeSet changes_;
+};
+
+}  // namespace mes

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The poles of the samples: the farthest Voronoi vertices of their cells, on either side of the curve.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/base/disk.h"
+#include "core/graph/structure.h"
+#include "core/kernel/pole_predicates.h"
+#include "core/structures/crust/voronoi_vertices.h"
+
+namespace mes {
+
+/// Stands for a Voronoi vertex at infinity.
+inline constexpr Slot kInfinitePole = 0xfffffffeU;
+
+/// What it guarantees:
+///  1. `plus(site)` is the Voronoi vertex farthest from the site among those of its cell; `kInfinitePole` for a hull
+///     site, in the direction of the sum of the outward unit normals of its two hull edges.
+///  2. `minus(site)` is the farthest one on the other side of the site, seen from `plus`; kNoSlot if there is none,
+///     as happens where samples are too few.
+///  3. Decisions are exact for the given doubles. Of two equally far vertices the lexicographically smaller counts.
+///  4. Below dimension 2 there are no poles.
+///
+/// Rows: Voronoi vertices are Delaunay faces, the one that `VoronoiVertices` names for its circle. Cost: rebuild
+/// O(n), updates O(faces around the change). Source: Amenta, Bern and Eppstein 1998.
+class Poles final : public Structure {
+ public:
+  Poles(Delaunay& delaunay, VoronoiVertices& vertices);
+
+  /// A face, `kInfinitePole`, or kNoSlot.
+  Slot plus(Slot site) const { return plus_[site]; }
+  Slot minus(Slot site) const { return minus_[site]; }
+  /// The face's circumcentre is a pole of some site, and the face stands for its circle.
+  bool is_pole(Slot face) const { return uses_[face] != 0; }
+  /// Unit vector towards a pole at infinity.
+  Vec2 direction_to_infinity(Slot site) const;
+
+  /// Faces that are new or became or stopped being poles. Never empty when anything about poles changed.
+  const ChangeSet& face_changes() const { return face_changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { face_changes_.clear(); }
+  std::size_t touched() const override { return face_changes_.size(); }
+  StatList statistics() const override;
+  std::string_view kernel() const override { return "doubles with a proved bound, integers, rationals"; }
+
+ private:
+  struct HullNeighbours {
+    Slot before = kNoSlot;  ///< kNoSlot for inner sites
+    Slot after = kNoSlot;
+  };
+  HullNeighbours hull_neighbours(Slot site) const;
+  /// Finite faces around the site go to `star_`.
+  HullNeighbours gather_star(Slot site);
+  void find_poles(Slot site);
+  void use(Slot pole, int change);
+  void assign(Slot site, Slot plus, Slot minus);
+
+  Delaunay& delaunay_;
+  VoronoiVertices& vertices_;
+  std::vector<Slot> plus_;
+  std::vector<Slot> minus_;
+  std::vector<std::uint32_t> uses_;  // by face
+  ChangeRecorder recorder_;
+  ChangeSet face_changes_;
+  bool is_recording_ = false;
+
+  // Work space.
+  struct StarFace {
+    Slot face;
+    StarTriangle triangle;
+    RadiusKey key;
+  };
+  std::vector<StarFace> star_;
+  std::vector<Slot> sites_;
+  SlotMarks site_marks_;
+};
+
+}  // namespace mes

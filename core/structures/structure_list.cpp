@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of structures.
+#include <memory>
+#include <vector>
+
+#include "core/graph/structure.h"
+#include "core/structures/axis/axis_nodes.h"
+#include "core/structures/axis/inner_balls.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/balls/axis_difference.h"
+#include "core/structures/balls/ball_diagrams.h"
+#include "core/structures/balls/ball_sampling.h"
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/precision_difference.h"
+#include "core/structures/certificate/axis_certificate.h"
+#include "core/structures/crust/curve.h"
+#include "core/structures/crust/labels.h"
+#include "core/structures/crust/one_step_crust.h"
+#include "core/structures/crust/voronoi_vertices.h"
+#include "core/structures/delaunay/delaunay.h"
+#include "core/structures/delaunay/last_change.h"
+#include "core/structures/inputs/samples.h"
+#include "core/structures/inputs/scaled_user_balls.h"
+#include "core/structures/inputs/settings_source.h"
+#include "core/structures/inputs/user_balls.h"
+#include "core/structures/poles/polar_diagram.h"
+#include "core/structures/poles/polar_union.h"
+#include "core/structures/poles/pole_labels.h"
+#include "core/structures/poles/poles.h"
+
+namespace mes {
+namespace {
+
+/// Adds a structure whose constructor takes the given inputs, all of which are in the set already.
+template <class S, class... Inputs>
+void add(StructureSet& set) {
+  set.add(std::make_unique<S>(set.get<Inputs>()...));
+}
+
+}  // namespace
+
+// One line a structure, inputs before consumers.
+StructureSet make_structures() {
+  StructureSet set;
+  add<Samples>(set);
+  add<SettingsSource>(set);
+  add<UserBalls>(set);
+  add<ScaledUserBalls, SettingsSource, UserBalls>(set);
+  add<Delaunay, Samples>(set);
+  add<OneStepCrust, Delaunay>(set);
+  add<Labels, Delaunay, OneStepCrust>(set);
+  add<Curve, Delaunay, OneStepCrust, Labels>(set);
+  add<VoronoiVertices, Delaunay, OneStepCrust>(set);
+  add<InnerBalls, Delaunay, VoronoiVertices, Labels>(set);
+  add<Poles, Delaunay, VoronoiVertices>(set);
+  add<MedialAxis, Delaunay, OneStepCrust, Labels, InnerBalls>(set);
+  add<AxisNodes, Delaunay, InnerBalls, MedialAxis>(set);
+  add<LastChange, Delaunay>(set);
+  add<AxisCertificate, Delaunay, Labels, InnerBalls>(set);
+  add<AUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisCertificate>(set);
+  add<AxisDifference, Delaunay, OneStepCrust, InnerBalls, MedialAxis, AUnion>(set);
+  add<APrecisionDifference, AUnion>(set);
+  add<APowerDiagram, SettingsSource, Delaunay, Labels, InnerBalls>(set);
+  add<AVDiagram, Delaunay, OneStepCrust, Labels, InnerBalls, AUnion>(set);
+  add<PoleLabels, SettingsSource, Delaunay, VoronoiVertices, Labels, Poles>(set);
+  add<PolarDiagram, SettingsSource, Delaunay, VoronoiVertices, Poles>(set);
+  add<PowerCrust, PoleLabels, PolarDiagram>(set);
+  add<VoronoiBallDiagram, SettingsSource, Delaunay, VoronoiVertices>(set);
+  add<PUnion, SettingsSource, Delaunay, VoronoiVertices, Poles, PoleLabels>(set);
+  add<PPowerDiagram, SettingsSource, Delaunay, VoronoiVertices, Poles, PoleLabels>(set);
+  add<PVDiagram, PUnion>(set);
+  add<PBallSampling, SettingsSource, PUnion>(set);
+  add<BUnion, SettingsSource, UserBalls>(set);
+  add<BPrecisionDifference, BUnion>(set);
+  add<BPowerDiagram, SettingsSource, UserBalls>(set);
+  add<ABallSampling, SettingsSource, AUnion>(set);
+  add<BBallSampling, SettingsSource, BUnion>(set);
+  add<BVDiagram, BUnion>(set);
+  return set;
+}
+
+std::span<const std::string_view> structure_ids() {
+  static const std::vector<std::string_view> ids = [] {
+    std::vector<std::string_view> out;
+    const StructureSet set = make_structures();
+    for (const auto& structure : set.all()) out.push_back(structure->id());
+    return out;
+  }();
+  return ids;
+}
+
+}  // namespace mes

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of a ball in the regular triangulation of its family.
+#pragma once
+
+#include <cstdint>
+
+namespace mes {
+
+enum class BallState : std::uint8_t {
+  none,       ///< not a ball
+  visible,    ///< has a cell in the power diagram, and a neighbour in the dual complex
+  isolated,   ///< has a cell, and no neighbour in the dual complex
+  hidden,     ///< has no cell
+  duplicate,  ///< of another ball
+};
+
+}  // namespace mes

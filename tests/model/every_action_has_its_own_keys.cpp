@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+
+#include "app/actions/actions.h"
+
+using namespace mes;
+
+TEST_CASE("the table is in the order of the ids and complete") {
+  const auto actions = action_descriptors();
+  REQUIRE(actions.size() == kActionCount);
+  std::set<std::string_view> public_ids;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    CHECK(static_cast<std::size_t>(actions[i].id) == i);
+    CHECK(public_ids.insert(actions[i].public_id).second);
+    CHECK_FALSE(actions[i].name.empty());
+    CHECK_FALSE(actions[i].tooltip.empty());
+    CHECK(actions[i].tooltip.back() != '.');
+    for (const char c : actions[i].public_id) CHECK(((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'));
+  }
+}
+
+TEST_CASE("every key is readable, written in its one spelling, and no two actions compete for it") {
+  for (const bool has_selection : {false, true}) {
+    std::map<std::string_view, std::string_view> owner;
+    for (const ActionDescriptor& action : action_descriptors()) {
+      if (action.context == ActionContext::with_selection && !has_selection) continue;
+      if (action.context == ActionContext::without_selection && has_selection) continue;
+      for (const std::string_view key : action.keys) {
+        INFO(key << " of " << action.public_id << " and of " << owner[key]);
+        const auto chord = parse_chord(key);
+        REQUIRE(chord);
+        CHECK(to_string(*chord) == key);
+        CHECK(owner[key].empty());
+        owner[key] = action.public_id;
+        CHECK(find_action(*chord, has_selection) == action.id);
+      }
+    }
+  }
+}
+
+TEST_CASE("Backspace deletes what is selected and otherwise goes back to the previous view") {
+  const auto backspace = parse_chord("Backspace");
+  REQUIRE(backspace);
+  CHECK(find_action(*backspace, true) == ActionId::delete_selection);
+  CHECK(find_action(*backspace, false) == ActionId::previous_view);
+  CHECK_FALSE(find_action(*parse_chord("Delete"), false));
+}
+
+TEST_CASE("chords are read and written") {
+  const auto undo = parse_chord("Ctrl+Shift+Z");
+  REQUIRE(undo);
+  CHECK(undo->symbol == U'Z');
+  CHECK(undo->modifiers == Modifiers{.ctrl = true, .shift = true});
+  CHECK(parse_chord("F12")->symbol == key::f1 + 11);
+  CHECK(parse_chord("Ctrl++")->symbol == U'+');
+  CHECK(is_typed_symbol(*parse_chord("?")));
+  CHECK_FALSE(is_typed_symbol(*parse_chord("Ctrl+.")));
+  CHECK_FALSE(is_typed_symbol(*parse_chord("V")));
+  for (const char* wrong :
+       {"", "Ctrl+", "ctrl+z", "z", "F0", "F13", "F1x", "Shift+?", "Hyper+X", "ZZ", "Shift+Ctrl+Z"})
+    CHECK_FALSE(parse_chord(wrong));
+}

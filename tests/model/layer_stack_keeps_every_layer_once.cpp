@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "app/model/layer_stack.h"
+#include "core/base/rng.h"
+
+using namespace mes;
+
+namespace {
+
+std::vector<LayerDescriptor> five_layers() {
+  std::vector<LayerDescriptor> out;
+  for (const std::string_view id : {"a", "b", "c", "d", "e"}) {
+    LayerDescriptor descriptor;
+    descriptor.id = id;
+    descriptor.name = id;
+    descriptor.visible_at_start = id < "c";
+    out.push_back(descriptor);
+  }
+  return out;
+}
+
+std::vector<LayerIndex> order_of(const LayerStack& stack) {
+  return {stack.order().begin(), stack.order().end()};
+}
+
+}  // namespace
+
+TEST_CASE("a stack starts from the descriptors") {
+  const auto layers = five_layers();
+  const LayerStack stack(layers);
+  CHECK(order_of(stack) == std::vector<LayerIndex>{0, 1, 2, 3, 4});
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{0, 1});
+}
+
+TEST_CASE("moving puts a layer just above or below another") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  stack.move(0, 3, true);
+  CHECK(order_of(stack) == std::vector<LayerIndex>{1, 2, 3, 0, 4});
+  stack.move(4, 1, false);
+  CHECK(order_of(stack) == std::vector<LayerIndex>{4, 1, 2, 3, 0});
+  stack.move(2, 2, true);
+  CHECK(order_of(stack) == std::vector<LayerIndex>{4, 1, 2, 3, 0});
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{1, 0});
+}
+
+TEST_CASE("after any moves every layer is there once") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  Rng random(7);
+  for (int i = 0; i < 1000; ++i) {
+    const auto layer = static_cast<LayerIndex>(random.below(5));
+    const auto target = static_cast<LayerIndex>(random.below(5));
+    const bool above = random.below(2) == 0;
+    stack.move(layer, target, above);
+    auto order = order_of(stack);
+    if (layer != target) {
+      const auto at = std::ranges::find(order, layer) - order.begin();
+      const auto at_target = std::ranges::find(order, target) - order.begin();
+      REQUIRE(at == at_target + (above ? 1 : -1));
+    }
+    std::ranges::sort(order);
+    REQUIRE(order == std::vector<LayerIndex>{0, 1, 2, 3, 4});
+  }
+}
+
+TEST_CASE("only visibility changes what is asked of the engine") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  const auto before = stack.demand_revision();
+  LayerStyle style = stack.style(0);
+  style.opacity = 0.25;
+  stack.set_style(0, style);
+  stack.move(0, 4, true);
+  stack.set_visible(0, true);
+  CHECK(stack.demand_revision() == before);
+  CHECK_FALSE(stack.has_default_style(0));
+  stack.reset_style(0);
+  CHECK(stack.has_default_style(0));
+  stack.set_visible(4, true);
+  CHECK(stack.demand_revision() != before);
+}
+
+TEST_CASE("solo shows one layer and gives the others back") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  stack.solo(3);
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{3});
+  stack.end_solo();
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{0, 1});
+  stack.solo(3);
+  stack.set_visible(2, true);
+  CHECK(stack.soloed() == kNoSlot);
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{0, 1, 2});
+}
+
+TEST_CASE("the search box takes words in any case and order") {
+  LayerDescriptor layer;
+  layer.id = "interior-voronoi-disks";
+  layer.name = "Interior Voronoi disks";
+  CHECK(matches_search(layer, ""));
+  CHECK(matches_search(layer, "DISK int"));
+  CHECK(matches_search(layer, "  voronoi-d "));
+  CHECK_FALSE(matches_search(layer, "disk exterior"));
+}
+
+TEST_CASE("a configuration brings everything back, whatever the order and names in it") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  stack.move(0, 4, true);
+  stack.set_visible(3, true);
+  LayerStyle style;
+  style.color_map = "viridis";
+  style.range_locked = true;
+  style.range_high = 7.5;
+  stack.set_style(2, style);
+  stack.set_image({"map.png", {1, 2}, 3});
+  const LayerConfiguration kept = stack.configuration();
+
+  stack.reset();
+  CHECK(stack.image().file.empty());
+  stack.solo(1);
+  stack.set_configuration(kept);
+  CHECK(stack.soloed() == kNoSlot);
+  CHECK(stack.configuration() == kept);
+
+  const std::uint64_t demand = stack.demand_revision();
+  stack.set_configuration(kept);
+  CHECK(stack.demand_revision() == demand);
+
+  // Named twice, unknown, not named at all.
+  stack.set_configuration(
+      {{{"d", true, {}}, {"of-the-future", true, {}}, {"b", false, style}, {"d", false, {}}}, {}});
+  CHECK(order_of(stack) == std::vector<LayerIndex>{2, 4, 0, 3, 1});
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{3});
+  CHECK(stack.style(1) == style);
+  CHECK(stack.style(2) == style);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "app/model/editor.h"
+#include "core/base/rng.h"
+
+using namespace mes;
+
+namespace {
+
+double nearest_distance(const Document& document, Vec2 p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+    if (document.is_alive(slot)) best = std::min(best, distance(document.position(slot), p));
+  return best;
+}
+
+std::vector<Slot> rows_in(const Document& document, const Box2& box) {
+  std::vector<Slot> out;
+  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+    if (document.is_alive(slot) && box.contains(document.position(slot))) out.push_back(slot);
+  return out;
+}
+
+void compare(const Editor& editor, Rng& random, double extent) {
+  const Document& document = editor.document();
+  REQUIRE(editor.index().size() == document.sample_count());
+  for (int i = 0; i < 12; ++i) {
+    const Vec2 p{random.uniform(-1.5, 1.5) * extent, random.uniform(-1.5, 1.5) * extent};
+    const double radius = extent * std::pow(10.0, random.uniform(-6.0, 2.0));
+    const double expected = nearest_distance(document, p);
+    const Slot found = editor.index().nearest(p, radius);
+    if (expected > radius) {
+      REQUIRE(found == kNoSlot);
+    } else {
+      REQUIRE(found != kNoSlot);
+      REQUIRE(document.is_alive(found));
+      REQUIRE(distance(document.position(found), p) == expected);
+    }
+    Box2 box;
+    box.add(p);
+    box.add(p + Vec2{random.uniform(-1.0, 1.0) * radius, random.uniform(-1.0, 1.0) * radius});
+    REQUIRE(editor.index().in_box(box) == rows_in(document, box));
+  }
+}
+
+Vec2 random_point(Rng& random, int kind, double extent) {
+  const double t = random.uniform(0.0, 6.28);
+  switch (kind) {
+    case 0: return {random.uniform(-1.0, 1.0) * extent, random.uniform(-1.0, 1.0) * extent};
+    case 1: return {extent * std::cos(t), extent * std::sin(t)};
+    case 2:
+      return {std::floor(random.uniform(-4.0, 5.0)) * 0.25 * extent,
+              std::floor(random.uniform(-4.0, 5.0)) * 0.25 * extent};
+    default: return random.below(50) == 0 ? Vec2{1e12 * extent, -1e9 * extent} : Vec2{extent * std::cos(t), 0.0};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("random edits, undo and redo: every answer is that of a search through all samples") {
+  for (const double extent : {1.0, 1e-7, 1e9}) {
+    for (int kind = 0; kind < 4; ++kind) {
+      CAPTURE(extent, kind);
+      Editor editor({});
+      Rng random(static_cast<std::uint64_t>(kind) + 100);
+      for (int step = 0; step < 150; ++step) {
+        const Document& document = editor.document();
+        const auto choice = random.below(10);
+        const auto row = document.slot_count() == 0 ? 0 : static_cast<Slot>(random.below(document.slot_count()));
+        if (choice < 5 || document.sample_count() == 0) {
+          std::vector<Vec2> points(random.below(30) + 1);
+          for (Vec2& p : points) p = random_point(random, kind, extent);
+          REQUIRE(editor.insert(points, "insert"));
+        } else if (choice < 7 && document.is_alive(row)) {
+          const std::array target{std::pair{document.id(row), random_point(random, kind, extent)}};
+          REQUIRE(editor.move(target, "move"));
+        } else if (choice < 8) {
+          std::vector<SampleId> ids;
+          for (Slot slot = 0; slot < document.slot_count(); ++slot)
+            if (document.is_alive(slot) && random.below(4) != 0) ids.push_back(document.id(slot));
+          REQUIRE(editor.remove(ids, "remove"));
+        } else if (choice == 8) {
+          editor.undo();
+        } else {
+          editor.redo();
+        }
+        compare(editor, random, extent);
+      }
+    }
+  }
+}
+
+TEST_CASE("an empty document and a nonsense question have no answer") {
+  Editor editor({});
+  CHECK(editor.index().nearest({0, 0}, 1e300) == kNoSlot);
+  CHECK(editor.index().in_box({{-1, -1}, {1, 1}}).empty());
+  REQUIRE(editor.insert(std::array{Vec2{1, 1}}, "insert"));
+  CHECK(editor.index().nearest({std::nan(""), 0}, 1e300) == kNoSlot);
+  CHECK(editor.index().nearest({0, 0}, -1.0) == kNoSlot);
+  CHECK(editor.index().nearest({1, 1}, 0.0) == 0);
+  CHECK(editor.index().in_box(Box2{}).empty());
+}

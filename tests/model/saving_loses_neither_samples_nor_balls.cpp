@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "app/store/file_desk.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes;
+using mes::test::contents_of;
+
+namespace {
+
+struct Bench {
+  test::TemporaryFolder folder;
+  Editor editor{{}};
+  FileDesk desk{editor,
+                [this] { return Session{.data = editor.timeline().data(), .entries = editor.timeline().entries()}; },
+                {}};
+
+  FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
+  FileDesk::Outcome open(const std::vector<std::filesystem::path>& files) {
+    desk.open(files);
+    for (;;) {
+      if (auto outcome = desk.poll()) return *outcome;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  Expected<void> save() {
+    desk.save();
+    return saved();
+  }
+  Expected<void> save_as(const std::filesystem::path& file) {
+    desk.save_as(file);
+    return saved();
+  }
+  Expected<void> saved() {
+    const auto out = desk.finish_saving();
+    REQUIRE(out);
+    CHECK_FALSE(desk.is_saving());
+    if (out->error) return std::unexpected(*out->error);
+    return {};
+  }
+  void add_sample() { REQUIRE(editor.insert(std::vector{Vec2{7, 8}}, "sample")); }
+  void add_ball() { REQUIRE(editor.insert_balls(std::vector{Disk{{1, 2}, 3}}, "ball")); }
+  bool is_complete() const { return !desk.unsaved().samples && !desk.unsaved().balls; }
+};
+
+}  // namespace
+
+TEST_CASE("a file of balls is opened, changed and saved to itself") {
+  Bench bench;
+  const auto file = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0.1 0 2\n");
+  const auto outcome = bench.open(file);
+  REQUIRE_FALSE(outcome.error);
+  CHECK(outcome.format == "wpoff");
+  CHECK(outcome.balls == 1);
+  CHECK(outcome.samples == 0);
+  CHECK(bench.desk.file() == file);
+  CHECK(bench.desk.title() == "a.wpoff");
+  CHECK_FALSE(bench.editor.is_modified());
+  bench.add_ball();
+  CHECK(bench.editor.is_modified());
+  REQUIRE(bench.save());
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(contents_of(file) == "WPOFF 2 0 0\n0.1 0 2\n1 2 3\n");
+  CHECK(bench.folder.file_count() == 1);
+}
+
+TEST_CASE("a document of samples and balls counts as modified until both have a file") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(samples).error);
+  bench.add_ball();
+  REQUIRE(bench.save());
+  CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
+  CHECK(bench.editor.is_modified());
+  CHECK_FALSE(bench.desk.unsaved().samples);
+  CHECK(bench.desk.unsaved().balls);
+
+  const auto balls = bench.folder / "b.WPOFF";
+  REQUIRE(bench.save_as(balls));
+  CHECK(contents_of(balls) == "WPOFF 1 0 0\n1 2 3\n");
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.is_complete());
+
+  // From now on one save writes both.
+  bench.add_sample();
+  bench.add_ball();
+  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.desk.unsaved().balls);
+  REQUIRE(bench.save());
+  CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
+  CHECK_FALSE(bench.editor.is_modified());
+
+  // A copy of the samples leaves the file of the balls alone.
+  bench.add_ball();
+  REQUIRE(bench.save_as(bench.folder / "copy.poff"));
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.sample_file() == bench.folder / "copy.poff");
+  bench.editor.undo();
+  CHECK(bench.is_complete());
+}
+
+TEST_CASE("samples added to a file of balls are not lost in it") {
+  Bench bench;
+  const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open(balls).error);
+  bench.add_sample();
+  REQUIRE(bench.save());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.folder.file_count() == 1);
+  REQUIRE(bench.save_as(bench.folder / "a.poff"));
+  CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("a file that cannot be written leaves the files as they were chosen before") {
+  Bench bench;
+  const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open(balls).error);
+  bench.add_ball();
+  const auto saved = bench.save_as(bench.folder / "no such folder" / "b.wpoff");
+  REQUIRE_FALSE(saved);
+  CHECK(saved.error().code == ErrorCode::cannot_write);
+  CHECK(bench.desk.ball_file() == balls);
+  CHECK(bench.desk.file() == balls);
+  CHECK(bench.editor.is_modified());
+}
+
+TEST_CASE("opening and starting anew forget both files") {
+  Bench bench;
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n")).error);
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.csv", "x,y\n1,2\n")).error);
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.desk.ball_file().empty());
+  CHECK(bench.editor.document().ball_count() == 0);
+  CHECK(bench.is_complete());
+  REQUIRE_FALSE(bench.open(bench.folder / "a.wpoff").error);
+  bench.desk.start_empty();
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.desk.ball_file().empty());
+  CHECK(bench.editor.document().is_empty());
+  CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("a file of samples and one of balls are one document again") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  const auto balls = bench.folder.write("b.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  const auto others = bench.folder.write("c.poff", "POFF 1 0 0\n7 8\n");
+  for (const auto& files : {std::vector{samples, balls}, std::vector{balls, samples}}) {
+    const auto outcome = bench.open(files);
+    REQUIRE_FALSE(outcome.error);
+    CHECK(outcome.files == files);
+    CHECK(outcome.left_out == 0);
+    CHECK(bench.editor.document().sample_count() == 1);
+    CHECK(bench.editor.document().ball_count() == 1);
+    CHECK(bench.desk.sample_file() == samples);
+    CHECK(bench.desk.ball_file() == balls);
+    CHECK_FALSE(bench.editor.is_modified());
+  }
+  // What the first brought is not replaced by the next.
+  const auto outcome = bench.open({samples, others, balls});
+  CHECK(outcome.files == std::vector{samples, balls});
+  CHECK(outcome.left_out == 1);
+  CHECK(bench.editor.document().position(0) == Vec2{5, 6});
+  bench.add_sample();
+  bench.add_ball();
+  REQUIRE(bench.save());
+  CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n0 0 2\n1 2 3\n");
+  CHECK(contents_of(others) == "POFF 1 0 0\n7 8\n");
+
+  // One of them cannot be read: nothing is opened.
+  const auto digest = bench.editor.document().digest();
+  const auto missing = bench.open({others, bench.folder / "missing.wpoff"});
+  REQUIRE(missing.error);
+  CHECK(missing.error->file == (bench.folder / "missing.wpoff").string());
+  CHECK(bench.editor.document().digest() == digest);
+  CHECK(bench.desk.sample_file() == samples);
+}
+
+TEST_CASE("a bad file of balls leaves the document as it is") {
+  Bench bench;
+  const auto good = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open(good).error);
+  const auto outcome = bench.open(bench.folder.write("b.wpoff", "WPOFF 1 0 0\n0 0 -2\n"));
+  REQUIRE(outcome.error);
+  CHECK(outcome.error->line == 2);
+  CHECK(bench.editor.document().ball_count() == 1);
+  CHECK(bench.desk.file() == good);
+}
+
+TEST_CASE("a session holds samples, balls and what can be undone") {
+  Bench bench;
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n")).error);
+  bench.add_sample();
+  bench.add_ball();
+  const auto file = bench.folder.path() / "a.json";
+  REQUIRE(bench.save_as(file));
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.desk.title() == "a.json");
+  bench.add_ball();
+  CHECK(bench.desk.unsaved().samples);
+  REQUIRE(bench.save());
+  CHECK(bench.is_complete());
+  const std::uint64_t digest = bench.editor.document().digest();
+
+  bench.desk.start_empty();
+  CHECK_FALSE(bench.desk.has_session_file());
+  const auto outcome = bench.open(file);
+  REQUIRE_FALSE(outcome.error);
+  REQUIRE(outcome.session != nullptr);
+  CHECK(outcome.samples == 2);
+  CHECK(outcome.balls == 2);
+  CHECK(bench.editor.document().digest() == digest);
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.desk.file() == file);
+  bench.editor.undo();
+  bench.editor.undo();
+  CHECK(bench.editor.document().ball_count() == 0);
+  CHECK(bench.editor.document().sample_count() == 2);
+
+  // The samples alone are saved: what a session held besides counts as unsaved.
+  REQUIRE(bench.save_as(bench.folder.path() / "b.poff"));
+  CHECK_FALSE(bench.desk.has_session_file());
+  CHECK_FALSE(bench.desk.unsaved().samples);
+}
+
+TEST_CASE("a session that cannot be written leaves file, title and mark as they were") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  bench.add_sample();
+  CHECK_FALSE(bench.save_as(bench.folder.path() / "no" / "such" / "folder" / "a.json"));
+  CHECK(bench.desk.file() == file);
+  CHECK(bench.desk.title() == "a.poff");
+  CHECK(bench.editor.is_modified());
+  REQUIRE(bench.save());
+  CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
+}
+
+TEST_CASE("recovered work has no file and counts as unsaved") {
+  Bench bench;
+  REQUIRE(bench.desk.recover({.title = "x", .data = std::make_shared<SampleData>(SampleData{{{1, 2}}, {}, {}})}));
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.unsaved().samples);
+  REQUIRE(bench.save_as(bench.folder.path() / "x.poff"));
+  CHECK_FALSE(bench.editor.is_modified());
+}
+
+TEST_CASE("what is edited while a file is written stays unsaved") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  bench.add_sample();
+  bench.desk.save();
+  bench.add_sample();
+  REQUIRE(bench.saved());
+  CHECK(bench.editor.is_modified());
+  CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
+  bench.editor.undo();
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.is_complete());
+}
+
+TEST_CASE("a second save waits for the first, and the end of the desk for both") {
+  const test::TemporaryFolder folder;
+  {
+    Bench bench;
+    for (int i = 0; i < 20; ++i) {
+      bench.add_sample();
+      bench.desk.save_as(folder / ("file" + std::to_string(i) + ".poff"));
+    }
+  }
+  for (int i = 0; i < 20; ++i)
+    CHECK(contents_of(folder / ("file" + std::to_string(i) + ".poff")).starts_with("POFF " + std::to_string(i + 1)));
+}
+
+TEST_CASE("a save that ends after something else was opened marks nothing of it") {
+  Bench bench;
+  REQUIRE_FALSE(bench.open(bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n")).error);
+  bench.add_sample();
+  bench.desk.save_as(bench.folder / "b.json");
+  bench.desk.start_empty();
+  bench.add_sample();
+  REQUIRE(bench.saved());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.title() == "Untitled");
+  CHECK(bench.desk.file().empty());
+}
+
+TEST_CASE("a session that another window has saved is not overwritten, and the difference is shown") {
+  Bench bench;
+  bench.add_sample();
+  const auto file = bench.folder / "a.json";
+  REQUIRE(bench.save_as(file));
+  Bench other;
+  REQUIRE_FALSE(other.open(file).error);
+  for (int i = 0; i < 2; ++i) other.add_sample();
+  other.add_ball();
+  REQUIRE(other.save());
+  const std::string theirs = contents_of(file);
+
+  bench.add_ball();
+  bench.desk.save();
+  auto saved = bench.desk.finish_saving();
+  REQUIRE(saved);
+  REQUIRE(saved->conflict);
+  CHECK_FALSE(saved->error);
+  CHECK(saved->conflict->mine == Holdings{1, 1, 2});
+  CHECK(saved->conflict->theirs == Holdings{3, 1, 4});
+  CHECK(saved->conflict->shared_edits == 1);
+  CHECK(contents_of(file) == theirs);
+  CHECK(bench.editor.is_modified());
+
+  // It was changed once more before the answer.
+  other.add_ball();
+  REQUIRE(other.save());
+  bench.desk.overwrite(*saved->conflict);
+  saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  CHECK(saved->conflict->theirs == Holdings{3, 2, 5});
+  bench.desk.overwrite(*saved->conflict);
+  REQUIRE(bench.saved());
+  CHECK_FALSE(bench.editor.is_modified());
+
+  // Each window knows what it wrote itself.
+  bench.add_sample();
+  REQUIRE(bench.save());
+  other.add_sample();
+  other.desk.save();
+  CHECK(other.desk.finish_saving()->conflict);
+  REQUIRE(other.save_as(other.folder / "b.json"));
+  CHECK_FALSE(other.editor.is_modified());
+  other.add_sample();
+  REQUIRE(other.save());
+}
+
+TEST_CASE("of two files none is written while there is a question about the other") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  const auto balls = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n");
+  REQUIRE_FALSE(bench.open({samples, balls}).error);
+  bench.add_sample();
+  bench.add_ball();
+  bench.folder.write("a.wpoff", "WPOFF 2 0 0\n0 0 2\n0 0 3\n");
+  bench.desk.save();
+  const auto saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  CHECK(saved->conflict->file == balls);
+  CHECK(saved->conflict->theirs == Holdings{0, 2});
+  CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
+  bench.desk.overwrite(*saved->conflict);
+  REQUIRE(bench.saved());
+  CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
+  CHECK(contents_of(balls) == "WPOFF 2 0 0\n0 0 2\n1 2 3\n");
+  CHECK(bench.is_complete());
+}
+
+TEST_CASE("a file that is gone is written anew, and one that is something else now is asked about") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  std::filesystem::remove(file);
+  REQUIRE(bench.save());
+  CHECK(contents_of(file) == "POFF 1 0 0\n5 6\n");
+
+  bench.folder.write("a.poff", "no samples at all");
+  bench.desk.save();
+  auto saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  CHECK_FALSE(saved->conflict->theirs);
+  CHECK_FALSE(saved->conflict->problem.empty());
+
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  bench.desk.save();
+  saved = bench.desk.finish_saving();
+  REQUIRE(saved->conflict);
+  bench.desk.overwrite(*saved->conflict);
+  saved = bench.desk.finish_saving();
+  REQUIRE(saved->error);
+  CHECK_THAT(saved->error->message(), Catch::Contains("Is a directory"));
+}
+
+TEST_CASE("a document is left although a file is still being waited for") {
+  const test::TemporaryFolder folder;
+  const auto pipe = folder / "pipe.poff";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  Bench bench;
+  bench.desk.open(pipe);
+  CHECK(bench.desk.is_reading());
+  bench.desk.open(pipe);
+  bench.desk.start_empty();
+  CHECK_FALSE(bench.desk.is_reading());
+  bench.desk.open(pipe);
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "app/canvas/tools/insert_tool.h"
+#include "app/canvas/tools/select_tool.h"
+#include "app/canvas/tools/spray_tool.h"
+
+using namespace mes;
+
+namespace {
+
+// A view in which a pixel is half a unit.
+Pointer at(double x, double y, Modifiers modifiers = {}) {
+  return {{x, y}, {0.5 * x, -0.5 * y}, 0.5, modifiers};
+}
+constexpr Modifiers kShift{.shift = true};
+constexpr Modifiers kCtrlShift{.ctrl = true, .shift = true};
+
+struct Bench {
+  Editor editor{{}};
+  double spacing = 10.0;
+  int refused = 0;
+  ToolContext context{editor, spacing, [this](const Error&) { ++refused; }};
+
+  // Samples in a row, 40 pixels apart, beginning at pixel (100, 100).
+  Bench() {
+    SampleData data;
+    for (int i = 0; i < 5; ++i) data.positions.push_back(at(100.0 + 40.0 * i, 100).world);
+    REQUIRE(editor.load(data));
+  }
+  std::vector<Slot> selected() const { return editor.selection().slots(); }
+};
+
+void click(Tool& tool, const Pointer& pointer) {
+  tool.hover(pointer);
+  tool.press(pointer);
+  tool.release(pointer);
+}
+
+void drag(Tool& tool, const Pointer& from, const Pointer& to) {
+  tool.hover(from);
+  tool.press(from);
+  tool.drag({0.5 * (from.px + to.px), 0.5 * (from.world + to.world), from.units_per_px, from.modifiers});
+  tool.drag(to);
+  tool.release(to);
+}
+
+}  // namespace
+
+TEST_CASE("insert adds a sample where the button is let go, in one step") {
+  Bench bench;
+  InsertTool tool(bench.context);
+  drag(tool, at(10, 20), at(30, 40));
+  REQUIRE(bench.editor.document().sample_count() == 6);
+  CHECK(bench.editor.document().position(5) == at(30, 40).world);
+  bench.editor.undo();
+  CHECK(bench.editor.document().sample_count() == 5);
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("insert that is cancelled leaves nothing") {
+  Bench bench;
+  InsertTool tool(bench.context);
+  tool.press(at(10, 20));
+  tool.drag(at(20, 20));
+  tool.cancel();
+  tool.release(at(20, 20));
+  CHECK(bench.editor.document().sample_count() == 5);
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("spray spaces samples evenly, whatever the pointer reports") {
+  for (const int reports : {1, 2, 7, 200}) {
+    Bench bench;
+    SprayTool tool(bench.context);
+    tool.press(at(0, 0));
+    for (int i = 1; i <= reports; ++i) tool.drag(at(205.0 * i / reports, 0));
+    tool.release(at(205, 0));
+    CAPTURE(reports);
+    REQUIRE(bench.editor.document().sample_count() == 5 + 21);
+    for (Slot i = 0; i < 21; ++i) {
+      CHECK(bench.editor.document().position(5 + i).x == Approx(0.5 * 10.0 * i).margin(1e-9));
+      CHECK(bench.editor.document().position(5 + i).y == 0.0);
+    }
+    bench.editor.undo();
+    CHECK(bench.editor.document().sample_count() == 5);
+    CHECK_FALSE(bench.editor.can_undo());
+  }
+}
+
+TEST_CASE("a click selects, Shift adds, Ctrl+Shift removes, empty space deselects") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  click(tool, at(103, 102));
+  CHECK(bench.selected() == std::vector<Slot>{0});
+  click(tool, at(140, 100));
+  CHECK(bench.selected() == std::vector<Slot>{1});
+  click(tool, at(180, 100, kShift));
+  CHECK(bench.selected() == std::vector<Slot>{1, 2});
+  click(tool, at(140, 100, kCtrlShift));
+  CHECK(bench.selected() == std::vector<Slot>{2});
+  click(tool, at(300, 300, kShift));
+  CHECK(bench.selected() == std::vector<Slot>{2});
+  click(tool, at(300, 300));
+  CHECK(bench.selected().empty());
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("a click on one of several selected samples selects it alone") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  bench.editor.selection().select_all(bench.editor.document());
+  click(tool, at(180, 100));
+  CHECK(bench.selected() == std::vector<Slot>{2});
+}
+
+TEST_CASE("a box selects, adds and removes") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  drag(tool, at(120, 80), at(200, 120));
+  CHECK(bench.selected() == std::vector<Slot>{1, 2});
+  drag(tool, at(280, 120, kShift), at(240, 90, kShift));
+  CHECK(bench.selected() == std::vector<Slot>{1, 2, 4});
+  drag(tool, at(170, 80, kCtrlShift), at(400, 120, kCtrlShift));
+  CHECK(bench.selected() == std::vector<Slot>{1});
+}
+
+TEST_CASE("dragging a sample moves it exactly as far as the pointer, in one step") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  const Vec2 before = bench.editor.document().position(1);
+  drag(tool, at(143, 101), at(163, 141));
+  CHECK(bench.editor.document().position(1) == before + Vec2{10, -20});
+  CHECK(bench.editor.undo_name() == "Move sample");
+  bench.editor.undo();
+  CHECK(bench.editor.document().position(1) == before);
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("dragging a selected sample moves the whole selection") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  bench.editor.selection().add(0);
+  bench.editor.selection().add(2);
+  drag(tool, at(180, 100), at(180, 120));
+  CHECK(bench.editor.document().position(0) == at(100, 120).world);
+  CHECK(bench.editor.document().position(1) == at(140, 100).world);
+  CHECK(bench.editor.document().position(2) == at(180, 120).world);
+  bench.editor.undo();
+  CHECK(bench.editor.document().position(0) == at(100, 100).world);
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("a trembling click moves nothing") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  drag(tool, at(140, 100), at(142, 101));
+  CHECK_FALSE(bench.editor.can_undo());
+  CHECK(bench.selected() == std::vector<Slot>{1});
+}
+
+TEST_CASE("a cancelled move puts everything back") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  tool.press(at(140, 100));
+  tool.drag(at(200, 150));
+  CHECK(bench.editor.document().position(1) == at(200, 150).world);
+  tool.cancel();
+  CHECK(bench.editor.document().position(1) == at(140, 100).world);
+  CHECK_FALSE(tool.is_active());
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("a click beside all samples asks what is there; on a sample only with Alt; a box does not") {
+  Bench bench;
+  std::vector<Vec2> asked;
+  bench.context.ask_about = [&](const Pointer& pointer) { asked.push_back(pointer.px); };
+  SelectTool tool(bench.context);
+  click(tool, at(100, 300));
+  CHECK(asked == std::vector<Vec2>{{100, 300}});
+  click(tool, at(100, 100));
+  drag(tool, at(50, 300), at(90, 340));
+  click(tool, at(100, 300, kShift));
+  CHECK(asked.size() == 1);
+  click(tool, at(100, 100, Modifiers{.alt = true}));
+  CHECK(asked.size() == 2);
+  CHECK(bench.selected().size() == 1);
+  CHECK_FALSE(bench.editor.can_undo());
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "tests/io/temporary_folder.h"
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+// Of the menus, in logical pixels: from the edge of a popup to the middle of its first row, and from row to row.
+constexpr double kToFirstRow = 8 + 7.5;
+constexpr double kRow = 21;
+
+int scaled(double length, double scale) {
+  return static_cast<int>(length * scale);
+}
+
+struct Window {
+  TemporaryFolder folder;
+  VirtualScreen screen;
+  Child program;
+  std::map<std::string, Screenshot> seen;  // by the state of the window
+
+  Window() {
+    const auto file = folder / "triangle.poff";
+    std::ofstream(file) << "POFF 3 0 0\n0 0\n4 0\n0 3\n";
+    program = Child({MESECINA_BINARY, file.string()},
+                    {{"DISPLAY", screen.display()},
+                     {"WAYLAND_DISPLAY", ""},
+                     {"XDG_CONFIG_HOME", (folder / "config").string()},
+                     {"XDG_DATA_HOME", (folder / "data").string()},
+                     {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                     {"ASAN_OPTIONS", "detect_leaks=0"}},
+                    folder / "errors");
+    REQUIRE(eventually(
+        [&] { return screen.xdotool("search --name Mesecina getwindowname").starts_with("triangle.poff"); }));
+    rest();
+  }
+  /// On the empty end of the menu bar, where the pointer changes nothing.
+  void rest() const { screen.xdotool("mousemove 1200 6"); }
+  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
+
+  /// Toolbar and menu bar are drawn, and look as they did each time before. The chosen tool's button has this colour.
+  void expect_panels(const std::string& state, double scale, Color chosen) {
+    const PixelBox area{0, 0, scaled(52, scale), scaled(300, scale)};
+    const auto is_drawn = [&](const Screenshot& shot) {
+      const auto is_chosen = [&](Color c) { return c.r == chosen.r && c.g == chosen.g && c.b == chosen.b; };
+      return shot.box_of(area, is_chosen).right > scaled(40, scale);
+    };
+    INFO("the panels of the state: " << state);
+    const auto before = seen.find(state);
+    if (before == seen.end()) {
+      REQUIRE(eventually([&] { return is_drawn(screen.shoot()); }));
+      seen.emplace(state, screen.settled());
+      REQUIRE(is_drawn(seen.at(state)));
+    } else {
+      CHECK(eventually([&] { return screen.shoot().box_of_changes(area, before->second).is_empty(); }));
+    }
+  }
+
+  /// By the menu: "View", "Interface size" (the last row but one), and the row of the size.
+  void choose_interface_size(double scale_now, int row) const {
+    const PixelBox all{0, 0, 1280, 800};
+    const Screenshot closed = screen.settled();
+    screen.click({scaled(101, scale_now), scaled(12, scale_now)});
+    const auto popup = [&] {
+      PixelBox below_the_bar = all;
+      below_the_bar.top = scaled(24, scale_now);
+      return screen.shoot().box_of_changes(below_the_bar, closed);
+    };
+    REQUIRE(eventually([&] { return popup().bottom - popup().top > scaled(17 * kRow, scale_now); }));
+    const Screenshot open = screen.settled();
+    const PixelBox menu = popup();
+    screen.xdotool("mousemove " + std::to_string(menu.middle()[0]) + " " +
+                   std::to_string(menu.bottom - scaled(kToFirstRow + kRow, scale_now)));
+    const auto submenu = [&] {
+      return screen.shoot().box_of_changes({menu.right + 2, 0, all.right, all.bottom}, open);
+    };
+    REQUIRE(eventually([&] { return submenu().bottom - submenu().top > scaled(5 * kRow, scale_now); }));
+    static_cast<void>(screen.settled());
+    const PixelBox sizes = submenu();
+    screen.click({sizes.middle()[0], sizes.top + scaled(kToFirstRow + row * kRow, scale_now)});
+    rest();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the panels are drawn after every change of scale and theme") {
+  Window window;
+  constexpr Color kLight{0x00, 0x72, 0xB2};
+  constexpr Color kDark{0x5A, 0xB4, 0xEA};
+  constexpr Color kProjector{0x00, 0x56, 0x8A};
+  window.expect_panels("light", 1.0, kLight);
+  for (int round = 0; round < 10; ++round) {
+    INFO("round " << round);
+    window.press("shift+p");
+    window.expect_panels("projector", 1.35, kProjector);
+    window.press("shift+p");
+    window.expect_panels("light", 1.0, kLight);
+    window.press("shift+d");
+    window.expect_panels("dark", 1.0, kDark);
+    window.press("shift+d");
+    window.expect_panels("light", 1.0, kLight);
+    window.choose_interface_size(1.0, 5);
+    window.expect_panels("twice as large", 2.0, kLight);
+    window.choose_interface_size(2.0, 1);
+    window.expect_panels("light", 1.0, kLight);
+  }
+  CHECK(window.program.is_running());
+  CHECK(bytes_of(window.folder / "errors").empty());
+}

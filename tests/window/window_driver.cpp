@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/window/window_driver.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+namespace mes::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool has_program(const std::string& name) {
+  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+void require_tools() {
+  for (const char* tool : {"Xvfb", "xdotool", "import", "convert"}) {
+    if (has_program(tool)) continue;
+    if (const char* ci = std::getenv("CI"); ci != nullptr && ci[0] != '\0') FAIL(tool << " is missing");
+    std::fprintf(stderr, "skipped: %s is missing\n", tool);
+    std::exit(77);
+  }
+}
+
+}  // namespace
+
+Child::Child(const std::vector<std::string>& arguments, const Environment& extra,
+             const std::filesystem::path& error_file) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  pid_ = fork();
+  REQUIRE(pid_ >= 0);
+  if (pid_ != 0) return;
+  setenv("MESECINA_CHECK_PATCHES", "1", 1);
+  for (const auto& [name, value] : extra) {
+    if (value.empty())
+      unsetenv(name.c_str());
+    else
+      setenv(name.c_str(), value.c_str(), 1);
+  }
+  if (!error_file.empty()) {
+    const int file = open(error_file.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+    dup2(file, STDERR_FILENO);
+  }
+  execvp(pointers[0], pointers.data());
+  _exit(127);
+}
+
+Child::Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)), status_(other.status_) {}
+Child& Child::operator=(Child&& other) noexcept {
+  std::swap(pid_, other.pid_);
+  std::swap(status_, other.status_);
+  return *this;
+}
+
+Child::~Child() {
+  if (pid_ <= 0) return;
+  kill(pid_, SIGTERM);
+  waitpid(pid_, nullptr, 0);
+}
+
+bool Child::is_running() {
+  if (pid_ <= 0) return false;
+  if (waitpid(pid_, &status_, WNOHANG) == 0) return true;
+  pid_ = -1;
+  return false;
+}
+
+int Child::wait() {
+  if (pid_ > 0) waitpid(pid_, &status_, 0);
+  pid_ = -1;
+  return WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+}
+
+Color Screenshot::at(int x, int y) const {
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return {};
+  const auto base =
+      3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
+  return {rgb_[base], rgb_[base + 1], rgb_[base + 2]};
+}
+
+bool Screenshot::is_dark(int x, int y) const {
+  const Color c = at(x, y);
+  return !is_empty() && c.r < 60 && c.g < 60 && c.b < 60;
+}
+
+bool Screenshot::is_white(int x, int y) const {
+  const Color c = at(x, y);
+  return !is_empty() && c.r > 250 && c.g > 250 && c.b > 250;
+}
+
+int Screenshot::count(const std::function<bool(Color)>& condition) const {
+  int out = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      if (condition(at(x, y))) ++out;
+  return out;
+}
+
+namespace {
+
+// What holds all pixels within `where` that satisfy the condition on their place.
+PixelBox box_where(const PixelBox& where, const auto& condition) {
+  PixelBox out{where.right, where.bottom, where.left, where.top};
+  for (int y = where.top; y < where.bottom; ++y)
+    for (int x = where.left; x < where.right; ++x)
+      if (condition(x, y))
+        out = {std::min(out.left, x), std::min(out.top, y), std::max(out.right, x + 1), std::max(out.bottom, y + 1)};
+  return out;
+}
+
+}  // namespace
+
+PixelBox Screenshot::box_of(const PixelBox& where, const std::function<bool(Color)>& condition) const {
+  return box_where(where, [&](int x, int y) { return condition(at(x, y)); });
+}
+
+PixelBox Screenshot::box_of_changes(const PixelBox& where, const Screenshot& other) const {
+  return box_where(where, [&](int x, int y) {
+    const Color a = at(x, y);
+    const Color b = other.at(x, y);
+    return a.r != b.r || a.g != b.g || a.b != b.b;
+  });
+}
+
+int Screenshot::differences(const Screenshot& other, int tolerance) const {
+  if (width_ != other.width_ || height_ != other.height_) return width_ * height_;
+  int out = 0;
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const Color a = at(x, y);
+      const Color b = other.at(x, y);
+      if (std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > tolerance) ++out;
+    }
+  }
+  return out;
+}
+
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string out;
+  std::array<char, 65536> block{};
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe.get())) out.append(block.data(), got);
+  return out;
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream out;
+  out << stream.rdbuf();
+  return out.str();
+}
+
+namespace {
+
+// "P6 WIDTH HEIGHT 255 " and the pixels.
+Screenshot parse_ppm(const std::string& bytes) {
+  std::istringstream stream(bytes);
+  std::string magic;
+  int width = 0;
+  int height = 0;
+  int depth = 0;
+  stream >> magic >> width >> height >> depth;
+  stream.get();
+  const auto size = 3 * static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
+  if (magic != "P6" || depth != 255 || size == 0) return {0, 0, {}};
+  std::vector<std::uint8_t> rgb(size);
+  stream.read(reinterpret_cast<char*>(rgb.data()), static_cast<std::streamsize>(size));
+  if (!stream) return {0, 0, {}};
+  return {width, height, std::move(rgb)};
+}
+
+}  // namespace
+
+Screenshot read_picture(const std::filesystem::path& file) {
+  return parse_ppm(output_of("convert '" + file.string() + "' -depth 8 ppm:- 2>/dev/null"));
+}
+
+VirtualScreen::VirtualScreen() {
+  require_tools();
+  // The server chooses a free number itself and tells it, so that tests may run side by side.
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  server_ = Child(
+      {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"},
+      {}, "/dev/null");
+  close(ends[1]);
+  std::string number;
+  char c = 0;
+  while (read(ends[0], &c, 1) == 1 && c != '\n') number += c;
+  close(ends[0]);
+  REQUIRE_FALSE(number.empty());
+  display_ = ":" + number;
+}
+
+Screenshot VirtualScreen::shoot() const {
+  return parse_ppm(output_of("DISPLAY=" + display_ + " import -silent -window root -depth 8 ppm:- 2>/dev/null"));
+}
+
+Screenshot VirtualScreen::settled() const {
+  Screenshot last = shoot();
+  REQUIRE(eventually([&] {
+    Screenshot next = shoot();
+    const bool is_still = next.differences(last, 0) == 0;
+    last = std::move(next);
+    return is_still;
+  }));
+  return last;
+}
+
+std::string VirtualScreen::xdotool(const std::string& arguments) const {
+  return output_of("DISPLAY=" + display_ + " xdotool " + arguments + " 2>/dev/null");
+}
+
+void VirtualScreen::drag(std::array<int, 2> from, std::array<int, 2> to, int steps) const {
+  const auto move = [this](int x, int y, const std::string& then) {
+    xdotool("mousemove " + std::to_string(x) + " " + std::to_string(y) + then);
+  };
+  move(from[0], from[1], " mousedown 1");
+  for (int i = 1; i <= steps; ++i)
+    move(from[0] + (to[0] - from[0]) * i / steps, from[1] + (to[1] - from[1]) * i / steps, "");
+}
+
+void VirtualScreen::click(std::array<int, 2> at) const {
+  xdotool("mousemove " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " click 1");
+}
+
+bool eventually(const std::function<bool()>& condition) {
+  for (int i = 0; i < 450; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(200ms);
+  }
+  return false;
+}
+
+}  // namespace mes::test
