@@ -121,9 +121,19 @@ class Script {
     const auto fresh = fresh_run(data_of(document_, true), settings_, !is_in_doubles_);
     const std::string differs = test::difference(run_.state(), fresh->state());
     require(differs.empty(), "edits equal a fresh computation: " + differs);
-    for (const std::string_view layer : {"b-inner-disks", "b-inner-circles", "b-inner-centers"})
-      require(run_.mirror().digest(find_layer(layer)) == fresh->mirror().digest(find_layer(layer)),
-              "edits equal a fresh computation in " + std::string(layer));
+    check_layers();
+  }
+
+  // What plain doubles give may depend on the way there, and a layer that failed keeps its last picture.
+  void check_layers() {
+    if (settings_.precision == Precision::naive) return;
+    const auto fresh = fresh_run(data_of(document_, false), settings_, !is_in_doubles_);
+    for (const LayerIndex layer : run_.layers()) {
+      const std::string_view id = layer_descriptors()[layer].id;
+      if (id == "last-change") continue;
+      require(run_.mirror().digest(layer) == fresh->mirror().digest(layer),
+              "edits equal a fresh computation in " + std::string(id));
+    }
   }
 
   ByteSource& bytes_;
