@@ -117,7 +117,7 @@ std::optional<ActionId> find_action(const KeyChord& chord, bool has_selection);
 /// "Undo (Ctrl+Z): take back the last step": what a tooltip says.
 std::string tooltip_of(ActionId id);
 
-/// Mouse gestures, which are no actions but belong on the same help page.
+/// Mouse gestures, which are not actions but belong on the same help page.
 struct GestureDescriptor {
   std::string_view input;
   std::string_view meaning;

@@ -49,7 +49,7 @@ struct KeyChord {
 /// True for characters that are matched as typed text (guarantee 2).
 bool is_typed_symbol(const KeyChord& chord);
 
-/// "Ctrl+Shift+Z", "F1", "?", "+". Nothing when the text is no chord.
+/// "Ctrl+Shift+Z", "F1", "?", "+". Nothing when the text is not a chord.
 std::optional<KeyChord> parse_chord(std::string_view text);
 std::string to_string(const KeyChord& chord);
 

@@ -17,7 +17,7 @@ struct AvailableBundle {
 };
 
 /// Those of the user first, then the built-in ones under other names. A file of the user's that cannot be read is
-/// told and left alone.
+/// reported and left alone.
 std::vector<AvailableBundle> available_bundles();
 
 /// The bundle of this name, whatever the case if that leaves one; or the first of the file of this name; or of

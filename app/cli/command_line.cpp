@@ -263,7 +263,7 @@ int refuse(const CLI::App& app, const std::string& text) {
   return report({ErrorCode::usage, line + "; see " + command + " --help", {}, 0, 0});
 }
 
-/// A first word that is no file, looks like no name of one and is nearly a command: what its writer meant.
+/// For a first word that is not a file, does not look like the name of one, and is nearly a command: that command.
 std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std::string>& files) {
   if (files.empty() || files.front().find_first_of("./") != std::string::npos) return std::nullopt;
   const std::string& word = files.front();

@@ -130,7 +130,7 @@ class Studio {
   }
 
  private:
-  // A picture that is not there any more is told once; the film goes on without it.
+  // A picture that no longer exists is reported once; the film goes on without it.
   void follow_picture(const BackgroundImage& image) {
     const LayerIndex layer = find_layer("image");
     if (image.file != picture_file_) {

@@ -55,7 +55,7 @@ void write_layers(Markdown& page) {
   page.paragraph(
       "In the order in which they are stacked at first, the lowest first; dragging rows of the panel restacks\n"
       "them. *Number* is what a colour map can colour by. *Paper*: one of the layers of the paper of 2007.\n"
-      "*At start*: shown until somebody chooses otherwise.");
+      "*At start*: shown until you choose otherwise.");
   for (const LayerGroup group :
        {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::poles,
         LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {

@@ -41,7 +41,7 @@ BackgroundImage parse_image(const std::string& text);
 /// the curve must not shrink everything else to a dot.
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
 
-/// Median distance from a sample to the nearest other one, 0 when there are no two; from a few hundred samples when
+/// Median distance from a sample to the nearest other one, 0 when there are fewer than two; from a few hundred samples when
 /// there are many. O(n log n).
 double typical_spacing(std::vector<Vec2> samples);
 

@@ -24,7 +24,7 @@ Expected<std::shared_ptr<const Session>> read(const std::string& file) {
   auto loaded = read_input(file, {});
   if (!loaded) return std::unexpected(loaded.error());
   if (!loaded->session)
-    return std::unexpected(Error{ErrorCode::bad_input, "this is no session but " + loaded->format, file});
+    return std::unexpected(Error{ErrorCode::bad_input, "this is not a session but " + loaded->format, file});
   return loaded->session;
 }
 

@@ -61,7 +61,7 @@ Expected<void> check_picture_name(const std::string& file) {
   return usage_error("the name of the picture must end in .png, not " + in_quotes(extension));
 }
 
-/// Layers and styles of a bundle; what it names that is not here is told.
+/// Layers and styles of a bundle; unknown layers in it are reported.
 Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
   const auto bundle = find_bundle(name_or_file, picture.sources);
   if (!bundle) return std::unexpected(bundle.error());

@@ -20,7 +20,7 @@ Vec2& place_of(std::pair<Id, Thing>& thing) {
 }
 
 // Places as tools give them, with coordinates that are nothing beside the others of the document set to zero: a
-// pointer close to an axis, or a nudge onto it, means the axis. Radii stay as they are, lest a ball vanish.
+// pointer close to an axis, or a nudge onto it, means the axis. Radii stay, so that no ball vanishes.
 template <class Thing>
 std::vector<Thing> placed(const Document& document, std::span<const Thing> things) {
   std::vector<Thing> out(things.begin(), things.end());

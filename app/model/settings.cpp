@@ -207,7 +207,7 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   if (error)
     return std::unexpected(
         Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path.parent_path().string()});
-  // A pipe would wait for somebody who reads it.
+  // Opening a pipe would block until it is read.
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
     return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
   // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.

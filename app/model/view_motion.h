@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The camera of the canvas, moving smoothly to where it was told to go.
+// The camera of the canvas, which glides to its target.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ Insets clear_of_corner(const Insets& insets, Vec2 viewport, Vec2 corner, Vec2 si
 ///     motion.zoom_at(cursor, 1.2);
 ///     while (motion.is_moving()) { motion.advance(seconds); draw(motion.camera()); }
 ///
-/// Coordinates are framebuffer pixels, y down. View moves are no steps of undo. Threads: none.
+/// Coordinates are framebuffer pixels, y down. Moving the view is not a step of undo. Threads: none.
 class ViewMotion {
  public:
   const render::Camera& camera() const { return camera_; }

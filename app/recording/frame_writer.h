@@ -5,7 +5,7 @@
 //  1. No frame is dropped: `push` waits while the queue is full. The queue holds at most `most_frames` pictures and
 //     `most_bytes` of pixels, those being written included (one picture is always let in).
 //  2. Whatever interrupts the program, every file `00001.png` and so on is whole.
-//  3. When a file cannot be written the take ends there: one problem is told, all that was written before stays, and
+//  3. When a file cannot be written the take ends there: one problem is reported, all that was written before stays, and
 //     `push` refuses from then on.
 //  4. The manifest knows every frame after `finish`, and lags by some seconds until then.
 //

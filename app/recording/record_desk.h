@@ -24,8 +24,7 @@ namespace mes {
 ///  1. What Recorder and FrameWriter guarantee: each change one frame, each frame whole.
 ///  2. No call but `end` waits for a disk or for another program.
 ///  3. All frames of a take have the size that the first one has, even if the window is resized meanwhile. Frames of
-///  the
-///     drawing alone show what is between the panels when the take begins.
+///     the drawing alone show what is between the panels when the take begins.
 ///
 /// Smallest use, each turn of the window's loop:
 ///     if (!desk.holds_input(now, rest, is_cancelled)) deliver_events();

@@ -3,8 +3,7 @@
 //
 // What it guarantees:
 //  1. No frame of a half-computed picture: a state counts as complete when the engine had nothing to do for it and
-//  all
-//     its results were taken.
+//     all its results were taken.
 //  2. While a change waits for its frame, input is to be held back: each change gets a frame of its own. A cancelled
 //     computation holds nothing back and gives no frame.
 //  3. A view in motion waits until it is at rest, and a control in use until it is let go; the former is an option.
@@ -29,7 +28,7 @@
 
 namespace mes {
 
-/// All that the picture depends on and that somebody may change.
+/// All that the picture depends on and that can change.
 struct ShownState {
   std::uint64_t document = 0;  ///< revisions
   std::uint64_t selection = 0;

@@ -20,7 +20,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr int kSchema = 1;
-// Whoever made this many names within a second is told so instead of being kept waiting.
+// More names than this within one second are an error.
 constexpr int kMostTwins = 10'000;
 
 std::string time_text(std::chrono::system_clock::time_point now) {

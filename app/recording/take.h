@@ -2,9 +2,9 @@
 // A recorded sequence of pictures: a folder of its own with numbered PNG files and a manifest.
 //
 // What it guarantees:
-//  1. `begin_take` and `claim_file` never take a name that somebody has.
+//  1. `begin_take` and `claim_file` never take a name that is in use.
 //  2. `read_take` understands a take whose recording was cut off: what the manifest does not know yet is found by
-//  name.
+//     name.
 //
 // Smallest use:
 //     auto take = begin_take(folder, {.width = 1920, .height = 1080, .fps = 30});
@@ -44,7 +44,7 @@ struct Take {
 Expected<Take> begin_take(const std::filesystem::path& parent, const TakeFormat& format,
                           std::chrono::system_clock::time_point now = std::chrono::system_clock::now());
 
-/// An empty new file `stem-2026-11-21-101530.extension` of a name that nobody has; the folder is made if need be.
+/// An empty new file `stem-2026-11-21-101530.extension` whose name was not in use; the folder is created if need be.
 Expected<std::filesystem::path> claim_file(
     const std::filesystem::path& folder, const std::string& stem, const std::string& extension,
     std::chrono::system_clock::time_point now = std::chrono::system_clock::now());

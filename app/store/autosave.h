@@ -18,14 +18,12 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. A second after an edit, and a fraction more, a journal in the folder has it, whatever happens to the program
-///  or
-///     to the machine after that. An edit within a gesture has to wait for the gesture's end.
+///     or to the machine after that. An edit within a gesture has to wait for the gesture's end.
 ///  2. Whenever it is interrupted, the journal can be read up to the last line that was finished.
-///  3. Nothing is written while nothing is edited. A document that nobody changed has no journal.
+///  3. Nothing is written while nothing is edited. An unchanged document has no journal.
 ///  4. `follow` costs as much as what is new. Writing is done by a thread of its own.
 ///  5. Journals of programs that still run are not touched: each holds a lock on its own from before the moment it
-///  can
-///     be seen as left behind. Without locks no journal is kept, and a problem says so.
+///     can be seen as left behind. Without locks no journal is kept, and a problem says so.
 ///
 /// Smallest use:
 ///     Autosave autosave(default_autosave_folder(), [] {});
@@ -38,7 +36,7 @@ class Autosave {
   /// With an empty folder it does nothing. What comes within `gather` is written together.
   Autosave(std::filesystem::path folder, std::function<void()> wake,
            std::chrono::milliseconds gather = std::chrono::milliseconds(1000));
-  /// Leaves the journal as it is: whoever ends in order calls `discard` first.
+  /// Leaves the journal as it is; a regular end of the program calls `discard` first.
   ~Autosave();
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
@@ -49,7 +47,7 @@ class Autosave {
   void discard();
   /// Why work is not protected, once.
   std::string take_problem();
-  /// Waits until everything told so far is on the disk.
+  /// Waits until everything given so far is on the disk.
   void flush();
 
  private:

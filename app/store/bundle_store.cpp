@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Between reading and writing nobody else writes. A lock that cannot be had soon is done without: the file is
+/// Holds a lock between reading and writing. If it cannot be had soon, works without: the file is
 /// replaced whole in any case, and the window must not wait for a program that was stopped while it had the lock.
 class FileLock {
  public:
@@ -90,9 +90,9 @@ std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
   if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
   auto loaded = read_bundle_file(path_, known_layers());
   if (loaded) return std::move(loaded->bundles);
-  // Reading a pipe would wait for somebody who writes to it.
+  // Reading a pipe would block until it is written to.
   const std::string bytes = fs::is_regular_file(path_, error) ? bytes_of(path_) : std::string();
-  // A list that was emptied on purpose is no fault.
+  // A list that was emptied on purpose is not a fault.
   if (bytes == write_bundles({})) return std::vector<Bundle>{};
   const bool is_later = are_bundles_of_the_future(bytes);
   const fs::path aside = free_name(path_, is_later ? ".later" : ".broken");

@@ -80,8 +80,8 @@ StartingBundles read_starting_bundles(const std::filesystem::path& assets);
 /// The file of the bundles, shared by every running window.
 ///
 /// What it guarantees: writing never loses what another window wrote since (merge_bundles); a file that is broken or
-/// of a later version of the program is renamed and told, never overwritten. Threads: none; other processes as they
-/// like.
+/// of a later version of the program is renamed and reported, never overwritten. Threads: none; other processes may
+/// use the file at any time.
 class BundleStore {
  public:
   explicit BundleStore(std::filesystem::path path) : path_(std::move(path)) {}

@@ -84,7 +84,7 @@ Expected<render::ColorMap> read_color_map(const fs::path& file) {
   };
   std::error_code error;
   // Also keeps pipes and devices from being waited for.
-  if (!fs::is_regular_file(file, error)) return fail("this is no file");
+  if (!fs::is_regular_file(file, error)) return fail("this is not a file");
   if (fs::file_size(file, error) > kLargestFile || error) return fail("far too large for a colour map");
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream bytes;

@@ -29,7 +29,7 @@ struct LoadedColorMaps {
   std::vector<Error> problems;         ///< one for each file that was left out
 };
 
-/// Never fails: what cannot be read is left out and told. Either folder may be missing or empty.
+/// Never fails: what cannot be read is left out and reported. Either folder may be missing or empty.
 LoadedColorMaps load_color_maps(const std::filesystem::path& assets, const std::filesystem::path& user_folder);
 
 }  // namespace mes

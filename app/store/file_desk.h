@@ -28,11 +28,9 @@ namespace mes {
 ///     file holds samples and a WPOFF file balls, so a document of both has two files; until each holds what the
 ///     document holds, it counts as modified.
 ///  3. Writing happens on a thread of its own too, and saves the document as it was when that began. A file that
-///  cannot
-///     be written leaves names and marks as they were. Whatever was begun is written before the object ends.
+///     cannot be written leaves names and marks as they were. Whatever was begun is written before the object ends.
 ///  4. A file that something else has written to since it was opened or saved here is not overwritten: saving ends
-///  with
-///     a conflict, and `overwrite` is the answer to it.
+///     with a conflict, and `overwrite` is the answer to it.
 ///
 /// Smallest use:
 ///     desk.open("a.poff");

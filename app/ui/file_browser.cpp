@@ -129,12 +129,12 @@ std::optional<fs::path> FileBrowser::accept() {
   }
   if (!is_saving_) {
     if (fs::exists(chosen, error)) return chosen;
-    trouble_ = "There is no file " + chosen.string();
+    trouble_ = "No such file: " + chosen.string();
     return std::nullopt;
   }
   if (chosen.extension().empty()) chosen += extension_;
   if (!fs::is_directory(chosen.parent_path(), error)) {
-    trouble_ = "There is no folder " + chosen.parent_path().string();
+    trouble_ = "No such folder: " + chosen.parent_path().string();
     return std::nullopt;
   }
   if (!fs::exists(chosen, error)) return chosen;

@@ -4,8 +4,7 @@
 // Every coordinate and every radius is
 //  1. zero, or of a magnitude from 2^-500 up to, but not including, 2^500; and
 //  2. of those other than zero in one document, the binary exponents differ by at most 100. So the largest may be
-//  2^100
-//     times the smallest, and is never 2^101 times as large.
+//     2^100 times the smallest, and is never 2^101 times as large.
 //
 // Both rules see binary exponents alone: a document within them stays within the second when it is multiplied by a
 // power of two, and within the first as long as its numbers do. docs/decisions.md ("The range of coordinates") says

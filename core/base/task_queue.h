@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tasks that turn up one by one, done by the other cores while whoever found them goes on.
+// Tasks found one by one, done by other cores while the thread that finds them goes on.
 #pragma once
 
 #include <condition_variable>

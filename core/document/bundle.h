@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A layer configuration that somebody found worth a name.
+// A layer configuration with a name.
 #pragma once
 
 #include <string>

@@ -13,8 +13,8 @@
 
 namespace mes {
 
-/// Known curves through the samples, from a file or a generator. Ids that are no longer alive are
-/// skipped by whoever reads it, so removing a sample and undoing that needs no change here.
+/// Known curves through the samples, from a file or a generator. Readers skip ids that are no longer alive, so
+/// removing a sample, and undoing that, changes nothing here.
 struct CurveOrder {
   struct Contour {
     bool closed = true;

@@ -33,8 +33,7 @@ namespace mes {
 class Document {
  public:
   Document();
-  /// Empty, with revisions and ids that go on from this one's: what is told of either is not mistaken for the
-  /// other's.
+  /// An empty document whose revisions and ids continue from this one's, so that no delta of one fits the other.
   Document successor() const;
 
   std::uint64_t revision() const { return revision_; }

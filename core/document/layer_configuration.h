@@ -20,7 +20,7 @@ struct BackgroundImage {
 
 struct LayerConfiguration {
   struct Entry {
-    std::string layer;  ///< public id; one that is not known here is skipped by whoever reads it
+    std::string layer;  ///< public id; readers skip an id they do not know
     bool visible = false;
     LayerStyle style{};
     friend bool operator==(const Entry&, const Entry&) = default;

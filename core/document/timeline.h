@@ -4,8 +4,7 @@
 //
 // What it guarantees:
 //  1. The data and the entries determine the document, its free rows, and everything that can be undone and redone,
-//  of
-//     the layers too.
+//     of the layers too.
 //  2. Samples and balls are named by the number of their kind: 0 is the first one since the data were opened. So the
 //     same work has the same timeline, whatever was open before.
 //  3. Entries once `settled` stay as they are; others may still be merged or dropped until their gesture ends, or
@@ -91,7 +90,7 @@ struct ViewChanged {
   friend bool operator==(const ViewChanged&, const ViewChanged&) = default;
 };
 
-/// Words for whoever watches, until others come; empty: none.
+/// A caption, shown until the next one; empty: none.
 struct Captioned {
   std::string text{};
   double seconds = 0.0;  ///< how long this picture stays in a video; 0: as long as any

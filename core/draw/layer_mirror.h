@@ -12,12 +12,11 @@
 
 namespace mes {
 
-/// For whoever wants the whole result instead of its changes: the command line and tests.
+/// The whole result, kept up to date by its changes; for the command line and tests.
 ///
 /// What it guarantees:
 ///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
-///  each,
-///     in the order of the drawing buffer.
+///     each, in the order of the drawing buffer.
 ///  2. A patch that breaks its promises (data of the wrong size, growth without data, a count that changes unsaid, a
 ///     value that is not finite, a negative radius, a ray or line without direction, instances left in a drawing
 ///     frame that is gone, layers of a run that was stopped) is refused by an assertion.
@@ -27,7 +26,7 @@ namespace mes {
 ///     while (auto patch = engine.sync()) { mirror.apply(*patch); engine.recycle(std::move(patch)); }
 ///     mirror.count(find_layer("medial-axis"), PrimitiveKind::segment);
 ///
-/// Cost: O(size of the patch). Threads: none inside; reading from several is fine while nobody applies.
+/// Cost: O(size of the patch). Threads: none inside; several may read while none applies a patch.
 class LayerMirror {
  public:
   void apply(const FramePatch& patch);

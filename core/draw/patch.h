@@ -73,7 +73,7 @@ enum class NodeState : std::uint8_t {
   computing,
   failed,    ///< `reason` says why; the last good picture stays
   blocked,   ///< an input failed
-  inactive,  ///< nobody asks for it
+  inactive,  ///< not demanded
 };
 
 struct NodeReport {

@@ -4,7 +4,7 @@
 // What it guarantees:
 //  1. No call but `sync` ever waits for a computation.
 //  2. Deltas are applied in the order of `post`. Several pending ones are computed as one step: the newest state
-//  wins.
+//     wins.
 //  3. Patches come out in order and each builds on the one before; none is skipped or shared.
 //  4. A structure that fails leaves its layers at their last good picture; the report says why.
 //  5. `cancel` ends the running computation within a fraction of a second; what it had to do stays pending until

@@ -23,12 +23,10 @@ namespace mes {
 /// What it guarantees:
 ///  1. After a complete `run`, every demanded layer shows the document state of the last posted delta.
 ///  2. A structure is computed only if a demanded layer needs it, and follows an edit locally when it was up to date
-///  in
-///     the run before; otherwise it is rebuilt. Nothing is computed twice in a run, nothing at all when nothing
+///     in the run before; otherwise it is rebuilt. Nothing is computed twice in a run, nothing at all when nothing
 ///     changed.
 ///  3. A structure that throws is *failed*: it and what depends on it keep their last patches, and are rebuilt in the
-///  next
-///     run in which their inputs change.
+///     next run in which their inputs change.
 ///  4. Lack of memory ends no run in another way: what found no room is failed, and the reason is `kOutOfMemory`.
 ///
 /// Smallest use:

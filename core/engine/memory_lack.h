@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lack of memory, told from failures that say something about the input or the program.
+// Lack of memory, as distinguished from failures that depend on the input or the program.
 #pragma once
 
 #include <algorithm>

@@ -46,8 +46,8 @@ class Structure {
   virtual StatList statistics() const = 0;
   /// Number type that decides in this structure, as its documentation calls it; empty where no number decides.
   virtual std::string_view kernel() const { return {}; }
-  /// Adds what speaks against the results. Asked while somebody looks at the theorem light; costs little when there
-  /// is nothing to say.
+  /// Adds what speaks against the results. Called while the theorem light is on screen; cheap when there is nothing
+  /// to report.
   virtual void find(std::vector<Finding>& /*out*/) const {}
   /// The theorem light cannot do without this structure.
   virtual bool is_judge() const { return false; }

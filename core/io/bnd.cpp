@@ -158,7 +158,7 @@ std::string id_of(std::string_view name) {
   return alias == kAliases.end() ? out : std::string(alias->id);
 }
 
-/// Qt 4.6 and later write these as doubles unless told otherwise.
+/// Qt 4.6 and later write these as doubles unless configured otherwise.
 Read<double> real(Stream& stream, std::size_t bytes) {
   const auto bits = stream.number(bytes);
   if (!bits) return std::unexpected(bits.error());

@@ -65,7 +65,7 @@ Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& fil
   };
   if (auto good = check_json(bytes, file); !good) return std::unexpected(std::move(good.error()));
   const JsonView whole = JsonView::whole(bytes);
-  if (!holds_bundles(whole)) return refuse("this is no file of bundles", file);
+  if (!holds_bundles(whole)) return refuse("this is not a file of bundles", file);
   const std::uint64_t schema = schema_of(whole);
   if (schema == 0) return refuse("this file of bundles has no version", file);
   if (schema > kSchema) return refuse("these bundles are of a later version of the program", file);
@@ -120,7 +120,7 @@ bool is_bundle_file(const fs::path& path) {
 
 Expected<LoadedBundles> read_bundles(std::string_view bytes, const std::string& file,
                                      std::span<const KnownLayer> known) {
-  if (!looks_like_bnd(bytes) && file.ends_with(".bnd")) return refuse("this is no file of bundles", file);
+  if (!looks_like_bnd(bytes) && file.ends_with(".bnd")) return refuse("this is not a file of bundles", file);
   auto out = looks_like_bnd(bytes) ? read_bnd(bytes, file, known) : read_json(bytes, file, known);
   if (out && out->bundles.empty()) return refuse("there is no bundle in it", file);
   return out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON from files nobody vouches for.
+// JSON from files that cannot be trusted.
 #pragma once
 
 #include <cstddef>

@@ -30,7 +30,7 @@ class LineLayout {
     if (++columns_ == each_ + 1) extra_ = {line, column};
     end_of_line_ = {line, column + length};
   }
-  /// There are no more.
+  /// The file ends here.
   void end() { end_line(); }
 
   struct Place {
@@ -46,8 +46,7 @@ class LineLayout {
   };
   /// Lines contradict free reading in two cases:
   ///  1. All, and two at least, have the same number of columns, which is neither one nor makes whole things. The
-  ///  last may be shorter,
-  ///     unless the numbers are exactly as many as announced.
+  ///     last may be shorter, unless the numbers are exactly as many as announced.
   ///  2. There are as many lines as things, not as many numbers as announced, and a line before the last differs.
   std::optional<OddLine> contradiction(std::uint64_t announced_things) const;
   /// No further number can bring about the first case.

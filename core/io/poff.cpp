@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// POFF: "POFF n 0 0" and n pairs of numbers, white space anywhere unless the lines say that they are no pairs.
+// POFF: "POFF n 0 0" and n pairs of numbers, white space anywhere unless the lines contradict pairs.
 //
 // Two ways to say how the points follow each other on curves: lines `# loop closed i0 i1 ...` (or `open`), which old
 // readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,

@@ -5,9 +5,8 @@
 //  1. Each has a new name that cannot be guessed, and is made without following a link.
 //  2. Its owner removes it in the destructor, or, when a signal ends the process, by `remove_own_temporaries`.
 //  3. What a killed process left is removed by a later one, which tells it by a lock: the owner holds it for as long
-//  as
-//     it lives. Nothing is removed that is locked, that belongs to another user, that is a link or that has another
-//     name; where the file system has no locks, nothing is removed.
+//     as it lives. Nothing is removed that is locked, that belongs to another user, that is a link or that has
+//     another name; where the file system has no locks, nothing is removed.
 //
 // Threads: any.
 #pragma once

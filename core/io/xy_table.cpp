@@ -333,7 +333,7 @@ class Grouping {
 }  // namespace
 
 std::optional<TableKind> recognise_table(std::string_view bytes) {
-  // Longer first lines than this are no table that anybody would want.
+  // A longer first line is not that of a table.
   constexpr std::size_t kLookedAt = std::size_t{1} << 20U;
   const Plan plan = make_plan(bytes.substr(0, kLookedAt));
   if (!plan.is_sure) return std::nullopt;
@@ -364,7 +364,7 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
       const std::size_t column = is_x ? columns.x : columns.y;
       const std::string which = is_x ? "x" : "y";
       if (column >= fields.size()) {
-        // A single word that is no number is to blame for itself, not for being alone.
+        // For a single word that is not a number, that is the error, and not that it is alone.
         if (!is_x || fields.empty() || is_number(fields.back(), plan.kind.decimal_comma))
           return bad_input("expected a number for " + which + ", found the end of the line", name, lines.number(),
                            lines.text().size() + 1);

@@ -30,10 +30,9 @@ std::optional<TableKind> recognise_table(std::string_view bytes);
 ///  1. A first line without any number is a header. Columns called x and y (or lon and lat, easting and northing)
 ///     are taken if there are such, else the first two that do not number something.
 ///  2. Columns called contour, ring, polygon, part, path, id ... put the rows of equal value on one contour. A
-///  contour
-///     whose last point repeats its first is closed, and the repetition is dropped; without repetitions in the whole
-///     file the name of the column decides. Without such columns a repetition of the first row by the last closes
-///     the one contour that all rows make.
+///     contour whose last point repeats its first is closed, and the repetition is dropped; without repetitions in
+///     the whole file the name of the column decides. Without such columns a repetition of the first row by the last
+///     closes the one contour that all rows make.
 ///  3. Further columns are ignored. With `;` or tabulators between columns a decimal comma is understood; so it is
 ///     between blanks when the first row has one in both columns.
 ///

@@ -120,7 +120,7 @@ inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>&
 
 }  // namespace ball_polynomials
 
-/// Signs in the arithmetic of a kernel: of the polynomial as it comes out of the kernel's numbers.
+/// Signs in the arithmetic of a kernel: of the polynomial evaluated in the kernel's numbers.
 template <class Kernel>
 struct BallSigns {
   using Number = typename Kernel::FT;

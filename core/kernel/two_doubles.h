@@ -4,7 +4,7 @@
 //
 //  1. The true value of an expression differs from `high + low` by less than `bound` up to the rounding of the bound
 //     itself, which `sign` allows for. Differences of doubles are exact.
-//  2. Where a part leaves the range of doubles the bound is no number or infinite, and `sign` says that it does not
+//  2. Where a part leaves the range of doubles the bound is NaN or infinite, and `sign` says that it does not
 //     know; what a product loses below that range is part of the bound.
 //  3. Needs rounding to nearest.
 //

@@ -4,7 +4,7 @@
 
 namespace mes {
 
-// Normals are drawn twice as long as the samples are apart, so that they can be told apart at any density.
+// Normals are twice as long as the spacing of the samples, so that they stay distinguishable at any density.
 Layer make_curve_normals_layer(const StructureSet& set) {
   const auto& delaunay = set.get<Delaunay>();
   const auto& curve = set.get<Curve>();

@@ -3,7 +3,7 @@
 
 namespace mes {
 
-// The picture is no geometry: whoever draws layers puts it in this one's place.
+// The picture is not geometry: the program that draws the layers draws it in the place of this one.
 Layer make_image_layer(const StructureSet& /*set*/) {
   return make_layer({.id = "image",
                      .name = "Image",

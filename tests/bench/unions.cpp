@@ -167,12 +167,13 @@ void stability(benchmark::State& state, RatioTable& table) {
         }
       }
       char text[400];
-      std::snprintf(text, sizeof text,
-                    "1000 random samplings of 6 shapes, general pipeline in %s: %lld failed, %lld dual triangles "
-                    "misjudged (%lld found), %lld of %lld v-points are no samples, chi wrong in %lld; one-step: none",
-                    std::string(id_of(precision)).c_str(), static_cast<long long>(failed),
-                    static_cast<long long>(wrong_faces), static_cast<long long>(faces),
-                    static_cast<long long>(foreign), static_cast<long long>(v_points), static_cast<long long>(chi));
+      std::snprintf(
+          text, sizeof text,
+          "1000 random samplings of 6 shapes, general pipeline in %s: %lld failed, %lld dual triangles "
+          "misjudged (%lld found), %lld of %lld v-points are not samples, chi wrong in %lld; one-step: none",
+          std::string(id_of(precision)).c_str(), static_cast<long long>(failed), static_cast<long long>(wrong_faces),
+          static_cast<long long>(faces), static_cast<long long>(foreign), static_cast<long long>(v_points),
+          static_cast<long long>(chi));
       table.add_note(text);
     }
   }

@@ -49,7 +49,7 @@ TEST_CASE("files that are missing, folders and pictures are refused") {
   require_one_line(run({"compute", picture}), 3, "mesecina: " + picture + ":1:1: this is a PNG picture");
 }
 
-TEST_CASE("a file of bundles is no file of samples, and is told apart") {
+TEST_CASE("a file of bundles is not a file of samples, and is recognised") {
   const std::string says = ":1:1: these are bundles of layers, not samples";
   require_one_line(run({"compute", "assets/bundles/starting.json"}), 3,
                    "mesecina: assets/bundles/starting.json" + says);

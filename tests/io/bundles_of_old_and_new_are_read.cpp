@@ -107,15 +107,15 @@ TEST_CASE("JSON bundles read back equal") {
   CHECK(write_bundles(loaded->bundles) == bytes);
 }
 
-TEST_CASE("JSON that is no file of bundles is refused in one line") {
+TEST_CASE("JSON that is not a file of bundles is refused in one line") {
   const auto complaint = [](const std::string& bytes) {
     const auto loaded = read_bundles(bytes, "x.json", kLayers);
     return loaded ? std::string() : loaded.error().message();
   };
   CHECK(complaint("") == "x.json:1:1: this is not JSON");
   CHECK(complaint("{\"mesecina\":\"bundles\",\n!}").starts_with("x.json:2:1: "));
-  CHECK(complaint("[]") == "x.json: this is no file of bundles");
-  CHECK(complaint("{\"mesecina\":\"session\"}") == "x.json: this is no file of bundles");
+  CHECK(complaint("[]") == "x.json: this is not a file of bundles");
+  CHECK(complaint("{\"mesecina\":\"session\"}") == "x.json: this is not a file of bundles");
   CHECK(complaint("{\"mesecina\":\"bundles\"}") == "x.json: this file of bundles has no version");
   CHECK(complaint("{\"mesecina\":\"bundles\",\"schema\":-1}") == "x.json: this file of bundles has no version");
   const std::string begin = "{\"mesecina\":\"bundles\",\"schema\":1,\"bundles\":";
@@ -262,7 +262,7 @@ TEST_CASE("files of bundles are told from other files") {
   CHECK_FALSE(is_bundle_file(folder.path()));
   CHECK_FALSE(is_bundle_file(folder / "none"));
   CHECK(is_bundle_file(folder.write("f.bnd", "POFF")));
-  CHECK(read_bundle_file(folder / "f.bnd", kLayers).error().text == "this is no file of bundles");
+  CHECK(read_bundle_file(folder / "f.bnd", kLayers).error().text == "this is not a file of bundles");
   CHECK(read_bundle_file(folder / "none", kLayers).error().text == "there is no such file");
   CHECK(read_bundle_file(folder / "e", kLayers).error().text == "this is not JSON");
   CHECK(read_bundle_file(folder.path(), kLayers).error().text == "this is not a file");

@@ -12,8 +12,7 @@ namespace mes {
 ///  1. An edge of the axis is a Voronoi edge whose two Voronoi vertices are inside. Edges of length exactly zero join
 ///     faces of one node and are not edges of the graph.
 ///  2. A node is a distinct inner ball. Its degree counts the axis edges of positive length at it: 1 is a leaf, 3 and
-///  more
-///     a branch point, 0 an isolated point such as the axis of a disk.
+///     more a branch point, 0 an isolated point such as the axis of a disk.
 ///
 /// Rows: edges are Delaunay edge rows, nodes the face rows of `InnerBalls::ball`. Cost: O(n) rebuild, local updates;
 /// components, cycles and length are counted when statistics are asked for, O(n).

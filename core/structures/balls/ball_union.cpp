@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "core/base/isolated.h"
-#include "core/structures/balls/local_balls.h"
 #include "core/structures/balls/internal/union_runs.h"
+#include "core/structures/balls/local_balls.h"
 #include "core/structures/balls/voronoi_balls.h"
 
 namespace mes {
@@ -356,7 +356,7 @@ void BallUnion::find(std::vector<Finding>& out) const {
   }
   if (family_->touch_samples() && foreign != 0)
     say(rounded ? FindingLevel::wrong : FindingLevel::doubt, foreign,
-        rounded ? "v-points that are no samples, by rounding or in truth" : "v-points that are no samples") =
+        rounded ? "v-points that are not samples, by rounding or in truth" : "v-points that are not samples") =
         std::move(foreign_places);
   if (t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands != 0)
     say(FindingLevel::wrong, t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands,

@@ -12,13 +12,12 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. Every crust edge is in exactly one chain. Chains end at sites of degree other than two; what remains are
-///  loops.
+///     loops.
 ///  2. A chain whose edges all have the inside on the same side runs with the inside on its left: outer loops
 ///     counter-clockwise, holes clockwise. Any other starts at its lexicographically smaller end. Loops start at
 ///     their lexicographically smallest site.
 ///  3. A site of degree two has a unit normal, pointing outside where the chain has an inside: the normalised sum of
-///  the
-///     unit normals of its two edges, or at a cusp where that sum vanishes the normal of the edge before it.
+///     the unit normals of its two edges, or at a cusp where that sum vanishes the normal of the edge before it.
 ///
 /// Cost: rebuild O(n); an update traces the chains through changed sites again, so O(length of those chains), and
 /// tells of those sites only whose normals are other ones.
@@ -75,7 +74,7 @@ class Curve final : public Structure {
   ChangeSet site_changes_;
   std::vector<Slot> seeds_;
   // Of the present update:
-  std::vector<Slot> dissolved_;  ///< sites of chains that are no more
+  std::vector<Slot> dissolved_;  ///< sites of chains that no longer exist
   SlotMarks has_new_normal_;
 };
 

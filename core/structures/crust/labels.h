@@ -15,10 +15,9 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. Faces at infinity are outside. Across an edge the label changes exactly if it is crust, except at conflict
-///  edges.
+///     edges.
 ///  2. There are conflict edges only if some sample has odd crust degree, and then those of a canonical rule that
-///  depends
-///     on the samples alone (internal/conflict_join.h), never on history.
+///     depends on the samples alone (internal/conflict_join.h), never on history.
 ///  3. An edit changes labels only of faces it made, unless conflicts moved or a gap opened or closed.
 ///
 /// Cost: rebuild O(n). Update O(new faces + faces whose label changes). How: new faces take tentative labels from

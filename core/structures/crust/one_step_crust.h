@@ -15,8 +15,8 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. An edge is crust exactly when some circle through its ends, centred on its dual Voronoi edge, is empty of both
-///  ends
-///     of that Voronoi edge: the two opposite angles sum to at most 90 degrees, ties included, hull edges included.
+///     ends of that Voronoi edge: the two opposite angles sum to at most 90 degrees, ties included, hull edges
+///     included.
 ///  2. The decision is exact for the given doubles and does not depend on how cocircular sites were triangulated.
 ///  3. Collinear sites: every edge is crust.
 ///

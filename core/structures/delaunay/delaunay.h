@@ -59,7 +59,7 @@ struct EdgeRow {
 ///     are those of a perturbation by lexicographic order. So the triangulation is a function of the sites, whatever
 ///     the history; nothing that is decided depends on these diagonals.
 ///  3. Circumcentres are doubles for drawing; no decision may use them. A centre that no double can hold is not
-///  finite.
+///     finite.
 ///
 /// Cost: rebuild O(n log n), on two cores two thirds of the time of CGAL's triangulation alone on one; update
 /// O(changed faces) after an expected O(1) location. Threads: a rebuild borrows other cores; many samples are cut

@@ -53,7 +53,7 @@ class Joiner {
 
   /// Makes it of two points or more; false where it was given up.
   bool run();
-  /// False if some face is no triangle; only where it was given up too late.
+  /// False if some face is not a triangle, which happens only when a computation is given up too late.
   bool extract(PointTriangulation& out) const;
 
  private:

@@ -38,7 +38,7 @@ PlacedPoint power_center(const BallOf<Number>& a, const BallOf<Number>& b, const
 
 /// The point of equal power on the way from one centre to another, for balls alone on a line.
 inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to, const LocalFrame& frame) {
-  // The centres may be so close together that a square of their distance is no double.
+  // The centres may be so close together that the square of their distance underflows.
   using Exact = CGAL::Exact_rational;
   const Exact x = Exact(to.disk.center.x) - Exact(from.disk.center.x);
   const Exact y = Exact(to.disk.center.y) - Exact(from.disk.center.y);

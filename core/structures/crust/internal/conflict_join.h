@@ -27,8 +27,7 @@ namespace mes {
 ///     meets fewer than `kStrokeSites` times as many sites as the component has. The curve is the crust for near
 ///     pairs, and for far pairs the crust as the near ones have repaired it.
 ///  4. Every pair contradicts edges: an open stroke all its own, any other pair its way in the tree. The conflicts
-///  are
-///     the edges contradicted an odd number of times.
+///     are the edges contradicted an odd number of times.
 ///
 /// Were it not for strokes, the conflicts would be the edges of the tree that separate an odd number of odd sites
 /// from the rest. The dual of the complement of that tree is the maximum-certainty spanning tree of the faces, so

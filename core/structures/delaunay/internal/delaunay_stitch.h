@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// An order of the plane by its distance along x or y. Points at the same distance are told apart by the other
+/// An order of the plane by its distance along x or y. Ties are broken by the other
 /// coordinate as if the direction were turned to the left by less than any angle, so two sets of which one comes
 /// before the other can always be divided by a line.
 struct SweepOrder {

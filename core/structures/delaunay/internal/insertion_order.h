@@ -33,7 +33,7 @@ std::vector<KeyedSlot> insertion_order(const std::vector<Slot>& samples, const B
 }
 
 /// Two sets of about the same size, divided by a line across the longer side: `near` comes before `far`. One of them
-/// is empty when the samples cannot be told apart.
+/// is empty when all samples coincide.
 struct Halves {
   std::vector<Slot> near;
   std::vector<Slot> far;
