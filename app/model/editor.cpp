@@ -36,26 +36,61 @@ std::vector<Thing> placed(const Document& document, std::span<const Thing> thing
 }  // namespace
 
 Editor::Editor(Listener listener, LayerStack* layers)
-    : index_(document_), listener_(std::move(listener)), layers_(layers) {}
+    : index_(document_), listener_(std::move(listener)), told_revision_(document_.revision()), layers_(layers) {}
 
-void Editor::apply(const DocumentDelta& delta) {
-  document_.apply(delta);
-  tell(delta);
+std::vector<Editor::Posted> Editor::posted(std::span<const DocumentDelta> deltas) {
+  std::vector<Posted> out;
+  out.reserve(deltas.size());
+  for (const DocumentDelta& delta : deltas) out.push_back(std::make_shared<const DocumentDelta>(delta));
+  return out;
 }
 
-void Editor::tell(const DocumentDelta& delta) {
+DocumentDelta Editor::replacement() const {
+  DocumentDelta out;
+  out.from_revision = told_revision_;
+  out.to_revision = document_.revision();
+  out.before = out.after = document_.snapshot();
+  out.balls_before = out.balls_after = document_.ball_snapshot();
+  out.curve_before = out.curve_after = document_.curve_order();
+  return out;
+}
+
+void Editor::follow(const DocumentDelta& delta) {
   index_.follow(delta);
   selection_.follow(delta);
-  if (listener_) listener_(std::make_shared<const DocumentDelta>(delta));
+}
+
+void Editor::tell(const Posted& delta) {
+  if (told_revision_ != delta->from_revision) return catch_up();
+  try {
+    if (listener_) listener_(delta);
+    told_revision_ = delta->to_revision;
+  } catch (const std::bad_alloc&) {
+    catch_up();
+  }
+}
+
+void Editor::catch_up() {
+  if (told_revision_ == document_.revision()) return;
+  try {
+    if (listener_) listener_(std::make_shared<const DocumentDelta>(replacement()));
+    told_revision_ = document_.revision();
+  } catch (const std::bad_alloc&) {
+    // Behind until the next time.
+  }
 }
 
 Expected<void> Editor::load(const SampleData& data) {
-  auto delta = replace_all(document_, data);
+  const auto delta = replace_all(document_, data);
   if (!delta) return std::unexpected(delta.error());
+  const auto loaded = std::make_shared<const SampleData>(data);
+  const auto change = std::make_shared<const DocumentDelta>(*delta);
   if (in_gesture()) end_gesture();
-  apply(*delta);
+  document_.apply(*delta);
   history_.clear();
-  timeline_.restart(std::make_shared<const SampleData>(data));
+  timeline_.restart(loaded);
+  follow(*delta);
+  tell(change);
   noted_layers_.reset();
   saved_layers_.reset();
   mark_saved();
@@ -65,27 +100,27 @@ Expected<void> Editor::load(const SampleData& data) {
 void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries) {
   if (in_gesture()) end_gesture();
   replay.finish();
-  const std::uint64_t before = document_.revision();
   document_ = std::move(replay).take_document();
   history_ = std::move(replay).take_history();
   timeline_.restart(std::move(data), std::move(entries));
   take_layers_as_noted();
   saved_layers_.reset();
   // For those who follow it is one replacement.
-  DocumentDelta delta;
-  delta.from_revision = before;
-  delta.to_revision = document_.revision();
-  delta.before = delta.after = document_.snapshot();
-  delta.balls_before = delta.balls_after = document_.ball_snapshot();
-  delta.curve_before = delta.curve_after = document_.curve_order();
-  tell(delta);
+  const auto change = std::make_shared<const DocumentDelta>(replacement());
+  follow(*change);
+  tell(change);
   mark_saved();
 }
 
 void Editor::begin_gesture(std::string name) {
   note_layers();
   timeline_.note_gesture_begun(name);
-  history_.begin_gesture(std::move(name));
+  try {
+    history_.begin_gesture(std::move(name));
+  } catch (const std::bad_alloc&) {
+    timeline_.note_gesture_ended();
+    throw;
+  }
 }
 
 void Editor::end_gesture() {
@@ -93,12 +128,18 @@ void Editor::end_gesture() {
   timeline_.note_gesture_ended();
 }
 
+// Whatever asks for memory comes before the first change.
 void Editor::record(const DocumentDelta& delta, const std::string& name, bool continues) {
   if (delta.is_empty()) return;
   note_layers();
-  apply(delta);
+  const auto change = std::make_shared<const DocumentDelta>(delta);
+  document_.make_room_for({&delta, 1});
+  History::Draft step = history_.draft(delta, name, continues);
   timeline_.note_edit(document_, delta, name, continues);
-  if (!continues || !history_.extend(delta, name)) history_.record(delta, name);
+  document_.apply(delta);
+  step.record();
+  follow(delta);
+  tell(change);
 }
 
 Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, const std::string& name) {
@@ -174,26 +215,36 @@ Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const S
   MES_ASSERT(!in_gesture());
   note_layers();
   std::vector<DocumentDelta> changes;
-  if (document_.revision() == evolved_revision_ && history_.raise_edit()) changes = history_.undo();
-  for (const DocumentDelta& back : changes) document_.apply(back);
+  if (document_.revision() == evolved_revision_) changes = history_.back_of_last_edit();
   const bool replaces = !changes.empty();
-  const auto delta = arrange_samples(document_, positions, contours);
-  if (!delta) {
-    if (replaces)
-      for (const DocumentDelta& again : history_.redo()) document_.apply(again);
-    return std::unexpected(delta.error());
-  }
-  if (!delta->is_empty()) {
-    document_.apply(*delta);
-    history_.record(*delta, name);
+  Document next = document_;
+  for (const DocumentDelta& back : changes) next.apply(back);
+  const auto delta = arrange_samples(next, positions, contours);
+  if (!delta) return std::unexpected(delta.error());
+  const bool is_new = !delta->is_empty();
+  if (is_new) {
+    next.apply(*delta);
     changes.push_back(*delta);
-    timeline_.note_evolved(document_, *delta, name, replaces);
-    evolved_revision_ = document_.revision();
-  } else if (replaces) {
-    timeline_.note(Undone{});
   }
+  if (changes.empty()) return {};
   // Whoever follows the document sees one change.
-  if (!changes.empty()) tell(one_after_the_other(changes));
+  const auto change = std::make_shared<const DocumentDelta>(one_after_the_other(changes));
+  const auto go_back = [&] {
+    if (replaces && history_.raise_edit()) history_.step_back();
+  };
+  if (is_new) {
+    History::Draft step = history_.draft(*delta, name);
+    timeline_.note_evolved(document_, *delta, name, replaces);
+    go_back();
+    step.record();
+    evolved_revision_ = next.revision();
+  } else {
+    timeline_.note(Undone{});
+    go_back();
+  }
+  document_ = std::move(next);
+  follow(*change);
+  tell(change);
   return {};
 }
 
@@ -213,8 +264,18 @@ void Editor::cancel_gesture() {
   if (history_.position() != before) take_back();
 }
 
-void Editor::apply_edits(const std::vector<DocumentDelta>& deltas) {
-  for (const DocumentDelta& delta : deltas) apply(delta);
+// Whatever asks for memory comes before the first change.
+void Editor::take_step(const std::vector<DocumentDelta>& deltas, const TimelineEntry& entry,
+                       void (History::*step)()) {
+  const std::vector<Posted> changes = posted(deltas);
+  document_.make_room_for(deltas);
+  timeline_.note(entry);
+  (history_.*step)();
+  for (const Posted& change : changes) {
+    document_.apply(*change);
+    follow(*change);
+    tell(change);
+  }
 }
 
 void Editor::undo() {
@@ -227,8 +288,10 @@ void Editor::take_back() {
   const LayersChanged* const found = history_.layers_of_undo();
   const auto layers = found == nullptr ? std::nullopt : std::optional(*found);
   const bool is_of_layers = history_.undoes_layers();
-  if (!is_of_layers) timeline_.note(Undone{});
-  apply_edits(history_.undo());
+  if (is_of_layers)
+    history_.step_back();
+  else
+    take_step(history_.deltas_of_undo(), Undone{}, &History::step_back);
   if (layers) show_layers(*layers, is_of_layers ? LayersChanged::Role::undone : LayersChanged::Role::noted);
 }
 
@@ -238,54 +301,65 @@ void Editor::redo() {
   const LayersChanged* const found = history_.layers_of_redo();
   const auto layers = found == nullptr ? std::nullopt : std::optional(*found);
   const bool is_of_layers = history_.redoes_layers();
-  if (!is_of_layers) timeline_.note(Redone{});
-  apply_edits(history_.redo());
+  if (is_of_layers)
+    history_.step_on();
+  else
+    take_step(history_.deltas_of_redo(), Redone{}, &History::step_on);
   if (layers) show_layers(*layers, is_of_layers ? LayersChanged::Role::redone : LayersChanged::Role::noted);
 }
 
 void Editor::undo_edit() {
   note_layers();
-  if (!history_.raise_edit()) return;
-  timeline_.note(Undone{});
-  apply_edits(history_.undo());
+  // The order of steps that do not touch each other is no change.
+  if (history_.raise_edit()) take_step(history_.deltas_of_undo(), Undone{}, &History::step_back);
 }
 
-std::optional<History::Layers> Editor::take_changed_layers() {
+std::optional<Editor::ChangedLayers> Editor::changed_layers() {
   if (layers_ == nullptr || (noted_layers_ && layers_->revision() == noted_revision_)) return std::nullopt;
   LayerConfiguration now = layers_->configuration();
-  std::optional<History::Layers> out;
-  if (noted_layers_) {
-    History::Layers changed{difference(*noted_layers_, now), difference(now, *noted_layers_)};
-    if (!changed.change.is_empty()) out = std::move(changed);
-  } else {
+  if (!noted_layers_) {
     timeline_.note(difference({}, now));
+    set_noted(std::move(now));
+    return std::nullopt;
   }
-  noted_layers_ = std::move(now);
+  History::Layers layers{difference(*noted_layers_, now), difference(now, *noted_layers_)};
+  if (layers.change.is_empty()) {
+    set_noted(std::move(now));
+    return std::nullopt;
+  }
+  return ChangedLayers{std::move(layers), std::move(now)};
+}
+
+void Editor::set_noted(LayerConfiguration layers) {
+  noted_layers_ = std::move(layers);
   noted_revision_ = layers_->revision();
-  return out;
 }
 
 void Editor::note_layers(const std::string& name) {
   if (in_gesture()) return;
-  auto layers = take_changed_layers();
-  if (!layers) return;
-  LayersChanged entry = layers->change;
+  auto changed = changed_layers();
+  if (!changed) return;
+  const History::Layers& layers = changed->layers;
+  LayersChanged entry = layers.change;
   entry.role = LayersChanged::Role::step;
-  entry.name = name.empty() ? name_of_change(*layers_, layers->back, layers->change) : name;
-  entry.back.push_back(layers->back);
-  history_.record_layers(std::move(*layers), entry.name);
-  timeline_.note(std::move(entry));
+  entry.name = name.empty() ? name_of_change(*layers_, layers.back, layers.change) : name;
+  entry.back.push_back(layers.back);
+  History::Draft step = history_.draft(layers, entry.name);
+  timeline_.note(entry);
+  step.record();
+  set_noted(std::move(changed->now));
 }
 
 void Editor::join_layers() {
   if (!in_gesture() && !can_undo()) return note_layers();
-  auto layers = take_changed_layers();
-  if (!layers) return;
-  LayersChanged entry = layers->change;
+  auto changed = changed_layers();
+  if (!changed) return;
+  LayersChanged entry = changed->layers.change;
   entry.role = LayersChanged::Role::joined;
-  entry.back.push_back(layers->back);
-  history_.join_layers(std::move(*layers));
+  entry.back.push_back(changed->layers.back);
+  history_.join_layers(std::move(changed->layers));
   timeline_.note(std::move(entry));
+  set_noted(std::move(changed->now));
 }
 
 void Editor::take_layers_as_noted() {

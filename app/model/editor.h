@@ -29,7 +29,10 @@ namespace mes {
 ///  4. Coordinates that are given here and are nothing beside the others of the document
 ///     (core/base/coordinate_range.h) are set to zero; other numbers out of range are refused.
 ///  5. `is_modified` compares states: undoing back to what was saved is "not modified".
-///  6. Layers are changed directly (LayerStack); what is different when they come to rest, or when anything else is
+///  6. When memory runs out, a function throws std::bad_alloc, and the document, the history, the timeline and what is
+///     selected are as they were before. Only the listener may be behind: it gets one replacement of everything as soon
+///     as there is room (`catch_up`).
+///  7. Layers are changed directly (LayerStack); what is different when they come to rest, or when anything else is
 ///     done, is one step of undo. Edits and changes of layers may change places, and never undo each other.
 ///
 /// Smallest use:
@@ -124,6 +127,9 @@ class Editor {
   /// Takes the last edit back and leaves the layers as they are, also where they were changed since.
   void undo_edit();
 
+  /// Tries again to tell the listener what it could not be told for lack of memory; call it from time to time.
+  void catch_up();
+
   bool is_modified() const;
   void mark_saved() { mark_saved(document_.revision()); }
   /// The document as it was at this revision.
@@ -132,16 +138,28 @@ class Editor {
   void mark_unsaved() { saved_revision_ = ~std::uint64_t{0}; }
 
  private:
-  void apply(const DocumentDelta& delta);
-  void tell(const DocumentDelta& delta);
+  using Posted = std::shared_ptr<const DocumentDelta>;
+  static std::vector<Posted> posted(std::span<const DocumentDelta> deltas);
+  /// Everything as one delta that replaces the state that the listener knows.
+  DocumentDelta replacement() const;
+  /// For a document that has changed already. These ask for no memory, or do without.
+  void follow(const DocumentDelta& delta);
+  void tell(const Posted& delta);
   /// An edit that can be undone.
   void record(const DocumentDelta& delta, const std::string& name, bool continues = false);
   Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
   void take_back();
-  void apply_edits(const std::vector<DocumentDelta>& deltas);
+  /// Applies the deltas and puts `entry` on the timeline; then `step` does the same in the history.
+  void take_step(const std::vector<DocumentDelta>& deltas, const TimelineEntry& entry, void (History::*step)());
   /// What undo and redo do to the layers.
   void show_layers(LayersChanged change, LayersChanged::Role role);
-  std::optional<History::Layers> take_changed_layers();
+  struct ChangedLayers {
+    History::Layers layers;
+    LayerConfiguration now;
+  };
+  /// What is different from what is noted. What makes no step is noted at once.
+  std::optional<ChangedLayers> changed_layers();
+  void set_noted(LayerConfiguration layers);
 
   Document document_;
   History history_;
@@ -149,6 +167,7 @@ class Editor {
   Selection selection_;
   SampleIndex index_;
   Listener listener_;
+  std::uint64_t told_revision_ = 0;  // of the document, as the listener knows it
   LayerStack* layers_;
   std::optional<LayerConfiguration> noted_layers_;  // nothing: they are not on the timeline yet
   std::uint64_t noted_revision_ = 0;                // of the layers

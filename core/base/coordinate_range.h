@@ -17,6 +17,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace mes {
 
@@ -91,8 +91,6 @@ constexpr double without_traces(double x, int most_exponent) {
 /// rule, and what is removed must have been added.
 class MagnitudeCounts {
  public:
-  MagnitudeCounts() : count_(kExponents, 0), is_used_((kExponents + 63) / 64, 0) {}
-
   void add(double x) {
     if (x == 0.0) return;
     const std::size_t i = index_of(x);
@@ -109,8 +107,8 @@ class MagnitudeCounts {
   static constexpr std::size_t kExponents = kMostExponent - kLeastExponent + 1;
   static std::size_t index_of(double x) { return static_cast<std::size_t>(exponent_of(x) - kLeastExponent); }
 
-  std::vector<std::uint32_t> count_;
-  std::vector<std::uint64_t> is_used_;  // a bit for each count that is not 0
+  std::array<std::uint32_t, kExponents> count_{};
+  std::array<std::uint64_t, (kExponents + 63) / 64> is_used_{};  // a bit for each count that is not 0
 };
 
 /// Why the number is refused, for a message: `named` is what it is called there. `others` as for `fault_of`.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 #include "core/base/assert.h"
 
@@ -40,17 +41,21 @@ void count(const DocumentDelta& delta, MagnitudeCounts& counts) {
   for (const BallEdit& edit : delta.ball_edits) count(edit, counts);
 }
 
-// What a delta needs is there before anything changes.
-template <class Edit, class ThingRows>
-void make_room_for(const std::vector<Edit>& edits, ThingRows& rows) {
+/// What edits ask of the rows, added up.
+template <class Edits, class ThingRows>
+void make_room_for(std::span<const DocumentDelta> deltas, Edits edits_of, ThingRows& rows) {
+  using ThingId = typename ThingRows::ThingId;
   std::size_t inserted = 0;
   std::size_t removed = 0;
-  auto last = decltype(Edit::id){rows.first_id()};
-  for (const Edit& edit : edits) {
-    if (edit.kind == Edit::Kind::remove) ++removed;
-    if (edit.kind != Edit::Kind::insert) continue;
-    ++inserted;
-    last = std::max(last, edit.id);
+  ThingId last{rows.first_id()};
+  for (const DocumentDelta& delta : deltas) {
+    for (const auto& edit : std::invoke(edits_of, delta)) {
+      using Kind = decltype(edit.kind);
+      if (edit.kind == Kind::remove) ++removed;
+      if (edit.kind != Kind::insert) continue;
+      ++inserted;
+      last = std::max(last, edit.id);
+    }
   }
   rows.make_room(inserted, last, removed);
 }
@@ -157,6 +162,11 @@ void Document::apply(const BallEdit& edit) {
   if (is_ball_alive(edit.slot)) ball_sum_ += digest_of_ball(edit.slot);
 }
 
+void Document::make_room_for(std::span<const DocumentDelta> deltas) {
+  mes::make_room_for(deltas, &DocumentDelta::edits, samples_);
+  mes::make_room_for(deltas, &DocumentDelta::ball_edits, balls_);
+}
+
 void Document::apply(const DocumentDelta& delta) {
   MES_ASSERT(delta.from_revision == revision_);
   MES_ASSERT(magnitudes_after(delta).fit());
@@ -165,8 +175,7 @@ void Document::apply(const DocumentDelta& delta) {
   if (delta.replaces_all()) {
     replace_all(delta);
   } else {
-    make_room_for(delta.edits, samples_);
-    make_room_for(delta.ball_edits, balls_);
+    make_room_for({&delta, 1});
     count(delta, magnitudes_);
   }
   for (const SampleEdit& edit : delta.edits) apply(edit);

@@ -84,6 +84,8 @@ class Document {
   /// Changes the document. `delta.from_revision` must be the present revision, and the magnitudes after it must fit.
   /// When memory runs out, it throws and nothing is changed.
   void apply(const DocumentDelta& delta);
+  /// After this, applying the deltas one after the other asks for no memory. None may replace everything.
+  void make_room_for(std::span<const DocumentDelta> deltas);
 
   // For commands.
   SampleId next_id() const { return SampleId{samples_.next_id()}; }

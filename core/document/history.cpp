@@ -26,12 +26,15 @@ void merge(std::vector<Edit>& earlier, const std::vector<Edit>& later) {
 }  // namespace
 
 // Two deltas that move the same samples and change the same balls, in the same order, are one delta.
-bool History::merge_moves(DocumentDelta& earlier, const DocumentDelta& later) {
+bool History::are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later) {
   if (earlier.replaces_all() || later.replaces_all()) return false;
   if (earlier.curve_after != later.curve_after || earlier.curve_before != later.curve_before) return false;
-  if (earlier.is_empty() || !can_merge(earlier.edits, later.edits, SampleEdit::Kind::move) ||
-      !can_merge(earlier.ball_edits, later.ball_edits, BallEdit::Kind::change))
-    return false;
+  return !earlier.is_empty() && can_merge(earlier.edits, later.edits, SampleEdit::Kind::move) &&
+         can_merge(earlier.ball_edits, later.ball_edits, BallEdit::Kind::change);
+}
+
+bool History::merge_moves(DocumentDelta& earlier, const DocumentDelta& later) {
+  if (!are_same_moves(earlier, later)) return false;
   merge(earlier.edits, later.edits);
   merge(earlier.ball_edits, later.ball_edits);
   earlier.to_revision = later.to_revision;
@@ -40,46 +43,86 @@ bool History::merge_moves(DocumentDelta& earlier, const DocumentDelta& later) {
 
 void History::begin_gesture(std::string name) {
   MES_ASSERT(!gesture_open_);
+  steps_.emplace_back();
   gesture_open_ = true;
   gesture_ = Step{.name = std::move(name)};
 }
 
-void History::record(const DocumentDelta& delta, const std::string& name) {
-  if (delta.is_empty()) return;
-  steps_.resize(position_);
-  if (!gesture_open_) {
-    steps_.push_back({.name = name, .deltas = {delta}});
-    ++position_;
+// What `record` needs: room for one more delta of the gesture, or for one more step.
+History::Draft::Draft(History& history, Step step, bool extends)
+    : history_(history), step_(std::make_unique<Step>(std::move(step))), extends_(extends) {
+  std::vector<DocumentDelta>& deltas = history.gesture_.deltas;
+  if (history.gesture_open_ && deltas.size() == deltas.capacity()) deltas.reserve(2 * deltas.size() + 1);
+  if (!history.gesture_open_ && !extends) history.steps_.emplace_back();
+}
+
+History::Draft::~Draft() {
+  if (!is_recorded_ && !history_.gesture_open_ && !extends_) history_.steps_.pop_back();
+}
+
+void History::Draft::record() noexcept {
+  MES_ASSERT(!is_recorded_);
+  is_recorded_ = true;
+  History& h = history_;
+  if (h.gesture_open_) {
+    h.steps_.erase(h.undone(), h.steps_.end() - 1);
+    std::vector<DocumentDelta>& deltas = h.gesture_.deltas;
+    for (DocumentDelta& delta : step_->deltas)
+      if (deltas.empty() || !merge_moves(deltas.back(), delta)) deltas.push_back(std::move(delta));
     return;
   }
-  if (gesture_.deltas.empty() || !merge_moves(gesture_.deltas.back(), delta)) gesture_.deltas.push_back(delta);
+  if (extends_) {
+    merge_moves(h.steps_.back().deltas.back(), step_->deltas.back());
+    return;
+  }
+  // The room at the end is a step without edits.
+  auto rest = h.undone();
+  if (!step_->is_edit()) {
+    rest = std::remove_if(rest, h.steps_.end(), [](const Step& other) { return !other.is_edit(); });
+    // An edit that also showed layers is redone without them: they look as they were made to look since.
+    for (auto undone = h.undone(); undone != rest; ++undone) undone->layers.reset();
+  }
+  *rest = std::move(*step_);
+  h.steps_.erase(rest + 1, h.steps_.end());
+  std::rotate(h.undone(), rest, h.steps_.end());
+  ++h.position_;
+}
+
+History::Draft History::draft(const DocumentDelta& delta, const std::string& name, bool continues) {
+  return {*this, {.name = name, .deltas = {delta}}, continues && can_extend(delta, name)};
+}
+
+void History::record(const DocumentDelta& delta, const std::string& name) {
+  if (!delta.is_empty()) draft(delta, name).record();
+}
+
+bool History::can_extend(const DocumentDelta& delta, const std::string& name) const {
+  if (gesture_open_ || position_ == 0 || position_ != steps_.size()) return false;
+  const Step& last = steps_.back();
+  return last.is_edit() && last.name == name && last.deltas.back().to_revision == delta.from_revision &&
+         are_same_moves(last.deltas.back(), delta);
 }
 
 bool History::extend(const DocumentDelta& delta, const std::string& name) {
-  if (gesture_open_ || position_ == 0 || position_ != steps_.size()) return false;
-  Step& last = steps_.back();
-  if (!last.is_edit() || last.name != name || last.deltas.back().to_revision != delta.from_revision) return false;
-  return merge_moves(last.deltas.back(), delta);
+  return can_extend(delta, name) && merge_moves(steps_.back().deltas.back(), delta);
 }
 
 void History::end_gesture() {
   MES_ASSERT(gesture_open_);
   gesture_open_ = false;
-  if (!gesture_.is_edit() && !gesture_.layers) return;
-  steps_.resize(position_);
-  steps_.push_back(std::move(gesture_));
+  if (!gesture_.is_edit() && !gesture_.layers) return steps_.pop_back();
+  steps_.erase(undone(), steps_.end() - 1);
+  steps_.back() = std::move(gesture_);
   ++position_;
 }
 
-void History::record_layers(Layers layers, const std::string& name) {
+History::Draft History::draft(Layers layers, const std::string& name) {
   MES_ASSERT(!gesture_open_);
-  const auto undone = steps_.begin() + static_cast<std::ptrdiff_t>(position_);
-  steps_.erase(std::remove_if(undone, steps_.end(), [](const Step& step) { return !step.is_edit(); }), steps_.end());
-  // An edit that also showed layers is redone without them: they look as they were made to look since.
-  for (std::size_t i = position_; i < steps_.size(); ++i) steps_[i].layers.reset();
-  steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(position_),
-                Step{.name = name, .layers = std::move(layers)});
-  ++position_;
+  return {*this, {.name = name, .layers = std::move(layers)}, false};
+}
+
+void History::record_layers(Layers layers, const std::string& name) {
+  draft(std::move(layers), name).record();
 }
 
 bool History::join_layers(Layers layers) {
@@ -132,14 +175,24 @@ std::vector<DocumentDelta> History::back_of_last_edit() const {
   return edit ? back_of(steps_[*edit]) : std::vector<DocumentDelta>();
 }
 
+void History::step_back() {
+  if (can_undo()) --position_;
+}
+
+void History::step_on() {
+  if (can_redo()) ++position_;
+}
+
 std::vector<DocumentDelta> History::undo() {
-  if (!can_undo()) return {};
-  return back_of(steps_[--position_]);
+  std::vector<DocumentDelta> out = deltas_of_undo();
+  step_back();
+  return out;
 }
 
 std::vector<DocumentDelta> History::redo() {
-  if (!can_redo()) return {};
-  return steps_[position_++].deltas;
+  std::vector<DocumentDelta> out = deltas_of_redo();
+  step_on();
+  return out;
 }
 
 void History::clear() {

@@ -28,16 +28,40 @@
 namespace mes {
 
 class History {
+  struct Step;
+
  public:
-  /// Deltas recorded until `end_gesture` form one step called `name`. Gestures do not nest.
+  /// Deltas recorded until `end_gesture` form one step called `name`. Gestures do not nest. Ending one asks for no
+  /// memory.
   void begin_gesture(std::string name);
   void end_gesture();
   bool in_gesture() const { return gesture_open_; }
   /// Notes an applied delta; outside a gesture it is a step of its own. Forgets what could be redone.
   void record(const DocumentDelta& delta, const std::string& name = {});
 
+  /// A step to be recorded once all else has succeeded: everything it needs is there, so `record` asks for no memory.
+  /// A draft that is not recorded leaves no trace. While there is one, nothing else is done with the history but
+  /// `undo` and `raise_edit`.
+  class Draft {
+   public:
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft();
+    void record() noexcept;
+
+   private:
+    friend class History;
+    Draft(History& history, Step step, bool extends);
+    History& history_;
+    std::unique_ptr<Step> step_;
+    bool extends_;
+    bool is_recorded_ = false;
+  };
+  /// Of `record`; with `continues`, of `extend` where that is possible.
+  Draft draft(const DocumentDelta& delta, const std::string& name, bool continues = false);
+
   /// Makes the delta part of the newest step if that has this name, nothing came between, and the delta only gives
-  /// the same things other places; whether it did. If not, it is not recorded.
+  /// the same things other places; whether it did. If not, it is not recorded. Asks for no memory.
   bool extend(const DocumentDelta& delta, const std::string& name);
 
   /// A change of the layers and the way back.
@@ -47,6 +71,7 @@ class History {
   };
   /// Makes a change of the layers a step. Not within a gesture.
   void record_layers(Layers layers, const std::string& name);
+  Draft draft(Layers layers, const std::string& name);
   /// Makes it part of the newest step, or of the gesture; false when there is none.
   bool join_layers(Layers layers);
   /// What `undo` (`redo`) does to the layers, beside the deltas; null: nothing.
@@ -60,21 +85,28 @@ class History {
   bool raise_edit();
   /// What `raise_edit` and `undo` would give.
   std::vector<DocumentDelta> back_of_last_edit() const;
+  /// What `undo` (`redo`) would give.
+  std::vector<DocumentDelta> deltas_of_undo() const { return can_undo() ? back_of(steps_[position_ - 1]) : Deltas(); }
+  std::vector<DocumentDelta> deltas_of_redo() const { return can_redo() ? steps_[position_].deltas : Deltas(); }
+  /// Takes a step without giving its deltas.
+  void step_back();
+  void step_on();
 
   bool can_undo() const { return position_ > 0 && !gesture_open_; }
   bool can_redo() const { return position_ < steps_.size() && !gesture_open_; }
   /// Name of the step that undo (redo) would take; empty when there is none.
   std::string undo_name() const { return can_undo() ? steps_[position_ - 1].name : std::string(); }
   std::string redo_name() const { return can_redo() ? steps_[position_].name : std::string(); }
-  /// Deltas to apply, in order. Empty when there is nothing to undo (redo).
+  /// Takes a step. Deltas to apply, in order; empty when there is nothing to undo (redo).
   std::vector<DocumentDelta> undo();
   std::vector<DocumentDelta> redo();
-  std::size_t step_count() const { return steps_.size(); }
+  std::size_t step_count() const { return steps_.size() - (gesture_open_ ? 1 : 0); }
   /// Number of steps done and not undone; equal numbers after equal work mean "unchanged since".
   std::size_t position() const { return position_; }
   void clear();
 
  private:
+  using Deltas = std::vector<DocumentDelta>;
   struct Step {
     std::string name;
     std::vector<DocumentDelta> deltas{};
@@ -82,10 +114,13 @@ class History {
     bool is_edit() const { return !deltas.empty(); }
   };
   static std::vector<DocumentDelta> back_of(const Step& step);
+  bool can_extend(const DocumentDelta& delta, const std::string& name) const;
+  std::deque<Step>::iterator undone() { return steps_.begin() + static_cast<std::ptrdiff_t>(position_); }
   std::optional<std::size_t> last_edit() const;
+  static bool are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later);
   static bool merge_moves(DocumentDelta& earlier, const DocumentDelta& later);
 
-  std::deque<Step> steps_;  // no copies to make room
+  std::deque<Step> steps_;  // no copies to make room; the last one is kept free for an open gesture
   std::size_t position_ = 0;
   bool gesture_open_ = false;
   Step gesture_;

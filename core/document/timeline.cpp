@@ -2,6 +2,7 @@
 #include "core/document/timeline.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "core/document/layer_fold.h"
@@ -133,13 +134,14 @@ void Timeline::restart(std::shared_ptr<const SampleData> data, TimelineLog entri
   data_ = std::move(data);
   entries_ = std::move(entries);
   gesture_at_.reset();
+  is_gesture_overdue_ = false;
   evolution_at_.reset();
   ++generation_;
 }
 
 void Timeline::note_edit(const Document& document, const DocumentDelta& delta, const std::string& name,
                          bool continues) {
-  evolution_at_.reset();
+  end_overdue_gesture();
   TimelineEdit out = edit_of(document, delta);
   if (!gesture_at_) out.name = name;
   out.continues = continues;
@@ -150,40 +152,54 @@ void Timeline::note_edit(const Document& document, const DocumentDelta& delta, c
         last != nullptr && is_motion(*last) && is_motion(out) && same_things(last->moved, out.moved) &&
         same_things(last->changed_balls, out.changed_balls)) {
       entries_.replace_back(out);
-      return;
-    }
-  }
-  entries_.push_back(out);
-}
-
-void Timeline::note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name,
-                            bool replaces) {
-  TimelineEdit out = edit_of(document, delta);
-  out.name = name;
-  out.replaces = replaces;
-  if (!replaces) evolution_edits_ = 0;
-  evolution_edits_ += delta.edits.size();
-  if (replaces && evolution_at_) {
-    const auto last = std::get<TimelineEdit>(entries_.back());
-    if (is_motion(last) && is_motion(out)) {
-      out.replaces = last.replaces;
-      entries_.replace_back(out);
+      evolution_at_.reset();
       return;
     }
   }
   entries_.push_back(out);
   evolution_at_.reset();
+}
+
+void Timeline::note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name,
+                            bool replaces) {
+  end_overdue_gesture();
+  TimelineEdit out = edit_of(document, delta);
+  out.name = name;
+  out.replaces = replaces;
+  const std::size_t edits = (replaces ? evolution_edits_ : 0) + delta.edits.size();
+  if (replaces && evolution_at_) {
+    const auto last = std::get<TimelineEdit>(entries_.back());
+    if (is_motion(last) && is_motion(out)) {
+      out.replaces = last.replaces;
+      entries_.replace_back(out);
+      evolution_edits_ = edits;
+      return;
+    }
+  }
+  entries_.push_back(out);
+  evolution_edits_ = edits;
+  evolution_at_.reset();
   if (delta.edits.size() > kLargeEdit || evolution_edits_ > kMostEvolutionEdits) evolution_at_ = entries_.size() - 1;
 }
 
 void Timeline::note_gesture_begun(const std::string& name) {
+  end_overdue_gesture();
   entries_.push_back(GestureBegun{name});
   evolution_at_.reset();
   gesture_at_ = entries_.size() - 1;
 }
 
 void Timeline::note_gesture_ended() {
-  if (!gesture_at_) return;
+  is_gesture_overdue_ = gesture_at_.has_value();
+  try {
+    end_overdue_gesture();
+  } catch (const std::bad_alloc&) {
+    // Ended with the next entry.
+  }
+}
+
+void Timeline::end_overdue_gesture() {
+  if (!is_gesture_overdue_) return;
   bool has_edits = false;
   for (std::size_t i = *gesture_at_; i < entries_.size() && !has_edits; ++i) has_edits = is_work(entries_[i]);
   if (has_edits)
@@ -191,6 +207,7 @@ void Timeline::note_gesture_ended() {
   else
     entries_.erase(*gesture_at_);
   gesture_at_.reset();
+  is_gesture_overdue_ = false;
 }
 
 void DocumentReplay::change(const DocumentDelta& delta) {

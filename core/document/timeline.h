@@ -137,7 +137,7 @@ class TimelineLog {
   void emplace_back(const TimelineEntry& entry) { push_back(entry); }
   void pop_back();
   void replace_back(const TimelineEntry& entry);
-  /// Cost: O(size of all after it).
+  /// Cost: O(1) for the last one, O(size of all) for others.
   void erase(std::size_t i);
   friend bool operator==(const TimelineLog& a, const TimelineLog& b);
 
@@ -204,23 +204,28 @@ class Timeline {
   /// Grows with each `restart`.
   std::uint64_t generation() const { return generation_; }
 
-  /// `document` is the one the delta was applied to. Large edits that continue the one before within a gesture are
-  /// merged with it, so that dragging a million samples does not fill the memory.
+  /// `document` is the one the delta is applied to, before or after. When memory runs out, these functions throw and
+  /// change nothing. Large edits that continue the one before within a gesture are merged with it, so that dragging a
+  /// million samples does not fill the memory.
   void note_edit(const Document& document, const DocumentDelta& delta, const std::string& name, bool continues);
   /// An evolution went on to another state; `replaces` the one before. Large ones keep the last state only.
   void note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name, bool replaces);
   void note_gesture_begun(const std::string& name);
-  /// A gesture without edits leaves no trace.
+  /// A gesture without edits leaves no trace. When memory runs out, the end comes with the next entry.
   void note_gesture_ended();
   void note(const TimelineEntry& entry) {
+    end_overdue_gesture();
     entries_.push_back(entry);
     evolution_at_.reset();
   }
 
  private:
+  void end_overdue_gesture();
+
   std::shared_ptr<const SampleData> data_;
   TimelineLog entries_;
   std::optional<std::size_t> gesture_at_;    // where the open gesture began
+  bool is_gesture_overdue_ = false;          // its end found no room
   std::optional<std::size_t> evolution_at_;  // a last entry that the next state takes the place of
   std::size_t evolution_edits_ = 0;          // on record since the evolution began
   std::uint64_t generation_ = 0;

@@ -275,6 +275,7 @@ void TimelineLog::replace_back(const TimelineEntry& entry) {
 }
 
 void TimelineLog::erase(std::size_t i) {
+  if (i + 1 == size()) return pop_back();
   TimelineLog out = *this;
   while (out.size() > i) out.pop_back();
   for (std::size_t k = i + 1; k < size(); ++k) out.push_back((*this)[k]);

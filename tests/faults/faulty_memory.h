@@ -2,6 +2,7 @@
 // `operator new` of this executable: counts what is in use, and fails when asked to.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <cstddef>
 
 namespace mes::test {
@@ -22,5 +23,16 @@ class FailingMemory {
   /// Whether the call came.
   bool has_failed() const;
 };
+
+/// Calls `attempt` with the first allocation failing, the second, and so on until it gets by without; how many
+/// failed.
+template <class Attempt>
+int with_each_allocation_failing(const Attempt& attempt) {
+  for (int call = 0;; ++call) {
+    REQUIRE(call < 100'000);
+    INFO("allocation " << call);
+    if (!attempt(call)) return call;
+  }
+}
 
 }  // namespace mes::test

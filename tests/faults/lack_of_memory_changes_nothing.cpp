@@ -22,17 +22,6 @@ using namespace mes::test;
 
 namespace {
 
-/// Calls `attempt` with the first allocation failing, the second, and so on until it gets by without; how many
-/// failed.
-template <class Attempt>
-int with_each_allocation_failing(const Attempt& attempt) {
-  for (int call = 0;; ++call) {
-    REQUIRE(call < 100'000);
-    INFO("allocation " << call);
-    if (!attempt(call)) return call;
-  }
-}
-
 std::vector<Vec2> some_places(std::size_t count, std::uint64_t seed) {
   Rng random(seed);
   std::vector<Vec2> out(count);
