@@ -13,6 +13,9 @@ namespace mes {
 /// For people: at most six significant digits, lists with commas, "-" for what is not finite.
 std::string to_text(const StatValue& value);
 
+/// A whole number with its digits in groups of three: "12 345".
+std::string grouped(std::size_t number);
+
 /// One line a number: structure, key, value, with tabs between; `ms` and `touched` are keys too.
 std::string statistics_as_tsv(std::span<const NodeReport> nodes);
 

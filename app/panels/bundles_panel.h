@@ -2,32 +2,51 @@
 // The bundles: one click or digit shows the layers as they were saved under a name.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "app/panels/panel_context.h"
+#include "app/actions/action_bindings.h"
+#include "app/model/editor.h"
+#include "app/model/messages.h"
+#include "app/store/bundle_desk.h"
 #include "app/ui/name_field.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 
 class BundlesPanel {
  public:
+  struct Uses {
+    const Gui& gui;
+    const ActionBindings& actions;
+    BundleDesk& bundles;
+    Editor& editor;
+    Messages& messages;
+    bool& is_unfolded;
+    std::function<void(std::size_t)> export_one;  ///< asks for a file
+  };
+  explicit BundlesPanel(Uses uses) : uses_(std::move(uses)) {}
+
   /// What it would like to have, of at most `most`.
-  float height(const PanelContext& context, float most) const;
-  void draw(const PanelContext& context, const PanelArea& area);
+  float height(float most) const;
+  void draw(const PanelArea& area);
   /// Asks for a name to save the layers under, when drawn next.
   void ask_name() { asks_name_ = true; }
 
  private:
-  void draw_head(const PanelContext& context);
-  void draw_save_popup(const PanelContext& context);
-  void draw_menu(const PanelContext& context);
-  void draw_rows(const PanelContext& context, float height);
-  void draw_row(const PanelContext& context, std::size_t index);
-  void draw_context_menu(const PanelContext& context, std::size_t index);
-  void draw_rename_popup(const PanelContext& context);
-  void draw_undo_line(const PanelContext& context) const;
+  void draw_head();
+  void draw_save_popup();
+  void draw_menu();
+  void draw_rows(float height);
+  void draw_row(std::size_t index);
+  void draw_context_menu(std::size_t index);
+  void draw_rename_popup();
+  void draw_undo_line() const;
 
+  void tell(const Expected<void>& done) const;
+
+  Uses uses_;
   bool asks_name_ = false;
   std::string name_;
   NameField field_;

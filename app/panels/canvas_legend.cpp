@@ -8,17 +8,16 @@
 
 namespace mes {
 
-ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room) {
-  const std::vector<LegendEntry> entries = context.picture.legend(context.layers);
+ImVec2 CanvasLegend::draw(ImVec2 corner, float room) const {
+  const std::vector<LegendEntry> entries = picture.legend(layers);
   if (entries.empty()) return {};
-  const float unit = context.gui.unit();
-  const auto font = [&](bool is_bold) { return is_bold ? context.gui.bold() : ImGui::GetFont(); };
+  const float unit = gui.unit();
+  const auto font = [&](bool is_bold) { return is_bold ? gui.bold() : ImGui::GetFont(); };
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
     const ImVec2 extent = font(is_bold)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
     return static_cast<double>(extent.x / unit);
   };
-  const LegendDrawing legend =
-      layout_legend(entries, measure, static_cast<double>(room / unit), context.picture.canvas());
+  const LegendDrawing legend = layout_legend(entries, measure, static_cast<double>(room / unit), picture.canvas());
   const ImVec2 at(std::floor(corner.x - static_cast<float>(legend.width) * unit),
                   std::floor(corner.y - static_cast<float>(legend.height) * unit));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -2,12 +2,20 @@
 // The colour bars of visible layers, above the canvas.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/model/layer_stack.h"
+#include "app/picture/picture.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-/// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while no
-/// visible layer has a colour map.
-ImVec2 draw_canvas_legend(const PanelContext& context, ImVec2 corner, float room);
+struct CanvasLegend {
+  const Gui& gui;
+  const Picture& picture;
+  const LayerStack& layers;
+
+  /// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while no
+  /// visible layer has a colour map.
+  ImVec2 draw(ImVec2 corner, float room) const;
+};
 
 }  // namespace mes

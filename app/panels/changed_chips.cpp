@@ -3,6 +3,7 @@
 
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -21,16 +22,19 @@ std::string explanation(Parameter parameter) {
 
 }  // namespace
 
-ChangedChips::ChangedChips(const PanelContext& context)
-    : context_(context), changed_(changed_parameters(context.computation)) {
+ChangedChips::ChangedChips(const Gui& gui, ComputationControl& computation, Messages& messages)
+    : gui_(gui),
+      computation_(computation),
+      messages_(messages),
+      changed_(changed_parameters(computation.settings())) {
   for (const ChangedParameter& changed : changed_)
-    widths_.push_back(text_width(changed.text) + (kCross + 2) * context.gui.unit());
+    widths_.push_back(text_width(changed.text) + (kCross + 2) * gui_.unit());
 }
 
 float ChangedChips::text_width(const std::string& text) const {
-  const ImFont& font = *context_.gui.small();
+  const ImFont& font = *gui_.small();
   const float size = font.FontSize * ImGui::GetIO().FontGlobalScale;
-  return font.CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x + 2 * kPadding * context_.gui.unit();
+  return font.CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x + 2 * kPadding * gui_.unit();
 }
 
 std::string ChangedChips::rest_text(std::size_t shown) const {
@@ -38,7 +42,7 @@ std::string ChangedChips::rest_text(std::size_t shown) const {
 }
 
 float ChangedChips::row_width(std::size_t shown) const {
-  const float unit = context_.gui.unit();
+  const float unit = gui_.unit();
   float out = kGapAfter * unit;
   for (std::size_t i = 0; i < shown; ++i) out += widths_[i] + (i == 0 ? 0.0F : kGap * unit);
   if (shown < changed_.size()) out += (shown == 0 ? 0.0F : kGap * unit) + text_width(rest_text(shown));
@@ -46,7 +50,7 @@ float ChangedChips::row_width(std::size_t shown) const {
 }
 
 std::size_t ChangedChips::shown_in(float room) const {
-  const float unit = context_.gui.unit();
+  const float unit = gui_.unit();
   return how_many_fit(widths_, kGap * unit, text_width(rest_text(0)), room - kGapAfter * unit);
 }
 
@@ -59,17 +63,16 @@ float ChangedChips::width_in(float room) const {
 }
 
 void ChangedChips::reset(Parameter parameter) const {
-  if (context_.animation.is_running() && context_.animation.parameter == parameter) context_.animation.stop();
+  ParameterAnimation& animation = computation_.animation();
+  if (animation.is_running() && animation.parameter == parameter) animation.stop();
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
-  ComputationSettings settings = context_.computation;
-  settings[parameter] = descriptor.default_value;
-  context_.set_computation(settings);
-  context_.messages.remark(title_of(descriptor) + ": " + value_text(descriptor, descriptor.default_value) + " again");
+  computation_.set(parameter, descriptor.default_value);
+  messages_.remark(title_of(descriptor) + ": " + value_text(descriptor, descriptor.default_value) + " again");
 }
 
 bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_cross) const {
-  const float unit = context_.gui.unit();
-  const ThemeColors& colors = context_.gui.colors();
+  const float unit = gui_.unit();
+  const ThemeColors& colors = gui_.colors();
   const ImVec2 size(text_width(text) + (has_cross ? (kCross + 2) * unit : 0.0F), ImGui::GetFrameHeight());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool is_clicked = ImGui::InvisibleButton(id, size);
@@ -78,7 +81,7 @@ bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_c
   const ImVec2 end(at.x + size.x, at.y + size.y);
   list.AddRectFilled(at, end, is_hovered ? colors.accent_soft : colors.accent_faint, 0.5F * size.y);
   list.AddRect(at, end, colors.accent, 0.5F * size.y, 0, unit);
-  ImFont* const font = context_.gui.small();
+  ImFont* const font = gui_.small();
   const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
   list.AddText(font, height, {at.x + kPadding * unit, at.y + 0.5F * (size.y - height)}, colors.text, text.c_str());
   if (has_cross)
@@ -88,10 +91,10 @@ bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_c
 }
 
 void ChangedChips::draw_rest(std::size_t shown) const {
-  const float unit = context_.gui.unit();
+  const float unit = gui_.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (draw_chip("rest", rest_text(shown), false)) ImGui::OpenPopup("##changed");
-  tooltip(context_.gui, "More parameters that are not at their defaults");
+  tooltip(gui_, "More parameters that are not at their defaults");
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
   // Above the bar, towards the middle of the window.
@@ -101,7 +104,7 @@ void ChangedChips::draw_rest(std::size_t shown) const {
     for (std::size_t i = shown; i < changed_.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
-      tooltip(context_.gui, explanation(changed_[i].parameter));
+      tooltip(gui_, explanation(changed_[i].parameter));
       ImGui::PopID();
     }
     ImGui::EndPopup();
@@ -111,14 +114,14 @@ void ChangedChips::draw_rest(std::size_t shown) const {
 
 void ChangedChips::draw(float room) const {
   if (is_empty()) return;
-  const float unit = context_.gui.unit();
+  const float unit = gui_.unit();
   const std::size_t shown = shown_in(room);
   ImGui::PushID("chips");
   for (std::size_t i = 0; i < shown; ++i) {
     if (i > 0) ImGui::SameLine(0, kGap * unit);
     ImGui::PushID(static_cast<int>(changed_[i].parameter));
     if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
-    tooltip(context_.gui, explanation(changed_[i].parameter));
+    tooltip(gui_, explanation(changed_[i].parameter));
     ImGui::PopID();
   }
   if (shown < changed_.size()) {

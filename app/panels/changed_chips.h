@@ -3,21 +3,23 @@
 #pragma once
 
 #include "app/model/changed_parameters.h"
-#include "app/panels/panel_context.h"
+#include "app/model/computation_control.h"
+#include "app/model/messages.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
 /// What it guarantees: with any parameter changed there is something to see, if only "+3", whose popup has them all.
 ///
 /// Smallest use:
-///     const ChangedChips chips(context);
+///     const ChangedChips chips(gui, computation, messages);
 ///     const float width = chips.width_in(room);
 ///     ... ImGui::SetCursorPosX(end - width); chips.draw(width);
 ///
 /// Threads: the window's; lives for a frame.
 class ChangedChips {
  public:
-  explicit ChangedChips(const PanelContext& context);
+  ChangedChips(const Gui& gui, ComputationControl& computation, Messages& messages);
 
   bool is_empty() const { return changed_.empty(); }
   /// Of all of them, with the gap before what follows.
@@ -36,7 +38,9 @@ class ChangedChips {
   void draw_rest(std::size_t shown) const;
   void reset(Parameter parameter) const;
 
-  const PanelContext& context_;
+  const Gui& gui_;
+  ComputationControl& computation_;
+  Messages& messages_;
   std::vector<ChangedParameter> changed_;
   std::vector<float> widths_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -40,13 +41,13 @@ void draw_color_map(ImDrawList& list, const render::ColorMap& map, ImVec2 at, Im
   }
 }
 
-void ColorMapControls::draw_choice(const PanelContext& context, LayerStyle& style) const {
-  const float unit = context.gui.unit();
+void ColorMapControls::draw_choice(LayerStyle& style) const {
+  const float unit = gui_.unit();
   const std::string shown = style.color_map.empty() ? "One colour" : style.color_map;
   ImGui::SetNextItemWidth(150 * unit);
   if (ImGui::BeginCombo("Colour map", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
     if (ImGui::Selectable("One colour", style.color_map.empty())) style.color_map.clear();
-    for (const render::ColorMap& map : context.picture.scene().color_maps()) {
+    for (const render::ColorMap& map : picture_.scene().color_maps()) {
       ImGui::PushID(map.name.c_str());
       const ImVec2 at = ImGui::GetCursorScreenPos();
       const float height = ImGui::GetTextLineHeight();
@@ -54,16 +55,16 @@ void ColorMapControls::draw_choice(const PanelContext& context, LayerStyle& styl
       if (ImGui::Selectable("##map", style.color_map == map.name, 0, row)) style.color_map = map.name;
       ImDrawList& list = *ImGui::GetWindowDrawList();
       draw_color_map(list, map, at, {kPreviewWidth * unit, height});
-      list.AddText({at.x + kPreviewWidth * unit + 8 * unit, at.y}, context.gui.colors().text, map.name.c_str());
+      list.AddText({at.x + kPreviewWidth * unit + 8 * unit, at.y}, gui_.colors().text, map.name.c_str());
       ImGui::PopID();
     }
     ImGui::EndCombo();
   }
 }
 
-void ColorMapControls::draw_range(const PanelContext& context, LayerIndex layer, LayerStyle& style) {
-  const float unit = context.gui.unit();
-  const render::ScalarRange now = context.picture.scene().scalar_range(layer);
+void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
+  const float unit = gui_.unit();
+  const render::ScalarRange now = picture_.scene().scalar_range(layer);
   render::ScalarRange range = style.range_locked ? render::ScalarRange{style.range_low, style.range_high} : now;
   if (range.is_empty()) range = {0.0, 1.0};
   const auto field = [&](const char* label, double& value) {
@@ -74,10 +75,10 @@ void ColorMapControls::draw_range(const PanelContext& context, LayerIndex layer,
   double low = range.low;
   double high = range.high;
   if (field("##low", low)) set_range(style, {low, std::max(low, range.high)});
-  tooltip(context.gui, "What has the first colour of the map; a number typed here locks the range");
+  tooltip(gui_, "What has the first colour of the map; a number typed here locks the range");
   ImGui::SameLine(0, 4 * unit);
   if (field("##high", high)) set_range(style, {std::min(range.low, high), high});
-  tooltip(context.gui, "What has the last colour of the map; a number typed here locks the range");
+  tooltip(gui_, "What has the last colour of the map; a number typed here locks the range");
   ImGui::SameLine(0, 6 * unit);
   bool locked = style.range_locked;
   if (ImGui::Checkbox("Lock", &locked)) {
@@ -86,27 +87,27 @@ void ColorMapControls::draw_range(const PanelContext& context, LayerIndex layer,
     else
       style.range_locked = false;
   }
-  tooltip(context.gui, "Keep this range; otherwise it is always that of what is shown");
+  tooltip(gui_, "Keep this range; otherwise it is always that of what is shown");
   ImGui::BeginDisabled(now.is_empty());
   if (ImGui::Button("Fit now")) set_range(style, now);
   ImGui::EndDisabled();
-  tooltip(context.gui, "Take the range of what is shown now, and keep it");
+  tooltip(gui_, "Take the range of what is shown now, and keep it");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("Copy range")) copied_ = range;
-  tooltip(context.gui, "Remember this range, to give it to another layer");
+  tooltip(gui_, "Remember this range, to give it to another layer");
   ImGui::SameLine(0, 4 * unit);
   ImGui::BeginDisabled(!copied_.has_value());
   if (ImGui::Button("Paste range") && copied_) set_range(style, *copied_);
   ImGui::EndDisabled();
-  tooltip(context.gui, "Give this layer the range that was copied");
+  tooltip(gui_, "Give this layer the range that was copied");
 }
 
-void ColorMapControls::draw(const PanelContext& context, LayerIndex layer, LayerStyle& style) {
-  const std::string_view scalar = context.layers.descriptor(layer).scalar;
+void ColorMapControls::draw(LayerIndex layer, LayerStyle& style) {
+  const std::string_view scalar = layers_.descriptor(layer).scalar;
   if (scalar.empty()) return;
-  draw_choice(context, style);
-  tooltip(context.gui, "Colours by " + std::string(scalar));
-  if (!style.color_map.empty()) draw_range(context, layer, style);
+  draw_choice(style);
+  tooltip(gui_, "Colours by " + std::string(scalar));
+  if (!style.color_map.empty()) draw_range(layer, style);
 }
 
 }  // namespace mes

@@ -4,7 +4,9 @@
 
 #include <optional>
 
-#include "app/panels/panel_context.h"
+#include "app/model/layer_stack.h"
+#include "app/picture/picture.h"
+#include "app/ui/gui.h"
 #include "render/colormap.h"
 
 namespace mes {
@@ -14,13 +16,19 @@ void draw_color_map(ImDrawList& list, const render::ColorMap& map, ImVec2 at, Im
 
 class ColorMapControls {
  public:
+  ColorMapControls(const Gui& gui, const LayerStack& layers, const Picture& picture)
+      : gui_(gui), layers_(layers), picture_(picture) {}
+
   /// Draws choice of the map and range, and changes the style by them; nothing for a layer without scalar.
-  void draw(const PanelContext& context, LayerIndex layer, LayerStyle& style);
+  void draw(LayerIndex layer, LayerStyle& style);
 
  private:
-  void draw_choice(const PanelContext& context, LayerStyle& style) const;
-  void draw_range(const PanelContext& context, LayerIndex layer, LayerStyle& style);
+  void draw_choice(LayerStyle& style) const;
+  void draw_range(LayerIndex layer, LayerStyle& style);
 
+  const Gui& gui_;
+  const LayerStack& layers_;
+  const Picture& picture_;
   std::optional<render::ScalarRange> copied_;
 };
 

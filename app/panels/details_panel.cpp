@@ -3,8 +3,7 @@
 
 #include <array>
 
-#include "app/panels/log_panel.h"
-#include "app/panels/statistics_panel.h"
+#include "app/actions/actions.h"
 #include "app/ui/icons.h"
 
 namespace mes {
@@ -21,23 +20,23 @@ constexpr std::array<Page, 3> kPages{{{DetailsPage::statistics, "Statistics", Ac
 
 }  // namespace
 
-void DetailsPanel::draw(const PanelContext& context, const PanelArea& area) {
+void DetailsPanel::draw(const PanelArea& area) {
   if (begin_panel("##details", area)) {
-    const float unit = context.gui.unit();
+    const float unit = gui_.unit();
     for (const Page& page : kPages) {
       if (page.page != kPages.front().page) ImGui::SameLine(0, 2 * unit);
-      if (choice_button(page.title, context.settings.details == page.page)) context.settings.details = page.page;
-      tooltip(context.gui, tooltip_of(page.toggle));
+      if (choice_button(page.title, shown_ == page.page)) shown_ = page.page;
+      tooltip(gui_, tooltip_of(page.toggle));
     }
     const float size = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
-    if (icon_button("close", Icon::close, size)) context.settings.details = DetailsPage::none;
-    tooltip(context.gui, "Hide this panel");
+    if (icon_button("close", Icon::close, size)) shown_ = DetailsPage::none;
+    tooltip(gui_, "Hide this panel");
     ImGui::Separator();
-    switch (context.settings.details) {
-      case DetailsPage::statistics: draw_statistics(context); break;
-      case DetailsPage::parameters: parameters_.draw(context); break;
-      case DetailsPage::log: draw_log(context); break;
+    switch (shown_) {
+      case DetailsPage::statistics: statistics_.draw(); break;
+      case DetailsPage::parameters: parameters_.draw(); break;
+      case DetailsPage::log: log_.draw(); break;
       case DetailsPage::none: break;
     }
   }

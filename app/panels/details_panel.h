@@ -2,17 +2,29 @@
 // The lower right panel, with a page at a time: statistics, parameters, log.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/model/settings.h"
+#include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
+#include "app/panels/statistics_panel.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 
 class DetailsPanel {
  public:
-  void draw(const PanelContext& context, const PanelArea& area);
+  /// Which page is shown is in `shown`.
+  DetailsPanel(const Gui& gui, DetailsPage& shown, StatisticsPanel statistics, ParametersPanel parameters,
+               LogPanel log)
+      : gui_(gui), shown_(shown), statistics_(statistics), parameters_(std::move(parameters)), log_(log) {}
+
+  void draw(const PanelArea& area);
 
  private:
+  const Gui& gui_;
+  DetailsPage& shown_;
+  StatisticsPanel statistics_;
   ParametersPanel parameters_;
+  LogPanel log_;
 };
 
 }  // namespace mes

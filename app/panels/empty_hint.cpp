@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/actions/actions.h"
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
 
@@ -22,25 +23,23 @@ constexpr std::array kOffers{Offer{ActionId::tool_spray, "Draw a curve"}, Offer{
 
 }  // namespace
 
-void draw_empty_hint(const PanelContext& context, ImVec2 middle) {
-  const bool has_picture = context.picture.background_aspect() > 0.0;
-  if (!context.editor.document().is_empty() || has_picture || context.files.is_reading() ||
-      context.canvas.has_pointer())
-    return;
-  const float unit = context.gui.unit();
+void EmptyHint::draw(ImVec2 middle) const {
+  const bool has_picture = picture.background_aspect() > 0.0;
+  if (!document.is_empty() || has_picture || files.is_reading() || canvas.has_pointer()) return;
+  const float unit = gui.unit();
   const float size = ImGui::GetFontSize();
   const float line = 1.7F * size;
   // Right of the key and left of the text.
   const float gap = 14.0F * unit;
-  const ImU32 color = to_imgui(mark_color(context.picture.canvas()), 0.55);
+  const ImU32 color = to_imgui(mark_color(picture.canvas()), 0.55);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   float y = middle.y - 0.5F * line * static_cast<float>(kOffers.size());
   for (const Offer& offer : kOffers) {
     const std::vector<std::string_view>& keys = descriptor_of(offer.action).keys;
     if (!keys.empty()) {
       const std::string key(keys.front());
-      const float width = context.gui.bold()->CalcTextSizeA(size, 1e9F, 0.0F, key.c_str()).x;
-      list.AddText(context.gui.bold(), size, {middle.x - 60 * unit - gap - width, y}, color, key.c_str());
+      const float width = gui.bold()->CalcTextSizeA(size, 1e9F, 0.0F, key.c_str()).x;
+      list.AddText(gui.bold(), size, {middle.x - 60 * unit - gap - width, y}, color, key.c_str());
     }
     const std::string text(offer.text);
     list.AddText(ImGui::GetFont(), size, {middle.x - 60 * unit, y}, color, text.c_str());

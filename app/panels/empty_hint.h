@@ -2,12 +2,23 @@
 // What to do with an empty canvas.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/canvas/canvas.h"
+#include "app/picture/picture.h"
+#include "app/store/file_desk.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-/// Some lines about `middle`, with the keys of the action table; nothing once the document holds anything, above a
-/// picture to trace, or while the pointer is drawing.
-void draw_empty_hint(const PanelContext& context, ImVec2 middle);
+struct EmptyHint {
+  const Gui& gui;
+  const Document& document;
+  const FileDesk& files;
+  const Picture& picture;
+  const Canvas& canvas;
+
+  /// Some lines about `middle`, with the keys of the action table; nothing once the document holds anything, above a
+  /// picture to trace, or while the pointer is drawing.
+  void draw(ImVec2 middle) const;
+};
 
 }  // namespace mes

@@ -9,6 +9,7 @@
 
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "core/base/rng.h"
 
 namespace mes {
@@ -29,28 +30,28 @@ class Row {
   bool is_first_ = true;
 };
 
-void chooser(const PanelContext& context) {
-  EvolutionPlayer& player = context.evolution;
-  ImGui::SetNextItemWidth(104 * context.gui.unit());
+void chooser(const EvolutionStrip& strip) {
+  EvolutionPlayer& player = strip.evolution;
+  ImGui::SetNextItemWidth(104 * strip.gui.unit());
   if (ImGui::BeginCombo("##evolution", player.descriptor().name.data(), ImGuiComboFlags_HeightLarge)) {
     for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
       const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
       if (ImGui::Selectable(evolution.name.data(), i == player.choice().evolution)) player.choose(i);
-      tooltip(context.gui, std::string(evolution.tooltip));
+      tooltip(strip.gui, std::string(evolution.tooltip));
     }
     ImGui::EndCombo();
   }
-  tooltip(context.gui, std::string(player.descriptor().tooltip) + " (Ctrl+Up, Ctrl+Down for another)");
+  tooltip(strip.gui, std::string(player.descriptor().tooltip) + " (Ctrl+Up, Ctrl+Down for another)");
 }
 
-void buttons(const PanelContext& context, float size) {
+void buttons(const EvolutionStrip& strip, float size) {
   using Direction = EvolutionPlayer::Direction;
-  const Direction direction = context.evolution.direction();
+  const Direction direction = strip.evolution.direction();
   const auto button = [&](ActionId id, Icon icon, bool on) {
-    const bool enabled = context.actions.is_enabled(id);
+    const bool enabled = strip.actions.is_enabled(id);
     if (icon_button(descriptor_of(id).public_id.data(), icon, size, on ? ButtonLook::on : ButtonLook::plain, enabled))
-      context.actions.run(id);
-    tooltip(context.gui, tooltip_of(id));
+      strip.actions.run(id);
+    tooltip(strip.gui, tooltip_of(id));
     ImGui::SameLine(0, 0);
   };
   button(ActionId::evolution_first, Icon::to_start, false);
@@ -62,9 +63,9 @@ void buttons(const PanelContext& context, float size) {
   ImGui::Dummy({0, size});
 }
 
-void slider(const PanelContext& context, Row& row, float most) {
-  EvolutionPlayer& player = context.evolution;
-  const float unit = context.gui.unit();
+void slider(const EvolutionStrip& strip, Row& row, float most) {
+  EvolutionPlayer& player = strip.evolution;
+  const float unit = strip.gui.unit();
   std::uint64_t k = player.target();
   constexpr std::uint64_t kFirst = 0;
   const std::uint64_t end = player.end();
@@ -81,7 +82,7 @@ void slider(const PanelContext& context, Row& row, float most) {
                           ImGuiSliderFlags_AlwaysClamp) &&
       k != player.target())
     player.step_to(k);
-  tooltip(context.gui, "Steps from the beginning; Ctrl+click to type a number");
+  tooltip(strip.gui, "Steps from the beginning; Ctrl+click to type a number");
   ImGui::SameLine(0, 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("of");
@@ -91,28 +92,28 @@ void slider(const PanelContext& context, Row& row, float most) {
   if (ImGui::InputScalar("##end", ImGuiDataType_U64, &new_end, nullptr, nullptr, nullptr,
                          ImGuiInputTextFlags_EnterReturnsTrue))
     player.set_end(new_end);
-  tooltip(context.gui, "Last step of the slider; playing goes on beyond it");
+  tooltip(strip.gui, "Last step of the slider; playing goes on beyond it");
 }
 
-void speed(const PanelContext& context) {
+void speed(const EvolutionStrip& strip) {
   constexpr std::array<double, 6> kSpeeds{1, 2, 5, 10, 30, EvolutionPlayer::kFastest};
   const auto label = [](double value) {
     return value >= EvolutionPlayer::kFastest ? std::string("fastest")
                                               : std::to_string(static_cast<int>(value)) + " a second";
   };
-  EvolutionPlayer& player = context.evolution;
-  ImGui::SetNextItemWidth(100 * context.gui.unit());
+  EvolutionPlayer& player = strip.evolution;
+  ImGui::SetNextItemWidth(100 * strip.gui.unit());
   if (ImGui::BeginCombo("##speed", label(player.speed()).c_str())) {
     for (const double value : kSpeeds)
       if (ImGui::Selectable(label(value).c_str(), value == player.speed())) player.set_speed(value);
     ImGui::EndCombo();
   }
-  tooltip(context.gui, "Steps while playing; never more than pictures can be completed");
+  tooltip(strip.gui, "Steps while playing; never more than pictures can be completed");
 }
 
-void seed(const PanelContext& context) {
-  EvolutionPlayer& player = context.evolution;
-  const float unit = context.gui.unit();
+void seed(const EvolutionStrip& strip) {
+  EvolutionPlayer& player = strip.evolution;
+  const float unit = strip.gui.unit();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Seed");
   ImGui::SameLine(0, 5 * unit);
@@ -121,17 +122,17 @@ void seed(const PanelContext& context) {
   if (ImGui::InputScalar("##seed", ImGuiDataType_U64, &value, nullptr, nullptr, nullptr,
                          ImGuiInputTextFlags_EnterReturnsTrue))
     player.set_seed(value);
-  tooltip(context.gui, "The same seed gives the same random numbers, always");
+  tooltip(strip.gui, "The same seed gives the same random numbers, always");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("New seed")) player.set_seed(Rng(player.choice().seed).at(0) >> 40U);
-  tooltip(context.gui, "Draw other random numbers");
+  tooltip(strip.gui, "Draw other random numbers");
 }
 
-void parameter_field(const PanelContext& context, const ParameterDescriptor& parameter) {
-  EvolutionPlayer& player = context.evolution;
+void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& parameter) {
+  EvolutionPlayer& player = strip.evolution;
   const std::string id(parameter.id);
   double value = player.choice().values[parameter.id];
-  ImGui::SetNextItemWidth(140 * context.gui.unit());
+  ImGui::SetNextItemWidth(140 * strip.gui.unit());
   if (parameter.is_whole && parameter.high == 1.0) {
     bool is_on = value != 0.0;
     if (ImGui::Checkbox(id.c_str(), &is_on)) player.set_value(parameter.id, is_on ? 1.0 : 0.0);
@@ -144,42 +145,42 @@ void parameter_field(const PanelContext& context, const ParameterDescriptor& par
                                  ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
     player.set_value(parameter.id, value);
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
-  ImGui::PushTextWrapPos(330 * context.gui.unit());
+  ImGui::PushStyleColor(ImGuiCol_Text, strip.gui.colors().text_quiet);
+  ImGui::PushTextWrapPos(330 * strip.gui.unit());
   ImGui::TextUnformatted(parameter.explanation.data());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::Spacing();
 }
 
-void parameters(const PanelContext& context, float size) {
-  EvolutionPlayer& player = context.evolution;
+void parameters(const EvolutionStrip& strip, float size) {
+  EvolutionPlayer& player = strip.evolution;
   if (icon_button("parameters", Icon::parameters, size)) ImGui::OpenPopup("##evolution-parameters");
-  tooltip(context.gui, "Parameters\nWhat steers this evolution; a change shows the present step anew");
+  tooltip(strip.gui, "Parameters\nWhat steers this evolution; a change shows the present step anew");
   if (!ImGui::BeginPopup("##evolution-parameters")) return;
   const std::vector<ParameterDescriptor> all = parameters_of(player.choice().evolution);
-  for (const ParameterDescriptor& parameter : all) parameter_field(context, parameter);
+  for (const ParameterDescriptor& parameter : all) parameter_field(strip, parameter);
   if (ImGui::Button("As at the beginning"))
     for (const ParameterDescriptor& parameter : all) player.set_value(parameter.id, parameter.default_value);
-  tooltip(context.gui, "Give every parameter of this evolution its first value back");
+  tooltip(strip.gui, "Give every parameter of this evolution its first value back");
   ImGui::EndPopup();
 }
 
 // Far steps only: for near ones it would flicker.
-void progress(const PanelContext& context, float width) {
-  const EvolutionPlayer& player = context.evolution;
+void progress(const EvolutionStrip& strip, float width) {
+  const EvolutionPlayer& player = strip.evolution;
   const bool is_far = player.is_waiting() && player.progress() > 0.0 && player.target() > player.position() + 10;
   const ImVec2 at = ImGui::GetWindowPos();
   if (!is_far) return;
   ImGui::GetWindowDrawList()->AddRectFilled(
-      at, {at.x + width * static_cast<float>(player.progress()), at.y + 3 * context.gui.unit()},
-      context.gui.colors().accent);
+      at, {at.x + width * static_cast<float>(player.progress()), at.y + 3 * strip.gui.unit()},
+      strip.gui.colors().accent);
 }
 
 }  // namespace
 
-float draw_evolution_strip(const PanelContext& context, ImVec2 at, float width) {
-  const float unit = context.gui.unit();
+float EvolutionStrip::draw(ImVec2 at, float width) const {
+  const float unit = gui.unit();
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, {0.0F, 1.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * unit, 6 * unit});
   ImGui::Begin("##evolution-strip", nullptr,
@@ -188,19 +189,19 @@ float draw_evolution_strip(const PanelContext& context, ImVec2 at, float width) 
   const float size = ImGui::GetFrameHeight();
   Row row(width - 16 * unit, 10 * unit);
   row.next(104 * unit);
-  chooser(context);
+  chooser(*this);
   row.next(size);
-  parameters(context, size);
+  parameters(*this, size);
   row.next(6 * size);
-  buttons(context, size);
-  slider(context, row, width - 16 * unit);
+  buttons(*this, size);
+  slider(*this, row, width - 16 * unit);
   row.next(100 * unit);
-  speed(context);
-  if (context.evolution.descriptor().is_random) {
+  speed(*this);
+  if (evolution.descriptor().is_random) {
     row.next(190 * unit);
-    seed(context);
+    seed(*this);
   }
-  progress(context, ImGui::GetWindowWidth());
+  progress(*this, ImGui::GetWindowWidth());
   const float height = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar();

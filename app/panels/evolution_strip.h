@@ -2,11 +2,19 @@
 // The slider of evolutions, in a strip over the canvas.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/actions/action_bindings.h"
+#include "app/model/evolution_player.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-/// Its lower left corner stands at `at`. Gives the height it takes.
-float draw_evolution_strip(const PanelContext& context, ImVec2 at, float width);
+struct EvolutionStrip {
+  const Gui& gui;
+  const ActionBindings& actions;
+  EvolutionPlayer& evolution;
+
+  /// Its lower left corner stands at `at`. Gives the height it takes.
+  float draw(ImVec2 at, float width) const;
+};
 
 }  // namespace mes

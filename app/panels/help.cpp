@@ -6,26 +6,28 @@
 #include <string_view>
 #include <vector>
 
+#include "app/actions/actions.h"
 #include "app/ui/icons.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
 
-void key_cap(const PanelContext& context, std::string_view text) {
-  const float unit = context.gui.unit();
+void key_cap(const Gui& gui, std::string_view text) {
+  const float unit = gui.unit();
   const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 end(at.x + size.x + 10 * unit, at.y + size.y + 4 * unit);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, end, context.gui.colors().field, 4 * unit);
-  list.AddRect(at, end, context.gui.colors().border, 4 * unit);
-  list.AddText({at.x + 5 * unit, at.y + 2 * unit}, context.gui.colors().text, text.data(), text.data() + text.size());
+  list.AddRectFilled(at, end, gui.colors().field, 4 * unit);
+  list.AddRect(at, end, gui.colors().border, 4 * unit);
+  list.AddText({at.x + 5 * unit, at.y + 2 * unit}, gui.colors().text, text.data(), text.data() + text.size());
   ImGui::Dummy({end.x - at.x, end.y - at.y});
 }
 
-void heading(const PanelContext& context, std::string_view text) {
-  ImGui::Dummy({0, 3 * context.gui.unit()});
-  ImGui::PushFont(context.gui.bold());
+void heading(const Gui& gui, std::string_view text) {
+  ImGui::Dummy({0, 3 * gui.unit()});
+  ImGui::PushFont(gui.bold());
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopFont();
 }
@@ -61,10 +63,10 @@ std::vector<Line> lines_of(ActionGroup group) {
   return out;
 }
 
-void draw_group(const PanelContext& context, ActionGroup group) {
-  const float unit = context.gui.unit();
+void draw_group(const Gui& gui, ActionGroup group) {
+  const float unit = gui.unit();
   const std::vector<Line> lines = lines_of(group);
-  heading(context, title_of(group));
+  heading(gui, title_of(group));
   float text_at = 0.0F;
   for (const Line& line : lines) {
     float width = 0.0F;
@@ -75,7 +77,7 @@ void draw_group(const PanelContext& context, ActionGroup group) {
   const float start = ImGui::GetCursorPosX();
   for (const Line& line : lines) {
     for (const std::string_view key : line.keys) {
-      key_cap(context, key);
+      key_cap(gui, key);
       ImGui::SameLine(0, 4 * unit);
     }
     ImGui::SetCursorPos({start + text_at, ImGui::GetCursorPosY() + 2 * unit});
@@ -85,22 +87,22 @@ void draw_group(const PanelContext& context, ActionGroup group) {
   }
 }
 
-void draw_gesture(const PanelContext& context, const GestureDescriptor& gesture) {
-  const float unit = context.gui.unit();
-  key_cap(context, gesture.input);
+void draw_gesture(const Gui& gui, const GestureDescriptor& gesture) {
+  const float unit = gui.unit();
+  key_cap(gui, gesture.input);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 3 * unit);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
   ImGui::TextWrapped("%.*s", static_cast<int>(gesture.meaning.size()), gesture.meaning.data());
   ImGui::PopStyleColor();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * unit);
 }
 
 /// Groups in the order of reading, in columns of about the same height.
-void draw_columns(const PanelContext& context, float width) {
+void draw_columns(const Gui& gui, float width) {
   constexpr std::array<ActionGroup, 6> kOrder{ActionGroup::file, ActionGroup::tools,   ActionGroup::edit,
                                               ActionGroup::view, ActionGroup::compute, ActionGroup::help};
   constexpr float kColumnWidth = 285.0F;  // logical pixels; less, and lines are broken
-  const int columns = std::clamp(static_cast<int>(width / (kColumnWidth * context.gui.unit())), 1, 4);
+  const int columns = std::clamp(static_cast<int>(width / (kColumnWidth * gui.unit())), 1, 4);
   if (!ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
   constexpr std::size_t kHeading = 2;
   constexpr std::size_t kGestureLines = 2;
@@ -120,21 +122,21 @@ void draw_columns(const PanelContext& context, float width) {
   };
   for (const ActionGroup group : kOrder) {
     next(lines_of(group).size() + kHeading);
-    draw_group(context, group);
+    draw_group(gui, group);
   }
   next(kHeading + kGestureLines);
-  heading(context, "With the mouse");
+  heading(gui, "With the mouse");
   for (const GestureDescriptor& gesture : gesture_descriptors()) {
     next(kGestureLines);
-    draw_gesture(context, gesture);
+    draw_gesture(gui, gesture);
   }
   ImGui::EndTable();
 }
 
 }  // namespace
 
-void draw_help(const PanelContext& context, bool* open) {
-  const float unit = context.gui.unit();
+void draw_help(const Gui& gui, bool* open) {
+  const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size(std::min(1240 * unit, screen.x - 24 * unit), std::min(680 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
@@ -142,14 +144,14 @@ void draw_help(const PanelContext& context, bool* open) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 3 * unit});
   if (Gui::begin_dialog("##help", *open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
-    ImGui::PushFont(context.gui.bold());
+    ImGui::PushFont(gui.bold());
     ImGui::TextUnformatted("Keys and gestures");
     ImGui::PopFont();
     ImGui::SameLine(size.x - 48 * unit);
     if (icon_button("close", Icon::close, 24 * unit)) *open = false;
-    tooltip(context.gui, "Close (Esc)");
+    tooltip(gui, "Close (Esc)");
     ImGui::BeginChild("page");
-    draw_columns(context, ImGui::GetContentRegionAvail().x);
+    draw_columns(gui, ImGui::GetContentRegionAvail().x);
     ImGui::EndChild();
     const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);

@@ -5,6 +5,7 @@
 
 #include "app/store/background_loader.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "core/base/coordinate_range.h"
 
 namespace mes {
@@ -13,57 +14,55 @@ namespace {
 constexpr float kFieldWidth = 150.0F;
 
 /// True when a number was typed that a document can hold.
-bool number_field(const PanelContext& context, const char* label, double& value, const char* explanation) {
-  ImGui::SetNextItemWidth(kFieldWidth * context.gui.unit());
+bool number_field(const Gui& gui, const char* label, double& value, const char* explanation) {
+  ImGui::SetNextItemWidth(kFieldWidth * gui.unit());
   double typed = value;
   ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g");
   const bool is_new = ImGui::IsItemDeactivatedAfterEdit() && !range_fault_of(typed);
   if (is_new) value = typed;
-  tooltip(context.gui, explanation);
+  tooltip(gui, explanation);
   return is_new;
 }
 
 }  // namespace
 
-void draw_image_controls(const PanelContext& context) {
+void ImageControls::draw() const {
   const auto choose = [&](const char* label) {
     if (!ImGui::Button(label)) return;
     ImGui::CloseCurrentPopup();
-    context.actions.run(ActionId::trace_picture);
+    actions.run(ActionId::trace_picture);
   };
-  BackgroundImage image = context.layers.image();
+  BackgroundImage image = layers.image();
   if (image.file.empty()) {
     ImGui::TextUnformatted("No picture is there to trace");
     choose("Choose a picture...");
-    tooltip(context.gui, "PNG or JPEG; it can also be dropped on the window");
+    tooltip(gui, "PNG or JPEG; it can also be dropped on the window");
     return;
   }
-  const float unit = context.gui.unit();
+  const float unit = gui.unit();
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 250 * unit);
   ImGui::TextUnformatted(std::filesystem::path(image.file).filename().c_str());
   ImGui::PopTextWrapPos();
-  tooltip(context.gui, image.file);
-  const double aspect = context.picture.background_aspect();
+  tooltip(gui, image.file);
+  const double aspect = picture.background_aspect();
   if (aspect == 0.0) ImGui::TextDisabled("It is not shown: it is being read, or cannot be");
-  bool is_new =
-      number_field(context, "Width", image.width, "From its left to its right edge, in units of the samples");
-  is_new = number_field(context, "Middle, x", image.center.x, "Where its middle lies") || is_new;
-  is_new = number_field(context, "Middle, y", image.center.y, "Where its middle lies") || is_new;
-  if (is_new && image.width > 0.0) context.layers.set_image(image);
+  bool is_new = number_field(gui, "Width", image.width, "From its left to its right edge, in units of the samples");
+  is_new = number_field(gui, "Middle, x", image.center.x, "Where its middle lies") || is_new;
+  is_new = number_field(gui, "Middle, y", image.center.y, "Where its middle lies") || is_new;
+  if (is_new && image.width > 0.0) layers.set_image(image);
   ImGui::BeginDisabled(aspect == 0.0);
-  if (ImGui::Button("Fit to view"))
-    context.layers.set_image(placed_in(context.canvas.view().free_box(), image.file, aspect));
+  if (ImGui::Button("Fit to view")) layers.set_image(placed_in(canvas.view().free_box(), image.file, aspect));
   ImGui::EndDisabled();
-  tooltip(context.gui, "As large as it can be in what is seen now");
+  tooltip(gui, "As large as it can be in what is seen now");
   ImGui::SameLine(0, 4 * unit);
   choose("Replace...");
-  tooltip(context.gui, "Trace another picture");
+  tooltip(gui, "Trace another picture");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("Remove")) {
-    context.layers.set_image({});
+    layers.set_image({});
     ImGui::CloseCurrentPopup();
   }
-  tooltip(context.gui, "Take the picture away; its file stays");
+  tooltip(gui, "Take the picture away; its file stays");
 }
 
 }  // namespace mes

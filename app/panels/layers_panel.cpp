@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/panels/image_controls.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "imgui_stdlib.h"
@@ -43,8 +42,7 @@ class PopupSpacing {
 };
 
 // From the palette, or any.
-void draw_color_choice(const PanelContext& context, LayerStyle& style) {
-  const float unit = context.gui.unit();
+void draw_color_choice(float unit, LayerStyle& style) {
   constexpr std::array<Rgb, 9> kPalette{palette::black,     palette::orange, palette::sky,
                                         palette::green,     palette::yellow, palette::blue,
                                         palette::vermilion, palette::purple, palette::grey};
@@ -71,27 +69,26 @@ std::string milliseconds(double ms) {
   return text.data();
 }
 
-std::string explanation(const PanelContext& context, LayerIndex layer) {
-  std::string out(context.layers.descriptor(layer).tooltip);
+}  // namespace
+
+std::string LayersPanel::explanation(LayerIndex layer) const {
+  std::string out(layers_.descriptor(layer).tooltip);
   // Nothing is computed for the picture to trace.
-  if (context.layers.descriptor(layer).kinds.empty()) return out;
-  const LayerReport* report = context.picture.report(layer);
-  if (report == nullptr || !context.layers.is_visible(layer)) return out;
+  if (layers_.descriptor(layer).kinds.empty()) return out;
+  const LayerReport* report = picture_.report(layer);
+  if (report == nullptr || !layers_.is_visible(layer)) return out;
   if (is_failed(report->state)) return out + "\n\nNot up to date: " + report->reason;
   if (report->state == NodeState::computing) return out + "\n\nBeing computed";
   return out + "\n\nUp to date; drawn from the structures in " + milliseconds(report->emit_ms);
 }
 
-}  // namespace
-
-bool LayersPanel::is_listed(const PanelContext& context, LayerIndex layer) const {
-  return (!only_visible_ || context.layers.is_visible(layer)) &&
-         matches_search(context.layers.descriptor(layer), search_);
+bool LayersPanel::is_listed(LayerIndex layer) const {
+  return (!only_visible_ || layers_.is_visible(layer)) && matches_search(layers_.descriptor(layer), search_);
 }
 
-void LayersPanel::draw_head(const PanelContext& context) {
-  const float unit = context.gui.unit();
-  ImGui::PushFont(context.gui.bold());
+void LayersPanel::draw_head() {
+  const float unit = gui_.unit();
+  ImGui::PushFont(gui_.bold());
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Layers");
   ImGui::PopFont();
@@ -99,32 +96,32 @@ void LayersPanel::draw_head(const PanelContext& context) {
   const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   if (choice_button("Subject", !by_order_)) by_order_ = false;
-  tooltip(context.gui, "List the layers by what they are about");
+  tooltip(gui_, "List the layers by what they are about");
   ImGui::SameLine(0, 2 * unit);
   if (choice_button("Order", by_order_)) by_order_ = true;
-  tooltip(context.gui, "List the layers as they lie on each other, top first");
+  tooltip(gui_, "List the layers as they lie on each other, top first");
   ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Only visible").x - ImGui::GetFrameHeight() - 14 * unit);
   ImGui::InputTextWithHint("##search", "Search", &search_);
   ImGui::SameLine();
   ImGui::Checkbox("Only visible", &only_visible_);
-  tooltip(context.gui, "List only the layers that are shown");
-  if (context.layers.soloed() != kNoSlot) {
-    if (ImGui::SmallButton("End solo")) context.layers.end_solo();
-    tooltip(context.gui, "Show the other layers again");
+  tooltip(gui_, "List only the layers that are shown");
+  if (layers_.soloed() != kNoSlot) {
+    if (ImGui::SmallButton("End solo")) layers_.end_solo();
+    tooltip(gui_, "Show the other layers again");
   }
   ImGui::Dummy({0, 1 * unit});
 }
 
-void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImVec2 at, ImVec2 size) const {
-  const Rgb canvas = context.picture.canvas();
-  const LayerStyle style = drawn_on(context.layers.style(layer), canvas);
-  const LayerDescriptor& descriptor = context.layers.descriptor(layer);
-  const float unit = context.gui.unit();
+void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
+  const Rgb canvas = picture_.canvas();
+  const LayerStyle style = drawn_on(layers_.style(layer), canvas);
+  const LayerDescriptor& descriptor = layers_.descriptor(layer);
+  const float unit = gui_.unit();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + size.x, at.y + size.y);
   list.AddRectFilled(at, end, to_imgui(canvas), 3 * unit);
   list.PushClipRect(at, end, true);
-  const auto& maps = context.picture.scene().color_maps();
+  const auto& maps = picture_.scene().color_maps();
   const auto map = std::ranges::find(maps, style.color_map, &render::ColorMap::name);
   const bool is_mapped = map != maps.end() && !descriptor.scalar.empty();
   if (is_mapped) draw_color_map(list, *map, at, size, style.opacity);
@@ -133,7 +130,7 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
   const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
   if (descriptor.kinds.empty()) {
     // A sun above a hill.
-    const ImU32 ink = to_imgui(palette::grey, context.layers.image().file.empty() ? 0.5 : 1.0);
+    const ImU32 ink = to_imgui(palette::grey, layers_.image().file.empty() ? 0.5 : 1.0);
     list.AddCircleFilled({at.x + 0.3F * size.x, at.y + 0.35F * size.y}, 0.14F * size.y, ink);
     list.AddTriangleFilled({at.x + 0.25F * size.x, end.y - 3 * unit}, {at.x + 0.6F * size.x, at.y + 0.3F * size.y},
                            {end.x - 2 * unit, end.y - 3 * unit}, ink);
@@ -149,24 +146,24 @@ void LayersPanel::draw_swatch(const PanelContext& context, LayerIndex layer, ImV
     list.AddCircleFilled(
         middle, std::clamp(0.5F * static_cast<float>(style.point_size_px) * unit, 1.5F, 0.42F * size.y), color);
   list.PopClipRect();
-  list.AddRect(at, end, context.gui.colors().border, 3 * unit);
+  list.AddRect(at, end, gui_.colors().border, 3 * unit);
 }
 
-void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer) {
-  const float unit = context.gui.unit();
+void LayersPanel::draw_style_popup(LayerIndex layer) {
+  const float unit = gui_.unit();
   const PopupSpacing spacing(unit);
   if (!ImGui::BeginPopup("style")) return;
-  const LayerDescriptor& descriptor = context.layers.descriptor(layer);
-  LayerStyle style = context.layers.style(layer);
-  ImGui::PushFont(context.gui.bold());
+  const LayerDescriptor& descriptor = layers_.descriptor(layer);
+  LayerStyle style = layers_.style(layer);
+  ImGui::PushFont(gui_.bold());
   ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
   ImGui::PopFont();
 
   const bool is_picture = descriptor.kinds.empty();
-  if (is_picture) draw_image_controls(context);
-  color_maps_.draw(context, layer, style);
+  if (is_picture) image_.draw();
+  color_maps_.draw(layer, style);
   // The plain colour counts only without a map.
-  if (style.color_map.empty() && !is_picture) draw_color_choice(context, style);
+  if (style.color_map.empty() && !is_picture) draw_color_choice(unit, style);
   const auto slider = [&](const char* label, double& value, float low, float high, float factor, const char* format,
                           bool logarithmic) {
     auto shown = static_cast<float>(value) * factor;
@@ -182,46 +179,45 @@ void LayersPanel::draw_style_popup(const PanelContext& context, LayerIndex layer
   }
   if (!is_picture) ImGui::Checkbox("Flat", &style.flat);
   if (!is_picture)
-    tooltip(context.gui, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
-  context.layers.set_style(layer, style);
-  ImGui::BeginDisabled(context.layers.has_default_style(layer));
-  if (ImGui::Button("Reset style")) context.layers.reset_style(layer);
+    tooltip(gui_, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
+  layers_.set_style(layer, style);
+  ImGui::BeginDisabled(layers_.has_default_style(layer));
+  if (ImGui::Button("Reset style")) layers_.reset_style(layer);
   ImGui::EndDisabled();
   ImGui::EndPopup();
 }
 
 // A colour map goes along, but not to a layer that has nothing to show by it.
-void LayersPanel::paste_style(const PanelContext& context, LayerIndex layer) const {
+void LayersPanel::paste_style(LayerIndex layer) const {
   LayerStyle style = *copied_;
-  if (context.layers.descriptor(layer).scalar.empty()) style.color_map.clear();
-  context.layers.set_style(layer, style);
+  if (layers_.descriptor(layer).scalar.empty()) style.color_map.clear();
+  layers_.set_style(layer, style);
 }
 
-void LayersPanel::draw_context_menu(const PanelContext& context, LayerIndex layer) {
-  const PopupSpacing spacing(context.gui.unit());
+void LayersPanel::draw_context_menu(LayerIndex layer) {
+  const PopupSpacing spacing(gui_.unit());
   if (!ImGui::BeginPopupContextItem("menu")) return;
-  LayerStack& layers = context.layers;
-  if (layers.soloed() == layer) {
-    if (ImGui::MenuItem("End solo")) layers.end_solo();
+  if (layers_.soloed() == layer) {
+    if (ImGui::MenuItem("End solo")) layers_.end_solo();
   } else if (ImGui::MenuItem("Solo")) {
-    layers.solo(layer);
+    layers_.solo(layer);
   }
-  tooltip(context.gui, "Show this layer alone");
+  tooltip(gui_, "Show this layer alone");
   ImGui::Separator();
-  if (ImGui::MenuItem("Bring to front")) layers.move(layer, layers.order().back(), true);
-  if (ImGui::MenuItem("Send to back")) layers.move(layer, layers.order().front(), false);
+  if (ImGui::MenuItem("Bring to front")) layers_.move(layer, layers_.order().back(), true);
+  if (ImGui::MenuItem("Send to back")) layers_.move(layer, layers_.order().front(), false);
   ImGui::Separator();
-  if (ImGui::MenuItem("Copy style")) copied_ = layers.style(layer);
-  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value())) paste_style(context, layer);
-  if (ImGui::MenuItem("Reset style", nullptr, false, !layers.has_default_style(layer))) layers.reset_style(layer);
+  if (ImGui::MenuItem("Copy style")) copied_ = layers_.style(layer);
+  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value())) paste_style(layer);
+  if (ImGui::MenuItem("Reset style", nullptr, false, !layers_.has_default_style(layer))) layers_.reset_style(layer);
   ImGui::EndPopup();
 }
 
-void LayersPanel::draw_row(const PanelContext& context, LayerIndex layer) {
-  const float unit = context.gui.unit();
-  const LayerDescriptor& descriptor = context.layers.descriptor(layer);
-  const bool visible = context.layers.is_visible(layer);
-  const NodeState state = context.picture.state(layer);
+void LayersPanel::draw_row(LayerIndex layer) {
+  const float unit = gui_.unit();
+  const LayerDescriptor& descriptor = layers_.descriptor(layer);
+  const bool visible = layers_.is_visible(layer);
+  const NodeState state = picture_.state(layer);
   const float height = 27 * unit;
   ImGui::PushID(static_cast<int>(layer));
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -233,15 +229,15 @@ void LayersPanel::draw_row(const PanelContext& context, LayerIndex layer) {
   // The swatch lies on the row and is asked first.
   ImGui::SetCursorScreenPos(swatch_at);
   if (ImGui::InvisibleButton("swatch", swatch_size)) ImGui::OpenPopup("style");
-  tooltip(context.gui, descriptor.scalar.empty() ? "Colour, opacity, sizes" : "Colour, colour map, opacity, sizes");
-  draw_style_popup(context, layer);
+  tooltip(gui_, descriptor.scalar.empty() ? "Colour, opacity, sizes" : "Colour, colour map, opacity, sizes");
+  draw_style_popup(layer);
 
   ImGui::SetCursorScreenPos(at);
   const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, width - swatch_size.x - 6 * unit), height});
   const bool hovered = ImGui::IsItemHovered();
-  if (clicked) context.layers.set_visible(layer, !visible);
-  tooltip(context.gui, explanation(context, layer));
-  draw_context_menu(context, layer);
+  if (clicked) layers_.set_visible(layer, !visible);
+  tooltip(gui_, explanation(layer));
+  draw_context_menu(layer);
   if (ImGui::BeginDragDropSource()) {
     ImGui::SetDragDropPayload(kDragKind, &layer, sizeof layer);
     ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
@@ -253,54 +249,54 @@ void LayersPanel::draw_row(const PanelContext& context, LayerIndex layer) {
         kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
     if (payload != nullptr) {
       const float y = above ? at.y : at.y + height;
-      list.AddLine({at.x, y}, {at.x + width, y}, context.gui.colors().accent, 2 * unit);
-      if (payload->IsDelivery()) context.layers.move(*static_cast<const LayerIndex*>(payload->Data), layer, above);
+      list.AddLine({at.x, y}, {at.x + width, y}, gui_.colors().accent, 2 * unit);
+      if (payload->IsDelivery()) layers_.move(*static_cast<const LayerIndex*>(payload->Data), layer, above);
     }
     ImGui::EndDragDropTarget();
   }
 
-  if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, context.gui.colors().accent_faint, 4 * unit);
+  if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, gui_.colors().accent_faint, 4 * unit);
   const float icon = 18 * unit;
   const bool failed = visible && is_failed(state);
   draw_icon(list, visible ? Icon::eye : Icon::eye_closed, {at.x + 2 * unit, at.y + 0.5F * (height - icon)}, icon,
-            visible ? context.gui.colors().text : context.gui.colors().text_faint);
+            visible ? gui_.colors().text : gui_.colors().text_faint);
   const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
   list.PushClipRect(at, {swatch_at.x - 6 * unit, at.y + height}, true);
   list.AddText({at.x + 27 * unit, text_y},
-               failed    ? context.gui.colors().warning
-               : visible ? context.gui.colors().text
-                         : context.gui.colors().text_quiet,
+               failed    ? gui_.colors().warning
+               : visible ? gui_.colors().text
+                         : gui_.colors().text_quiet,
                descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
   list.PopClipRect();
   if (visible && state == NodeState::computing)
-    list.AddCircleFilled({swatch_at.x - 10 * unit, at.y + 0.5F * height}, 3 * unit, context.gui.colors().accent);
-  draw_swatch(context, layer, swatch_at, swatch_size);
+    list.AddCircleFilled({swatch_at.x - 10 * unit, at.y + 0.5F * height}, 3 * unit, gui_.colors().accent);
+  draw_swatch(layer, swatch_at, swatch_size);
   ImGui::SetCursorScreenPos({at.x, at.y + height});
   ImGui::PopID();
 }
 
-void LayersPanel::draw(const PanelContext& context, const PanelArea& area) {
+void LayersPanel::draw(const PanelArea& area) {
   if (begin_panel("##layers", area)) {
-    draw_head(context);
+    draw_head();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::BeginChild("rows");
     // A row may change the order while it is drawn.
-    const std::vector<LayerIndex> order(context.layers.order().begin(), context.layers.order().end());
+    const std::vector<LayerIndex> order(layers_.order().begin(), layers_.order().end());
     const bool flat_list = by_order_ || !search_.empty();
     std::size_t listed = 0;
     for (const LayerGroup group :
          {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::poles,
           LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
       const auto belongs = [&](LayerIndex layer) {
-        return is_listed(context, layer) && (flat_list || context.layers.descriptor(layer).group == group);
+        return is_listed(layer) && (flat_list || layers_.descriptor(layer).group == group);
       };
       const auto count = static_cast<std::size_t>(std::ranges::count_if(order, belongs));
       listed += count;
       if (count == 0) continue;
       if (!flat_list) {
         const std::string title(title_of(group));
-        ImGui::PushFont(context.gui.small());
-        ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().text_quiet);
+        ImGui::PushFont(gui_.small());
+        ImGui::PushStyleColor(ImGuiCol_Text, gui_.colors().text_quiet);
         ImGui::PushStyleColor(ImGuiCol_Header, 0);
         const bool open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
         ImGui::PopStyleColor(2);
@@ -308,7 +304,7 @@ void LayersPanel::draw(const PanelContext& context, const PanelArea& area) {
         if (!open) continue;
       }
       for (auto layer = order.rbegin(); layer != order.rend(); ++layer)
-        if (belongs(*layer)) draw_row(context, *layer);
+        if (belongs(*layer)) draw_row(*layer);
       if (flat_list) break;
     }
     if (listed == 0) ImGui::TextDisabled("No layer matches");

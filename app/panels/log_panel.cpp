@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -24,9 +25,9 @@ std::string line_of(const Messages::Entry& entry) {
 
 }  // namespace
 
-void draw_log(const PanelContext& context) {
-  const float unit = context.gui.unit();
-  const auto& entries = context.messages.entries();
+void LogPanel::draw() const {
+  const float unit = gui.unit();
+  const auto& entries = messages.entries();
   ImGui::BeginDisabled(entries.empty());
   if (ImGui::SmallButton("Copy")) {
     std::string text;
@@ -34,19 +35,19 @@ void draw_log(const PanelContext& context) {
       text += clock_text(entry.when) + (entry.is_problem ? "\tproblem\t" : "\tremark\t") + line_of(entry) + '\n';
     ImGui::SetClipboardText(text.c_str());
   }
-  tooltip(context.gui, "Copy all lines");
+  tooltip(gui, "Copy all lines");
   ImGui::SameLine(0, 6 * unit);
-  if (ImGui::SmallButton("Clear")) context.messages.clear_log();
-  tooltip(context.gui, "Forget all lines");
+  if (ImGui::SmallButton("Clear")) messages.clear_log();
+  tooltip(gui, "Forget all lines");
   ImGui::EndDisabled();
   ImGui::BeginChild("lines");
   if (entries.empty()) ImGui::TextDisabled("Nothing has been said yet");
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-    ImGui::PushFont(context.gui.small());
+    ImGui::PushFont(gui.small());
     ImGui::TextDisabled("%s", clock_text(entry->when).c_str());
     ImGui::PopFont();
     ImGui::SameLine(0, 6 * unit);
-    if (entry->is_problem) ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
+    if (entry->is_problem) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(line_of(*entry).c_str());
     ImGui::PopTextWrapPos();

@@ -2,10 +2,16 @@
 // What the program has said since it was started.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/model/messages.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-void draw_log(const PanelContext& context);
+struct LogPanel {
+  const Gui& gui;
+  Messages& messages;
+
+  void draw() const;
+};
 
 }  // namespace mes

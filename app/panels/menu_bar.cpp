@@ -5,62 +5,64 @@
 #include <filesystem>
 
 #include "app/picture/canvas_look.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
 
-void action_item(const PanelContext& context, ActionId id, const std::string& label = {}) {
+void action_item(const MenuBar& menu, ActionId id, const std::string& label = {}) {
   const ActionDescriptor& action = descriptor_of(id);
   const std::string name = label.empty() ? std::string(action.name) : label;
   const std::string key = action.keys.empty() ? std::string() : std::string(action.keys.front());
-  if (ImGui::MenuItem(name.c_str(), key.c_str(), context.actions.is_checked(id), context.actions.is_enabled(id)))
-    context.actions.run(id);
-  tooltip(context.gui, std::string(action.tooltip));
+  if (ImGui::MenuItem(name.c_str(), key.c_str(), menu.actions.is_checked(id), menu.actions.is_enabled(id)))
+    menu.actions.run(id);
+  tooltip(menu.gui, std::string(action.tooltip));
 }
 
-void recent_files_menu(const PanelContext& context) {
-  const auto recent = context.settings.recent_files;  // opening one changes the list
+void recent_files_menu(const MenuBar& menu) {
+  const auto recent = menu.settings.recent_files;  // opening one changes the list
   if (!ImGui::BeginMenu("Recent files", !recent.empty())) return;
   for (const std::string& file : recent) {
     const std::filesystem::path path(file);
     ImGui::PushID(file.c_str());
-    if (ImGui::MenuItem(path.filename().c_str())) context.open_file(file);
-    tooltip(context.gui, file);
+    if (ImGui::MenuItem(path.filename().c_str())) menu.open_file(file);
+    tooltip(menu.gui, file);
     ImGui::PopID();
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Forget these")) context.settings.recent_files.clear();
+  if (ImGui::MenuItem("Forget these")) menu.settings.recent_files.clear();
   ImGui::EndMenu();
 }
 
-void file_menu(const PanelContext& context) {
-  action_item(context, ActionId::new_document);
-  action_item(context, ActionId::open);
-  recent_files_menu(context);
+void file_menu(const MenuBar& menu) {
+  action_item(menu, ActionId::new_document);
+  action_item(menu, ActionId::open);
+  recent_files_menu(menu);
   ImGui::Separator();
-  action_item(context, ActionId::save);
-  action_item(context, ActionId::save_as);
+  action_item(menu, ActionId::save);
+  action_item(menu, ActionId::save_as);
   ImGui::Separator();
-  action_item(context, ActionId::trace_picture);
-  for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(context, id);
+  action_item(menu, ActionId::trace_picture);
+  for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(menu, id);
   ImGui::Separator();
-  action_item(context, ActionId::quit);
+  action_item(menu, ActionId::quit);
 }
 
-void edit_menu(const PanelContext& context) {
+void edit_menu(const MenuBar& menu) {
   const auto with_step = [](const char* verb, const std::string& step) {
     return step.empty() ? std::string(verb) : std::string(verb) + ": " + step;
   };
-  action_item(context, ActionId::undo, with_step("Undo", context.editor.undo_name()));
-  action_item(context, ActionId::redo, with_step("Redo", context.editor.redo_name()));
+  action_item(menu, ActionId::undo, with_step("Undo", menu.editor.undo_name()));
+  action_item(menu, ActionId::redo, with_step("Redo", menu.editor.redo_name()));
   ImGui::Separator();
-  action_item(context, ActionId::select_all);
-  action_item(context, ActionId::invert_selection);
-  action_item(context, ActionId::deselect);
-  action_item(context, ActionId::delete_selection);
+  action_item(menu, ActionId::select_all);
+  action_item(menu, ActionId::invert_selection);
+  action_item(menu, ActionId::deselect);
+  action_item(menu, ActionId::delete_selection);
 }
 
-void canvas_menu(const PanelContext& context) {
+void canvas_menu(const MenuBar& menu) {
   struct Choice {
     const char* name;
     std::optional<Rgb> color;
@@ -70,121 +72,121 @@ void canvas_menu(const PanelContext& context) {
                                                    {"Light grey", kLightGreyCanvas},
                                                    {"Dark", kDarkCanvas},
                                                    {"Black", kBlackCanvas}}};
-  std::optional<Rgb>& background = context.settings.canvas_background;
+  std::optional<Rgb>& background = menu.settings.canvas_background;
   for (const Choice& choice : kChoices)
     if (ImGui::MenuItem(choice.name, nullptr, background == choice.color)) background = choice.color;
   ImGui::Separator();
-  std::array<float, 3> color = to_floats(canvas_background(context.settings));
-  ImGui::SetNextItemWidth(180 * context.gui.unit());
+  std::array<float, 3> color = to_floats(canvas_background(menu.settings));
+  ImGui::SetNextItemWidth(180 * menu.gui.unit());
   if (ImGui::ColorPicker3(
           "##color", color.data(),
           ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))
     background = to_rgb(color);
 }
 
-void view_menu(const PanelContext& context) {
+void view_menu(const MenuBar& menu) {
   for (const ActionId id :
        {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
-    action_item(context, id);
+    action_item(menu, id);
   ImGui::Separator();
   for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters,
                             ActionId::toggle_log, ActionId::toggle_legend, ActionId::toggle_panels})
-    action_item(context, id);
+    action_item(menu, id);
   ImGui::Separator();
   if (ImGui::BeginMenu("Bundles")) {
     for (const ActionId id :
          {ActionId::save_bundle, ActionId::import_bundles, ActionId::export_bundles, ActionId::undo_bundles})
-      action_item(context, id);
+      action_item(menu, id);
     ImGui::EndMenu();
   }
-  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(context, id);
+  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(menu, id);
   if (ImGui::BeginMenu("Canvas")) {
-    canvas_menu(context);
+    canvas_menu(menu);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Interface size")) {
     constexpr std::array<int, 6> kPercents{75, 100, 125, 150, 175, 200};
     for (const int percent : kPercents) {
-      const bool is_now = std::abs(context.settings.interface_scale - percent / 100.0) < 0.01;
+      const bool is_now = std::abs(menu.settings.interface_scale - percent / 100.0) < 0.01;
       if (ImGui::MenuItem((std::to_string(percent) + " %").c_str(), nullptr, is_now))
-        context.settings.interface_scale = percent / 100.0;
+        menu.settings.interface_scale = percent / 100.0;
     }
     ImGui::EndMenu();
   }
   if (ImGui::MenuItem("Layers as at the beginning"))
-    context.editor.change_layers("Layers as at the beginning", [&] { context.layers.reset(); });
-  tooltip(context.gui, "Give every layer its first place, visibility and style back");
+    menu.editor.change_layers("Layers as at the beginning", [&] { menu.layers.reset(); });
+  tooltip(menu.gui, "Give every layer its first place, visibility and style back");
 }
 
-void evolution_menu(const PanelContext& context) {
+void evolution_menu(const MenuBar& menu) {
   for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
     const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
-    if (ImGui::MenuItem(evolution.name.data(), nullptr, context.evolution.choice().evolution == i)) {
-      context.settings.show_evolution = true;
-      context.evolution.choose(i);
+    if (ImGui::MenuItem(evolution.name.data(), nullptr, menu.evolution.choice().evolution == i)) {
+      menu.settings.show_evolution = true;
+      menu.evolution.choose(i);
     }
-    tooltip(context.gui, std::string(evolution.tooltip));
+    tooltip(menu.gui, std::string(evolution.tooltip));
   }
   ImGui::Separator();
   for (const ActionId id : {ActionId::evolution_forward, ActionId::evolution_back, ActionId::evolution_play,
                             ActionId::evolution_play_back, ActionId::evolution_stop, ActionId::evolution_first})
-    action_item(context, id);
+    action_item(menu, id);
   ImGui::Separator();
-  action_item(context, ActionId::toggle_evolution);
+  action_item(menu, ActionId::toggle_evolution);
 }
 
-void shapes_menu(const PanelContext& context) {
-  for (const SampleShape& shape : context.shapes) {
-    if (ImGui::MenuItem(shape.name.c_str())) context.open_shape(shape);
-    tooltip(context.gui, shape.description);
+void shapes_menu(const MenuBar& menu) {
+  for (const SampleShape& shape : menu.shapes) {
+    if (ImGui::MenuItem(shape.name.c_str())) menu.open_shape(shape);
+    tooltip(menu.gui, shape.description);
   }
 }
 
 }  // namespace
 
-float draw_menu_bar(const PanelContext& context) {
+float MenuBar::draw() const {
   if (!ImGui::BeginMainMenuBar()) return 0.0F;
   const float height = ImGui::GetWindowHeight();
   if (ImGui::BeginMenu("File")) {
-    file_menu(context);
+    file_menu(*this);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Edit")) {
-    edit_menu(context);
+    edit_menu(*this);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("View")) {
-    view_menu(context);
+    view_menu(*this);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Evolution")) {
-    evolution_menu(context);
+    evolution_menu(*this);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Tools")) {
     for (const ActionId id :
          {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray, ActionId::tool_ball})
-      action_item(context, id);
+      action_item(*this, id);
     ImGui::Separator();
     if (ImGui::BeginMenu("Number type")) {
       for (const ActionId id : {ActionId::precision_naive, ActionId::precision_fast, ActionId::precision_exact,
                                 ActionId::precision_exact_roots})
-        action_item(context, id);
+        action_item(*this, id);
       ImGui::EndMenu();
     }
     for (const ActionId id : {ActionId::toggle_union_shortcut, ActionId::toggle_pole_propagation})
-      action_item(context, id);
+      action_item(*this, id);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(context, id);
+    for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(*this, id);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Shapes", !context.shapes.empty())) {
-    shapes_menu(context);
+  if (ImGui::BeginMenu("Shapes", !shapes.empty())) {
+    shapes_menu(*this);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
-    action_item(context, ActionId::help);
-    action_item(context, ActionId::demo);
+    action_item(*this, ActionId::help);
+    action_item(*this, ActionId::demo);
     ImGui::Separator();
     ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
     ImGui::EndMenu();

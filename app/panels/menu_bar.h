@@ -2,11 +2,33 @@
 // File, Edit, View, Shapes, Tools, Help: every action of the table, and what has no key.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include <functional>
+#include <span>
+#include <string>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/editor.h"
+#include "app/model/evolution_player.h"
+#include "app/model/layer_stack.h"
+#include "app/model/settings.h"
+#include "app/store/sample_shapes.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-/// Draws the menu bar across the window; its height in screen coordinates.
-float draw_menu_bar(const PanelContext& context);
+struct MenuBar {
+  const Gui& gui;
+  const ActionBindings& actions;
+  Settings& settings;
+  Editor& editor;
+  LayerStack& layers;
+  EvolutionPlayer& evolution;
+  std::span<const SampleShape> shapes;
+  std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost
+  std::function<void(const SampleShape&)> open_shape;  ///< the same
+
+  /// Across the window; its height in screen coordinates.
+  float draw() const;
+};
 
 }  // namespace mes

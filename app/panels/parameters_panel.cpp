@@ -7,6 +7,7 @@
 #include "app/model/changed_parameters.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -32,10 +33,10 @@ std::string explanation(const ParameterDescriptor& descriptor) {
 
 }  // namespace
 
-void ParametersPanel::draw_animation(const PanelContext& context, Parameter parameter) {
-  ParameterAnimation& animation = context.animation;
+void ParametersPanel::draw_animation(Parameter parameter) {
+  ParameterAnimation& animation = computation_.animation();
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
-  const float unit = context.gui.unit();
+  const float unit = gui_.unit();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
   if (ImGui::BeginPopup("animate")) {
     if (ImGui::IsWindowAppearing() && !animation.is_running() && animation.parameter != parameter) {
@@ -43,7 +44,7 @@ void ParametersPanel::draw_animation(const PanelContext& context, Parameter para
       animation.from = descriptor.low;
       animation.to = descriptor.high;
     }
-    ImGui::PushFont(context.gui.bold());
+    ImGui::PushFont(gui_.bold());
     ImGui::TextUnformatted(("Let it run: " + title_of(descriptor)).c_str());
     ImGui::PopFont();
     ImGui::BeginDisabled(animation.is_running());
@@ -51,21 +52,21 @@ void ParametersPanel::draw_animation(const PanelContext& context, Parameter para
       ImGui::SetNextItemWidth(130 * unit);
       if (ImGui::InputDouble(label, &value, 0.0, 0.0, "%.6g"))
         value = std::clamp(value, descriptor.low, descriptor.high);
-      tooltip(context.gui, meaning);
+      tooltip(gui_, meaning);
     };
     bound("From", animation.from, "Value of the first picture");
     bound("To", animation.to, "Value of the last picture");
     ImGui::SetNextItemWidth(130 * unit);
     if (ImGui::InputInt("Steps", &animation.steps))
       animation.steps = std::clamp(animation.steps, 1, ParameterAnimation::kMostSteps);
-    tooltip(context.gui, "From the first picture to the last");
+    tooltip(gui_, "From the first picture to the last");
     ImGui::EndDisabled();
     auto speed = static_cast<float>(animation.steps_per_second);
     ImGui::SetNextItemWidth(130 * unit);
     if (ImGui::SliderFloat("Speed", &speed, 0.5F, 60.0F, "%.1f a second",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
       animation.steps_per_second = static_cast<double>(speed);
-    tooltip(context.gui, "At most; each step waits until its picture is complete");
+    tooltip(gui_, "At most; each step waits until its picture is complete");
     if (animation.is_running()) {
       if (ImGui::Button("Stop", {130 * unit, 0})) animation.stop();
       ImGui::SameLine();
@@ -79,10 +80,10 @@ void ParametersPanel::draw_animation(const PanelContext& context, Parameter para
   ImGui::PopStyleVar();
 }
 
-void ParametersPanel::draw_parameter(const PanelContext& context, Parameter parameter) {
+void ParametersPanel::draw_parameter(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
-  const float unit = context.gui.unit();
-  ComputationSettings settings = context.computation;
+  const float unit = gui_.unit();
+  ComputationSettings settings = computation_.settings();
   double& value = settings[parameter];
   ImGui::PushID(descriptor.id.data());
   const std::string title = title_of(descriptor);
@@ -91,26 +92,26 @@ void ParametersPanel::draw_parameter(const PanelContext& context, Parameter para
   if (is_switch(descriptor)) {
     bool on = value != 0.0;
     if (ImGui::Checkbox(title.c_str(), &on)) value = on ? 1.0 : 0.0;
-    tooltip(context.gui, explanation(descriptor));
+    tooltip(gui_, explanation(descriptor));
   } else {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(title.c_str());
-    tooltip(context.gui, explanation(descriptor));
+    tooltip(gui_, explanation(descriptor));
   }
   ImGui::SameLine(buttons_at);
-  const bool runs = context.animation.is_running() && context.animation.parameter == parameter;
+  const bool runs = computation_.animation().is_running() && computation_.animation().parameter == parameter;
   if (is_switch(descriptor)) {
     ImGui::Dummy({button, button});
   } else {
     if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain))
       ImGui::OpenPopup("animate");
-    tooltip(context.gui, "Let it run from one value to another");
+    tooltip(gui_, "Let it run from one value to another");
   }
   ImGui::SameLine(0, 2 * unit);
   if (icon_button("reset", Icon::undo, button, ButtonLook::plain, value != descriptor.default_value))
     value = descriptor.default_value;
-  tooltip(context.gui, "Back to the default");
-  draw_animation(context, parameter);
+  tooltip(gui_, "Back to the default");
+  draw_animation(parameter);
   if (!is_switch(descriptor)) {
     auto shown = static_cast<float>(value);
     ImGui::SetNextItemWidth(-1);
@@ -121,37 +122,37 @@ void ParametersPanel::draw_parameter(const PanelContext& context, Parameter para
                            format.c_str(),
                            ImGuiSliderFlags_AlwaysClamp | (is_wide ? ImGuiSliderFlags_Logarithmic : 0)))
       value = std::clamp(static_cast<double>(shown), descriptor.low, descriptor.high);
-    tooltip(context.gui, explanation(descriptor) + "\n\nCtrl+click to type a number");
+    tooltip(gui_, explanation(descriptor) + "\n\nCtrl+click to type a number");
   }
   ImGui::PopID();
-  if (settings != context.computation) {
-    if (runs) context.animation.stop();
-    context.set_computation(settings);
+  if (settings != computation_.settings()) {
+    if (runs) computation_.animation().stop();
+    computation_.set(settings);
   }
 }
 
-void ParametersPanel::draw(const PanelContext& context) {
-  const float unit = context.gui.unit();
+void ParametersPanel::draw() {
+  const float unit = gui_.unit();
   const ComputationSettings defaults;
   const float reset = ImGui::CalcTextSize("Reset all").x + 16 * unit;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - reset - 6 * unit);
   ImGui::InputTextWithHint("##search", "Search", &search_);
   ImGui::SameLine(0, 6 * unit);
-  ImGui::BeginDisabled(context.computation.values == defaults.values);
+  ImGui::BeginDisabled(computation_.settings().values == defaults.values);
   if (ImGui::Button("Reset all", {reset, 0})) {
-    ComputationSettings settings = context.computation;
+    ComputationSettings settings = computation_.settings();
     settings.values = defaults.values;
-    context.animation.stop();
-    context.set_computation(settings);
+    computation_.animation().stop();
+    computation_.set(settings);
   }
   ImGui::EndDisabled();
-  tooltip(context.gui, "Give every parameter its default");
+  tooltip(gui_, "Give every parameter its default");
   ImGui::BeginChild("list");
   bool any = false;
   for (std::size_t i = 0; i < kParameters; ++i) {
     if (!matches(parameter_descriptors()[i], search_)) continue;
     any = true;
-    draw_parameter(context, static_cast<Parameter>(i));
+    draw_parameter(static_cast<Parameter>(i));
   }
   if (!any) ImGui::TextDisabled("No parameter matches");
   ImGui::EndChild();

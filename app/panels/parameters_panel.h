@@ -2,21 +2,25 @@
 // Every number that steers what is computed, with its meaning, its range and a way to let it run.
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "app/panels/panel_context.h"
+#include "app/model/computation_control.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
 class ParametersPanel {
  public:
-  void draw(const PanelContext& context);
+  ParametersPanel(const Gui& gui, ComputationControl& computation) : gui_(gui), computation_(computation) {}
+
+  void draw();
 
  private:
-  void draw_parameter(const PanelContext& context, Parameter parameter);
-  void draw_animation(const PanelContext& context, Parameter parameter);
+  void draw_parameter(Parameter parameter);
+  void draw_animation(Parameter parameter);
 
+  const Gui& gui_;
+  ComputationControl& computation_;
   std::string search_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "core/base/arc.h"
 #include "core/draw/layer_descriptor.h"
 
@@ -51,10 +52,10 @@ std::optional<Piece> clipped(Vec2 a, Vec2 d, double low, double high, Vec2 size)
 
 class Overlay {
  public:
-  Overlay(const PanelContext& context, ProvenanceRole role, bool is_dim)
-      : camera_(context.canvas.view().camera()),
-        unit_(context.gui.unit()),
-        to_logical_(1.0 / context.canvas.content_scale()),
+  Overlay(const Gui& gui, const Canvas& canvas, ProvenanceRole role, bool is_dim)
+      : camera_(canvas.view().camera()),
+        unit_(gui.unit()),
+        to_logical_(1.0 / canvas.content_scale()),
         look_(look_of(role)),
         role_(role),
         color_(to_imgui(look_.color, is_dim ? 0.25 : 1.0)),
@@ -156,19 +157,20 @@ bool ProvenanceCard::clear() {
   return std::exchange(answer_, nullptr) != nullptr;
 }
 
-void ProvenanceCard::draw(const PanelContext& context, ImVec2 corner, ImVec2 room) {
-  if (answer_ && context.editor.document().revision() != document_revision_) clear();
+void ProvenanceCard::draw(const Gui& gui, const Canvas& canvas, std::uint64_t document_revision, ImVec2 corner,
+                          ImVec2 room) {
+  if (answer_ && document_revision != document_revision_) clear();
   if (!answer_) return;
   std::size_t shapes = 0;
   // The thing itself last, on top of the others.
   for (std::size_t i = answer_->lines.size(); i-- > 0;) {
     const ProvenanceLine& line = answer_->lines[i];
-    const Overlay overlay(context, line.role, pointed_at_ != 0 && pointed_at_ != i + 1);
+    const Overlay overlay(gui, canvas, line.role, pointed_at_ != 0 && pointed_at_ != i + 1);
     for (const ProvenanceShape& shape : line.shapes)
       if (++shapes <= kMostShapes) overlay.draw(shape);
   }
 
-  const float unit = context.gui.unit();
+  const float unit = gui.unit();
   const float width = std::min(390 * unit, room.x);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {0.0F, 1.0F});
   ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, room.y});
@@ -181,7 +183,7 @@ void ProvenanceCard::draw(const PanelContext& context, ImVec2 corner, ImVec2 roo
   ImGui::TextDisabled("%s", std::string(layer_descriptors()[answer_->layer].name).c_str());
   ImGui::SameLine(width - 30 * unit);
   if (ImGui::SmallButton("x")) is_closed = true;
-  tooltip(context.gui, "Take this away (Esc)");
+  tooltip(gui, "Take this away (Esc)");
   std::size_t pointed_at = 0;
   ProvenanceRole heading = ProvenanceRole::itself;
   for (std::size_t i = 0; i < answer_->lines.size(); ++i) {

@@ -5,9 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include "app/canvas/canvas.h"
 #include "app/canvas/tools/tool.h"
-#include "app/panels/panel_context.h"
+#include "app/model/layer_stack.h"
+#include "app/ui/gui.h"
 #include "core/draw/provenance.h"
+#include "core/engine/engine.h"
 
 namespace mes {
 
@@ -23,7 +26,7 @@ class ProvenanceCard {
   const Provenance* shown() const { return answer_.get(); }
 
   /// `corner`: lower left. Draws the shapes behind all panels.
-  void draw(const PanelContext& context, ImVec2 corner, ImVec2 room);
+  void draw(const Gui& gui, const Canvas& canvas, std::uint64_t document_revision, ImVec2 corner, ImVec2 room);
 
  private:
   std::uint64_t ticket_ = 0;

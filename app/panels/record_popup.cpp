@@ -8,6 +8,7 @@
 #include "app/model/record_settings.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -58,8 +59,8 @@ void draw_supersampling(const Gui& gui, RecordSettings& record, float column) {
   ImGui::NewLine();
 }
 
-void draw_background(const PanelContext& context, RecordSettings& record, float column) {
-  const Gui& gui = context.gui;
+void draw_background(const RecordPopup& popup, RecordSettings& record, float column) {
+  const Gui& gui = popup.gui;
   title("Background", column);
   const bool is_canvas = !record.transparent && !record.background;
   if (choice_button("Canvas", is_canvas)) {
@@ -73,7 +74,7 @@ void draw_background(const PanelContext& context, RecordSettings& record, float 
   ImGui::SameLine();
   if (choice_button("Set##background", !record.transparent && record.background)) {
     record.transparent = false;
-    if (!record.background) record.background = context.picture.canvas();
+    if (!record.background) record.background = popup.picture.canvas();
   }
   tooltip(gui, "A colour of its own");
   if (record.transparent || !record.background) return;
@@ -84,12 +85,12 @@ void draw_background(const PanelContext& context, RecordSettings& record, float 
   tooltip(gui, "Colour behind the drawing");
 }
 
-void draw_contents(const PanelContext& context) {
-  const Gui& gui = context.gui;
+void draw_contents(const RecordPopup& popup) {
+  const Gui& gui = popup.gui;
   const float unit = gui.unit();
   const float column = 118 * unit;
-  RecordSettings& record = context.settings.record;
-  ImGui::BeginDisabled(context.record.is_recording());
+  RecordSettings& record = popup.settings;
+  ImGui::BeginDisabled(popup.record.is_recording());
   title("Show", column);
   if (choice_button("Drawing", !record.with_panels)) record.with_panels = false;
   tooltip(gui, "The drawing alone");
@@ -99,7 +100,7 @@ void draw_contents(const PanelContext& context) {
   ImGui::BeginDisabled(record.with_panels);
   draw_size(gui, record, column);
   draw_supersampling(gui, record, column);
-  draw_background(context, record, column);
+  draw_background(popup, record, column);
   ImGui::EndDisabled();
   title("Pan and zoom", column);
   if (choice_button("At rest", !record.each_motion)) record.each_motion = false;
@@ -119,12 +120,12 @@ void draw_contents(const PanelContext& context) {
     record.fps = std::round(static_cast<double>(fps));
   tooltip(gui, "Frames per second");
   ImGui::SameLine();
-  ImGui::BeginDisabled(!context.actions.is_enabled(ActionId::make_video));
-  if (ImGui::Button("Make video")) context.actions.run(ActionId::make_video);
+  ImGui::BeginDisabled(!popup.actions.is_enabled(ActionId::make_video));
+  if (ImGui::Button("Make video")) popup.actions.run(ActionId::make_video);
   ImGui::EndDisabled();
   tooltip(gui, tooltip_of(ActionId::make_video));
   if (const auto good = check(record); !good) {
-    ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
+    ImGui::PushStyleColor(ImGuiCol_Text, popup.gui.colors().warning);
     ImGui::PushTextWrapPos(column + 230 * unit);
     ImGui::TextUnformatted(good.error().message().c_str());
     ImGui::PopTextWrapPos();
@@ -134,16 +135,16 @@ void draw_contents(const PanelContext& context) {
 
 }  // namespace
 
-void draw_record_popup(const PanelContext& context, float size) {
-  const float unit = context.gui.unit();
+void RecordPopup::draw(float size) const {
+  const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (icon_button("record-options", Icon::more, size)) ImGui::OpenPopup("##record");
-  tooltip(context.gui, "How frames and snapshots are made");
+  tooltip(gui, "How frames and snapshots are made");
   ImGui::SetNextWindowPos({at.x + size + 10 * unit, at.y + size}, ImGuiCond_Always, {0.0F, 1.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
   if (ImGui::BeginPopup("##record")) {
-    draw_contents(context);
+    draw_contents(*this);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

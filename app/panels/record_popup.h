@@ -2,11 +2,22 @@
 // How frames and snapshots are made: a button, and what opens from it.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/actions/action_bindings.h"
+#include "app/picture/picture.h"
+#include "app/recording/record_desk.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-/// `size` of the button in screen units.
-void draw_record_popup(const PanelContext& context, float size);
+struct RecordPopup {
+  const Gui& gui;
+  const ActionBindings& actions;
+  const RecordDesk& record;
+  const Picture& picture;
+  RecordSettings& settings;
+
+  /// `size` of the button in screen units.
+  void draw(float size) const;
+};
 
 }  // namespace mes

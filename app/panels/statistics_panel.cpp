@@ -6,6 +6,7 @@
 
 #include "app/model/statistics_text.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -37,32 +38,32 @@ std::string work_text(const NodeReport& node) {
   return out;
 }
 
-void draw_node(const PanelContext& context, const NodeReport& node) {
-  const float unit = context.gui.unit();
+void draw_node(const Gui& gui, const NodeReport& node) {
+  const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()}, 4 * unit,
-                                              state_color(context.gui.colors(), node.state));
+                                              state_color(gui.colors(), node.state));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
-  ImGui::PushFont(context.gui.bold());
+  ImGui::PushFont(gui.bold());
   ImGui::TextUnformatted(readable(node.structure).c_str());
   ImGui::PopFont();
   const std::string work = work_text(node);
-  ImGui::PushFont(context.gui.small());
+  ImGui::PushFont(gui.small());
   ImGui::SameLine(
       std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(work.c_str()).x));
   ImGui::TextDisabled("%s", work.c_str());
   ImGui::PopFont();
   if (!node.reason.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, context.gui.colors().warning);
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     ImGui::TextWrapped("%s", node.reason.c_str());
     ImGui::PopStyleColor();
   }
   if (!node.kernel.empty()) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
-    ImGui::PushFont(context.gui.small());
+    ImGui::PushFont(gui.small());
     ImGui::TextDisabled("%s", std::string(node.kernel).c_str());
     ImGui::PopFont();
-    tooltip(context.gui, "Number type that decides here");
+    tooltip(gui, "Number type that decides here");
   }
   if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
     for (const Stat& stat : node.stats) {
@@ -83,21 +84,21 @@ void draw_node(const PanelContext& context, const NodeReport& node) {
 
 }  // namespace
 
-void draw_statistics(const PanelContext& context) {
-  const float unit = context.gui.unit();
-  std::vector<NodeReport> nodes = context.picture.nodes();
-  nodes.push_back(context.times.report());
+void StatisticsPanel::draw() const {
+  const float unit = gui.unit();
+  std::vector<NodeReport> nodes = picture.nodes();
+  nodes.push_back(times.report());
   if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(statistics_as_tsv(nodes).c_str());
-  tooltip(context.gui, "Copy all numbers as lines with tabs, for a spreadsheet");
+  tooltip(gui, "Copy all numbers as lines with tabs, for a spreadsheet");
   ImGui::SameLine(0, 6 * unit);
   if (ImGui::SmallButton("Copy JSON")) ImGui::SetClipboardText(statistics_as_json(nodes).c_str());
-  tooltip(context.gui, "Copy all numbers as JSON, for a program");
+  tooltip(gui, "Copy all numbers as JSON, for a program");
   ImGui::Dummy({1, 2 * unit});
   ImGui::BeginChild("nodes");
   for (const NodeReport& node : nodes) {
     if (node.state == NodeState::inactive) continue;
     ImGui::PushID(node.structure.c_str());
-    draw_node(context, node);
+    draw_node(gui, node);
     ImGui::PopID();
   }
   ImGui::EndChild();

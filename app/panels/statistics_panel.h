@@ -2,10 +2,18 @@
 // Counts and times of every structure that is in use.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/picture/picture.h"
+#include "app/ui/frame_times.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-void draw_statistics(const PanelContext& context);
+struct StatisticsPanel {
+  const Gui& gui;
+  const Picture& picture;
+  const FrameTimes& times;
+
+  void draw() const;
+};
 
 }  // namespace mes

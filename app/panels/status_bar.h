@@ -2,15 +2,30 @@
 // One line at the foot of the window: what to do or what happened, what is being computed, counts, coordinates.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/canvas/canvas.h"
+#include "app/model/computation_control.h"
+#include "app/model/editor.h"
+#include "app/model/messages.h"
+#include "app/panels/verdict.h"
+#include "app/panels/work_in_progress.h"
+#include "app/picture/picture.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 
-/// Height in screen coordinates.
-float status_bar_height(const Gui& gui);
-void draw_status_bar(const PanelContext& context, const PanelArea& area);
+struct StatusBar {
+  const Gui& gui;
+  const Editor& editor;
+  const Canvas& canvas;
+  const Picture& picture;
+  ComputationControl& computation;
+  Messages& messages;
+  WorkInProgress work;
+  Verdict verdict;
 
-/// A problem stands over the canvas until it is closed.
-void draw_problem(const PanelContext& context, ImVec2 at, float width);
+  /// In screen coordinates.
+  float height() const;
+  void draw(const PanelArea& area) const;
+};
 
 }  // namespace mes

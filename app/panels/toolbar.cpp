@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/record_popup.h"
 #include "app/ui/icons.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -15,13 +15,13 @@ constexpr float kPadding = 5.0F;
 constexpr float kGap = 2.0F;
 constexpr float kLine = 4 * kGap;  // with what is around it
 
-void action_button(const PanelContext& context, ActionId id, Icon icon, float size) {
-  const bool enabled = context.actions.is_enabled(id);
+void action_button(const Toolbar& toolbar, ActionId id, Icon icon, float size) {
+  const bool enabled = toolbar.actions.is_enabled(id);
   ButtonLook look = ButtonLook::plain;
-  if (context.actions.is_checked(id))
+  if (toolbar.actions.is_checked(id))
     look = descriptor_of(id).group == ActionGroup::tools ? ButtonLook::chosen : ButtonLook::on;
-  if (icon_button(descriptor_of(id).public_id.data(), icon, size, look, enabled)) context.actions.run(id);
-  tooltip(context.gui, tooltip_of(id));
+  if (icon_button(descriptor_of(id).public_id.data(), icon, size, look, enabled)) toolbar.actions.run(id);
+  tooltip(toolbar.gui, tooltip_of(id));
 }
 
 struct Button {
@@ -91,8 +91,8 @@ class Columns {
 
 }  // namespace
 
-float draw_toolbar(const PanelContext& context, ImVec2 at, float room) {
-  const float unit = context.gui.unit();
+float Toolbar::draw(ImVec2 at, float room) const {
+  const float unit = gui.unit();
   const float size = button_size(room / unit) * unit;
   ImGui::SetNextWindowPos(at);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding * unit, kPadding * unit});
@@ -103,15 +103,15 @@ float draw_toolbar(const PanelContext& context, ImVec2 at, float room) {
   Columns columns(size, unit, room - 2 * kPadding * unit);
   for (const Button& button : kButtons) {
     columns.next(button.begins_group);
-    action_button(context, button.action, button.icon, size);
+    action_button(*this, button.action, button.icon, size);
   }
   columns.next(false);
-  draw_record_popup(context, size);
+  record.draw(size);
   const float width = columns.width() + 2 * kPadding * unit;
   ImGui::End();
   ImGui::PopStyleVar(2);
 
-  if (context.canvas.tool_id() == ToolId::spray) {
+  if (canvas.tool_id() == ToolId::spray) {
     ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + 2 * (size + kGap * unit)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * unit, 6 * unit});
     ImGui::Begin("##spray", nullptr,
@@ -120,12 +120,12 @@ float draw_toolbar(const PanelContext& context, ImVec2 at, float room) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Spacing");
     ImGui::SameLine();
-    auto spacing = static_cast<float>(context.settings.spray_spacing_px);
+    auto spacing = static_cast<float>(settings.spray_spacing_px);
     ImGui::SetNextItemWidth(150 * unit);
     if (ImGui::SliderFloat("##spacing", &spacing, 2.0F, 100.0F, "%.0f px",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-      context.settings.spray_spacing_px = static_cast<double>(spacing);
-    tooltip(context.gui, "Distance of neighbouring samples of a stroke, in pixels of the screen");
+      settings.spray_spacing_px = static_cast<double>(spacing);
+    tooltip(gui, "Distance of neighbouring samples of a stroke, in pixels of the screen");
     ImGui::End();
     ImGui::PopStyleVar();
   }

@@ -2,12 +2,24 @@
 // The tools, and what one reaches for while drawing, as a strip of icons on the canvas.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/actions/action_bindings.h"
+#include "app/canvas/canvas.h"
+#include "app/model/settings.h"
+#include "app/panels/record_popup.h"
+#include "app/ui/gui.h"
 
 namespace mes {
 
-/// Draws the strip with its upper left corner at `at`, in as many columns as it needs to be no higher than `room`;
-/// its width in screen coordinates.
-float draw_toolbar(const PanelContext& context, ImVec2 at, float room);
+struct Toolbar {
+  const Gui& gui;
+  const ActionBindings& actions;
+  const Canvas& canvas;
+  Settings& settings;
+  RecordPopup record;
+
+  /// Draws the strip with its upper left corner at `at`, in as many columns as it needs to be no higher than `room`;
+  /// its width in screen coordinates.
+  float draw(ImVec2 at, float room) const;
+};
 
 }  // namespace mes

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "core/engine/theorem_light.h"
 
 namespace mes {
@@ -34,51 +35,51 @@ LightLook look_of(const ThemeColors& colors, TheoremLight light) {
   return {colors.border, "Open", "There is nothing inside to judge"};
 }
 
-LightLook look_of(const PanelContext& context) {
-  const TheoremLight light = light_of(context.picture.nodes());
-  if (light == TheoremLight::none && context.picture.lacks_memory()) {
-    return {context.gui.colors().warning, "No memory",
+LightLook look_of(const Verdict& verdict) {
+  const TheoremLight light = light_of(verdict.picture.nodes());
+  if (light == TheoremLight::none && verdict.picture.lacks_memory()) {
+    return {verdict.gui.colors().warning, "No memory",
             "Nothing can be said: there is not enough memory. Undo, hide layers or open a smaller file"};
   }
-  return look_of(context.gui.colors(), light);
+  return look_of(verdict.gui.colors(), light);
 }
 
 constexpr float kChoiceWidth = 118;
 constexpr float kLightWidth = 92;
 
-void draw_choice(const PanelContext& context) {
-  const float unit = context.gui.unit();
-  const PrecisionDescriptor& now = kPrecisionDescriptors[static_cast<std::size_t>(context.computation.precision)];
+void draw_choice(const Verdict& verdict) {
+  const float unit = verdict.gui.unit();
+  const PrecisionDescriptor& now = kPrecisionDescriptors[static_cast<std::size_t>(verdict.computation.precision)];
   ImGui::SetNextItemWidth(kChoiceWidth * unit);
   if (ImGui::BeginCombo("##precision", now.name.data(), ImGuiComboFlags_HeightLarge)) {
     for (std::size_t i = 0; i < kPrecisions; ++i) {
       const PrecisionDescriptor& descriptor = kPrecisionDescriptors[i];
       const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::precision_naive) + i);
-      if (ImGui::Selectable(descriptor.name.data(), descriptor.precision == now.precision)) context.actions.run(id);
-      tooltip(context.gui, std::string(descriptor.explanation));
+      if (ImGui::Selectable(descriptor.name.data(), descriptor.precision == now.precision)) verdict.actions.run(id);
+      tooltip(verdict.gui, std::string(descriptor.explanation));
     }
     ImGui::EndCombo();
   } else {
-    tooltip(context.gui, "Number type: " + std::string(now.explanation));
+    tooltip(verdict.gui, "Number type: " + std::string(now.explanation));
   }
 }
 
 // A square around the place, a twenty-fifth of the data wide.
-void show_place(const PanelContext& context, Vec2 place) {
-  const Box2 box = context.editor.document().bounding_box();
+void show_place(const Verdict& verdict, Vec2 place) {
+  const Box2 box = verdict.document.bounding_box();
   const double half = 0.02 * std::max({box.width(), box.height(), 1e-300});
-  context.canvas.view().fit({{place.x - half, place.y - half}, {place.x + half, place.y + half}}, 0.0);
+  verdict.canvas.view().fit({{place.x - half, place.y - half}, {place.x + half, place.y + half}}, 0.0);
 }
 
-void draw_reasons(const PanelContext& context) {
-  const float unit = context.gui.unit();
+void draw_reasons(const Verdict& verdict) {
+  const float unit = verdict.gui.unit();
   static constexpr float kWidth = 380;
   bool any = false;
-  for (const NodeReport& node : context.picture.nodes()) {
+  for (const NodeReport& node : verdict.picture.nodes()) {
     if (node.state == NodeState::failed) {
       any = true;
       ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(context.gui.colors().warning), "%s failed: %s",
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.gui.colors().warning), "%s failed: %s",
                          node.structure.c_str(), node.reason.c_str());
       ImGui::PopTextWrapPos();
     }
@@ -90,7 +91,7 @@ void draw_reasons(const PanelContext& context) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
       const TheoremLight light = finding.level == FindingLevel::wrong ? TheoremLight::red : TheoremLight::yellow;
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
-                                                  4 * unit, look_of(context.gui.colors(), light).color);
+                                                  4 * unit, look_of(verdict.gui.colors(), light).color);
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       ImGui::PushTextWrapPos(kWidth * unit);
       ImGui::TextUnformatted((std::to_string(finding.count) + " " + finding.text).c_str());
@@ -99,8 +100,8 @@ void draw_reasons(const PanelContext& context) {
       constexpr std::size_t kShown = 8;
       for (std::size_t k = 0; k < std::min(finding.places.size(), kShown); ++k) {
         if (k > 0) ImGui::SameLine(0, 4 * unit);
-        if (ImGui::SmallButton(std::to_string(k + 1).c_str())) show_place(context, finding.places[k]);
-        tooltip(context.gui, "Show this place");
+        if (ImGui::SmallButton(std::to_string(k + 1).c_str())) show_place(verdict, finding.places[k]);
+        tooltip(verdict.gui, "Show this place");
       }
       if (static_cast<std::size_t>(finding.count) > std::min(finding.places.size(), kShown) &&
           !finding.places.empty()) {
@@ -112,34 +113,34 @@ void draw_reasons(const PanelContext& context) {
       ImGui::Dummy({0, 2 * unit});
     }
   }
-  if (!any) ImGui::TextUnformatted(look_of(context).meaning);
+  if (!any) ImGui::TextUnformatted(look_of(verdict).meaning);
 }
 
 }  // namespace
 
-float verdict_width(const PanelContext& context) {
-  return (kChoiceWidth + kLightWidth + 12) * context.gui.unit();
+float Verdict::width() const {
+  return (kChoiceWidth + kLightWidth + 12) * gui.unit();
 }
 
-void draw_verdict(const PanelContext& context) {
-  const float unit = context.gui.unit();
-  draw_choice(context);
+void Verdict::draw() const {
+  const float unit = gui.unit();
+  draw_choice(*this);
   ImGui::SameLine(0, 10 * unit);
-  const LightLook look = look_of(context);
+  const LightLook look = look_of(*this);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   if (ImGui::InvisibleButton("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kLightWidth * unit, at.y + height},
-                                              context.gui.colors().accent_soft, 4 * unit);
+                                              gui.colors().accent_soft, 4 * unit);
   }
-  tooltip(context.gui, look.meaning);
+  tooltip(gui, look.meaning);
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit, look.color);
   ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
-                                      context.gui.colors().text, look.word);
+                                      gui.colors().text, look.word);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   if (ImGui::BeginPopup("##reasons")) {
-    draw_reasons(context);
+    draw_reasons(*this);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

@@ -2,15 +2,28 @@
 // Number type and theorem light: always in view, at the end of the status bar.
 #pragma once
 
-#include "app/panels/panel_context.h"
+#include "app/actions/action_bindings.h"
+#include "app/canvas/canvas.h"
+#include "app/picture/picture.h"
+#include "app/ui/gui.h"
+#include "core/document/computation_settings.h"
+#include "core/document/document.h"
 
 namespace mes {
 
-/// Width that `draw_verdict` takes.
-float verdict_width(const PanelContext& context);
+struct Verdict {
+  const Gui& gui;
+  const ActionBindings& actions;
+  const Document& document;
+  const ComputationSettings& computation;
+  const Picture& picture;
+  Canvas& canvas;
 
-/// Draws in the present window at the present place: a choice of number types, and the light, which opens the list of
-/// reasons; a click on a reason shows its place.
-void draw_verdict(const PanelContext& context);
+  /// Width that `draw` takes.
+  float width() const;
+  /// Draws in the present window at the present place: a choice of number types, and the light, which opens the list
+  /// of reasons; a click on a reason shows its place.
+  void draw() const;
+};
 
 }  // namespace mes

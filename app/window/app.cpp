@@ -9,9 +9,7 @@
 #include "app/panels/empty_hint.h"
 #include "app/panels/evolution_strip.h"
 #include "app/panels/help.h"
-#include "app/panels/menu_bar.h"
-#include "app/panels/status_bar.h"
-#include "app/panels/toolbar.h"
+#include "app/panels/problem_note.h"
 #include "app/picture/canvas_look.h"
 #include "app/store/color_maps.h"
 #include "app/ui/theme.h"
@@ -51,12 +49,8 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
       bundles_(default_bundles_path(), assets_, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }, &layers_),
       evolution_(editor_,
-                 {[this](Parameter parameter) { return computation_[parameter]; },
-                  [this](Parameter parameter, double value) {
-                    ComputationSettings settings = computation_;
-                    settings[parameter] = value;
-                    set_computation(settings);
-                  }},
+                 {[this](Parameter parameter) { return computation_.settings()[parameter]; },
+                  [this](Parameter parameter, double value) { computation_.set(parameter, value); }},
                  [] { GlfwWindow::wake(); }),
       files_(
           editor_,
@@ -70,6 +64,10 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
                       provenance_.ask(engine_, layers_, pointer, editor_.document().revision());
                     }},
       canvas_(tool_context_),
+      bundles_panel_({gui_, actions_, bundles_, editor_, messages_, settings_.show_bundles,
+                      [this](std::size_t index) { ask_export(index); }}),
+      layers_panel_(gui_, layers_, picture_, {gui_, actions_, layers_, picture_, canvas_}),
+      details_panel_(gui_, settings_.details, {gui_, picture_, times_}, {gui_, computation_}, {gui_, messages_}),
       autosave_(default_autosave_folder(), [] { GlfwWindow::wake(); }) {
   if (!loaded.message.empty()) messages_.problem(loaded.message);
   LoadedColorMaps maps = load_color_maps(assets_, user_color_map_folder());
@@ -89,7 +87,7 @@ App::~App() {
 double App::next_wait() const {
   const EngineStatus status = engine_.status();
   if (demo_ && !demo_->is_paused) return std::clamp(demo_->not_before - ImGui::GetTime(), 1e-3, kProgressInterval);
-  if (animation_.is_running()) return std::clamp(next_animation_step_ - ImGui::GetTime(), 1e-3, kProgressInterval);
+  if (const auto due = computation_.next_due(ImGui::GetTime())) return std::clamp(*due, 1e-3, kProgressInterval);
   if (const auto due = evolution_.next_due(ImGui::GetTime())) return std::clamp(*due, 1e-3, kProgressInterval);
   if (status.busy || evolution_.is_waiting() || files_.is_reading() || files_.is_saving() ||
       background_.is_reading() || gui_.is_about_to_rest())
@@ -143,30 +141,6 @@ void App::tell_of_memory() {
   if (std::exchange(memory_told_at_, document.revision()) == document.revision()) return;
   messages_.problem(memory_problem(document.sample_count(), document.ball_count()));
   frames_wanted_ = std::max(frames_wanted_, kSettlingFrames);  // a new panel is measured first
-}
-
-PanelContext App::panel_context() {
-  return {gui_,
-          actions_,
-          editor_,
-          evolution_,
-          engine_,
-          layers_,
-          bundles_,
-          canvas_,
-          picture_,
-          files_,
-          settings_,
-          computation_,
-          animation_,
-          messages_,
-          record_,
-          times_,
-          shapes_,
-          [this](const ComputationSettings& settings) { set_computation(settings); },
-          [this](const std::string& file) { open_files({file}); },
-          [this](const SampleShape& shape) { open_shape(shape); },
-          [this](std::optional<std::size_t> index) { ask_export(index); }};
 }
 
 // While memory is short and nothing changes, requests nothing; after a change it requests everything again.
@@ -260,8 +234,34 @@ void App::frame() {
   follow_recording();
 }
 
+MenuBar App::menu_bar() {
+  return {gui_,
+          actions_,
+          settings_,
+          editor_,
+          layers_,
+          evolution_,
+          shapes_,
+          [this](const std::string& file) { open_files({file}); },
+          [this](const SampleShape& shape) { open_shape(shape); }};
+}
+
+StatusBar App::status_bar() {
+  return {gui_,
+          editor_,
+          canvas_,
+          picture_,
+          computation_,
+          messages_,
+          {gui_, actions_, engine_, files_, record_},
+          {gui_, actions_, editor_.document(), computation_.settings(), picture_, canvas_}};
+}
+
+Toolbar App::toolbar() {
+  return {gui_, actions_, canvas_, settings_, {gui_, actions_, record_, picture_, settings_.record}};
+}
+
 void App::draw_panels() {
-  const PanelContext context = panel_context();
   const float unit = gui_.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   float top = 0.0F;
@@ -269,9 +269,10 @@ void App::draw_panels() {
   float right = 0.0F;
   float bottom = 0.0F;
   if (show_panels_) {
-    top = draw_menu_bar(context);
-    bottom = status_bar_height(gui_);
-    draw_status_bar(context, {{0, screen.y - bottom}, {screen.x, bottom}});
+    top = menu_bar().draw();
+    const StatusBar status = status_bar();
+    bottom = status.height();
+    status.draw({{0, screen.y - bottom}, {screen.x, bottom}});
     const float height = screen.y - top - bottom;
     const float width = std::min(286 * unit, 0.45F * screen.x);
     const bool has_details = settings_.details != DetailsPage::none;
@@ -281,38 +282,40 @@ void App::draw_panels() {
     if (settings_.show_layers) {
       // In a low window the layers need the room, and bundles have their keys and their menu.
       const float most = std::min(kMostOfBundles * upper, upper - kLeastOfLayers * unit);
-      const float bundles = most < kLeastOfBundles * unit ? 0.0F : bundles_panel_.height(context, most);
-      if (bundles > 0.0F) bundles_panel_.draw(context, {{screen.x - width, top}, {width, bundles}});
-      layers_panel_.draw(context, {{screen.x - width, top + bundles}, {width, upper - bundles}});
+      const float bundles = most < kLeastOfBundles * unit ? 0.0F : bundles_panel_.height(most);
+      if (bundles > 0.0F) bundles_panel_.draw({{screen.x - width, top}, {width, bundles}});
+      layers_panel_.draw({{screen.x - width, top + bundles}, {width, upper - bundles}});
     }
     if (has_details) {
       const float from = both ? top + upper : top;
-      details_panel_.draw(context, {{screen.x - width, from}, {width, top + height - from}});
+      details_panel_.draw({{screen.x - width, from}, {width, top + height - from}});
     }
     const float margin = 10 * unit;
-    left = margin + draw_toolbar(context, {margin, top + margin}, height - 2 * margin);
+    left = margin + toolbar().draw({margin, top + margin}, height - 2 * margin);
   }
   const float card_margin = 10 * unit;
   if (show_panels_ && settings_.show_evolution)
-    bottom += card_margin + draw_evolution_strip(context, {left + card_margin, screen.y - bottom - card_margin},
-                                                 screen.x - left - right - 2 * card_margin);
-  provenance_.draw(context, {left + card_margin, screen.y - bottom - card_margin},
+    bottom += card_margin +
+              EvolutionStrip{gui_, actions_, evolution_}.draw({left + card_margin, screen.y - bottom - card_margin},
+                                                              screen.x - left - right - 2 * card_margin);
+  provenance_.draw(gui_, canvas_, editor_.document().revision(),
+                   {left + card_margin, screen.y - bottom - card_margin},
                    {screen.x - left - right - 2 * card_margin, 0.6F * (screen.y - top - bottom)});
   legend_size_ = {};
   if (settings_.show_legend) {
-    const ImVec2 legend =
-        draw_canvas_legend(context, {screen.x - right - card_margin, screen.y - bottom - card_margin},
-                           screen.y - top - bottom - 2 * card_margin);
+    const ImVec2 legend = CanvasLegend{gui_, picture_, layers_}.draw(
+        {screen.x - right - card_margin, screen.y - bottom - card_margin}, screen.y - top - bottom - 2 * card_margin);
     const double ratio = window_->pixel_ratio();
     if (legend.x > 0.0F)
       legend_size_ = {ratio * static_cast<double>(legend.x + card_margin),
                       ratio * static_cast<double>(legend.y + card_margin)};
   }
-  draw_empty_hint(context, {left + 0.5F * (screen.x - left - right), top + 0.5F * (screen.y - top - bottom)});
+  EmptyHint{gui_, editor_.document(), files_, picture_, canvas_}.draw(
+      {left + 0.5F * (screen.x - left - right), top + 0.5F * (screen.y - top - bottom)});
   draw_caption({left + 0.5F * (screen.x - left - right), screen.y - bottom}, screen.x - left - right);
-  draw_problem(context, {left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
+  ProblemNote{gui_, messages_}.draw({left + 8 * unit, top + 10 * unit}, screen.x - left - right - 16 * unit);
   draw_dialogs();
-  draw_help(context, &show_help_);
+  draw_help(gui_, &show_help_);
   const double ratio = window_->pixel_ratio();
   canvas_.view().set_insets({static_cast<double>(left) * ratio, static_cast<double>(top) * ratio,
                              static_cast<double>(right) * ratio, static_cast<double>(bottom) * ratio});

@@ -11,6 +11,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
+#include "app/model/computation_control.h"
 #include "app/model/editor.h"
 #include "app/model/evolution_player.h"
 #include "app/model/layer_stack.h"
@@ -24,8 +25,10 @@
 #include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
 #include "app/panels/layers_panel.h"
-#include "app/panels/panel_context.h"
+#include "app/panels/menu_bar.h"
 #include "app/panels/provenance_card.h"
+#include "app/panels/status_bar.h"
+#include "app/panels/toolbar.h"
 #include "app/picture/picture.h"
 #include "app/recording/record_desk.h"
 #include "app/store/autosave.h"
@@ -35,6 +38,7 @@
 #include "app/store/sample_shapes.h"
 #include "app/system/termination.h"
 #include "app/ui/file_browser.h"
+#include "app/ui/frame_times.h"
 #include "app/ui/glfw_window.h"
 #include "app/ui/gui.h"
 #include "app/window/run_window.h"
@@ -96,7 +100,6 @@ class App final : private WindowListener {
   void bind_view_actions();
   void bind_evolution_actions();
   void choose_precision(Precision precision);
-  void set_computation(const ComputationSettings& settings);
   void advance_animation();
   void nudge(double x_px, double y_px);
   void report(const Error& error);
@@ -156,6 +159,9 @@ class App final : private WindowListener {
 
   // app.cpp
   void frame();
+  MenuBar menu_bar();
+  StatusBar status_bar();
+  Toolbar toolbar();
   void draw_panels();
   void draw_pointer_marks();
   bool waits_for_room();
@@ -164,11 +170,9 @@ class App final : private WindowListener {
   void follow_evolution();
   void update_title();
   double next_wait() const;
-  PanelContext panel_context();
 
   const Termination& termination_;
   Settings settings_;
-  ComputationSettings computation_;
   Settings settings_at_start_;
   std::filesystem::path settings_path_;
   Messages messages_;
@@ -181,6 +185,7 @@ class App final : private WindowListener {
   FrameTimes times_;
   ProvenanceCard provenance_;
   Engine engine_;
+  ComputationControl computation_{engine_};
   LayerStack layers_;
   BundleDesk bundles_;
   Editor editor_;
@@ -192,9 +197,7 @@ class App final : private WindowListener {
   BundlesPanel bundles_panel_;
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
-  ParameterAnimation animation_;
   std::optional<LiveDemo> demo_;
-  double next_animation_step_ = 0.0;  // seconds
   BackgroundLoader background_{[] { GlfwWindow::wake(); }};
   FileBrowser browser_;
   AskUnsaved ask_unsaved_;
@@ -230,7 +233,6 @@ class App final : private WindowListener {
   bool is_closing_ = false;
   std::optional<std::uint64_t> memory_told_at_;  // revision of the document
   int frames_wanted_ = 3;                        // the panels need a few frames to settle after an event
-  double last_frame_ = 0.0;
   std::uint64_t demand_seen_ = 0;
   bool demands_nothing_ = false;                     // the picture was lost
   std::pair<std::uint64_t, std::uint64_t> lost_at_;  // revisions of demand and document then

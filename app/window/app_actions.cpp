@@ -144,16 +144,13 @@ void App::bind_view_actions() {
                                           static_cast<std::size_t>(precision));
     actions_.bind(id, {[this, precision] { choose_precision(precision); },
                        {},
-                       [this, precision] { return computation_.precision == precision; }});
+                       [this, precision] { return computation_.settings().precision == precision; }});
   }
   const auto bind_switch = [&](ActionId id, Parameter parameter) {
-    actions_.bind(id, {[this, parameter] {
-                         ComputationSettings settings = computation_;
-                         settings[parameter] = settings.is_on(parameter) ? 0.0 : 1.0;
-                         set_computation(settings);
-                       },
-                       {},
-                       [this, parameter] { return computation_.is_on(parameter); }});
+    actions_.bind(
+        id, {[this, parameter] { computation_.set(parameter, computation_.settings().is_on(parameter) ? 0.0 : 1.0); },
+             {},
+             [this, parameter] { return computation_.settings().is_on(parameter); }});
   };
   bind_switch(ActionId::toggle_union_shortcut, Parameter::union_shortcut);
   bind_switch(ActionId::toggle_pole_propagation, Parameter::pole_propagation);
@@ -185,29 +182,14 @@ void App::bind_evolution_actions() {
 }
 
 void App::choose_precision(Precision precision) {
-  ComputationSettings settings = computation_;
+  ComputationSettings settings = computation_.settings();
   settings.precision = precision;
-  set_computation(settings);
+  computation_.set(settings);
 }
 
-void App::set_computation(const ComputationSettings& settings) {
-  computation_ = settings;
-  engine_.set_settings(computation_);
-}
-
-// A step is taken when the picture of the one before has been seen.
 void App::advance_animation() {
-  if (!animation_.is_running() || engine_.status().busy || holds_input()) return;
-  const double now = ImGui::GetTime();
-  if (animation_.position() > 0 || computation_[animation_.parameter] == animation_.value()) {
-    if (now < next_animation_step_) return;
-    if (!animation_.advance()) return;
-  }
-  next_animation_step_ = now + 1.0 / animation_.steps_per_second;
-  ComputationSettings settings = computation_;
-  settings[animation_.parameter] = animation_.value();
-  set_computation(settings);
-  on_anything();
+  if (engine_.status().busy || holds_input()) return;
+  if (computation_.advance(ImGui::GetTime())) on_anything();
 }
 
 void App::nudge(double x_px, double y_px) {

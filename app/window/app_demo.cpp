@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/ui/icons.h"
+#include "app/ui/widgets.h"
 #include "app/window/app.h"
 #include "core/io/format.h"
 
@@ -35,7 +36,7 @@ void App::start_demo() {
                    .steps = std::move(steps),
                    .document = editor_.document().revision(),
                    .layers_before = layers_.configuration(),
-                   .settings_before = computation_};
+                   .settings_before = computation_.settings()};
   // What was selected or clicked belongs to another document.
   provenance_.clear();
   on_anything();
@@ -48,7 +49,7 @@ void App::end_demo(bool restore) {
   // Nobody wants to be asked whether to save what a demo made.
   editor_.mark_saved();
   layers_.set_configuration(demo.layers_before);
-  set_computation(demo.settings_before);
+  computation_.set(demo.settings_before);
 }
 
 Expected<void> App::perform(const TimelineEntry& entry) {
@@ -58,7 +59,7 @@ Expected<void> App::perform(const TimelineEntry& entry) {
     apply(*change, configuration);
     layers_.set_configuration(configuration);
   } else if (const auto* settings = std::get_if<SettingsChanged>(&entry)) {
-    set_computation(settings->settings);
+    computation_.set(settings->settings);
   } else if (const auto* view = std::get_if<ViewChanged>(&entry)) {
     fit_to_ = view->visible;
     fit_wanted_ = Fit::glide;

@@ -54,9 +54,9 @@ void App::open_shape(const SampleShape& shape) {
 
 // Another document takes the place of this one: what belongs to this one alone goes (docs/decisions.md).
 void App::leave_document() {
-  animation_.stop();
+  computation_.animation().stop();
   evolution_.resume(evolution_.choice(), 0);
-  set_computation(for_another_document(computation_));
+  computation_.set(for_another_document(computation_.settings()));
   layers_.set_image({});
 }
 

@@ -27,7 +27,7 @@ ShownState App::shown_state() const {
           editor_.selection().revision(),
           layers_.revision(),
           layers_.soloed(),
-          computation_,
+          computation_.settings(),
           canvas_.view().camera(),
           settings_.show_legend,
           demo_ ? demo_->caption : std::string()};

@@ -35,20 +35,20 @@ Session App::session_now() const {
           .data = timeline.data(),
           .entries = timeline.entries(),
           .layers = layers_.configuration(),
-          .settings = computation_,
+          .settings = computation_.settings(),
           .evolution = evolution_now(evolution_),
           .view = canvas_.view().free_box()};
 }
 
 void App::show_as_in(const Session& session) {
   if (!session.layers.layers.empty()) layers_.set_configuration(session.layers);
-  set_computation(session.settings);
+  computation_.set(session.settings);
   const bool is_known = find_evolution(session.evolution.id).has_value();
   evolution_.resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
   if (!session.view.is_empty()) fit_to_ = session.view;
   editor_.take_layers_as_noted();
   if (files_.has_session_file()) editor_.set_saved_layers(layers_.configuration());
-  notes_.take_as_noted(editor_, {computation_, session.view});
+  notes_.take_as_noted(editor_, {computation_.settings(), session.view});
 }
 
 // Surroundings are noted when they are at rest: a slider or a zoom under way is not yet what is meant.
@@ -56,7 +56,7 @@ void App::keep_timeline() {
   const bool at_rest = !ImGui::IsAnyItemActive() && !canvas_.has_pointer() && !canvas_.view().is_moving() &&
                        fit_wanted_ == Fit::none && !files_.is_reading();
   if (!ImGui::IsAnyItemActive()) editor_.note_layers();
-  if (at_rest) notes_.follow(editor_, {computation_, canvas_.view().free_box()});
+  if (at_rest) notes_.follow(editor_, {computation_.settings(), canvas_.view().free_box()});
   autosave_.follow(editor_, [this] { return session_now(); });
   if (const std::string problem = autosave_.take_problem(); !problem.empty()) messages_.problem(problem);
 }

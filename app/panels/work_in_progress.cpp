@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/work_in_progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/model/statistics_text.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+namespace {
+
+// Shorter work would only flicker.
+constexpr double kShownAfterMs = 100.0;
+
+void progress(const Gui& gui, const std::string& what, double fraction) {
+  const float unit = gui.unit();
+  ImGui::TextUnformatted(what.c_str());
+  ImGui::SameLine();
+  const float height = 6 * unit;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = 110 * unit;
+  const float y = at.y + 0.5F * (ImGui::GetTextLineHeight() - height);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, gui.colors().border, 3 * unit);
+  if (fraction > 0.0) {
+    list.AddRectFilled({at.x, y}, {at.x + width * static_cast<float>(std::min(fraction, 1.0)), y + height},
+                       gui.colors().accent, 3 * unit);
+  } else {
+    // Unknown: a piece that wanders.
+    const float phase = static_cast<float>(0.5 - 0.5 * std::cos(3.0 * ImGui::GetTime()));
+    list.AddRectFilled({at.x + 0.7F * width * phase, y}, {at.x + width * (0.7F * phase + 0.3F), y + height},
+                       gui.colors().accent, 3 * unit);
+  }
+  ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+  ImGui::SameLine();
+}
+
+}  // namespace
+
+void WorkInProgress::draw_recording() const {
+  if (!record.is_recording()) return;
+  const float unit = gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * height}, 5 * unit,
+                                              gui.colors().recording);
+  ImGui::Dummy({14 * unit, height});
+  ImGui::SameLine(0, 0);
+  std::string text = grouped(record.frames()) + (record.frames() == 1 ? " frame" : " frames");
+  if (record.is_waiting_for_disk())
+    text += ", waiting for the disk";
+  else if (const std::size_t unwritten = record.unwritten(); unwritten > 1)
+    text += ", " + grouped(unwritten) + " being written";
+  ImGui::TextUnformatted(text.c_str());
+  tooltip(gui, "Recording: a frame after each change");
+  ImGui::SameLine(0, 16 * unit);
+}
+
+bool WorkInProgress::draw() const {
+  if (files.is_saving()) {
+    progress(gui, "Saving " + files.saving_name(), 0.0);
+  } else if (files.is_reading()) {
+    progress(gui, "Reading " + files.reading_name(), 0.0);
+    if (ImGui::SmallButton("Cancel")) files.cancel_reading();
+    tooltip(gui, "Keep the present samples");
+    return true;
+  }
+  if (record.is_making_video()) {
+    progress(gui, "Making a video", 0.0);
+    if (ImGui::SmallButton("Cancel")) record.cancel_video();
+    tooltip(gui, "Make no video; the frames stay");
+    return true;
+  }
+  const EngineStatus status = engine.status();
+  if (status.cancelled) {
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+    ImGui::TextUnformatted("Computation cancelled");
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Resume")) actions.run(ActionId::resume_computation);
+    tooltip(gui, tooltip_of(ActionId::resume_computation));
+    return true;
+  }
+  if (!status.busy || status.busy_ms < kShownAfterMs) return false;
+  progress(gui, "Computing " + status.task, status.progress);
+  if (ImGui::SmallButton("Cancel")) actions.run(ActionId::cancel_computation);
+  tooltip(gui, tooltip_of(ActionId::cancel_computation));
+  return true;
+}
+
+}  // namespace mes

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is being read, written, recorded or computed, as a part of the status bar.
+#pragma once
+
+#include "app/actions/action_bindings.h"
+#include "app/recording/record_desk.h"
+#include "app/store/file_desk.h"
+#include "app/ui/gui.h"
+#include "core/engine/engine.h"
+
+namespace mes {
+
+struct WorkInProgress {
+  const Gui& gui;
+  const ActionBindings& actions;
+  const Engine& engine;
+  FileDesk& files;
+  RecordDesk& record;
+
+  /// A red dot and how many frames there are, while recording.
+  void draw_recording() const;
+  /// What is being done, with a way to stop it; false when nothing is.
+  bool draw() const;
+};
+
+}  // namespace mes
