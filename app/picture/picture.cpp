@@ -160,42 +160,6 @@ void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle&
     scene_.set_overlay(slot, {kind, mark_data_, style, false});
 }
 
-// The picture without panels, for frames in which it stays the same.
-void Picture::keep(int width, int height) {
-  GLuint name = kept_.get();
-  if (name == 0) {
-    glGenTextures(1, &name);
-    kept_ = render::GlTexture(name);
-    GLuint reader = 0;
-    glGenFramebuffers(1, &reader);
-    kept_reader_ = render::GlFramebuffer(reader);
-  }
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-  glReadBuffer(GL_BACK);
-  glBindTexture(GL_TEXTURE_2D, name);
-  if (width != kept_width_ || height != kept_height_) {
-    kept_width_ = width;
-    kept_height_ = height;
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, width, height, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_reader_.get());
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-  } else {
-    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
-  }
-  glBindTexture(GL_TEXTURE_2D, 0);
-}
-
-void Picture::show_kept(int width, int height) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_reader_.get());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glDisable(GL_SCISSOR_TEST);
-  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
 std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
   std::uint32_t out = 0;
   for (const LayerIndex layer : layers.visible_layers())
@@ -233,7 +197,7 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   ShownState now{camera, content_scale, patches_, background_revision_, marked_, shown_layers(layers, canvas_)};
   const bool is_same = now == shown_;
   if (is_same && !detail_.is_refining()) {
-    show_kept(camera.width(), camera.height());
+    kept_.show(camera.width(), camera.height());
     return;
   }
   const std::uint32_t every =
@@ -246,7 +210,8 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   // Only then is it known what it cost. Nothing else is left to do in this frame.
   device_.finish();
   detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  keep(camera.width(), camera.height());
+  // Without panels, for frames in which it stays the same.
+  kept_.keep(camera.width(), camera.height());
   shown_ = std::move(now);
 }
 

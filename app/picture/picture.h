@@ -16,7 +16,7 @@
 #include "core/engine/memory_lack.h"
 #include "render/frame_capture.h"
 #include "render/gl_device.h"
-#include "render/gl_handles.h"
+#include "render/kept_frame.h"
 #include "render/scene.h"
 
 namespace mes {
@@ -108,8 +108,6 @@ class Picture {
   void mark_selection(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_disk_layer(const LayerStack& layers) const;
-  void keep(int width, int height);
-  void show_kept(int width, int height) const;
 
   render::GlDevice device_;
   render::Scene scene_;
@@ -128,10 +126,7 @@ class Picture {
   std::vector<double> mark_data_;  // kept for its memory
   ShownState shown_;
   Detail detail_;
-  render::GlTexture kept_;
-  render::GlFramebuffer kept_reader_;
-  int kept_width_ = 0;
-  int kept_height_ = 0;
+  render::KeptFrame kept_;
 };
 
 }  // namespace mes
