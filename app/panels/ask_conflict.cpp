@@ -64,18 +64,37 @@ std::string shared_text(std::size_t shared) {
 
 }  // namespace
 
-FileConflict AskConflict::take() {
-  FileConflict out = std::move(*conflict_);
-  conflict_.reset();
-  return out;
+void AskConflict::ask(FileConflict conflict, Answers answers) {
+  conflict_ = std::move(conflict);
+  answers_ = std::move(answers);
 }
 
-AskConflict::Answer AskConflict::draw(const Gui& gui) {
+void AskConflict::cancel() {
+  conflict_.reset();
+  if (const Answers answers = std::exchange(answers_, {}); answers.cancel) answers.cancel();
+}
+
+void AskConflict::draw(const Gui& gui) {
+  const Pressed pressed = draw_question(gui);
+  if (pressed == Pressed::none) return;
+  if (pressed == Pressed::cancel) {
+    cancel();
+    return;
+  }
+  const FileConflict conflict = *std::exchange(conflict_, std::nullopt);
+  const Answers answers = std::exchange(answers_, {});
+  if (pressed == Pressed::overwrite)
+    answers.overwrite(conflict);
+  else
+    answers.save_as();
+}
+
+AskConflict::Pressed AskConflict::draw_question(const Gui& gui) const {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
-  Answer answer = Answer::none;
+  Pressed pressed = Pressed::none;
   if (Gui::begin_dialog(kTitle, is_open(), ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     if (is_open()) {
       ImGui::PushFont(gui.bold());
@@ -94,16 +113,16 @@ AskConflict::Answer AskConflict::draw(const Gui& gui) {
       }
       ImGui::Dummy({1, 6 * unit});
       const ImVec2 size(120 * unit, 0);
-      if (ImGui::Button("Save as...", size)) answer = Answer::save_as;
+      if (ImGui::Button("Save as...", size)) pressed = Pressed::save_as;
       ImGui::SameLine();
-      if (ImGui::Button("Overwrite", size)) answer = Answer::overwrite;
+      if (ImGui::Button("Overwrite", size)) pressed = Pressed::overwrite;
       ImGui::SameLine();
-      if (ImGui::Button("Cancel", size)) answer = Answer::cancel;
+      if (ImGui::Button("Cancel", size)) pressed = Pressed::cancel;
     }
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();
-  return answer;
+  return pressed;
 }
 
 }  // namespace mes

@@ -2,27 +2,33 @@
 // "Something else has written to this file": the question before that is overwritten.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/store/file_conflict.h"
-#include "app/ui/gui.h"
+#include "app/ui/dialog.h"
 
 namespace mes {
 
-class AskConflict {
+class AskConflict final : public Dialog {
  public:
-  enum class Answer : std::uint8_t { none, overwrite, save_as, cancel };
+  struct Answers {
+    std::function<void(const FileConflict&)> overwrite;
+    std::function<void()> save_as;
+    std::function<void()> cancel;
+  };
+  void ask(FileConflict conflict, Answers answers);
 
-  void ask(FileConflict conflict) { conflict_ = std::move(conflict); }
-  bool is_open() const { return conflict_.has_value(); }
-  void close() { conflict_.reset(); }
-  /// Draws the question while it is open. The answer, once; it stays open until it is closed or taken.
-  Answer draw(const Gui& gui);
-  /// What was asked about.
-  FileConflict take();
+  bool is_open() const override { return conflict_.has_value(); }
+  void cancel() override;
+  void draw(const Gui& gui) override;
 
  private:
-  std::optional<FileConflict> conflict_;
+  enum class Pressed : std::uint8_t { none, overwrite, save_as, cancel };
+  Pressed draw_question(const Gui& gui) const;
+
+  std::optional<FileConflict> conflict_{};
+  Answers answers_{};
 };
 
 }  // namespace mes

@@ -9,12 +9,26 @@ LeftWork AskRecover::take() {
   return out;
 }
 
-AskRecover::Answer AskRecover::draw(const Gui& gui) {
+void AskRecover::offer(std::vector<LeftWork> works, std::function<void()> recover) {
+  works_ = std::move(works);
+  recover_ = std::move(recover);
+}
+
+void AskRecover::draw(const Gui& gui) {
+  switch (draw_question(gui)) {
+    case Pressed::none: break;
+    case Pressed::later: cancel(); break;
+    case Pressed::discard: take().remove(); break;
+    case Pressed::recover: recover_(); break;
+  }
+}
+
+AskRecover::Pressed AskRecover::draw_question(const Gui& gui) const {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
-  Answer answer = Answer::none;
+  Pressed pressed = Pressed::none;
   if (Gui::begin_dialog("##ask-recover", is_open(),
                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     if (is_open()) {
@@ -30,16 +44,16 @@ AskRecover::Answer AskRecover::draw(const Gui& gui) {
       if (works_.size() > 1) ImGui::TextDisabled("%zu more after this one", works_.size() - 1);
       ImGui::Dummy({1, 6 * unit});
       const ImVec2 size(120 * unit, 0);
-      if (ImGui::Button("Recover", size)) answer = Answer::recover;
+      if (ImGui::Button("Recover", size)) pressed = Pressed::recover;
       ImGui::SameLine();
-      if (ImGui::Button("Discard", size)) answer = Answer::discard;
+      if (ImGui::Button("Discard", size)) pressed = Pressed::discard;
       ImGui::SameLine();
-      if (ImGui::Button("Not now", size)) answer = Answer::later;
+      if (ImGui::Button("Not now", size)) pressed = Pressed::later;
     }
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();
-  return answer;
+  return pressed;
 }
 
 }  // namespace mes

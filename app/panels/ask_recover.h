@@ -2,29 +2,34 @@
 // Offers the work that a crash left behind.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/store/autosave.h"
-#include "app/ui/gui.h"
+#include "app/ui/dialog.h"
 
 namespace mes {
 
-class AskRecover {
+/// Asks about the newest work while there is one; it stays open until the work is taken or removed. Cancelled, it asks
+/// again at the next start.
+class AskRecover final : public Dialog {
  public:
-  enum class Answer : std::uint8_t { none, recover, discard, later };
-
-  void offer(std::vector<LeftWork> works) { works_ = std::move(works); }
-  bool is_open() const { return !works_.empty(); }
-  /// Asks again at the next start.
-  void close() { works_.clear(); }
-  /// Draws the question about the newest work while there is one. The answer, once.
-  Answer draw(const Gui& gui);
+  /// `recover` is to `take` the work, now or when there is room for it.
+  void offer(std::vector<LeftWork> works, std::function<void()> recover);
   /// The work that was asked about.
   LeftWork take();
 
+  bool is_open() const override { return !works_.empty(); }
+  void cancel() override { works_.clear(); }
+  void draw(const Gui& gui) override;
+
  private:
+  enum class Pressed : std::uint8_t { none, recover, discard, later };
+  Pressed draw_question(const Gui& gui) const;
+
   std::vector<LeftWork> works_;  // newest first
+  std::function<void()> recover_;
 };
 
 }  // namespace mes

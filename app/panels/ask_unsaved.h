@@ -5,27 +5,26 @@
 #include <functional>
 #include <string>
 
-#include "app/ui/gui.h"
+#include "app/ui/dialog.h"
 
 namespace mes {
 
-class AskUnsaved {
+class AskUnsaved final : public Dialog {
  public:
-  enum class Answer : std::uint8_t { none, save, discard, cancel };
+  struct Answers {
+    std::function<void()> save;
+    std::function<void()> discard;
+  };
+  void ask(std::string title, Answers answers);
 
-  /// Asks, and remembers what was going to happen.
-  void ask(std::string title, std::function<void()> then);
-  bool is_open() const { return is_open_; }
-  void close();
-  /// Draws the question while it is open. The answer, once.
-  Answer draw(const Gui& gui);
-  /// What was going to happen; to be called when the work is saved or given up.
-  std::function<void()> take_then() { return std::move(then_); }
+  bool is_open() const override { return is_open_; }
+  void cancel() override;
+  void draw(const Gui& gui) override;
 
  private:
   bool is_open_ = false;
   std::string title_;
-  std::function<void()> then_;
+  Answers answers_;
 };
 
 }  // namespace mes

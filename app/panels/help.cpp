@@ -135,7 +135,11 @@ void draw_columns(const Gui& gui, float width) {
 
 }  // namespace
 
-void draw_help(const Gui& gui, bool* open) {
+bool HelpPage::is_cancelled_by(const KeyChord& chord) const {
+  return Dialog::is_cancelled_by(chord) || find_action(chord, false) == ActionId::help;
+}
+
+void HelpPage::draw(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size(std::min(1240 * unit, screen.x - 24 * unit), std::min(680 * unit, screen.y - 24 * unit));
@@ -143,19 +147,19 @@ void draw_help(const Gui& gui, bool* open) {
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 3 * unit});
-  if (Gui::begin_dialog("##help", *open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  if (Gui::begin_dialog("##help", is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
     ImGui::PushFont(gui.bold());
     ImGui::TextUnformatted("Keys and gestures");
     ImGui::PopFont();
     ImGui::SameLine(size.x - 48 * unit);
-    if (icon_button("close", Icon::close, 24 * unit)) *open = false;
+    if (icon_button("close", Icon::close, 24 * unit)) is_open_ = false;
     tooltip(gui, "Close (Esc)");
     ImGui::BeginChild("page");
     draw_columns(gui, ImGui::GetContentRegionAvail().x);
     ImGui::EndChild();
     const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
-    if (beside) *open = false;
+    if (beside) is_open_ = false;
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

@@ -2,11 +2,22 @@
 // Every key and gesture on one page, from the action table.
 #pragma once
 
-#include "app/ui/gui.h"
+#include "app/ui/dialog.h"
 
 namespace mes {
 
-/// Draws the page over the window while `*open`; a click beside it or on its cross closes it.
-void draw_help(const Gui& gui, bool* open);
+/// A click beside it or on its cross closes it, and so do the keys that open it.
+class HelpPage final : public Dialog {
+ public:
+  void toggle() { is_open_ = !is_open_; }
+
+  bool is_open() const override { return is_open_; }
+  void cancel() override { is_open_ = false; }
+  void draw(const Gui& gui) override;
+  bool is_cancelled_by(const KeyChord& chord) const override;
+
+ private:
+  bool is_open_ = false;
+};
 
 }  // namespace mes

@@ -52,43 +52,35 @@ constexpr const char* kTitle = "##file-browser";
 
 }  // namespace
 
-void FileBrowser::ask(const fs::path& folder) {
+void FileBrowser::ask(const fs::path& folder, Then then, FilePurpose purpose) {
   is_open_ = true;
   field_.focus();
   accepted_ = false;
   trouble_.clear();
   overwrite_.clear();
-  extensions_.clear();
-  then_ = {};
+  purpose_ = std::move(purpose);
+  then_ = std::move(then);
   std::error_code error;
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
 }
 
-void FileBrowser::ask_open(const fs::path& folder, std::string heading) {
-  heading_ = std::move(heading);
+void FileBrowser::ask_open(const fs::path& folder, Then then, FilePurpose purpose) {
   is_saving_ = false;
   name_.clear();
-  ask(folder);
+  ask(folder, std::move(then), std::move(purpose));
 }
 
-void FileBrowser::ask_for(const std::string& title, std::vector<std::string> extensions, const fs::path& folder,
-                          std::function<void(const fs::path&)> then) {
-  ask_open(folder, title);
-  extensions_ = std::move(extensions);
-  then_ = std::move(then);
+void FileBrowser::ask_save(const fs::path& folder, const std::string& name, Then then, FilePurpose purpose) {
+  is_saving_ = true;
+  name_ = name;
+  extension_ = fs::path(name).extension().string();
+  ask(folder, std::move(then), std::move(purpose));
 }
 
 bool FileBrowser::is_listed(const std::string& name) const {
   if (all_files_) return true;
-  return extensions_.empty() ? is_known(name) : std::ranges::count(extensions_, extension_of(name)) > 0;
-}
-
-void FileBrowser::ask_save(const fs::path& folder, const std::string& name, std::string heading) {
-  heading_ = std::move(heading);
-  is_saving_ = true;
-  name_ = name;
-  extension_ = fs::path(name).extension().string();
-  ask(folder);
+  const std::vector<std::string>& wanted = purpose_.extensions;
+  return wanted.empty() ? is_known(name) : std::ranges::count(wanted, extension_of(name)) > 0;
 }
 
 void FileBrowser::enter(const fs::path& folder) {
@@ -209,7 +201,12 @@ bool FileBrowser::draw_overwrite_question(const Gui& gui) {
   return yes;
 }
 
-std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
+void FileBrowser::draw(const Gui& gui) {
+  if (const auto chosen = draw_choice(gui))
+    if (const Then then = std::exchange(then_, {})) then(*chosen);
+}
+
+std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size(std::min(640 * unit, screen.x - 24 * unit), std::min(520 * unit, screen.y - 24 * unit));
@@ -219,7 +216,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
   ImGui::PushFont(gui.bold());
   const char* const usual = is_saving_ ? "Save as" : "Open a session, samples, balls or bundles";
-  ImGui::TextUnformatted(heading_.empty() ? usual : heading_.c_str());
+  ImGui::TextUnformatted(purpose_.heading.empty() ? usual : purpose_.heading.c_str());
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
@@ -238,7 +235,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
       ImGui::Checkbox("All files", &all_files_);
     } else {
       ImGui::AlignTextToFramePadding();
-      ImGui::TextDisabled("%s", heading_.empty() ? ".json everything   .poff samples   .wpoff balls" : "");
+      ImGui::TextDisabled("%s", purpose_.heading.empty() ? ".json everything   .poff samples   .wpoff balls" : "");
     }
     ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";
@@ -256,9 +253,7 @@ std::optional<fs::path> FileBrowser::draw(const Gui& gui) {
   }
   if (out) is_open_ = false;
   ImGui::EndPopup();
-  if (!out || !then_) return out;
-  std::exchange(then_, {})(*out);
-  return std::nullopt;
+  return out;
 }
 
 }  // namespace mes

@@ -8,31 +8,34 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/gui.h"
+#include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
 
 namespace mes {
+
+/// What a file is asked for when it is not the document.
+struct FilePurpose {
+  std::string heading{};
+  std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: of samples and balls
+};
 
 /// What it guarantees: it reads a folder once, when it is entered; a folder that cannot be read is told, not left
 /// silently empty; saving over a file asks first, and a name without extension gets that of the name proposed.
 ///
 /// Smallest use:
-///     browser.ask_open(folder);
-///     ... each frame: if (auto file = browser.draw(gui)) open(*file);
-class FileBrowser {
+///     browser.ask_open(folder, [](const std::filesystem::path& file) { open(file); });
+///     ... each frame: browser.draw(gui);
+class FileBrowser final : public Dialog {
  public:
-  /// `heading`: what for, when it is not for the document.
-  void ask_open(const std::filesystem::path& folder, std::string heading = {});
-  void ask_save(const std::filesystem::path& folder, const std::string& name, std::string heading = {});
-  /// For files of other kinds: `then` gets the chosen one, instead of whoever draws the dialog.
-  void ask_for(const std::string& title, std::vector<std::string> extensions, const std::filesystem::path& folder,
-               std::function<void(const std::filesystem::path&)> then);
-  void close() { is_open_ = false; }
-  bool is_open() const { return is_open_; }
-  bool is_saving() const { return is_saving_; }
-  /// Draws the dialog while it is open. The chosen file, once.
-  std::optional<std::filesystem::path> draw(const Gui& gui);
-  const std::filesystem::path& folder() const { return folder_; }
+  using Then = std::function<void(const std::filesystem::path&)>;
+
+  /// `then` gets the file, once it is chosen.
+  void ask_open(const std::filesystem::path& folder, Then then, FilePurpose purpose = {});
+  void ask_save(const std::filesystem::path& folder, const std::string& name, Then then, FilePurpose purpose = {});
+
+  bool is_open() const override { return is_open_; }
+  void cancel() override { is_open_ = false; }
+  void draw(const Gui& gui) override;
 
  private:
   struct Entry {
@@ -40,7 +43,9 @@ class FileBrowser {
     bool is_folder = false;
     std::uintmax_t size = 0;
   };
-  void ask(const std::filesystem::path& folder);
+  void ask(const std::filesystem::path& folder, Then then, FilePurpose purpose);
+  /// The chosen file, once.
+  std::optional<std::filesystem::path> draw_choice(const Gui& gui);
   bool is_listed(const std::string& name) const;
   void enter(const std::filesystem::path& folder);
   void draw_path(const Gui& gui);
@@ -57,9 +62,8 @@ class FileBrowser {
   std::string name_;
   NameField field_;
   std::string extension_;  // of the name proposed
-  std::string heading_;
-  std::vector<std::string> extensions_;  // lower case, with the dot; empty: of samples and balls
-  std::function<void(const std::filesystem::path&)> then_;
+  FilePurpose purpose_;
+  Then then_;
   std::string trouble_;
   std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for a yes

@@ -20,8 +20,8 @@ int run_window(const WindowOptions& options) {
     std::fprintf(stderr, "mesecina: %s\n", window.error().message().c_str());
     return kNoDisplay;
   }
-  App app(std::move(*window), options, std::move(loaded), termination);
-  app.run();
+  App app(std::move(*window), options, std::move(loaded));
+  app.run(termination);
   return termination.signal() == 0 ? 0 : 128 + termination.signal();
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Says that memory ran out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/model/memory_problem.h"
+#include "app/model/messages.h"
+#include "core/document/document.h"
+
+namespace mes {
+
+/// What it guarantees: one problem for each state of the document that lacks memory, taken away when there is room
+/// again. The layers that are grey then say nothing by themselves. Threads: none.
+class MemoryWatch {
+ public:
+  /// True when there is a new problem to be seen.
+  bool follow(bool lacks_memory, const Document& document, Messages& messages) {
+    if (!lacks_memory) {
+      if (std::exchange(told_at_, std::nullopt) && is_memory_problem(messages.problem())) messages.clear_problem();
+      return false;
+    }
+    if (std::exchange(told_at_, document.revision()) == document.revision()) return false;
+    messages.problem(memory_problem(document.sample_count(), document.ball_count()));
+    return true;
+  }
+  /// Another document has taken the place of this one.
+  void forget() { told_at_.reset(); }
+
+ private:
+  std::optional<std::uint64_t> told_at_;  // revision of the document
+};
+
+}  // namespace mes

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/dialogs.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace mes {
+
+std::vector<const Dialog*> Dialogs::open() const {
+  std::vector<const Dialog*> out;
+  for (const Dialog* dialog : all_)
+    if (dialog->is_open()) out.push_back(dialog);
+  return out;
+}
+
+bool Dialogs::take_key(const KeyChord& chord) {
+  const auto top = std::ranges::find_if(all_.rbegin(), all_.rend(), [](const Dialog* one) { return one->is_open(); });
+  if (top == all_.rend()) return false;
+  if ((*top)->is_cancelled_by(chord)) (*top)->cancel();
+  return true;
+}
+
+void Dialogs::draw(const Gui& gui) {
+  for (Dialog* dialog : all_) dialog->draw(gui);
+}
+
+}  // namespace mes

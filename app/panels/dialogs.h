@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window asks or shows over everything else.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "app/panels/ask_conflict.h"
+#include "app/panels/ask_recover.h"
+#include "app/panels/ask_unsaved.h"
+#include "app/panels/help.h"
+#include "app/ui/file_browser.h"
+
+namespace mes {
+
+/// What it guarantees: all keys go to the topmost of those that are open. Threads: the window's.
+class Dialogs {
+ public:
+  AskUnsaved unsaved;
+  AskRecover recover;
+  AskConflict conflict;
+  FileBrowser browser;
+  HelpPage help;
+
+  /// Those that are open, topmost last.
+  std::vector<const Dialog*> open() const;
+  /// True when one is open: it has taken the key.
+  bool take_key(const KeyChord& chord);
+  void draw(const Gui& gui);
+
+ private:
+  std::array<Dialog*, 5> all_{&unsaved, &recover, &conflict, &browser, &help};  // topmost last
+};
+
+}  // namespace mes

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tool in use shows over the drawing: the sample under the pointer, a box, a ball being drawn.
+#pragma once
+
+#include "app/canvas/canvas.h"
+#include "app/ui/gui.h"
+#include "core/base/color.h"
+#include "core/document/document.h"
+
+namespace mes {
+
+struct PointerMarks {
+  const Gui& gui;
+  const Canvas& canvas;
+  const Document& document;
+  Rgb color;
+
+  /// Behind all panels.
+  void draw() const;
+};
+
+}  // namespace mes

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window of the system, what draws panels in it, and when it draws.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/ui/frame_clock.h"
+#include "app/ui/frame_times.h"
+#include "app/ui/glfw_window.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+/// An OpenGL context is current for its life. Threads: the window's.
+struct Screen {
+  Screen(std::unique_ptr<GlfwWindow> opened, std::filesystem::path assets)
+      : window(std::move(opened)), gui(*window, std::move(assets)) {}
+
+  std::unique_ptr<GlfwWindow> window;
+  Gui gui;
+  FrameClock clock;
+  FrameTimes times;
+};
+
+}  // namespace mes

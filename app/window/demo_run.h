@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The demo in the window: the same script as the video, computed live. An edit by hand takes over.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/model/messages.h"
+#include "app/model/player.h"
+#include "app/model/view_fitter.h"
+#include "app/ui/gui.h"
+#include "app/window/workspace.h"
+
+namespace mes {
+
+/// What it guarantees: a step is taken when the picture of the one before is complete and has been seen for its time;
+/// the demo ends with the layers and settings as they were before it, unless someone edits its drawing, which is then
+/// theirs. Threads: the window's.
+class DemoRun {
+ public:
+  DemoRun(Workspace& work, ViewFitter& fitter, Messages& messages)
+      : work_(work), fitter_(fitter), messages_(messages) {}
+
+  /// Plays it in the present document, which is empty.
+  void start(Session session);
+  /// `restore`: layers and settings become what they were, and nothing is left that would have to be saved.
+  void end(bool restore);
+  bool is_running() const { return run_.has_value(); }
+  /// Of the present step; empty while none runs.
+  std::string caption() const { return run_ ? run_->caption : std::string(); }
+  /// When the next step is due, in seconds from `now`; nothing while none is going to be taken.
+  std::optional<double> next_due(double now) const;
+
+  /// Once a frame; `may_step`: the picture is complete. True when a step was taken.
+  bool advance(double now, bool may_step);
+  /// The caption, with a pause button, above `middle`.
+  void draw(const Gui& gui, ImVec2 middle, float width);
+
+ private:
+  struct Run {
+    Session session;
+    std::vector<PlayStep> steps;
+    std::size_t next = 0;
+    bool is_paused = false;
+    double not_before = 0.0;     // seconds; the next step waits until then, and for the picture
+    std::uint64_t document = 0;  // revision it left behind; another one means an edit by hand
+    std::string caption{};
+    LayerConfiguration layers_before{};
+    ComputationSettings settings_before{};
+  };
+  bool take_step(double now);
+  Expected<void> perform(const TimelineEntry& entry);
+
+  Workspace& work_;
+  ViewFitter& fitter_;
+  Messages& messages_;
+  std::optional<Run> run_;
+};
+
+}  // namespace mes

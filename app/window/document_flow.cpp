@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document_flow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/model/demo.h"
+#include "core/io/format.h"
+
+namespace mes {
+
+namespace fs = std::filesystem;
+
+DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::function<void()>& wake)
+    : uses_(uses),
+      shapes_(read_sample_shapes(assets)),
+      files_(
+          uses_.work.editor(),
+          [this] {
+            uses_.work.editor().note_layers();
+            return session_now();
+          },
+          wake),
+      keeper_(
+          uses_.work, uses_.messages, [this] { return session_now(); }, wake) {}
+
+void DocumentFlow::bind(ActionBindings& actions) {
+  bind_files(actions);
+  bind_bundles(actions);
+}
+
+void DocumentFlow::bind_files(ActionBindings& actions) {
+  actions.bind(ActionId::new_document, {[this] {
+                 with_saved_work([this] {
+                   start_empty();
+                   uses_.messages.clear_problem();
+                 });
+               }});
+  actions.bind(ActionId::open, {[this] {
+                 with_saved_work([this] {
+                   const auto open_one = [this](const fs::path& file) {
+                     const std::vector<fs::path> files = without_bundles({file.string()});
+                     if (files.empty()) return;
+                     traced_with_next_.clear();
+                     files_.open(files);
+                   };
+                   uses_.dialogs.browser.ask_open(browse_folder(), remembering(open_one));
+                 });
+               }});
+  actions.bind(ActionId::trace_picture, {[this] {
+                 uses_.dialogs.browser.ask_open(
+                     browse_folder(), remembering([this](const fs::path& file) { uses_.board.traced().trace(file); }),
+                     {.heading = "Trace a picture", .extensions = {".png", ".jpg", ".jpeg"}});
+               }});
+  actions.bind(ActionId::save, {[this] { save(); }});
+  actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
+  actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
+  actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
+}
+
+void DocumentFlow::bind_bundles(ActionBindings& actions) {
+  actions.bind(ActionId::import_bundles, {[this] {
+                 uses_.dialogs.browser.ask_open(
+                     browse_folder(), remembering([this](const fs::path& file) { uses_.work.import_bundles(file); }),
+                     {.heading = "Import bundles"});
+               }});
+  actions.bind(ActionId::export_bundles,
+               {[this] { ask_export({}); }, [this] { return !uses_.work.bundles().bundles().empty(); }});
+}
+
+void DocumentFlow::ask_export(std::optional<std::size_t> bundle) {
+  std::string name = bundle ? uses_.work.bundles().bundles()[*bundle].name : "bundles";
+  std::ranges::replace(name, '/', '-');
+  uses_.dialogs.browser.ask_save(browse_folder(), name + ".json", remembering([this, bundle](const fs::path& file) {
+                                   uses_.work.export_bundles(file, bundle);
+                                 }),
+                                 {.heading = bundle ? "Export the bundle" : "Export all bundles"});
+}
+
+fs::path DocumentFlow::browse_folder() const {
+  std::error_code error;
+  if (!files_.file().empty()) return files_.file().parent_path();
+  const std::string& last = uses_.settings.last_folder;
+  return !last.empty() && fs::is_directory(last, error) ? fs::path(last) : fs::current_path(error);
+}
+
+FileBrowser::Then DocumentFlow::remembering(FileBrowser::Then then) {
+  return [this, then = std::move(then)](const fs::path& file) {
+    uses_.settings.last_folder = file.parent_path().string();
+    then(file);
+  };
+}
+
+void DocumentFlow::with_saved_work(std::function<void()> then) {
+  uses_.board.canvas().cancel_gesture();
+  if (files_.is_saving()) {
+    after_save_ = [this, then = std::move(then)] { with_saved_work(then); };
+    return;
+  }
+  if (!uses_.work.editor().is_modified()) {
+    then();
+    return;
+  }
+  const auto save_first = [this, then] {
+    after_save_ = then;
+    save();
+  };
+  uses_.dialogs.unsaved.ask(files_.title(), {.save = save_first, .discard = then});
+}
+
+void DocumentFlow::start_empty() {
+  uses_.demo.end(true);
+  files_.start_empty();
+  uses_.work.leave_document();
+}
+
+void DocumentFlow::start_demo() {
+  uses_.demo.end(true);
+  if (shapes_.empty()) {
+    uses_.messages.problem("The demo needs the sample shapes, and they are missing");
+    return;
+  }
+  const auto shape = read_sample_file(shapes_.front().file);
+  auto session = shape ? demo_session(shape->data) : std::unexpected(shape.error());
+  if (!session) {
+    report(session.error());
+    return;
+  }
+  start_empty();
+  uses_.demo.start(std::move(*session));
+  // What was selected or clicked belongs to another document.
+  uses_.board.provenance().clear();
+  uses_.clock.settle();
+}
+
+void DocumentFlow::take_results() {
+  take_read_file();
+  take_saved();
+  offer_left_work();
+}
+
+void DocumentFlow::follow_dialogs() {
+  const bool is_asking = uses_.dialogs.browser.is_open() || uses_.dialogs.conflict.is_open();
+  if (!is_asking && !files_.is_saving()) after_save_ = {};
+}
+
+void DocumentFlow::keep() {
+  const bool controls = !ImGui::IsAnyItemActive();
+  const bool all = controls && uses_.board.is_at_rest() && !files_.is_reading();
+  keeper_.follow({.controls = controls, .all = all}, uses_.board.view().free_box());
+}
+
+// In order: what there was has been saved or given up on request. A signal makes no request; its journal stays, and is
+// complete before anything that may take longer than a signal waits.
+void DocumentFlow::end() {
+  if (is_left_) {
+    keeper_.discard();
+    return;
+  }
+  keep();
+  keeper_.flush();
+}
+
+}  // namespace mes

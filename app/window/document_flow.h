@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How documents come into the window and leave it: opening and saving, and the questions that go with it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/settings.h"
+#include "app/panels/dialogs.h"
+#include "app/store/file_desk.h"
+#include "app/store/sample_shapes.h"
+#include "app/window/demo_run.h"
+#include "app/window/drawing_board.h"
+#include "app/window/work_keeper.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. It never waits for a file being read or written.
+///  2. Unsaved work is not lost without a question, whichever way the document is left.
+///  3. Nor by a crash: a journal of what no file holds is offered at the next start.
+///
+/// Threads: the window's; `wake` is called from others.
+class DocumentFlow {
+ public:
+  struct Uses {
+    Workspace& work;
+    DrawingBoard& board;
+    DemoRun& demo;
+    Dialogs& dialogs;
+    Messages& messages;
+    Settings& settings;
+    FrameClock& clock;
+  };
+  DocumentFlow(Uses uses, const std::filesystem::path& assets, const std::function<void()>& wake);
+
+  FileDesk& files() { return files_; }
+  const FileDesk& files() const { return files_; }
+  std::span<const SampleShape> shapes() const { return shapes_; }
+  void bind(ActionBindings& actions);
+
+  /// At the start of the program; without files it is the first built-in shape.
+  void open_first(const std::vector<std::string>& files);
+  /// Documents, bundles, and at most one picture to trace in what the others bring.
+  void open(std::vector<std::string> files);
+  void open_shape(const SampleShape& shape);
+  /// Asks for a file for one bundle, or all.
+  void ask_export(std::optional<std::size_t> bundle);
+
+  /// Once a turn, before the frame: what was read or saved meanwhile.
+  void take_results();
+  /// Once a frame, after the dialogs were drawn.
+  void follow_dialogs();
+  /// Once a frame, when all changes of it are made: notes and keeps them.
+  void keep();
+
+  /// To end the program was asked for, and what was unsaved is saved or given up.
+  bool is_left() const { return is_left_; }
+  /// The program ends, with or without having been asked to.
+  void end();
+
+ private:
+  void bind_files(ActionBindings& actions);
+  void bind_bundles(ActionBindings& actions);
+  /// Saves what is unsaved or gives it up, as the answer is, and goes on with `then`; or does not.
+  void with_saved_work(std::function<void()> then);
+  void start_empty();
+  void start_demo();
+
+  // document_opening.cpp
+  void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
+  std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
+  void take_read_file();
+  void say_opened(const FileDesk::Outcome& outcome);
+  void show_as_in(const Session& session);
+  Session session_now() const;
+  void offer_left_work();
+  void recover(LeftWork work);
+
+  // document_saving.cpp
+  void save();
+  void ask_save_as();
+  void take_saved();
+  void ask_about(const FileConflict& conflict);
+  void say_saved(const std::string& files);
+  void say_still_unsaved(const FileDesk::Unsaved& rest);
+
+  void report(const Error& error) { uses_.messages.problem(error.message()); }
+  std::filesystem::path browse_folder() const;
+  /// The same for a file that was chosen, whose folder is shown first next time.
+  FileBrowser::Then remembering(FileBrowser::Then then);
+
+  Uses uses_;
+  std::vector<SampleShape> shapes_;
+  FileDesk files_;
+  WorkKeeper keeper_;
+  std::function<void()> after_save_;        // what waits for a save, under a new name perhaps
+  std::filesystem::path traced_with_next_;  // when what is being read is there
+  bool had_first_file_ = false;
+  bool is_left_ = false;
+};
+
+}  // namespace mes

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is read, dropped or recovered becomes the document of the window.
+#include <algorithm>
+#include <utility>
+
+#include "app/window/document_flow.h"
+#include "core/io/bundle_file.h"
+#include "render/picture_file.h"
+
+namespace mes {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+SessionEvolution evolution_now(const EvolutionPlayer& player) {
+  SessionEvolution out{std::string(player.descriptor().id), player.choice().seed, player.position(), {}};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    out.parameters.emplace_back(parameter.id, player.choice().values[parameter.id]);
+  return out;
+}
+
+// What this version does not know is left at its default.
+EvolutionChoice choice_of(const SessionEvolution& evolution) {
+  EvolutionChoice out{.evolution = find_evolution(evolution.id).value_or(0), .seed = evolution.seed};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    for (const auto& [id, value] : evolution.parameters)
+      if (id == parameter.id) out.values.set(id, std::clamp(value, parameter.low, parameter.high));
+  return out;
+}
+
+}  // namespace
+
+void DocumentFlow::open_first(const std::vector<std::string>& files) {
+  if (const std::vector<fs::path> documents = without_bundles(files); !documents.empty())
+    files_.open(documents);
+  else if (!shapes_.empty())
+    files_.open_shape(shapes_.front().file, shapes_.front().name);
+  else
+    uses_.board.fitter().want(ViewFitter::How::at_once);
+}
+
+void DocumentFlow::open(std::vector<std::string> files) {
+  // Of several pictures the last is on top; the others would not be seen.
+  const auto first_picture = std::stable_partition(
+      files.begin(), files.end(), [](const std::string& file) { return !render::is_picture_file(file); });
+  const std::string picture = first_picture == files.end() ? std::string() : files.back();
+  files.erase(first_picture, files.end());
+  open_with_picture(files, picture);
+}
+
+void DocumentFlow::open_with_picture(const std::vector<std::string>& files, const fs::path& picture) {
+  std::vector<fs::path> documents = without_bundles(files);
+  if (documents.empty()) {
+    if (!picture.empty()) uses_.board.traced().trace(picture);
+    return;
+  }
+  with_saved_work([this, documents = std::move(documents), picture] {
+    files_.open(documents);
+    traced_with_next_ = picture;
+  });
+}
+
+void DocumentFlow::open_shape(const SampleShape& shape) {
+  with_saved_work([this, shape] {
+    traced_with_next_.clear();
+    files_.open_shape(shape.file, shape.name);
+  });
+}
+
+std::vector<fs::path> DocumentFlow::without_bundles(const std::vector<std::string>& files) {
+  std::vector<fs::path> rest;
+  for (const std::string& file : files) {
+    if (is_bundle_file(file))
+      uses_.work.import_bundles(file);
+    else
+      rest.emplace_back(file);
+  }
+  return rest;
+}
+
+void DocumentFlow::take_read_file() {
+  const auto outcome = files_.poll();
+  if (!outcome) return;
+  const fs::path picture = std::exchange(traced_with_next_, {});
+  uses_.clock.settle();
+  if (outcome->error) {
+    report(*outcome->error);
+    if (!fs::exists(outcome->file)) std::erase(uses_.settings.recent_files, outcome->file.string());
+    return;
+  }
+  uses_.demo.end(true);
+  uses_.work.leave_document();
+  if (outcome->session) show_as_in(*outcome->session);
+  if (!picture.empty()) uses_.board.traced().trace(picture);
+  uses_.board.fitter().want(had_first_file_ ? ViewFitter::How::glide : ViewFitter::How::at_once);
+  // What is to be told at the start stays to be read.
+  if (had_first_file_) uses_.messages.clear_problem();
+  uses_.board.note_new_document();
+  had_first_file_ = true;
+  say_opened(*outcome);
+}
+
+void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
+  if (!outcome.is_shape)
+    for (const fs::path& file : outcome.files) remember_file(uses_.settings, file);
+  if (outcome.left_out != 0) {
+    const std::size_t opened = outcome.files.size();
+    uses_.messages.remark("Opened " + (opened == 1 ? "the first" : std::to_string(opened)) + " of " +
+                          std::to_string(opened + outcome.left_out) + " files");
+  }
+  if (outcome.warnings.empty()) return;
+  std::string text = outcome.warnings.front();
+  if (outcome.warnings.size() > 1) text += " (and " + std::to_string(outcome.warnings.size() - 1) + " more remarks)";
+  uses_.messages.problem(text);
+}
+
+Session DocumentFlow::session_now() const {
+  const Timeline& timeline = uses_.work.editor().timeline();
+  return {.title = files_.title(),
+          .data = timeline.data(),
+          .entries = timeline.entries(),
+          .layers = uses_.work.layers().configuration(),
+          .settings = uses_.work.computation().settings(),
+          .evolution = evolution_now(uses_.work.evolution()),
+          .view = uses_.board.view().free_box()};
+}
+
+void DocumentFlow::show_as_in(const Session& session) {
+  LayerStack& layers = uses_.work.layers();
+  Editor& editor = uses_.work.editor();
+  if (!session.layers.layers.empty()) layers.set_configuration(session.layers);
+  uses_.work.computation().set(session.settings);
+  const bool is_known = find_evolution(session.evolution.id).has_value();
+  uses_.work.evolution().resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
+  if (!session.view.is_empty()) uses_.board.fitter().set_target(session.view);
+  editor.take_layers_as_noted();
+  if (files_.has_session_file()) editor.set_saved_layers(layers.configuration());
+  keeper_.take_as_noted(session.view);
+}
+
+void DocumentFlow::offer_left_work() {
+  auto found = keeper_.take_left_work();
+  if (!found) return;
+  if (!found->message.empty()) uses_.messages.problem(found->message);
+  AskRecover& question = uses_.dialogs.recover;
+  question.offer(std::move(found->works),
+                 [this, &question] { with_saved_work([this, &question] { recover(question.take()); }); });
+  uses_.clock.settle();
+}
+
+void DocumentFlow::recover(LeftWork work) {
+  uses_.demo.end(true);
+  if (const auto done = files_.recover(work.session()); !done) {
+    report(done.error());
+    return;
+  }
+  uses_.messages.remark("Recovered " + files_.title() + "; no file holds it yet");
+  uses_.work.leave_document();
+  show_as_in(work.session());
+  uses_.board.fitter().want(ViewFitter::How::at_once);
+  had_first_file_ = true;
+  // What was left goes only when it is safe again.
+  keep();
+  keeper_.flush();
+  work.remove();
+}
+
+}  // namespace mes

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/drawing_board.h"
+
+#include <utility>
+
+#include "app/panels/pointer_marks.h"
+#include "app/picture/canvas_look.h"
+#include "app/store/color_maps.h"
+
+namespace mes {
+
+DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& messages, Screen& screen,
+                           const std::filesystem::path& assets, std::function<void()> wake)
+    : work_(work),
+      settings_(settings),
+      messages_(messages),
+      screen_(screen),
+      tool_context_{work.editor(), settings.spray_spacing_px,
+                    [this](const Error& error) { messages_.problem(error.message()); },
+                    [this](const Pointer& pointer) {
+                      provenance_.ask(work_.engine(), work_.layers(), pointer, work_.document().revision());
+                    }},
+      canvas_(tool_context_),
+      fitter_(canvas_.view()),
+      traced_(work.editor(), work.layers(), picture_, messages, std::move(wake)) {
+  LoadedColorMaps maps = load_color_maps(assets, user_color_map_folder());
+  picture_.set_color_maps(std::move(maps.maps));
+  if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
+}
+
+void DrawingBoard::bind(ActionBindings& actions) {
+  bind_nudges(actions);
+  bind_view(actions);
+  const auto bind_tool = [&](ActionId id, ToolId tool) {
+    actions.bind(
+        id, {[this, tool] { canvas_.choose_tool(tool); }, {}, [this, tool] { return canvas_.tool_id() == tool; }});
+  };
+  bind_tool(ActionId::tool_select, ToolId::select);
+  bind_tool(ActionId::tool_insert, ToolId::insert);
+  bind_tool(ActionId::tool_spray, ToolId::spray);
+  bind_tool(ActionId::tool_ball, ToolId::ball);
+}
+
+void DrawingBoard::bind_nudges(ActionBindings& actions) {
+  const auto bind = [&](ActionId id, Vec2 px) {
+    actions.bind(id, {[this, px] { nudge(px); }, [this] { return !work_.editor().selection().is_empty(); }});
+  };
+  bind(ActionId::nudge_left, {-1, 0});
+  bind(ActionId::nudge_right, {1, 0});
+  bind(ActionId::nudge_up, {0, 1});
+  bind(ActionId::nudge_down, {0, -1});
+  bind(ActionId::nudge_left_far, {-10, 0});
+  bind(ActionId::nudge_right_far, {10, 0});
+  bind(ActionId::nudge_up_far, {0, 10});
+  bind(ActionId::nudge_down_far, {0, -10});
+}
+
+void DrawingBoard::bind_view(ActionBindings& actions) {
+  constexpr double kKeyZoom = 1.4;
+  actions.bind(ActionId::zoom_in, {[this] { view().zoom_at(canvas_.zoom_center(), kKeyZoom); }});
+  actions.bind(ActionId::zoom_out, {[this] { view().zoom_at(canvas_.zoom_center(), 1.0 / kKeyZoom); }});
+  actions.bind(ActionId::fit, {[this] { fitter_.want(ViewFitter::How::glide); }});
+  actions.bind(ActionId::fit_selection,
+               {[this] { fit_selection(); }, [this] { return !work_.editor().selection().is_empty(); }});
+  actions.bind(ActionId::previous_view, {[this] { view().back(); }, [this] { return view().can_go_back(); }});
+}
+
+void DrawingBoard::nudge(Vec2 px) {
+  const Expected<void> done = work_.editor().nudge_selection(view().camera().units_per_pixel() * px);
+  if (!done) messages_.problem(done.error().message());
+}
+
+void DrawingBoard::fit_selection() {
+  const Document& document = work_.document();
+  Box2 box;
+  for (const Slot slot : work_.editor().selection().slots()) box.add(document.position(slot));
+  for (const Slot slot : work_.editor().selection().ball_slots()) box.add(bounding_box_of(document.disk(slot)));
+  view().fit(box, ViewFitter::kMargin * canvas_.content_scale());
+}
+
+bool DrawingBoard::is_at_rest() const {
+  return !view().is_moving() && !canvas_.has_pointer() && !fitter_.is_wanted();
+}
+
+void DrawingBoard::take_results() {
+  if (picture_.take_from(work_.engine())) watch_memory();
+  provenance_.take(picture_.take_provenance());
+}
+
+void DrawingBoard::watch_memory() {
+  if (memory_.follow(picture_.lacks_memory(), work_.document(), messages_)) screen_.clock.settle();
+}
+
+void DrawingBoard::note_new_document() {
+  memory_.forget();
+  watch_memory();
+}
+
+void DrawingBoard::begin_frame(int width, int height) {
+  picture_.set_canvas(canvas_background(settings_));
+  canvas_.set_content_scale(static_cast<double>(screen_.gui.unit()) * screen_.window->pixel_ratio());
+  view().set_viewport(width, height);
+}
+
+void DrawingBoard::follow() {
+  if (work_.follow_layers(picture_.is_lost())) picture_.forget_hidden(work_.layers());
+  if (traced_.follow(view().free_box())) screen_.clock.settle();
+}
+
+void DrawingBoard::fit(Vec2 legend) {
+  // Panels know their size when they have been drawn once.
+  constexpr int kFramesBefore = 2;
+  if (ImGui::GetFrameCount() > kFramesBefore)
+    fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
+}
+
+void DrawingBoard::draw(Vec2 pointer_px) {
+  if (view().is_moving()) screen_.clock.want(1);
+  draw_pointer(pointer_px);
+  const std::uint32_t share = picture_.every();
+  screen_.times.begin_drawing();
+  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale());
+  screen_.times.end_drawing();
+  // The status bar tells the share; it was drawn before it was known.
+  if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
+}
+
+void DrawingBoard::draw_pointer(Vec2 pointer_px) {
+  const bool over_canvas = canvas_.has_pointer() || (canvas_.is_hovered() && !screen_.gui.wants_pointer(pointer_px));
+  if (over_canvas)
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  else
+    ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
+  screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
+  if (over_canvas) PointerMarks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas())}.draw();
+}
+
+}  // namespace mes

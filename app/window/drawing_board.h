@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The workspace as it is seen, and as the pointer meets it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "app/canvas/canvas.h"
+#include "app/model/memory_watch.h"
+#include "app/model/settings.h"
+#include "app/model/view_fitter.h"
+#include "app/panels/provenance_card.h"
+#include "app/picture/picture.h"
+#include "app/ui/screen.h"
+#include "app/window/traced_picture.h"
+#include "app/window/workspace.h"
+
+namespace mes {
+
+/// What it guarantees: it never waits for the engine; a picture that lacks memory is said so once. Needs a current
+/// OpenGL context for its life. Threads: the window's.
+class DrawingBoard {
+ public:
+  DrawingBoard(Workspace& work, const Settings& settings, Messages& messages, Screen& screen,
+               const std::filesystem::path& assets, std::function<void()> wake);
+
+  Picture& picture() { return picture_; }
+  Canvas& canvas() { return canvas_; }
+  const Canvas& canvas() const { return canvas_; }
+  ViewMotion& view() { return canvas_.view(); }
+  const ViewMotion& view() const { return canvas_.view(); }
+  ViewFitter& fitter() { return fitter_; }
+  ProvenanceCard& provenance() { return provenance_; }
+  TracedPicture& traced() { return traced_; }
+  const TracedPicture& traced() const { return traced_; }
+
+  /// Tools, zooming, fitting, nudging.
+  void bind(ActionBindings& actions);
+
+  /// Nothing moves the view, and nothing is going to.
+  bool is_at_rest() const;
+  /// Takes what the engine has finished.
+  void take_results();
+  /// Another document was read: what it lacks is said anew.
+  void note_new_document();
+
+  /// The frame begins in a window of this size, in framebuffer pixels.
+  void begin_frame(int width, int height);
+  /// Follows the layers and the picture to trace, after the panels were drawn.
+  void follow();
+  /// What is free between the panels was found: fits what is to be fitted.
+  void fit(Vec2 legend);
+  /// Draws the layers and the marks of the pointer.
+  void draw(Vec2 pointer_px);
+
+ private:
+  void bind_nudges(ActionBindings& actions);
+  void bind_view(ActionBindings& actions);
+  void nudge(Vec2 px);
+  void fit_selection();
+  void watch_memory();
+  void draw_pointer(Vec2 pointer_px);
+
+  Workspace& work_;
+  const Settings& settings_;
+  Messages& messages_;
+  Screen& screen_;
+  Picture picture_;
+  ProvenanceCard provenance_;
+  ToolContext tool_context_;
+  Canvas canvas_;
+  ViewFitter fitter_;
+  TracedPicture traced_;
+  MemoryWatch memory_;
+};
+
+}  // namespace mes

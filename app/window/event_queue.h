@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Events of the window that wait until they can be acted on.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <utility>
+
+namespace mes {
+
+/// What it guarantees: events run once, in the order in which they came. Threads: none.
+class EventQueue {
+ public:
+  using Act = std::function<void()>;
+
+  void push(Act act) { events_.push_back({false, std::move(act)}); }
+  /// The pointer moved: of many moves in a row the last one says all.
+  void push_move(Act act) { events_.push_back({true, std::move(act)}); }
+  bool is_empty() const { return events_.empty(); }
+
+  /// Runs events while `may_go_on`; of moves in a row only the last, unless `needs_each_move`.
+  void deliver(const std::function<bool()>& may_go_on, const std::function<bool()>& needs_each_move) {
+    while (!events_.empty() && may_go_on()) {
+      const Event event = std::move(events_.front());
+      events_.pop_front();
+      const bool is_followed = event.is_move && !events_.empty() && events_.front().is_move;
+      if (is_followed && !needs_each_move()) continue;
+      event.act();
+    }
+  }
+
+ private:
+  struct Event {
+    bool is_move = false;
+    Act act;
+  };
+  std::deque<Event> events_;
+};
+
+}  // namespace mes

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/live_recording.h"
+
+#include <memory>
+#include <utility>
+
+namespace mes {
+namespace {
+
+// Pictures without legend and caption are better than none.
+std::shared_ptr<const LegendFonts> fonts_of_pictures(const std::filesystem::path& assets) {
+  auto fonts = LegendFonts::read(assets);
+  return fonts ? std::make_shared<const LegendFonts>(std::move(*fonts)) : nullptr;
+}
+
+}  // namespace
+
+LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake)
+    : uses_(uses), desk_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {}
+
+void LiveRecording::bind(ActionBindings& actions) {
+  const RecordSettings& settings = uses_.settings.record;
+  actions.bind(ActionId::snapshot, {[this, &settings] { desk_.snapshot(settings); }});
+  actions.bind(ActionId::record, {[this, &settings] {
+                                    const auto size = uses_.screen.window->framebuffer_size();
+                                    if (desk_.is_recording())
+                                      desk_.stop();
+                                    else
+                                      desk_.start(settings, size.width, size.height, uses_.board.view().insets(),
+                                                  shown_state());
+                                  },
+                                  {},
+                                  [this] { return desk_.is_recording(); }});
+  actions.bind(ActionId::make_video,
+               {[this, &settings] { desk_.start_video(settings.fps); }, [this] { return desk_.can_make_video(); }});
+}
+
+ShownState LiveRecording::shown_state() const {
+  return {uses_.work.document().revision(),    uses_.work.editor().selection().revision(),
+          uses_.work.layers().revision(),      uses_.work.layers().soloed(),
+          uses_.work.computation().settings(), uses_.board.view().camera(),
+          uses_.settings.show_legend,          uses_.demo.caption()};
+}
+
+AtRest LiveRecording::at_rest() const {
+  return {.view = uses_.board.is_at_rest(), .controls = !ImGui::IsAnyItemActive()};
+}
+
+bool LiveRecording::holds_input() const {
+  return desk_.is_recording() && desk_.holds_input(shown_state(), at_rest(), uses_.work.engine().status().cancelled);
+}
+
+// Whatever is asked of the engine from now on makes another state, or waits for the demand to be told.
+void LiveRecording::note_if_complete(bool is_reading) {
+  const bool is_complete = uses_.work.is_complete() && !is_reading;
+  desk_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);
+}
+
+RecordDesk::Drawn LiveRecording::drawn() const {
+  const ViewMotion& view = uses_.board.view();
+  return {view.camera(),
+          view.insets(),
+          uses_.work.layers(),
+          uses_.work.editor(),
+          uses_.screen.gui.drawing_scale(),
+          shown_state(),
+          at_rest(),
+          uses_.work.engine().status().cancelled};
+}
+
+void LiveRecording::follow() {
+  if (desk_.follow()) uses_.screen.clock.settle();
+  const bool waits = holds_input() && !desk_.is_waiting_for_disk();
+  if (!uses_.work.engine().status().busy && (waits || desk_.wants_turn())) uses_.screen.clock.want(1);
+}
+
+}  // namespace mes

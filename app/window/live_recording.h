@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recording follows what the window shows; see record_desk.h.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/settings.h"
+#include "app/recording/record_desk.h"
+#include "app/window/demo_run.h"
+#include "app/window/drawing_board.h"
+
+namespace mes {
+
+/// Each turn of the window's loop, in this order: `note_if_complete`, results are taken, the drawing is drawn,
+/// `picture_drawn`, the panels are drawn, `panels_drawn`, the window is swapped, `follow`.
+/// Threads: the window's; `wake` is called from others.
+class LiveRecording {
+ public:
+  struct Uses {
+    Screen& screen;
+    const Workspace& work;
+    DrawingBoard& board;
+    const DemoRun& demo;
+    const Settings& settings;
+    Messages& messages;
+  };
+  LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake);
+
+  RecordDesk& desk() { return desk_; }
+  const RecordDesk& desk() const { return desk_; }
+  void bind(ActionBindings& actions);
+
+  /// A change that was made waits for its frame; others wait until it has it.
+  bool holds_input() const;
+  bool holds_motion() const { return desk_.holds_motion(shown_state()); }
+  void note_if_complete(bool is_reading);
+  void picture_drawn() { desk_.picture_drawn(drawn()); }
+  void panels_drawn() { desk_.panels_drawn(drawn()); }
+  void follow();
+  void end() { desk_.end(); }
+
+ private:
+  ShownState shown_state() const;
+  AtRest at_rest() const;
+  RecordDesk::Drawn drawn() const;
+
+  Uses uses_;
+  RecordDesk desk_;
+};
+
+}  // namespace mes

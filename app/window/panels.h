@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All panels around and over the canvas, and where each of them lies.
+#pragma once
+
+#include "app/actions/action_bindings.h"
+#include "app/panels/bundles_panel.h"
+#include "app/panels/details_panel.h"
+#include "app/panels/layers_panel.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/status_bar.h"
+#include "app/panels/toolbar.h"
+#include "app/window/document_flow.h"
+#include "app/window/live_recording.h"
+
+namespace mes {
+
+/// Threads: the window's.
+class Panels {
+ public:
+  struct Uses {
+    Screen& screen;
+    Workspace& work;
+    DrawingBoard& board;
+    DemoRun& demo;
+    LiveRecording& recording;
+    DocumentFlow& documents;
+    const ActionBindings& actions;
+    Settings& settings;
+    Messages& messages;
+  };
+  explicit Panels(const Uses& uses);
+
+  /// What is shown, and how it looks.
+  void bind(ActionBindings& actions);
+  /// Those around the canvas are shown, and not only what lies on it.
+  bool are_shown() const { return are_shown_; }
+
+  /// What the panels have left of the window, in framebuffer pixels.
+  struct Room {
+    Insets insets{};
+    Vec2 legend{};  ///< size of the legend in the lower right corner, with its margin
+  };
+  Room draw();
+
+ private:
+  /// What is taken at the sides, in screen coordinates.
+  struct Sides {
+    float left = 0.0F;
+    float top = 0.0F;
+    float right = 0.0F;
+    float bottom = 0.0F;
+  };
+  Sides draw_around();
+  float draw_column(float top, float height);
+  void draw_over(Sides& sides);
+  ImVec2 draw_legend(const Sides& sides);
+  void bind_shown(ActionBindings& actions);
+  void bind_look(ActionBindings& actions);
+
+  Uses uses_;
+  MenuBar menu_bar_;
+  StatusBar status_bar_;
+  Toolbar toolbar_;
+  BundlesPanel bundles_panel_;
+  LayersPanel layers_panel_;
+  DetailsPanel details_panel_;
+  bool are_shown_ = true;
+};
+
+}  // namespace mes

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture to trace: chosen or dropped, read in the background, shown below the drawing.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "app/model/editor.h"
+#include "app/model/layer_stack.h"
+#include "app/model/messages.h"
+#include "app/picture/picture.h"
+#include "app/store/background_loader.h"
+
+namespace mes {
+
+/// What it guarantees: the picture that the layers name is shown where they place it; reading it holds up nothing.
+/// Threads: the window's; `wake` is called from the reader's.
+class TracedPicture {
+ public:
+  TracedPicture(Editor& editor, LayerStack& layers, Picture& picture, Messages& messages, std::function<void()> wake)
+      : editor_(editor), layers_(layers), picture_(picture), messages_(messages), loader_(std::move(wake)) {}
+
+  void trace(const std::filesystem::path& file);
+  bool is_reading() const { return loader_.is_reading(); }
+  /// Once a frame; `free` is what is seen between the panels, which a new picture fills. True when reading has ended.
+  bool follow(const Box2& free);
+
+ private:
+  void show(const BackgroundLoader::Outcome& outcome, const Box2& free);
+
+  Editor& editor_;
+  LayerStack& layers_;
+  Picture& picture_;
+  Messages& messages_;
+  BackgroundLoader loader_;
+};
+
+}  // namespace mes

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/window_input.h"
+
+namespace mes {
+
+WindowInput::WindowInput(const Uses& uses) : uses_(uses) {
+  uses_.screen.window->set_listener(this);
+}
+
+WindowInput::~WindowInput() {
+  uses_.screen.window->set_listener(nullptr);
+}
+
+// A dialog is really there, or gone, in the next frame only: on a slow machine a whole sentence of keys can arrive
+// between two frames.
+void WindowInput::deliver() {
+  const std::vector<const Dialog*> open = uses_.dialogs.open();
+  const auto is_recording = [this] { return uses_.recording.desk().is_recording(); };
+  const auto is_stroke = [&] {
+    return (uses_.canvas.tool_id() == ToolId::spray || is_recording()) && uses_.canvas.has_pointer();
+  };
+  events_.deliver([&] { return uses_.dialogs.open() == open && !uses_.recording.holds_input(); }, is_stroke);
+  if (!events_.is_empty() && !uses_.recording.holds_input()) uses_.screen.clock.want(2);
+}
+
+void WindowInput::on_pointer_moved(Vec2 px, Modifiers modifiers) {
+  pointer_px_ = px;
+  events_.push_move([this, px, modifiers] { follow_pointer(px, modifiers); });
+}
+
+void WindowInput::follow_pointer(Vec2 px, Modifiers modifiers) {
+  if (uses_.canvas.has_pointer() || !uses_.screen.gui.wants_pointer(px))
+    uses_.canvas.move(px, modifiers);
+  else
+    uses_.canvas.leave();
+}
+
+void WindowInput::on_pointer_left() {
+  events_.push([this] {
+    if (!uses_.canvas.has_pointer()) uses_.canvas.leave();
+  });
+}
+
+void WindowInput::on_button(PointerButton button, bool pressed, Modifiers modifiers) {
+  events_.push([this, button, pressed, modifiers, px = pointer_px_] {
+    if (pressed)
+      press(button, px, modifiers);
+    else
+      uses_.canvas.release(button, px, modifiers);
+  });
+}
+
+void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
+  if (uses_.canvas.has_pointer() || uses_.screen.gui.wants_pointer(px)) return;
+  uses_.messages.clear_remark();
+  uses_.canvas.press(button, px, modifiers);
+}
+
+void WindowInput::on_wheel(double steps) {
+  events_.push([this, steps, px = pointer_px_] {
+    if (uses_.canvas.has_pointer() || !uses_.screen.gui.wants_pointer(px)) uses_.canvas.wheel(px, steps);
+  });
+}
+
+void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
+  Gui& gui = uses_.screen.gui;
+  if (uses_.dialogs.take_key(chord)) return;
+  if (gui.wants_text()) return;
+  if (chord.symbol == key::escape && gui.close_popup()) return;
+  if (gui.has_popup()) return;
+  const auto action = find_action(chord, !uses_.selection.is_empty());
+  if (!action || (repeated && !descriptor_of(*action).repeats)) return;
+  // A gesture under way is ended only by Esc; the document must not change beneath it.
+  if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;
+  uses_.actions.run(*action);
+}
+
+void WindowInput::on_key(const KeyChord& chord, bool repeated) {
+  // What a recording waits for may be what is to be cancelled.
+  if (uses_.recording.holds_input() && find_action(chord, false) == ActionId::cancel_computation) {
+    run_by_key(chord, repeated);
+    return;
+  }
+  events_.push([this, chord, repeated] { run_by_key(chord, repeated); });
+}
+
+void WindowInput::on_typed(char32_t symbol, bool repeated) {
+  const KeyChord chord{symbol, {}};
+  if (is_typed_symbol(chord)) events_.push([this, chord, repeated] { run_by_key(chord, repeated); });
+}
+
+void WindowInput::on_space(bool held) {
+  uses_.canvas.set_space_held(held && !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup());
+}
+
+void WindowInput::on_files_dropped(std::vector<std::string> files) {
+  if (!files.empty()) uses_.documents.open(std::move(files));
+}
+
+void WindowInput::on_close_wanted() {
+  uses_.actions.run(ActionId::quit);
+}
+
+}  // namespace mes

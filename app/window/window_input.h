@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Events of the window: panels have first refusal, then the canvas, then the table of actions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/actions/action_bindings.h"
+#include "app/window/document_flow.h"
+#include "app/window/event_queue.h"
+#include "app/window/live_recording.h"
+
+namespace mes {
+
+/// What it guarantees: events are acted on in their order, each by what it was meant for: those that came with one
+/// that opened or closed a dialog wait for the next frame, and during a recording each waits until the change before
+/// has its frame. Listens to the window for its life. Threads: the window's.
+class WindowInput final : private WindowListener {
+ public:
+  struct Uses {
+    Screen& screen;
+    Canvas& canvas;
+    const Selection& selection;
+    Dialogs& dialogs;
+    DocumentFlow& documents;
+    const LiveRecording& recording;
+    const ActionBindings& actions;
+    Messages& messages;
+  };
+  explicit WindowInput(const Uses& uses);
+  ~WindowInput() override;
+
+  /// Once a turn: acts on what has come.
+  void deliver();
+  /// Where the pointer was last, in framebuffer pixels.
+  Vec2 pointer_px() const { return pointer_px_; }
+
+ private:
+  void on_pointer_moved(Vec2 px, Modifiers modifiers) override;
+  void on_pointer_left() override;
+  void on_button(PointerButton button, bool pressed, Modifiers modifiers) override;
+  void on_wheel(double steps) override;
+  void on_key(const KeyChord& chord, bool repeated) override;
+  void on_typed(char32_t symbol, bool repeated) override;
+  void on_space(bool held) override;
+  void on_files_dropped(std::vector<std::string> files) override;
+  void on_close_wanted() override;
+  void on_anything() override { uses_.screen.clock.settle(); }
+  void follow_pointer(Vec2 px, Modifiers modifiers);
+  void press(PointerButton button, Vec2 px, Modifiers modifiers);
+  void run_by_key(const KeyChord& chord, bool repeated);
+
+  Uses uses_;
+  EventQueue events_;
+  Vec2 pointer_px_{-1, -1};
+};
+
+}  // namespace mes

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/workspace.h"
+
+#include <utility>
+
+namespace mes {
+
+Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake)
+    : messages_(messages),
+      engine_({.wake = wake}),
+      layers_(layer_descriptors()),
+      bundles_(default_bundles_path(), assets, layers_),
+      editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }, &layers_),
+      evolution_(editor_,
+                 {[this](Parameter parameter) { return computation_.settings()[parameter]; },
+                  [this](Parameter parameter, double value) { computation_.set(parameter, value); }},
+                 wake) {
+  if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);
+}
+
+void Workspace::report(const Expected<void>& done) {
+  if (!done) messages_.problem(done.error().message());
+}
+
+void Workspace::leave_document() {
+  computation_.animation().stop();
+  evolution_.resume(evolution_.choice(), 0);
+  computation_.set(for_another_document(computation_.settings()));
+  layers_.set_image({});
+}
+
+void Workspace::import_bundles(const std::filesystem::path& file) {
+  Expected<std::string> remark;
+  editor_.change_layers("Import bundles", [&] { remark = bundles_.import(file); });
+  if (!remark)
+    messages_.problem(remark.error().message());
+  else
+    messages_.remark(*remark);
+  if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);
+}
+
+void Workspace::export_bundles(const std::filesystem::path& file, std::optional<std::size_t> index) {
+  const Expected<void> done = bundles_.export_to(file, index);
+  report(done);
+  if (done) messages_.remark("Saved " + file.string());
+}
+
+void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
+  evolution_.follow(shown_document == document().revision() && !engine_.status().busy, now);
+  if (const auto problem = evolution_.take_problem()) messages_.problem(problem->message());
+}
+
+bool Workspace::follow_layers(bool picture_is_lost) {
+  first_ball_.follow(editor_, layers_);
+  bundles_.follow_layers();
+  return demand_.follow(engine_, layers_, document().revision(), picture_is_lost);
+}
+
+bool Workspace::is_complete() const {
+  const EngineStatus status = engine_.status();
+  return !status.busy && !status.cancelled && demand_.is_told(layers_);
+}
+
+}  // namespace mes

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one works on: the document, the layers it is shown in, and the engine that computes them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/computation_control.h"
+#include "app/model/editor.h"
+#include "app/model/engine_demand.h"
+#include "app/model/evolution_player.h"
+#include "app/model/first_ball.h"
+#include "app/model/layer_stack.h"
+#include "app/model/messages.h"
+#include "app/model/settings.h"
+#include "app/store/bundle_desk.h"
+#include "core/engine/engine.h"
+
+namespace mes {
+
+/// What it guarantees: each edit reaches the engine, which is asked for what the layers show; none of it waits for the
+/// engine. It knows no window, no panels and no OpenGL. Threads: the window's; `wake` is called from others.
+class Workspace {
+ public:
+  Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake);
+
+  Engine& engine() { return engine_; }
+  const Engine& engine() const { return engine_; }
+  ComputationControl& computation() { return computation_; }
+  const ComputationControl& computation() const { return computation_; }
+  LayerStack& layers() { return layers_; }
+  const LayerStack& layers() const { return layers_; }
+  BundleDesk& bundles() { return bundles_; }
+  Editor& editor() { return editor_; }
+  const Editor& editor() const { return editor_; }
+  const Document& document() const { return editor_.document(); }
+  EvolutionPlayer& evolution() { return evolution_; }
+  const EvolutionPlayer& evolution() const { return evolution_; }
+
+  /// Undo and redo, selection, evolution, computation, bundles.
+  void bind(ActionBindings& actions, Settings& settings);
+
+  /// Another document takes the place of this one: what belongs to this one alone goes (docs/decisions.md).
+  void leave_document();
+  void import_bundles(const std::filesystem::path& file);
+  void export_bundles(const std::filesystem::path& file, std::optional<std::size_t> index);
+
+  /// Once a turn: shows the state of the evolution that is ready.
+  void follow_evolution(std::uint64_t shown_document, double now);
+  /// Once a frame: asks the engine for what is visible. True when that has changed.
+  bool follow_layers(bool picture_is_lost);
+  /// All that was asked for is computed, and nothing was cancelled.
+  bool is_complete() const;
+
+ private:
+  void bind_editing(ActionBindings& actions);
+  void bind_evolution(ActionBindings& actions, Settings& settings);
+  void bind_computation(ActionBindings& actions);
+  void bind_bundles(ActionBindings& actions);
+  void report(const Expected<void>& done);
+
+  Messages& messages_;
+  Engine engine_;
+  ComputationControl computation_{engine_};
+  LayerStack layers_;
+  BundleDesk bundles_;
+  Editor editor_;
+  EvolutionPlayer evolution_;
+  EngineDemand demand_;
+  FirstBall first_ball_;
+};
+
+}  // namespace mes

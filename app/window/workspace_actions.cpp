@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the actions of the table do to the document, its layers and its computation.
+#include "app/window/workspace.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+
+void Workspace::bind(ActionBindings& actions, Settings& settings) {
+  bind_editing(actions);
+  bind_evolution(actions, settings);
+  bind_computation(actions);
+  bind_bundles(actions);
+}
+
+void Workspace::bind_editing(ActionBindings& actions) {
+  const auto has_something = [this] { return !document().is_empty(); };
+  const auto has_selection = [this] { return !editor_.selection().is_empty(); };
+  actions.bind(ActionId::undo, {[this] {
+                                  editor_.note_layers();
+                                  messages_.remark("Undone: " + editor_.undo_name());
+                                  editor_.undo();
+                                },
+                                [this] { return editor_.can_undo(); }});
+  actions.bind(ActionId::redo, {[this] {
+                                  editor_.note_layers();
+                                  messages_.remark("Redone: " + editor_.redo_name());
+                                  editor_.redo();
+                                },
+                                [this] { return editor_.can_redo(); }});
+  actions.bind(ActionId::select_all, {[this] { editor_.selection().select_all(document()); }, has_something});
+  actions.bind(ActionId::invert_selection, {[this] { editor_.selection().invert(document()); }, has_something});
+  actions.bind(ActionId::delete_selection, {[this] {
+                                              const Selection& selection = editor_.selection();
+                                              const std::string what =
+                                                  counted(selection.sample_count(), selection.ball_count());
+                                              const Expected<void> done = editor_.remove_selection();
+                                              report(done);
+                                              if (done) messages_.remark("Deleted " + what);
+                                            },
+                                            has_selection});
+}
+
+void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
+  using Direction = EvolutionPlayer::Direction;
+  // A step by a key shows the slider, which says where it led.
+  const auto bind = [&](ActionId id, auto act) {
+    actions.bind(id, {[&settings, act] {
+                        settings.show_evolution = true;
+                        act();
+                      },
+                      [this] { return !editor_.in_gesture() && document().sample_count() != 0; }});
+  };
+  bind(ActionId::evolution_first, [this] {
+    evolution_.play(Direction::none);
+    evolution_.step_to(0);
+  });
+  bind(ActionId::evolution_back, [this] { evolution_.step_back(); });
+  bind(ActionId::evolution_forward, [this] { evolution_.step_forward(); });
+  bind(ActionId::evolution_previous, [this] { evolution_.choose_next(-1); });
+  bind(ActionId::evolution_next, [this] { evolution_.choose_next(1); });
+  bind(ActionId::evolution_play, [this] { evolution_.play(Direction::forward); });
+  bind(ActionId::evolution_play_back, [this] { evolution_.play(Direction::backward); });
+  actions.bind(ActionId::evolution_stop,
+               {[this] { evolution_.cancel(); },
+                [this] { return evolution_.is_waiting() || evolution_.direction() != Direction::none; }});
+}
+
+void Workspace::bind_computation(ActionBindings& actions) {
+  actions.bind(ActionId::cancel_computation,
+               {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
+  actions.bind(ActionId::resume_computation,
+               {[this] { engine_.resume(); }, [this] { return engine_.status().cancelled; }});
+  for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors) {
+    const Precision precision = descriptor.precision;
+    const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::precision_naive) +
+                                          static_cast<std::size_t>(precision));
+    actions.bind(id, {[this, precision] {
+                        ComputationSettings settings = computation_.settings();
+                        settings.precision = precision;
+                        computation_.set(settings);
+                      },
+                      {},
+                      [this, precision] { return computation_.settings().precision == precision; }});
+  }
+  const auto bind_switch = [&](ActionId id, Parameter parameter) {
+    const auto is_on = [this, parameter] { return computation_.settings().is_on(parameter); };
+    actions.bind(id, {[this, parameter, is_on] { computation_.set(parameter, is_on() ? 0.0 : 1.0); }, {}, is_on});
+  };
+  bind_switch(ActionId::toggle_union_shortcut, Parameter::union_shortcut);
+  bind_switch(ActionId::toggle_pole_propagation, Parameter::pole_propagation);
+}
+
+void Workspace::bind_bundles(ActionBindings& actions) {
+  constexpr std::size_t kDigits = 9;
+  for (std::size_t index = 0; index < kDigits; ++index) {
+    const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::bundle_1) + index);
+    actions.bind(id, {[this, index] {
+                        const std::string name = bundles_.bundles()[index].name;
+                        editor_.change_layers("Bundle " + in_quotes(name), [&] { bundles_.choose(index); });
+                        messages_.remark("Bundle " + std::to_string(index + 1) + ": " + name);
+                      },
+                      [this, index] { return index < bundles_.bundles().size(); },
+                      [this, index] { return bundles_.current() == index; }});
+  }
+  actions.bind(ActionId::undo_bundles, {[this] { report(bundles_.undo()); }, [this] { return bundles_.can_undo(); }});
+}
+
+}  // namespace mes
