@@ -4,6 +4,8 @@
 
 #include <array>
 #include <functional>
+#include <new>
+#include <utility>
 
 #include "app/actions/actions.h"
 
@@ -21,16 +23,23 @@ class ActionBindings {
   bool is_bound(ActionId id) const { return static_cast<bool>(at(id).run); }
   bool is_enabled(ActionId id) const { return is_bound(id) && (!at(id).enabled || at(id).enabled()); }
   bool is_checked(ActionId id) const { return at(id).checked && at(id).checked(); }
-  /// Runs it if it is possible now; whether it was.
+  /// Runs it if it is possible now; whether it was. An action that runs out of memory ends there.
   bool run(ActionId id) const {
     if (!is_enabled(id)) return false;
-    at(id).run();
+    try {
+      at(id).run();
+    } catch (const std::bad_alloc&) {
+      if (out_of_memory_) out_of_memory_();
+    }
     return true;
   }
+  /// What is done then.
+  void when_out_of_memory(std::function<void()> act) { out_of_memory_ = std::move(act); }
 
  private:
   const Binding& at(ActionId id) const { return bindings_[static_cast<std::size_t>(id)]; }
   std::array<Binding, kActionCount> bindings_;
+  std::function<void()> out_of_memory_;
 };
 
 }  // namespace mes

@@ -19,6 +19,11 @@ inline std::string memory_problem(std::size_t samples, std::size_t balls) {
          " more than is free. Grey layers show the last picture. Undo, hide layers or open a smaller file";
 }
 
+/// For an edit that found no room and was not done.
+inline std::string refusal_for_memory() {
+  return std::string(kMemoryProblem) + "that was not done, and nothing is lost. Hide layers or undo, and try again";
+}
+
 inline bool is_memory_problem(std::string_view text) {
   return text.starts_with(kMemoryProblem);
 }

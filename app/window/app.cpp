@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
+
+#include "app/model/memory_problem.h"
 
 namespace mes {
 namespace {
@@ -48,6 +51,7 @@ void App::bind_actions() {
   panels_.bind(actions_);
   actions_.bind(ActionId::help, {[this] { dialogs_.help.toggle(); }});
   actions_.bind(ActionId::deselect, {[this] { deselect(); }});
+  actions_.when_out_of_memory([this] { refuse_for_memory(); });
 }
 
 // Esc ends one thing at a time.
@@ -79,8 +83,23 @@ void App::run(const Termination& termination) {
   end();
 }
 
-void App::turn() {
+void App::refuse_for_memory() noexcept try {
+  messages_.problem(refusal_for_memory());
+  screen_.clock.settle();
+} catch (const std::bad_alloc&) {
+  // There is no room for the message either.
+}
+
+// An edit that finds no room is not done at all (Editor), so the window goes on.
+void App::deliver_events() try {
   input_.deliver();
+  work_.editor().catch_up();
+} catch (const std::bad_alloc&) {
+  refuse_for_memory();
+}
+
+void App::turn() {
+  deliver_events();
   documents_.take_results();
   recording_.note_if_complete(documents_.files().is_reading());
   board_.take_results();

@@ -40,6 +40,8 @@ class App {
   void deselect();
   double next_wait() const;
   void turn();
+  void deliver_events();
+  void refuse_for_memory() noexcept;
   void frame();
   void take_steps();
   void draw();

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "app/actions/action_bindings.h"
 #include "app/actions/actions.h"
 
 using namespace mes;
@@ -61,4 +62,18 @@ TEST_CASE("chords are read and written") {
   for (const char* wrong :
        {"", "Ctrl+", "ctrl+z", "z", "F0", "F13", "F1x", "Shift+?", "Hyper+X", "ZZ", "Shift+Ctrl+Z"})
     CHECK_FALSE(parse_chord(wrong));
+}
+
+TEST_CASE("an action that runs out of memory ends there, and the next one runs") {
+  ActionBindings bindings;
+  int told = 0;
+  int done = 0;
+  bindings.bind(ActionId::undo, {[] { throw std::bad_alloc(); }});
+  bindings.bind(ActionId::redo, {[&] { ++done; }, [] { return true; }});
+  CHECK(bindings.run(ActionId::undo));
+  bindings.when_out_of_memory([&] { ++told; });
+  CHECK(bindings.run(ActionId::undo));
+  CHECK(bindings.run(ActionId::redo));
+  CHECK(told == 1);
+  CHECK(done == 1);
 }
