@@ -2,23 +2,18 @@
 #include "render/colormap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/assert.h"
 #include "core/base/rng.h"
+#include "render/convert.h"
 
 namespace mes::render {
 namespace {
 
 // Single precision, with which programs count, has no halves beyond.
 constexpr double kMostCategories = 0x1p22;
-
-Rgb to_bytes(const MapColor& color) {
-  const auto byte = [](float value) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
-  };
-  return {byte(color[0]), byte(color[1]), byte(color[2])};
-}
 
 MapColor from_hue(double hue, double saturation, double value) {
   const auto channel = [&](double turn) {
@@ -36,20 +31,17 @@ Rgb ColorMap::at(double t) const {
   const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(colors.size() - 1);
   const auto first = std::min(static_cast<std::size_t>(place), colors.size() - 2);
   const auto part = static_cast<float>(place - static_cast<double>(first));
-  MapColor out{};
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = colors[first][i] + part * (colors[first + 1][i] - colors[first][i]);
-  return to_bytes(out);
+  return to_rgb(colors[first] + part * (colors[first + 1] - colors[first]));
 }
 
 std::optional<Rgb> ColorMap::color_of(double scalar, const ScalarRange& range) const {
   if (std::isnan(scalar)) return std::nullopt;
   if (!is_categorical) return at(place_in(scalar, range));
-  if (!(std::abs(scalar) < kMostCategories)) return to_bytes(scalar > 0.0 ? colors.back() : colors.front());
+  if (!(std::abs(scalar) < kMostCategories)) return to_rgb(scalar > 0.0 ? colors.back() : colors.front());
   const auto size = static_cast<double>(colors.size());
   const double number = std::floor(scalar + 0.5);
   const auto index = static_cast<std::size_t>(number - size * std::floor(number / size));
-  return to_bytes(colors[std::min(index, colors.size() - 1)]);
+  return to_rgb(colors[std::min(index, colors.size() - 1)]);
 }
 
 double place_in(double value, const ScalarRange& range) {
@@ -75,9 +67,7 @@ ColorMap categorical_map(std::uint64_t seed, std::size_t count) {
   while (out.colors.size() < std::max<std::size_t>(count, 2)) {
     const std::size_t i = out.colors.size();
     if (seed == 0 && i < kFirst.size()) {
-      const Rgb& color = kFirst[i];
-      out.colors.push_back({static_cast<float>(color.r) / 255.0F, static_cast<float>(color.g) / 255.0F,
-                            static_cast<float>(color.b) / 255.0F});
+      out.colors.push_back(to_vec3(kFirst[i]));
       continue;
     }
     // Steps of the golden ratio keep hues apart, however many there are.

@@ -14,9 +14,9 @@
 // Cost: O(1) a colour. Threads: const is safe.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -46,7 +46,7 @@ struct ScalarRange {
 };
 
 /// Red, green and blue, each in [0, 1].
-using MapColor = std::array<float, 3>;
+using MapColor = glm::vec3;
 
 struct ColorMap {
   std::string name;

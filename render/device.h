@@ -17,14 +17,14 @@
 // Implementations: `GlDevice` (OpenGL 3.3 core), `RecordingDevice` (no GPU: checks and counts).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <glm/vec4.hpp>
 #include <span>
 
-#include "core/base/color.h"
 #include "core/draw/primitives.h"
+#include "render/convert.h"
+#include "render/draw_uniforms.h"
 
 namespace mes::render {
 
@@ -56,16 +56,6 @@ struct PixelRect {
   int height = 0;
   friend constexpr bool operator==(const PixelRect&, const PixelRect&) = default;
 };
-
-/// Colour with alpha, each channel multiplied by it, in [0, 1].
-using PremultipliedColor = std::array<float, 4>;
-
-/// What a picture is filled with before anything is drawn; without a background, nothing.
-inline PremultipliedColor clear_color(const std::optional<Rgb>& background) {
-  if (!background) return {};
-  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-  return {channel(background->r), channel(background->g), channel(background->b), 1.0F};
-}
 
 enum class TargetFormat : std::uint8_t {
   color,     ///< RGBA, 8 bits a channel, premultiplied
@@ -104,35 +94,6 @@ enum class Blend : std::uint8_t {
   add,   ///< saturating sum, for coverage of pieces that do not overlap
 };
 
-/// All a draw call's program reads besides instances. The order of fields is the one of `shaders/uniforms.glsl`.
-/// The centre of the view is given twice, in drawing space: as three floats with 21, 16 and the remaining bits, which
-/// meet the same pieces of an instance's coordinates (their differences are then exact), and as the bits of two
-/// doubles a coordinate for programs that compute in double.
-struct DrawUniforms {
-  std::array<float, 2> center_1{};
-  std::array<float, 2> center_2{};
-  std::array<float, 2> center_3{};
-  float pixels_per_unit = 1.0F;  ///< of drawing space
-  float half_width_px = 0.5F;    ///< of strokes; radius of points
-  std::array<float, 2> half_view_px{};
-  float view_radius_px = 0.0F;  ///< of the circle around the view
-  float ring_px = 0.0F;         ///< half the stroke of hollow points; 0: filled
-  PremultipliedColor color{};
-  float dash_px = 0.0F;
-  float dash_period_px = 0.0F;
-  float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
-  float one = 1.0F;         ///< what a compiler must not know
-  // For programs with a colour map. Scalars are taken as multiples of a power of two, so that any double will do.
-  std::array<float, 3> map_low{};  ///< pieces, like the centre's, of the scalar at the map's first colour
-  float map_factor = 0.0F;         ///< from scalars above it to [0, 1]
-  float map_exponent = 0.0F;       ///< of that power of two, as doubles store it
-  float map_offset = 0.0F;         ///< added then; a range of one value has its colour in the middle
-  float map_row = 0.0F;            ///< of the texture
-  float map_categories = 0.0F;     ///< colours that whole numbers go around; 0: graded
-  std::array<std::uint32_t, 4> center_bits{};
-  std::array<std::uint32_t, 4> center_low_bits{};
-};
-
 struct DrawCall {
   FramebufferId target;
   PixelRect area;  ///< of the target; nothing outside is touched
@@ -152,8 +113,8 @@ struct PictureCall {
   PixelRect area;  ///< of the target; nothing outside is touched
   TextureId texture;
   /// Left, bottom, right, top: pixels from the centre of the area, and from 0 at the picture's left and top to 1.
-  std::array<float, 4> place{};
-  std::array<float, 4> part{};
+  glm::vec4 place{};
+  glm::vec4 part{};
   float opacity = 1.0F;
 };
 

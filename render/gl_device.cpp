@@ -2,7 +2,9 @@
 #include "render/gl_device.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <new>
 
@@ -21,10 +23,6 @@ constexpr std::size_t kMapFrom = 512;
 constexpr GLuint kColumns = 5;
 /// Where the scalar is, after all of them.
 constexpr GLuint kScalarColumn = kColumns;
-
-constexpr int kRealVectors = 7;
-constexpr int kBitVectors = 2;
-static_assert(sizeof(DrawUniforms) == 16 * (kRealVectors + kBitVectors));
 
 /// Vertices of one instance, as a triangle strip.
 GLsizei vertices_of(const DrawCall& call) {
@@ -134,8 +132,6 @@ GlDevice::Program& GlDevice::program_of(const ProgramKey& key) {
   Program& program = programs_[key];
   if (program.handle.get() == 0) {
     program.handle = build_program(key, {.use_double = uses_double_, .use_precise = uses_precise_});
-    program.real = glGetUniformLocation(program.handle.get(), "u_real");
-    program.bits = glGetUniformLocation(program.handle.get(), "u_bits");
     program.maps = glGetUniformLocation(program.handle.get(), "u_maps");
   }
   return program;
@@ -285,7 +281,7 @@ void GlDevice::bind_target(FramebufferId target, const PixelRect& area) {
 void GlDevice::clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) {
   bind_target(target, area);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glClearColor(color[0], color[1], color[2], color[3]);
+  glClearColor(color.r, color.g, color.b, color.a);
   glClear(GL_COLOR_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
 }
@@ -323,8 +319,7 @@ void GlDevice::draw(const DrawCall& call) {
   bind_target(call.target, call.area);
 
   glUseProgram(program.handle.get());
-  glUniform4fv(program.real, kRealVectors, call.uniforms.center_1.data());
-  glUniform4uiv(program.bits, kBitVectors, call.uniforms.center_bits.data());
+  uniforms_.bind(kUniformBindingPoint, call.uniforms);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_CULL_FACE);
@@ -387,11 +382,10 @@ void GlDevice::draw(const DrawCall& call) {
 void GlDevice::draw_picture(const PictureCall& call) {
   bind_target(call.target, call.area);
   glUseProgram(picture_.handle.get());
-  const auto half_width = 0.5F * static_cast<float>(call.area.width);
-  const auto half_height = 0.5F * static_cast<float>(call.area.height);
-  glUniform4f(picture_.place, call.place[0] / half_width, call.place[1] / half_height, call.place[2] / half_width,
-              call.place[3] / half_height);
-  glUniform4fv(picture_.part, 1, call.part.data());
+  const glm::vec2 half_area = 0.5F * glm::vec2(call.area.width, call.area.height);
+  const glm::vec4 place = call.place / glm::vec4(half_area, half_area);
+  glUniform4fv(picture_.place, 1, glm::value_ptr(place));
+  glUniform4fv(picture_.part, 1, glm::value_ptr(call.part));
   glUniform1f(picture_.opacity, call.opacity);
   glUniform1i(picture_.picture, 0);
   glActiveTexture(GL_TEXTURE0);
@@ -421,7 +415,7 @@ void GlDevice::composite(FramebufferId target, const PixelRect& area, Framebuffe
   static_cast<void>(resolved(group));
   bind_target(target, area);
   glUseProgram(composite_.handle.get());
-  glUniform4fv(composite_.tint, 1, color.data());
+  glUniform4fv(composite_.tint, 1, glm::value_ptr(color));
   glUniform2i(composite_.corner, area.left, area.bottom);
   glUniform1i(composite_.group, 0);
   glActiveTexture(GL_TEXTURE0);

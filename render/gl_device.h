@@ -8,6 +8,7 @@
 
 #include "render/device.h"
 #include "render/gl_handles.h"
+#include "render/uniform_ring.h"
 
 namespace mes::render {
 
@@ -64,9 +65,7 @@ class GlDevice final : public Device {
   };
   struct Program {
     GlProgram handle;
-    int real = -1;  ///< locations of uniforms
-    int bits = -1;
-    int maps = -1;
+    int maps = -1;  ///< location of its sampler
   };
 
   struct CompositeProgram {
@@ -96,6 +95,7 @@ class GlDevice final : public Device {
   std::map<std::uint32_t, Buffer> buffers_;
   std::map<std::uint32_t, Framebuffer> framebuffers_;
   std::map<ProgramKey, Program> programs_;
+  UniformRing uniforms_;
   std::map<std::uint32_t, GlTexture> textures_;
   CompositeProgram composite_;
   PictureProgram picture_;

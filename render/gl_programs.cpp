@@ -77,12 +77,9 @@ GlProgram link(const std::string& head, Sources vertex, Sources fragment) {
   return program;
 }
 
-}  // namespace
-
-GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) {
+GlProgram link_for(PrimitiveKind kind, const std::string& head) {
   using namespace shaders;
-  const std::string head = preamble(key, features);
-  switch (key.kind) {
+  switch (kind) {
     case PrimitiveKind::point:
       return link(head, {uniforms_glsl, mapped_glsl, place_glsl, point_vert},
                   {uniforms_glsl, paint_glsl, point_frag});
@@ -108,6 +105,18 @@ GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) 
   }
   MES_ASSERT(false && "every kind has a program");
   return {};
+}
+
+}  // namespace
+
+GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) {
+  GlProgram program = link_for(key.kind, preamble(key, features));
+  const GLuint block = glGetUniformBlockIndex(program.get(), "DrawUniforms");
+  GLint bytes = 0;
+  glGetActiveUniformBlockiv(program.get(), block, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+  MES_ASSERT(static_cast<std::size_t>(bytes) == sizeof(DrawUniforms));
+  glUniformBlockBinding(program.get(), block, kUniformBindingPoint);
+  return program;
 }
 
 GlProgram build_picture_program() {

@@ -13,6 +13,9 @@ struct ProgramFeatures {
   bool use_precise = false;  ///< ARB_gpu_shader5
 };
 
+/// Where `build_program` lets a program read its `DrawUniforms`.
+inline constexpr GLuint kUniformBindingPoint = 0;
+
 /// Compiles and links. Throws AssertionFailure with the compiler's words when a program is wrong.
 GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features);
 GlProgram build_composite_program();

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <initializer_list>
 
 #include "core/base/assert.h"
 #include "render/instance_layout.h"
@@ -14,12 +17,18 @@ namespace {
 /// What undefined contents look like: no number that a test would take for an instance.
 constexpr std::byte kUndefined{0xcd};
 
-bool is_finite(std::span<const float> values) {
+template <int N>
+bool is_finite(const glm::vec<N, float>& values) {
+  return !glm::any(glm::isnan(values)) && !glm::any(glm::isinf(values));
+}
+
+bool is_finite(std::initializer_list<float> values) {
   return std::ranges::all_of(values, [](float v) { return std::isfinite(v); });
 }
 
 bool is_color(const PremultipliedColor& color) {
-  return std::ranges::all_of(color, [&](float c) { return c >= 0.0F && c <= 1.0F && c <= color[3]; });
+  const glm::vec4 most(std::min(color.a, 1.0F));
+  return glm::all(glm::greaterThanEqual(color, glm::vec4(0.0F))) && glm::all(glm::lessThanEqual(color, most));
 }
 
 }  // namespace
@@ -133,9 +142,9 @@ void RecordingDevice::draw(const DrawCall& call) {
   MES_ASSERT(call.instances * layout_of(call.program.kind).bytes() <= bytes_of(call.buffer).size());
   const DrawUniforms& u = call.uniforms;
   MES_ASSERT(is_finite(u.center_1) && is_finite(u.center_2) && is_finite(u.center_3));
-  MES_ASSERT(is_finite(std::array{u.pixels_per_unit, u.half_width_px, u.view_radius_px, u.ring_px, u.dash_px,
-                                  u.dash_period_px, u.arc_pieces}));
-  MES_ASSERT(u.pixels_per_unit > 0.0F && u.half_view_px[0] > 0.0F && u.half_view_px[1] > 0.0F);
+  MES_ASSERT(is_finite(
+      {u.pixels_per_unit, u.half_width_px, u.view_radius_px, u.ring_px, u.dash_px, u.dash_period_px, u.arc_pieces}));
+  MES_ASSERT(u.pixels_per_unit > 0.0F && u.half_view_px.x > 0.0F && u.half_view_px.y > 0.0F && u.one == 1.0F);
   MES_ASSERT(!call.program.dashed || u.dash_period_px > 0.0F);
   MES_ASSERT(!is_ring(call.program.kind) || u.arc_pieces == 0.0F || u.arc_pieces >= 3.0F);
   MES_ASSERT(is_color(u.color));
@@ -143,7 +152,7 @@ void RecordingDevice::draw(const DrawCall& call) {
     MES_ASSERT(call.instances * sizeof(double) <= bytes_of(call.scalars).size());
     MES_ASSERT(textures_.contains(call.maps.value));
     MES_ASSERT(is_finite(u.map_low));
-    MES_ASSERT(is_finite(std::array{u.map_factor, u.map_exponent, u.map_offset, u.map_row, u.map_categories}));
+    MES_ASSERT(is_finite({u.map_factor, u.map_exponent, u.map_offset, u.map_row, u.map_categories}));
   }
   calls_.push_back(call);
   ++counters_.draw_calls;

@@ -2,8 +2,8 @@
 #include "render/scene.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <glm/packing.hpp>
 #include <numbers>
 #include <utility>
 
@@ -34,28 +34,19 @@ constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
 
 /// One coordinate of the view's centre in the forms programs want.
 struct CenterParts {
-  float first;
-  float second;
-  float third;
-  std::array<std::uint32_t, 2> bits;
-  std::array<std::uint32_t, 2> low_bits;
+  glm::vec3 pieces;
+  glm::uvec2 words;
+  glm::uvec2 low_words;
 };
-
-std::array<std::uint32_t, 2> words_of(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32U)};
-}
 
 CenterParts split(double value, double low) {
   // The same cuts as the vertex programs make: 21 bits, 16 bits, and here all the rest.
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const double first = std::bit_cast<double>(bits & ~std::uint64_t{0xffffffff});
-  const double rest = std::bit_cast<double>(bits & ~std::uint64_t{0xffff});
-  return {.first = static_cast<float>(first),
-          .second = static_cast<float>(rest - first),
-          .third = static_cast<float>((value - rest) + low),
-          .bits = words_of(value),
-          .low_bits = words_of(low)};
+  const glm::uvec2 words = glm::unpackDouble2x32(value);
+  const double first = glm::packDouble2x32({0U, words.y});
+  const double rest = glm::packDouble2x32({words.x & 0xffff0000U, words.y});
+  return {.pieces = glm::vec3(first, rest - first, (value - rest) + low),
+          .words = words,
+          .low_words = glm::unpackDouble2x32(low)};
 }
 
 /// The camera's centre in a drawing frame, one coordinate; the low part holds what the first cannot.
@@ -90,19 +81,12 @@ void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUnifo
   const int exponent = size > 0.0 ? std::max(std::ilogb(size), 1 - kBias) : 0;
   const double low = std::ldexp(shown.low, -exponent);
   const double width = std::ldexp(shown.high, -exponent) - low;
-  const CenterParts parts = split(low, 0.0);
-  u.map_low = {parts.first, parts.second, parts.third};
+  u.map_low = split(low, 0.0).pieces;
   u.map_exponent = static_cast<float>(exponent + kBias);
   // A range of one value: below it the first colour, above it the last.
   constexpr float kSteep = 1e30F;
   u.map_factor = width > 0.0 ? static_cast<float>(1.0 / width) : kSteep;
   u.map_offset = width > 0.0 ? 0.0F : 0.5F;
-}
-
-PremultipliedColor premultiplied(Rgb color, double opacity) {
-  const double alpha = std::isfinite(opacity) ? std::clamp(opacity, 0.0, 1.0) : 1.0;
-  const auto channel = [&](std::uint8_t value) { return static_cast<float>(value / 255.0 * alpha); };
-  return {channel(color.r), channel(color.g), channel(color.b), static_cast<float>(alpha)};
 }
 
 float pixels(double logical, double content_scale, double low, double high) {
@@ -281,7 +265,7 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
 }
 
 void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
-  const double opacity = static_cast<double>(premultiplied({}, style.opacity)[3]);
+  const double opacity = static_cast<double>(premultiplied({}, style.opacity).a);
   if (picture_place_.width > 0.0 && std::isfinite(picture_place_.width) && opacity > 0.0) {
     const Camera& camera = pass.camera;
     const double scale = 1.0 / camera.units_per_pixel();
@@ -302,8 +286,7 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
     device_.draw_picture({.target = pass.target,
                           .area = pass.area,
                           .texture = picture_,
-                          .place = {static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(high.x),
-                                    static_cast<float>(high.y)},
+                          .place = glm::vec4(low.x, low.y, high.x, high.y),
                           .part = {across(low.x), down(low.y), across(high.x), down(high.y)},
                           .opacity = static_cast<float>(opacity)});
     ++draw_calls_;
@@ -313,7 +296,7 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
 void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look) {
   const LayerStyle& style = look.style;
   const PremultipliedColor color = premultiplied(style.color, style.opacity);
-  if (color[3] <= 0.0F) return;
+  if (color.a <= 0.0F) return;
   bool is_empty = true;
   bool has_triangles = false;
   for (const InstanceBuffer& buffer : kinds) {
@@ -323,7 +306,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   }
   if (is_empty) return;
   // An opaque group looks the same drawn directly. Not so triangles: those that share an edge have to add up there.
-  const bool as_group = has_triangles || (style.flat && color[3] < 1.0F);
+  const bool as_group = has_triangles || (style.flat && color.a < 1.0F);
   if (as_group && style.flat) {
     draw_group(pass, kinds, look);
     return;
@@ -349,13 +332,13 @@ void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   const bool has_colors = look.map != nullptr;
   const FramebufferId group =
       group_target(has_colors ? TargetFormat::color : TargetFormat::coverage, pass.area.width, pass.area.height);
-  constexpr PremultipliedColor kWhite{1.0F, 1.0F, 1.0F, 1.0F};
+  constexpr PremultipliedColor kWhite(1.0F);
   const Pass inner{.camera = pass.camera,
                    .content_scale = pass.content_scale,
                    .target = group,
                    .area = {0, 0, pass.area.width, pass.area.height},
                    .every = pass.every};
-  device_.clear(group, inner.area, {});
+  device_.clear(group, inner.area, clear_color(std::nullopt));
   for (const PrimitiveKind kind : kDrawOrder) {
     for (const InstanceBuffer& buffer : kinds) {
       if (buffer.kind() != kind || buffer.count() == 0) continue;
@@ -398,17 +381,17 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look
   call.instances = buffer.count();
   if (buffer.kind() == PrimitiveKind::disk) call.every = pass.every;
   DrawUniforms& u = call.uniforms;
-  u.center_1 = {x.first, y.first};
-  u.center_2 = {x.second, y.second};
-  u.center_3 = {x.third, y.third};
-  u.center_bits = {x.bits[0], x.bits[1], y.bits[0], y.bits[1]};
-  u.center_low_bits = {x.low_bits[0], x.low_bits[1], y.low_bits[0], y.low_bits[1]};
+  u.center_1 = {x.pieces[0], y.pieces[0]};
+  u.center_2 = {x.pieces[1], y.pieces[1]};
+  u.center_3 = {x.pieces[2], y.pieces[2]};
+  u.center_words = glm::uvec4(x.words, y.words);
+  u.center_low_words = glm::uvec4(x.low_words, y.low_words);
   u.pixels_per_unit = static_cast<float>(scale);
   const float line_width = pixels(style.line_width_px, pass.content_scale, 0.1, 64.0);
   u.half_width_px = 0.5F * (is_point ? pixels(style.point_size_px, pass.content_scale, 0.1, 256.0) : line_width);
   u.ring_px = is_point && look.ring ? 0.5F * line_width : 0.0F;
-  u.half_view_px = {0.5F * static_cast<float>(camera.width()), 0.5F * static_cast<float>(camera.height())};
-  u.view_radius_px = std::hypot(u.half_view_px[0], u.half_view_px[1]);
+  u.half_view_px = 0.5F * glm::vec2(camera.width(), camera.height());
+  u.view_radius_px = std::hypot(u.half_view_px.x, u.half_view_px.y);
   u.color = color;
   const double width = std::max(1.0, style.line_width_px / 2.0);
   u.dash_px = static_cast<float>(kDash * width * pass.content_scale);
@@ -416,7 +399,7 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look
   u.arc_pieces = arc_pieces(buffer.kind(), buffer.extent(), scale);
 
   call.program.kind = buffer.kind();
-  const double center_size = std::max(std::abs(x.first), std::abs(y.first));
+  const double center_size = std::max(std::abs(x.pieces[0]), std::abs(y.pieces[0]));
   const double reach = (buffer.extent().coordinate + buffer.extent().radius + center_size) * scale;
   if (!is_point && reach > kNearReach) call.program.reach = Reach::far;
   call.program.dashed =

@@ -11,6 +11,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libcgal-dev libgmp-dev libmpfr-dev                       # exact geometry
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev        # window and drawing
+  libglm-dev                                               # vectors, matrices and colours of drawing
   libgl1 libegl1 libgl1-mesa-dri libglx-mesa0              # OpenGL, also without a graphics card
   libstb-dev libdeflate-dev                                # PNG
   libcli11-dev nlohmann-json3-dev                          # command line, JSON

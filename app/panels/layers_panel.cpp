@@ -2,11 +2,14 @@
 #include "app/panels/layers_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "imgui_stdlib.h"
+#include "render/convert.h"
 
 namespace mes {
 namespace {
@@ -54,13 +57,13 @@ void draw_color_choice(float unit, LayerStyle& style) {
       style.color = kPalette[i];
     ImGui::PopID();
   }
-  std::array<float, 3> rgb = to_floats(style.color);
+  glm::vec3 rgb = render::to_vec3(style.color);
   // In a low window the sliders below it shall have room, too.
   ImGui::SetNextItemWidth(std::min(230 * unit, 0.3F * ImGui::GetIO().DisplaySize.y));
   if (ImGui::ColorPicker3(
-          "##picker", rgb.data(),
+          "##picker", glm::value_ptr(rgb),
           ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))
-    style.color = to_rgb(rgb);
+    style.color = render::to_rgb(rgb);
 }
 
 std::string milliseconds(double ms) {

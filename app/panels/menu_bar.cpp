@@ -3,10 +3,12 @@
 
 #include <array>
 #include <filesystem>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "render/convert.h"
 
 namespace mes {
 namespace {
@@ -76,12 +78,12 @@ void canvas_menu(const MenuBar& menu) {
   for (const Choice& choice : kChoices)
     if (ImGui::MenuItem(choice.name, nullptr, background == choice.color)) background = choice.color;
   ImGui::Separator();
-  std::array<float, 3> color = to_floats(canvas_background(menu.settings));
+  glm::vec3 color = render::to_vec3(canvas_background(menu.settings));
   ImGui::SetNextItemWidth(180 * menu.gui.unit());
   if (ImGui::ColorPicker3(
-          "##color", color.data(),
+          "##color", glm::value_ptr(color),
           ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))
-    background = to_rgb(color);
+    background = render::to_rgb(color);
 }
 
 void view_menu(const MenuBar& menu) {

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "app/model/record_settings.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
+#include "render/convert.h"
 
 namespace mes {
 namespace {
@@ -79,9 +81,10 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
   tooltip(gui, "A colour of its own");
   if (record.transparent || !record.background) return;
   ImGui::SameLine();
-  std::array<float, 3> color = to_floats(*record.background);
-  if (ImGui::ColorEdit3("##background", color.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip))
-    record.background = to_rgb(color);
+  glm::vec3 color = render::to_vec3(*record.background);
+  if (ImGui::ColorEdit3("##background", glm::value_ptr(color),
+                        ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip))
+    record.background = render::to_rgb(color);
   tooltip(gui, "Colour behind the drawing");
 }
 

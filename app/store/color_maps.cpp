@@ -69,7 +69,7 @@ Expected<render::ColorMap> parse_color_map(std::string_view bytes, std::string n
         return fail("a colour map has at most " + std::to_string(kMostColors) + " colours");
       map.colors.emplace_back();
     }
-    map.colors.back()[numbers % 3] = static_cast<float>(*value);
+    map.colors.back()[static_cast<glm::length_t>(numbers % 3)] = static_cast<float>(*value);
     ++numbers;
   }
   if (numbers % 3 != 0) return fail("the last colour has " + std::to_string(numbers % 3) + " of three numbers");

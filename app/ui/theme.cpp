@@ -157,16 +157,4 @@ ImU32 to_imgui(Rgb rgb, double opacity) {
   return IM_COL32(rgb.r, rgb.g, rgb.b, static_cast<int>(std::clamp(opacity, 0.0, 1.0) * 255.0 + 0.5));
 }
 
-std::array<float, 3> to_floats(Rgb color) {
-  const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-  return {channel(color.r), channel(color.g), channel(color.b)};
-}
-
-Rgb to_rgb(const std::array<float, 3>& color) {
-  const auto byte = [](float value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
-  };
-  return {byte(color[0]), byte(color[1]), byte(color[2])};
-}
-
 }  // namespace mes

@@ -2,8 +2,6 @@
 // How the panels look: light or dark, quiet, legible from the last row of a lecture room.
 #pragma once
 
-#include <array>
-
 #include "app/model/settings.h"
 #include "core/base/color.h"
 #include "imgui.h"
@@ -50,8 +48,5 @@ ThemeColors theme_colors(Theme theme, bool for_projector);
 void apply_theme(ImGuiStyle& style, const ThemeColors& colors, float scale);
 
 ImU32 to_imgui(Rgb color, double opacity = 1.0);
-/// As Dear ImGui's colour choosers have them.
-std::array<float, 3> to_floats(Rgb color);
-Rgb to_rgb(const std::array<float, 3>& color);
 
 }  // namespace mes

@@ -1,27 +1,30 @@
-// What a draw call tells its programs; filled from `DrawUniforms`, in the same order.
+// What a draw call says to its programs. `DrawUniforms` has the same members in the same order.
+layout(std140) uniform DrawUniforms {
+  vec2 u_center_1;
+  vec2 u_center_2;
+  vec2 u_center_3;
+  float u_pixels_per_unit;
+  float u_half_width;
+  vec2 u_half_view;
+  float u_view_radius;
+  float u_ring;
+  vec4 u_color;
+  float u_dash;
+  float u_dash_period;
+  float u_arc_pieces;
+  float u_one;
+  vec3 u_map_low;
+  float u_map_factor;
+  float u_map_exponent;
+  float u_map_offset;
+  float u_map_row;
+  float u_map_categories;
+  uvec4 u_center_words;
+  uvec4 u_center_low_words;
+};
 
-uniform vec4 u_real[7];
-uniform uvec4 u_bits[2];
-
-#define u_center_1 u_real[0].xy
-#define u_center_2 u_real[0].zw
-#define u_center_3 u_real[1].xy
-#define u_pixels_per_unit u_real[1].z
-#define u_half_width u_real[1].w
-#define u_half_view u_real[2].xy
-#define u_view_radius u_real[2].z
-#define u_ring u_real[2].w
-#define u_color u_real[3]
-#define u_dash u_real[4].x
-#define u_dash_period u_real[4].y
-#define u_arc_pieces u_real[4].z
-#define u_map_low u_real[5].xyz
-#define u_map_factor u_real[5].w
-#define u_map_exponent u_real[6].x
-#define u_map_offset u_real[6].y
-#define u_map_row u_real[6].z
-#define u_map_categories u_real[6].w
-#define u_nothing (floatBitsToUint(u_real[4].w) & 1u)
+// Zero, which no compiler can know.
+#define u_nothing (floatBitsToUint(u_one) & 1u)
 
 // Strokes thinner than a pixel keep that width and fade instead.
 float shown_half_width() { return max(u_half_width, 0.5); }

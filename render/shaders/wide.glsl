@@ -76,8 +76,8 @@ float narrow(Wide a) { return a.x; }
 #define Wide double
 Wide wide_number(uvec2 bits) { return packDouble2x32(bits); }
 Wide wide_offset(uvec2 bits, int axis) {
-  PRECISE double high = packDouble2x32(bits) - packDouble2x32(axis == 0 ? u_bits[0].xy : u_bits[0].zw);
-  return high - packDouble2x32(axis == 0 ? u_bits[1].xy : u_bits[1].zw);
+  PRECISE double high = packDouble2x32(bits) - packDouble2x32(axis == 0 ? u_center_words.xy : u_center_words.zw);
+  return high - packDouble2x32(axis == 0 ? u_center_low_words.xy : u_center_low_words.zw);
 }
 Wide wide_sub(Wide a, Wide b) { return a - b; }
 Wide wide_add(Wide a, Wide b) { return a + b; }
