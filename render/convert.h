@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one place where core's colours and points become those of GLM, and back.
+// The one place that converts between core's colours and points and those of GLM.
 //
 // Core computes with `Vec2` and knows colours as `Rgb`; drawing computes with GLM. Cost: a few operations each.
 // Threads: any.
@@ -46,10 +46,6 @@ inline PremultipliedColor clear_color(const std::optional<Rgb>& background) {
 }
 
 constexpr glm::dvec2 to_dvec2(Vec2 v) {
-  return {v.x, v.y};
-}
-
-constexpr Vec2 to_vec2(const glm::dvec2& v) {
   return {v.x, v.y};
 }
 

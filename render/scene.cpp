@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/packing.hpp>
 #include <numbers>
 #include <utility>
@@ -13,26 +14,27 @@
 namespace mes::render {
 namespace {
 
-// Beyond this many pixels from the centre lines, circles and arcs are placed with more bits. There single precision
-// rounds to 1/128 of a pixel. Smaller: costlier programs at ordinary views; larger: lines begin to shake.
+// Beyond this many pixels from the centre, lines, circles and arcs are placed with more bits. Single precision rounds
+// to 1/128 of a pixel there. A smaller limit would use costlier programs in ordinary views; with a larger one lines
+// would shake.
 constexpr double kNearReach = 0x1p17;
-// Scales at which the drawing is far below a pixel, or a pixel far below what doubles tell apart.
+// At these scales the drawing is far smaller than a pixel, or a pixel far smaller than the spacing of doubles.
 constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
 
-// Colours of a map in its texture.
+// The number of colours of a map in its texture.
 constexpr std::size_t kMapWidth = 256;
 
-// Dash and gap in logical pixels, for a stroke of one pixel; they grow with wide strokes to stay recognisable.
+// Dash and gap in logical pixels, for strokes up to two pixels; wider strokes have longer ones.
 constexpr double kDash = 5.0;
 constexpr double kGap = 4.0;
 
-/// Triangles first: those of a group have to be summed before anything else covers them.
+/// Triangles first: the coverages of a group are summed before another kind covers them.
 constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
     PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,
     PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::arc,  PrimitiveKind::point};
 
-/// One coordinate of the view's centre in the forms programs want.
+/// One coordinate of the view's centre in the forms that programs read.
 struct CenterParts {
   glm::vec3 pieces;
   glm::uvec2 words;
@@ -40,7 +42,7 @@ struct CenterParts {
 };
 
 CenterParts split(double value, double low) {
-  // The same cuts as the vertex programs make: 21 bits, 16 bits, and here all the rest.
+  // As in the vertex programs, the first piece has 21 bits and the second 16; here the third has all others.
   const glm::uvec2 words = glm::unpackDouble2x32(value);
   const double first = glm::packDouble2x32({0U, words.y});
   const double rest = glm::packDouble2x32({words.x & 0xffff0000U, words.y});
@@ -49,7 +51,7 @@ CenterParts split(double value, double low) {
           .low_words = glm::unpackDouble2x32(low)};
 }
 
-/// The camera's centre in a drawing frame, one coordinate; the low part holds what the first cannot.
+/// One coordinate of the camera's centre in a drawing frame; the low part holds the bits that the first cannot.
 CenterParts center_in(double center, double center_low, double origin, double scale) {
   const double high = center - origin;
   const double part = high - center;
@@ -62,7 +64,7 @@ CenterParts center_in(double center, double center_low, double origin, double sc
   return split(sum, rest - (sum - scaled));
 }
 
-/// What a program needs to find the colours of scalars.
+/// Sets the uniforms by which a program finds the colours of scalars.
 void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUniforms& u) {
   constexpr int kBias = 1023;
   u.map_row = row;
@@ -77,7 +79,7 @@ void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUnifo
   const bool is_known = !range.is_empty() && std::isfinite(range.low) && std::isfinite(range.high);
   const ScalarRange shown = is_known ? range : ScalarRange{0.0, 1.0};
   const double size = std::max(std::abs(shown.low), std::abs(shown.high));
-  // Smaller ones are nothing to a program.
+  // Programs take smaller scalars for zero.
   const int exponent = size > 0.0 ? std::max(std::ilogb(size), 1 - kBias) : 0;
   const double low = std::ldexp(shown.low, -exponent);
   const double width = std::ldexp(shown.high, -exponent) - low;
@@ -94,11 +96,11 @@ float pixels(double logical, double content_scale, double low, double high) {
   return static_cast<float>(size * content_scale);
 }
 
-/// Quads along a circle: more cost vertices, fewer cost fragments between the chord and the rim. Small circles are a
-/// square each (0): measured, a square of 30 pixels costs as much as eight quads.
+/// The number of quads along a circle: more of them cost vertices, fewer cost fragments between chord and rim. Each
+/// small circle is a square (0): as measured, a square of 30 pixels costs as much as eight quads.
 float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale) {
   if (extent.radius * scale < 16.0) return 0.0F;
-  // An arc strays no farther from its chords than a circle as long as it.
+  // An arc deviates from its chords at most as much as a circle of its length.
   const double radius_px =
       (kind == PrimitiveKind::arc ? 0.5 / std::numbers::pi * extent.length : extent.radius) * scale;
   if (radius_px < 16.0) return 4.0F;
@@ -109,7 +111,7 @@ float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale)
 
 }  // namespace
 
-/// How the instances of one layer are coloured.
+/// The colours of the instances of one layer.
 struct Scene::Look {
   const LayerStyle& style;
   bool ring = false;
@@ -205,7 +207,7 @@ void Scene::set_color_maps(std::vector<ColorMap> maps) {
   map_texture_ = {};
 }
 
-// All maps in one texture, a row each, made when the first one is used.
+// All maps in one texture, one a row, created at the first use of a map.
 TextureId Scene::map_texture() {
   if (map_texture_ != TextureId{}) return map_texture_;
   std::vector<std::uint8_t> rgba;
@@ -269,25 +271,22 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
   if (picture_place_.width > 0.0 && std::isfinite(picture_place_.width) && opacity > 0.0) {
     const Camera& camera = pass.camera;
     const double scale = 1.0 / camera.units_per_pixel();
-    const auto from_center = [scale](double value, double center, double low) {
-      return ((value - center) - low) * scale;
-    };
-    const Vec2 middle{from_center(picture_place_.center.x, camera.center().x, camera.center_low().x),
-                      from_center(picture_place_.center.y, camera.center().y, camera.center_low().y)};
-    const Vec2 half{0.5 * picture_place_.width * scale, 0.5 * picture_place_.width * picture_aspect_ * scale};
-    // Cut to a little more than the view: what is left are small numbers, whatever the zoom.
-    const Vec2 view{0.5 * camera.width() + 2.0, 0.5 * camera.height() + 2.0};
-    const Vec2 low{std::max(middle.x - half.x, -view.x), std::max(middle.y - half.y, -view.y)};
-    const Vec2 high{std::min(middle.x + half.x, view.x), std::min(middle.y + half.y, view.y)};
-    // False also for what is not a number.
+    const glm::dvec2 middle = scale * to_dvec2((picture_place_.center - camera.center()) - camera.center_low());
+    const double half_width = 0.5 * picture_place_.width;
+    const glm::dvec2 half = scale * glm::dvec2(half_width, half_width * picture_aspect_);
+    // Cut to a little more than the view, so that the numbers are small at any zoom.
+    const glm::dvec2 view = 0.5 * glm::dvec2(camera.width(), camera.height()) + 2.0;
+    const glm::dvec2 low = glm::max(middle - half, -view);
+    const glm::dvec2 high = glm::min(middle + half, view);
+    // False for NaN, too.
     if (!(low.x < high.x && low.y < high.y)) return;
-    const auto across = [&](double x) { return static_cast<float>(0.5 + 0.5 * (x - middle.x) / half.x); };
-    const auto down = [&](double y) { return static_cast<float>(0.5 - 0.5 * (y - middle.y) / half.y); };
+    const glm::dvec2 from = 0.5 * (low - middle) / half;
+    const glm::dvec2 to = 0.5 * (high - middle) / half;
     device_.draw_picture({.target = pass.target,
                           .area = pass.area,
                           .texture = picture_,
-                          .place = glm::vec4(low.x, low.y, high.x, high.y),
-                          .part = {across(low.x), down(low.y), across(high.x), down(high.y)},
+                          .place = glm::vec4(glm::dvec4(low, high)),
+                          .part = glm::vec4(0.5 + from.x, 0.5 - from.y, 0.5 + to.x, 0.5 - to.y),
                           .opacity = static_cast<float>(opacity)});
     ++draw_calls_;
   }
@@ -305,7 +304,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
     has_triangles = has_triangles || buffer.kind() == PrimitiveKind::triangle;
   }
   if (is_empty) return;
-  // An opaque group looks the same drawn directly. Not so triangles: those that share an edge have to add up there.
+  // An opaque group looks the same if drawn directly, except for triangles: their coverages add up at shared edges.
   const bool as_group = has_triangles || (style.flat && color.a < 1.0F);
   if (as_group && style.flat) {
     draw_group(pass, kinds, look);
@@ -328,7 +327,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
 }
 
 void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look) {
-  // One colour is put on at the end; several have to be drawn as they are.
+  // A single colour is applied at the end; several colours are drawn into the group.
   const bool has_colors = look.map != nullptr;
   const FramebufferId group =
       group_target(has_colors ? TargetFormat::color : TargetFormat::coverage, pass.area.width, pass.area.height);

@@ -2,6 +2,7 @@
 #include "app/panels/canvas_legend.h"
 
 #include <cfloat>
+#include <cmath>
 
 #include "app/picture/legend.h"
 #include "app/ui/theme.h"
@@ -20,16 +21,18 @@ ImVec2 CanvasLegend::draw(ImVec2 corner, float room) const {
   const LegendDrawing legend = layout_legend(entries, measure, static_cast<double>(room / unit), picture.canvas());
   const ImVec2 at(std::floor(corner.x - static_cast<float>(legend.width) * unit),
                   std::floor(corner.y - static_cast<float>(legend.height) * unit));
+  const glm::mat3 place_of(legend_placement({at.x, at.y}, static_cast<double>(unit)));
+  const auto place = [&](double x, double y) {
+    const glm::vec3 out = place_of * glm::vec3(x, y, 1.0);
+    return ImVec2(out.x, out.y);
+  };
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   for (const LegendDrawing::Box& box : legend.boxes) {
-    const ImVec2 from(at.x + static_cast<float>(box.left) * unit, at.y + static_cast<float>(box.top) * unit);
-    list.AddRectFilled(
-        from, {from.x + static_cast<float>(box.width) * unit, from.y + static_cast<float>(box.height) * unit},
-        to_imgui(box.color, box.opacity));
+    list.AddRectFilled(place(box.left, box.top), place(box.left + box.width, box.top + box.height),
+                       to_imgui(box.color, box.opacity));
   }
   for (const LegendDrawing::Line& line : legend.lines)
-    list.AddText(font(line.is_bold), static_cast<float>(line.size) * unit,
-                 {at.x + static_cast<float>(line.x) * unit, at.y + static_cast<float>(line.top) * unit},
+    list.AddText(font(line.is_bold), static_cast<float>(line.size) * unit, place(line.x, line.top),
                  to_imgui(line.color), line.text.c_str());
   return {static_cast<float>(legend.width) * unit, static_cast<float>(legend.height) * unit};
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "app/picture/canvas_look.h"
@@ -42,7 +43,7 @@ std::string shortest(double value, int digits) {
 // Logarithms of round numbers may come out just below whole ones.
 constexpr double kRounding = 1e-9;
 
-/// With as many digits as tell steps of that size apart; without an exponent where that is short.
+/// With as many digits as distinguish steps of that size; without an exponent if that is short.
 std::string number_text(double value, double step) {
   if (std::abs(value) < 0.5 * step || value == 0.0) return "0";
   constexpr double kMostDigits = 17.0;
@@ -54,7 +55,7 @@ std::string number_text(double value, double step) {
   return shortest(value, static_cast<int>(digits));
 }
 
-/// 1, 2 or 5 times a power of ten, so that some five steps make the width.
+/// 1, 2 or 5 times a power of ten, about a fifth of the width.
 double round_step(double width) {
   const double raw = width / 5.0;
   const double power = std::pow(10.0, std::floor(std::log10(raw) + kRounding));
@@ -63,7 +64,7 @@ double round_step(double width) {
   return 10.0 * power;
 }
 
-/// The text in lines no wider than that; broken at spaces.
+/// The text in lines of at most this width, broken at spaces.
 std::vector<std::string> wrapped(const std::string& text, double width, const MeasureText& measure) {
   std::vector<std::string> lines(1);
   std::size_t begin = 0;
@@ -82,7 +83,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
   return lines;
 }
 
-/// Writes one entry below the other.
+/// Places one entry below the other.
 class Layout {
  public:
   Layout(const MeasureText& measure, const Colors& colors) : measure_(&measure), colors_(colors) {}
@@ -113,7 +114,7 @@ class Layout {
     for (int i = 0; i < kBarSteps; ++i) {
       const double left = width * i / kBarSteps;
       const Rgb color = entry.map->at((i + 0.5) / kBarSteps);
-      // Each reaches to the end of the bar and is covered by the next: edges within a pixel show no seam.
+      // Each extends to the end of the bar and is covered by the next, so edges within a pixel show no seam.
       drawing_.boxes.push_back({kPadding + left, y_, width - left, kBar, color});
     }
     y_ += kBar;
@@ -122,7 +123,7 @@ class Layout {
       text("no number is finite", false, colors_.quiet);
       return;
     }
-    // The ends first; between them what has room.
+    // The ends first, then the ticks between them that have room.
     if (ticks.size() > 1) std::rotate(ticks.begin() + 1, ticks.end() - 1, ticks.end());
     std::vector<std::pair<double, double>> taken;
     for (const LegendTick& tick : ticks) {
@@ -141,7 +142,7 @@ class Layout {
     y_ += kTickLength + 1.0 + kLineHeight;
   }
 
-  // Whole numbers in the range, each with its colour, side by side while there is room.
+  // The whole numbers of the range with their colours, side by side as long as there is room.
   void swatches(const LegendEntry& entry) {
     const double low = std::ceil(entry.range.low - 0.5);
     const double high = std::floor(entry.range.high + 0.5);
@@ -188,7 +189,7 @@ PixelPlace lower_right(const render::Image& image, double width, double height, 
           image.height - m - static_cast<int>(std::ceil(height))};
 }
 
-/// Where a rectangle hides the fewest pixels that differ from the first one of the picture.
+/// The corner where a rectangle hides the fewest pixels that differ from the first pixel of the picture.
 PixelPlace emptiest_corner(const render::Image& image, double width, double height, double margin) {
   const auto w = static_cast<int>(std::ceil(width));
   const auto h = static_cast<int>(std::ceil(height));
@@ -230,7 +231,7 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   constexpr int kAlone = 6;
   if (range.low == range.high) return {{0.5, shortest(range.low, kAlone)}};
   const double width = range.high - range.low;
-  // An end need not be round; a hundredth of the width says where it is.
+  // An end need not be round; it is written to a hundredth of the width.
   const double fine = 0.005 * range.high - 0.005 * range.low;
   std::vector<LegendTick> out{{0.0, number_text(range.low, fine)}};
   if (std::isfinite(width)) {
@@ -273,6 +274,10 @@ LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureT
   return out;
 }
 
+glm::dmat3 legend_placement(const glm::dvec2& corner, double scale) {
+  return glm::dmat3(glm::dvec3(scale, 0.0, 0.0), glm::dvec3(0.0, scale, 0.0), glm::dvec3(corner, 1.0));
+}
+
 Expected<LegendFonts> LegendFonts::read(const std::filesystem::path& assets) {
   auto plain = render::Font::read(assets / "fonts" / "Inter-Regular.otf");
   if (!plain) return std::unexpected(plain.error());
@@ -300,21 +305,21 @@ void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLe
   PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
                                                     : emptiest_corner(image, width, height, scale * kMargin);
   if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
-  const auto left = static_cast<double>(at.left);
-  const auto top = static_cast<double>(at.top);
-  // On whole pixels, so that edges are sharp and thin lines alike.
+  const glm::dmat3 place_of = legend_placement({at.left, at.top}, scale);
+  // On whole pixels, so that edges are sharp and thin lines look alike.
   for (const LegendDrawing::Box& box : legend.boxes) {
-    const double x0 = std::round(left + scale * box.left);
-    const double y0 = std::round(top + scale * box.top);
-    const double x1 = std::max(std::round(left + scale * (box.left + box.width)), x0 + 1.0);
-    const double y1 = std::max(std::round(top + scale * (box.top + box.height)), y0 + 1.0);
-    render::fill_rectangle(image, x0, y0, x1 - x0, y1 - y0, box.color, box.opacity);
+    const glm::dvec2 from = glm::round(glm::dvec2(place_of * glm::dvec3(box.left, box.top, 1.0)));
+    const glm::dvec3 end(box.left + box.width, box.top + box.height, 1.0);
+    const glm::dvec2 size = glm::max(glm::round(glm::dvec2(place_of * end)) - from, glm::dvec2(1.0));
+    render::fill_rectangle(image, from.x, from.y, size.x, size.y, box.color, box.opacity);
   }
-  // From the top of a line to the foot of its letters.
+  // From the top of a line to its baseline.
   constexpr double kAscent = 0.8;
-  for (const LegendDrawing::Line& line : legend.lines)
-    render::draw_text(image, line.is_bold ? fonts.bold : fonts.plain, scale * line.size, left + scale * line.x,
-                      top + scale * (line.top + kAscent * line.size), line.color, line.text);
+  for (const LegendDrawing::Line& line : legend.lines) {
+    const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kAscent * line.size, 1.0));
+    render::draw_text(image, line.is_bold ? fonts.bold : fonts.plain, scale * line.size, from.x, from.y, line.color,
+                      line.text);
+  }
 }
 
 }  // namespace mes

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The legend of the colour maps in use: for each layer its name, what its scalar is, and a bar of colours with
+// The legend of the colour maps in use: the name of each layer, the meaning of its scalar, and a bar of colours with
 // numbers.
 //
-// It is laid out once, as rectangles and lines of text, and then painted by whoever has something to paint on: the
-// window, or a picture in memory. So both look alike.
+// The layout consists of rectangles and lines of text. The window paints it on itself, and `draw_legend` on a picture
+// in memory, so both look alike.
 //
 // Smallest use:
 //     const std::vector<LegendEntry> entries = ...;
 //     draw_legend(image, fonts, layout_legend(entries, fonts, image.width, image.height, 1.0, kWhiteCanvas),
 //                 LegendPlace::emptiest_corner);
 //
-// Cost: some hundred rectangles a layer. Threads: none.
+// Cost: some hundred rectangles a layer. Threads: any, with a picture of its own.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,15 +44,15 @@ struct LegendEntry {
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
-/// Of the layers with a map that has something to colour, topmost first; `views` are bottom first. Their maps live as
-/// long as the scene.
+/// The entries of the layers that a map colours, topmost first; `views` are bottom first. The maps are those of the
+/// scene.
 std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views);
 
-/// The ends of a range and a few round numbers between, the shortest way that tells them apart. Of a range of one
-/// value that value, of an empty one nothing.
+/// The ends of a range and a few round numbers between, with as few digits as distinguish them. A range of one value
+/// has one tick, an empty one none.
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range);
 
-/// Lengths are logical pixels from the upper left corner of the legend.
+/// A legend as rectangles and text. Lengths are in logical pixels, from the upper left corner of the legend.
 struct LegendDrawing {
   struct Box {
     double left = 0.0;
@@ -74,32 +76,36 @@ struct LegendDrawing {
   std::vector<Line> lines;  ///< above the boxes
 };
 
-/// Width of a text in logical pixels, at a size in logical pixels.
+/// Returns the width of a text in logical pixels, at a size in logical pixels.
 using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
 
-/// Light writing on a dark background. One below the other; those that do not fit into `room` are counted in a last
-/// line. Nothing without entries.
+/// Places the entries one below the other, with light text on a dark background. A last line counts the entries that do
+/// not fit into the height `room`. Without entries the legend is empty.
 LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
                             const std::optional<Rgb>& background);
+
+/// The map from the coordinates of a layout to pixels: `scale` pixels per logical pixel, the upper left corner of the
+/// legend at `corner`.
+glm::dmat3 legend_placement(const glm::dvec2& corner, double scale);
 
 struct LegendFonts {
   render::Font plain;
   render::Font bold;
-  /// Those that come with the program.
+  /// Reads the fonts that come with the program.
   static Expected<LegendFonts> read(const std::filesystem::path& assets);
 };
 
-/// A legend laid out for a picture of some size; `scale` pixels to a logical one.
+/// A legend for a picture of some size; `scale` is in pixels per logical pixel.
 struct PictureLegend {
   LegendDrawing drawing;
   double scale = 1.0;
 };
-/// `scale` is taken somewhat smaller on a small picture.
+/// Reduces `scale` somewhat for a small picture.
 PictureLegend layout_legend(std::span<const LegendEntry> entries, const LegendFonts& fonts, int width, int height,
                             double scale, const std::optional<Rgb>& background);
 
-/// Where a legend goes: the corner where it hides least (the lower right one if all are alike), or always the same,
-/// for pictures that follow one another. `foot` pixels at the bottom are left free there.
+/// The corner of a legend: the one where it hides least, the lower right one if all are alike; or always the lower
+/// right one, for sequences of pictures, `foot` pixels above the bottom.
 enum class LegendPlace : std::uint8_t { emptiest_corner, lower_right };
 void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLegend& legend, LegendPlace place,
                  double foot = 0.0);
