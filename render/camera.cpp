@@ -13,11 +13,11 @@ constexpr double kMaxCenter = 1e300;
 constexpr double kMinUnitsPerPixel = 1e-290;
 constexpr double kMaxUnitsPerPixel = 1e290;
 constexpr double kMaxScreen = 1e9;
-// One pixel of the deepest zoom, relative to the centre: far below what doubles tell apart there.
+// One pixel of the deepest zoom, relative to the centre: far below the spacing of doubles there.
 constexpr double kDeepest = 0x1p-60;
 constexpr int kMaxViewport = 1 << 20;
 
-/// The rounded sum, and what rounding took off (Knuth).
+/// The rounded sum and its rounding error (Knuth's two-sum).
 struct Sum {
   double value;
   double error;
@@ -95,7 +95,7 @@ void Camera::zoom_at(Vec2 screen, double factor) {
   const double reach = std::max(std::abs(center_.x), std::abs(center_.y));
   const double deepest = std::min(units_per_pixel_, std::max(kMinUnitsPerPixel, reach * kDeepest));
   const double zoomed = std::clamp(units_per_pixel_ / factor, deepest, kMaxUnitsPerPixel);
-  // The point under the cursor is centre + offset * scale before and after; the centre takes up the difference.
+  // The point under the cursor is centre + offset * scale before and after, so the centre moves by the difference.
   const double change = units_per_pixel_ - zoomed;
   units_per_pixel_ = zoomed;
   move_center({(p.x - 0.5 * width_) * change, (0.5 * height_ - p.y) * change});
@@ -111,7 +111,7 @@ void Camera::fit(const Box2& box, double margin_px) {
   Box2 shown = box;
   if (shown.is_empty() || !is_finite(shown.low) || !is_finite(shown.high)) shown = {{0.0, 0.0}, {1.0, 1.0}};
   const double margin = std::isfinite(margin_px) ? std::max(margin_px, 0.0) : 0.0;
-  // A quarter of the view is the least that margins leave to the drawing.
+  // Margins leave at least a quarter of the view to the drawing.
   const double room_x = std::max(width_ - 2.0 * margin, 0.25 * width_);
   const double room_y = std::max(height_ - 2.0 * margin, 0.25 * height_);
   // Halves: the extent of a box of huge numbers need not be representable.

@@ -12,7 +12,7 @@
 namespace mes::render {
 namespace {
 
-// Single precision, with which programs count, has no halves beyond.
+// Shaders compute in single precision, which has no halves beyond this number.
 constexpr double kMostCategories = 0x1p22;
 
 MapColor from_hue(double hue, double saturation, double value) {
@@ -49,7 +49,7 @@ double place_in(double value, const ScalarRange& range) {
   if (range.is_empty()) return 0.5;
   if (!(value > range.low)) return value < range.low || range.low < range.high ? 0.0 : 0.5;
   if (!(value < range.high)) return 1.0;
-  // Halves, so that no difference overflows.
+  // Differences of halves do not overflow.
   return (0.5 * value - 0.5 * range.low) / (0.5 * range.high - 0.5 * range.low);
 }
 
@@ -58,7 +58,7 @@ ColorMap grey_map() {
 }
 
 ColorMap categorical_map(std::uint64_t seed, std::size_t count) {
-  // The first eight of seed 0 are the palette of the program, which is told apart without colour vision.
+  // The first eight of seed 0 are the program's palette, which people without colour vision can distinguish.
   constexpr std::array<Rgb, 8> kFirst{palette::blue,   palette::orange, palette::green,  palette::vermilion,
                                       palette::purple, palette::sky,    palette::yellow, palette::grey};
   ColorMap out{"categories", {}, true};
@@ -70,7 +70,7 @@ ColorMap categorical_map(std::uint64_t seed, std::size_t count) {
       out.colors.push_back(to_vec3(kFirst[i]));
       continue;
     }
-    // Steps of the golden ratio keep hues apart, however many there are.
+    // Steps of the golden ratio keep any number of hues apart.
     constexpr double kGolden = 0.6180339887498949;
     const double hue = std::fmod(start + kGolden * static_cast<double>(i), 1.0);
     out.colors.push_back(from_hue(hue, random.uniform(0.55, 0.9), random.uniform(0.55, 0.95)));

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colour maps: which colour a scalar has. Plain data and arithmetic.
+// Colour maps: the colour of a scalar. Plain data and arithmetic.
 //
 // What it guarantees:
-//  1. A graded map runs through its colours linearly from the low end of a range to the high one, and keeps its end
-//     colours beyond. Infinities are beyond; what is not a number has no colour.
-//  2. A categorical map gives the whole number nearest to the scalar a colour of its own, whatever the range; numbers
-//     a multiple of its size apart share one. Beyond some millions, and infinite, they have the first or last colour.
+//  1. A graded map interpolates its colours linearly over a range. Scalars beyond an end of the range, infinite ones
+//     too, have the colour of that end. NaN has no colour.
+//  2. A categorical map rounds the scalar to a whole number and gives each number a colour, whatever the range; numbers
+//     whose difference is a multiple of the map's size share one. Scalars beyond some millions, infinite ones too, have
+//     the first or the last colour.
 //
 // Smallest use:
 //     const ColorMap map = grey_map();
 //     if (const auto color = map.color_of(0.3, {0.0, 1.0})) ...
 //
-// Cost: O(1) a colour. Threads: const is safe.
+// Cost: O(1) a colour. Threads: const calls may run at the same time.
 #pragma once
 
 #include <cstddef>
@@ -26,13 +27,13 @@
 
 namespace mes::render {
 
-/// Ends included; empty when low > high.
+/// A closed interval; empty if low > high.
 struct ScalarRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
   bool is_empty() const { return !(low <= high); }
-  /// What is not finite is left out.
+  /// Ignores values that are not finite.
   void add(double value) {
     if (!(value - value == 0.0)) return;
     if (value < low) low = value;
@@ -50,23 +51,23 @@ using MapColor = glm::vec3;
 
 struct ColorMap {
   std::string name;
-  std::vector<MapColor> colors;  ///< two at least
+  std::vector<MapColor> colors;  ///< at least two
   bool is_categorical = false;
 
-  /// Linear between the colours, t from 0 to 1.
+  /// The colour at `t` in [0, 1], interpolated linearly.
   Rgb at(double t) const;
-  /// None for what is not a number. In an empty or single-valued range, its value has the middle colour.
+  /// No colour for NaN. In an empty range, and in one of a single value for that value, the middle colour.
   std::optional<Rgb> color_of(double scalar, const ScalarRange& range) const;
 };
 
-/// Where a value stands in a range, in [0, 1], also when the ends are as far apart as doubles go.
+/// The place of a value in a range, from 0 at its low end to 1 at its high end. Does not overflow for any range.
 double place_in(double value, const ScalarRange& range);
 
-/// From a dark grey to a light one, both of which are seen on white.
+/// From a dark grey to a light one, both visible on white.
 ColorMap grey_map();
-/// `count` colours that differ, neighbours most of all; another seed gives others.
+/// `count` different colours, neighbours most different of all. Another seed gives other colours.
 ColorMap categorical_map(std::uint64_t seed = 0, std::size_t count = 64);
-/// Those that need no file: grey and categories.
+/// The maps that need no file: grey and categories.
 std::vector<ColorMap> builtin_color_maps();
 
 }  // namespace mes::render

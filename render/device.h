@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the scene needs of a graphics library, and no more: instance buffers, off-screen targets, one kind of draw
-// call.
+// The part of a graphics library that the scene needs: instance buffers, off-screen targets, textures, and draw calls
+// of instances.
 //
 // What it guarantees:
-//  1. Handles are never used twice; using a destroyed one is a broken invariant (MES_ASSERT).
-//  2. `resize_buffer` keeps the bytes it is asked to keep; the rest is undefined until updated.
-//  3. A draw call leaves no state behind that the next one depends on.
-//  4. `counters()` counts instance bytes only: uniforms are not uploads.
+//  1. A handle is never reused; using a destroyed one is a broken invariant (MES_ASSERT).
+//  2. `resize_buffer` keeps the bytes it is asked to keep; all others are undefined until they are updated.
+//  3. A draw call does not depend on state that another one left behind.
+//  4. `counters()` counts the bytes of instances; uniforms do not count as uploads.
 //
 // Smallest use:
 //     GlDevice device;                       // a current OpenGL context is needed
 //     BufferId buffer = device.create_buffer(1024);
 //     device.draw({.program = {PrimitiveKind::point}, .buffer = buffer, ...});
 //
-// Cost: a draw call is a handful of driver calls. Threads: the one that owns the context.
+// Cost: a handful of driver calls a draw call. Threads: the one that owns the context.
 // Implementations: `GlDevice` (OpenGL 3.3 core), `RecordingDevice` (no GPU: checks and counts).
 #pragma once
 
@@ -28,7 +28,7 @@
 
 namespace mes::render {
 
-/// Handles; zero is "none", for a framebuffer the one of the window.
+/// Handles. Zero means none; a framebuffer of zero is the window's.
 struct BufferId {
   std::uint32_t value = 0;
   friend constexpr auto operator<=>(BufferId, BufferId) = default;
@@ -48,7 +48,7 @@ struct ByteRange {
   std::size_t size = 0;
 };
 
-/// Pixels of a target; the origin is its lower left corner, as OpenGL has it.
+/// Pixels of a target; the origin is its lower left corner, as in OpenGL.
 struct PixelRect {
   int left = 0;
   int bottom = 0;
@@ -59,72 +59,71 @@ struct PixelRect {
 
 enum class TargetFormat : std::uint8_t {
   color,     ///< RGBA, 8 bits a channel, premultiplied
-  coverage,  ///< one channel, 8 bits: how much of the pixel a group of primitives of one colour covers
+  coverage,  ///< one channel, 8 bits: the part of the pixel that a group of primitives of one colour covers
 };
 
 struct FramebufferSpec {
   int width = 1;
   int height = 1;
   TargetFormat format = TargetFormat::color;
-  int samples = 1;  ///< multisampling; 1 is none. Edges are analytic, so 1 is what you want
+  int samples = 1;  ///< of multisampling; 1 is none, and enough, as edges are analytic
 };
 
-/// How exactly a program works out where long lines and large circles pass, relative to the centre of the view.
+/// The precision with which a program places long lines and large circles relative to the centre of the view.
 enum class Reach : std::uint8_t {
-  near,  ///< single precision: right while coordinates are below about 10^5 pixels from the centre
-  far,   ///< twice that many bits: deep zoom, and coordinates far outside
+  near,  ///< single: exact enough up to about 10^5 pixels from the centre
+  far,   ///< twice as many bits: for deep zoom, and coordinates far outside the view
 };
 
-/// Kinds that are drawn as `DrawUniforms::arc_pieces` quads along a circle.
+/// True for the kinds that are drawn as `DrawUniforms::arc_pieces` quads along a circle.
 constexpr bool is_ring(PrimitiveKind kind) {
   return kind == PrimitiveKind::circle || kind == PrimitiveKind::arc;
 }
 
-/// Chooses a program; compiled at first use.
+/// Chooses a program, which is compiled at its first use.
 struct ProgramKey {
   PrimitiveKind kind = PrimitiveKind::point;
   Reach reach = Reach::near;
   bool dashed = false;
-  bool mapped = false;  ///< each instance has the colour that a map gives its scalar
+  bool mapped = false;  ///< each instance has the colour of its scalar in a colour map
   friend constexpr auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
 };
 
 enum class Blend : std::uint8_t {
   over,  ///< premultiplied source over destination
-  add,   ///< saturating sum, for coverage of pieces that do not overlap
+  add,   ///< saturating sum, for the coverage of pieces that do not overlap
 };
 
 struct DrawCall {
   FramebufferId target;
-  PixelRect area;  ///< of the target; nothing outside is touched
+  PixelRect area;  ///< of the target; pixels outside do not change
   ProgramKey program;
   Blend blend = Blend::over;
   BufferId buffer;
   BufferId scalars;  ///< one double an instance, for a program with a colour map
-  TextureId maps;    ///< a colour map a row
+  TextureId maps;    ///< one colour map a row
   std::uint32_t instances = 0;
-  std::uint32_t every = 1;  ///< only instances 0, every, 2 every, ... are drawn
+  std::uint32_t every = 1;  ///< draws the instances 0, every, 2 every, ... only
   DrawUniforms uniforms;
 };
 
-/// A picture, part of which is painted on part of a target.
+/// Paints a part of a picture on a part of a target.
 struct PictureCall {
   FramebufferId target;
-  PixelRect area;  ///< of the target; nothing outside is touched
+  PixelRect area;  ///< of the target; pixels outside do not change
   TextureId texture;
-  /// Left, bottom, right, top: pixels from the centre of the area, and from 0 at the picture's left and top to 1.
-  glm::vec4 place{};
-  glm::vec4 part{};
+  glm::vec4 place{};  ///< left, bottom, right, top in pixels from the centre of the area
+  glm::vec4 part{};   ///< the same edges in the picture, from 0 at its left and top to 1
   float opacity = 1.0F;
 };
 
 struct DeviceCounters {
   std::uint64_t bytes_uploaded = 0;
-  std::uint64_t updates = 0;  ///< contiguous ranges written
+  std::uint64_t updates = 0;  ///< contiguous ranges that were written
   std::uint64_t draw_calls = 0;
   std::uint64_t instances_drawn = 0;
   std::uint64_t composites = 0;
-  std::uint64_t bytes_allocated = 0;  ///< of all instance buffers alive
+  std::uint64_t bytes_allocated = 0;  ///< of all instance buffers that exist now
 };
 
 class Device {
@@ -134,33 +133,33 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// Throws std::bad_alloc when the graphics memory is exhausted, as do the other two that allocate.
+  /// Throws std::bad_alloc when graphics memory is exhausted, as does every call that allocates.
   virtual BufferId create_buffer(std::size_t bytes) = 0;
   virtual void destroy_buffer(BufferId buffer) = 0;
-  /// The first `keep_bytes` stay what they are; `keep_bytes` is at most the old and the new size.
+  /// Keeps the first `keep_bytes`, which are at most the old and the new size.
   virtual void resize_buffer(BufferId buffer, std::size_t bytes, std::size_t keep_bytes) = 0;
-  /// `data` holds the bytes of all ranges one after the other. Ranges do not overlap and lie inside the buffer.
+  /// `data` holds the bytes of all ranges, one after the other. The ranges do not overlap and lie inside the buffer.
   virtual void update_buffer(BufferId buffer, std::span<const ByteRange> ranges, std::span<const std::byte> data) = 0;
 
   virtual FramebufferId create_framebuffer(const FramebufferSpec& spec) = 0;
   virtual void destroy_framebuffer(FramebufferId framebuffer) = 0;
   /// Fills `area` of the target.
   virtual void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) = 0;
-  /// RGBA bytes of `area`, premultiplied, bottom row first. Waits for drawing to end.
+  /// RGBA bytes of `area`, premultiplied, bottom row first. Waits until drawing has ended.
   virtual void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) = 0;
 
-  /// RGBA bytes, premultiplied, top row first. A smooth one is made for being drawn at any size.
+  /// RGBA bytes, premultiplied, top row first. A smooth texture can be drawn at any size.
   virtual TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) = 0;
   virtual void destroy_texture(TextureId texture) = 0;
 
   virtual void draw(const DrawCall& call) = 0;
   virtual void draw_picture(const PictureCall& call) = 0;
-  /// Paints a target whose lower left corner comes to that of `area`, each pixel times `color`: where it holds
-  /// coverage, `color` through it.
+  /// Paints `group` on `area`, lower left corner on lower left corner, each pixel multiplied by `color`. A group of
+  /// coverage counts as white with that alpha.
   virtual void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                          const PremultipliedColor& color) = 0;
 
-  /// Largest width and height of a framebuffer or texture.
+  /// The largest width and height of a framebuffer or texture.
   virtual int max_framebuffer_size() const = 0;
   virtual const DeviceCounters& counters() const = 0;
 };

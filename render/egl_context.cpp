@@ -18,7 +18,7 @@ bool has_client_extension(const char* name) {
   return epoxy_has_egl_extension(EGL_NO_DISPLAY, name);
 }
 
-/// Displays to try, most headless first.
+/// The display of an attempt: first those that need no display server.
 EGLDisplay open_display(std::size_t attempt) {
   if (attempt == 0) {
     if (!has_client_extension("EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
@@ -56,13 +56,13 @@ struct EglContext::Impl {
       eglReleaseThread();
     }
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    // The display stays initialised: it is one for the whole process, others may draw with it, and drivers that are
-    // unloaded at its end leave memory behind.
+    // The display stays initialised: there is one for the whole process, other contexts may use it, and drivers leak
+    // memory when they are unloaded.
     display = EGL_NO_DISPLAY;
     context = EGL_NO_CONTEXT;
   }
 
-  /// Empty when it worked, otherwise what did not.
+  /// Returns what failed; empty on success.
   std::string open(std::size_t attempt) {
     display = open_display(attempt);
     EGLint major = 0;

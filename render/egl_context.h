@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An OpenGL context without a window or a display server, for pictures from the command line and for tests.
 //
-// What it guarantees: either a current OpenGL 3.3 core (or better) context, or an error of code `no_display` that
-// says what is missing. It stays current on the creating thread until destroyed.
+// What it guarantees: `create` returns a current context of OpenGL 3.3 core or later, or an error `no_display` whose
+// text says what is missing. The context stays current on the thread that created it until it is destroyed.
 //
 // Smallest use:
 //     auto context = EglContext::create();
 //     if (!context) return std::unexpected(context.error());
 //     GlDevice device;
 //
-// Cost: 10 to 100 ms to create. Threads: create, use and destroy on one.
+// Cost: 10 to 100 ms to create. Threads: creation, use and destruction on the same one.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ class EglContext {
   EglContext(EglContext&&) noexcept;
   EglContext& operator=(EglContext&&) noexcept;
 
-  /// Vendor's name of the renderer and the version, for messages and logs.
+  /// The vendor's name of the renderer and its version, for messages and logs.
   std::string description() const;
 
  private:

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of a scene, one after the other, without waiting for the graphics card.
+// Captures pictures of a scene, one after the other, without waiting for the graphics card.
 //
 // What it guarantees:
-//  1. A picture is the one `draw_image` makes of the same camera; larger ones than the hardware can hold are drawn in
-//     tiles. Of overlapping disks none is left out.
-//  2. With supersampling it is drawn larger and averaged, in premultiplied colours as they are stored. That is how
-//  the
-//     window blends its edges too, so a supersampled frame is as light or dark as the window; averaging linear light
-//     would make thin dark lines paler. Factors are 1, 2 and 4: halving is exact on every card, thirds are not.
-//  3. Pictures come out in the order they were asked for, each once and whole.
+//  1. A picture is the same as that of `draw_image` for the same camera. Pictures larger than the hardware can hold are
+//     drawn in tiles. No disk is left out.
+//  2. With supersampling a picture is drawn larger and averaged, in premultiplied colours as they are stored. The
+//     window blends its edges in the same way, so a supersampled frame is as light as the window; averages of linear
+//     light would make thin dark lines paler. The factors are 1, 2 and 4: halving is exact on every card, a third is
+//     not.
+//  3. Pictures are returned in the order in which they were requested, each once and complete.
 //
 // Smallest use:
 //     FrameCapture capture(device);
 //     capture.draw(scene, camera, views, {.supersampling = 2});
 //     ... later: while (auto raw = capture.poll()) use(*raw);
 //
-// Cost: drawing; see readback.h for the way back. Threads: the one that owns the context.
+// Cost: drawing, and the read-back of readback.h. Threads: the one that owns the context.
 #pragma once
 
 #include <deque>
@@ -35,7 +35,7 @@ struct CaptureOptions {
   double content_scale = 1.0;     ///< pixels of the picture per logical pixel of styles
   int supersampling = 1;          ///< 1, 2 or 4
   bool overlays = true;
-  int tile_px = 2048;  ///< largest tile as it is drawn; the device's limit caps it
+  int tile_px = 2048;  ///< largest side of a tile as drawn, at most the device's limit
 };
 
 class FrameCapture {
@@ -45,15 +45,15 @@ class FrameCapture {
   FrameCapture(const FrameCapture&) = delete;
   FrameCapture& operator=(const FrameCapture&) = delete;
 
-  /// Draws the camera's whole viewport. Error: no memory for it; nothing was asked for then.
+  /// Draws the camera's whole viewport. Error `out_of_memory`: no picture was requested.
   Expected<void> draw(Scene& scene, const Camera& camera, std::span<const LayerView> views,
                       const CaptureOptions& options);
-  /// Takes what a target shows now.
+  /// Requests the present contents of a target.
   void take(FramebufferId source, const PixelRect& area);
 
-  /// The oldest picture if it has come.
+  /// The oldest picture if it has arrived.
   std::optional<RawImage> poll() { return next(false); }
-  /// The oldest picture, waiting for it; none when none is under way.
+  /// The oldest picture; waits for it. None if no picture was requested.
   std::optional<RawImage> wait() { return next(true); }
   std::size_t pending() const { return wanted_.size(); }
 
@@ -61,9 +61,9 @@ class FrameCapture {
   struct Wanted {
     int width = 0;
     int height = 0;
-    std::deque<PixelRect> tiles;  // still to come, in order
+    std::deque<PixelRect> tiles;  // that have not arrived, in order
     RawImage picture;             // of several tiles
-    bool is_given_up = false;     // memory ran out on the way
+    bool is_given_up = false;     // memory was exhausted after some tiles
   };
   struct Target {
     FramebufferId id{};

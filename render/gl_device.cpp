@@ -15,13 +15,13 @@
 namespace mes::render {
 namespace {
 
-// More ranges than this are written through one mapping instead of one call each: beyond some hundred calls their
-// fixed cost outweighs waiting for the drawing in flight.
+// More ranges than this are written through one mapping instead of one call each: the fixed cost of some hundred calls
+// exceeds that of waiting for the drawing in flight.
 constexpr std::size_t kMapFrom = 512;
 
-/// Most columns of a layout.
+/// The most columns of any layout.
 constexpr GLuint kColumns = 5;
-/// Where the scalar is, after all of them.
+/// The column of the scalar comes after all of them.
 constexpr GLuint kScalarColumn = kColumns;
 
 /// Vertices of one instance, as a triangle strip.
@@ -32,7 +32,7 @@ GLsizei vertices_of(const DrawCall& call) {
 }
 
 void throw_if_out_of_memory() {
-  // Errors of earlier calls are not ours to report here, but have to be taken off the queue.
+  // Errors of earlier calls are not reported here, but have to leave the queue.
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
     if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
   }
@@ -65,7 +65,7 @@ GlTexture make_texture(const FramebufferSpec& spec) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   if (!is_color) {
-    // Coverage reads as white that covers so much.
+    // Coverage reads as white with that alpha.
     for (const auto channel : {GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B, GL_TEXTURE_SWIZZLE_A})
       glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(channel), GL_RED);
   }
@@ -199,7 +199,7 @@ void GlDevice::update_buffer(BufferId id, std::span<const ByteRange> ranges, std
     }
   };
   write(mapped);
-  // False means that the memory was lost meanwhile, as a change of video mode can do.
+  // False: the memory was lost meanwhile, for example by a change of the video mode.
   if (mapped != nullptr && glUnmapBuffer(GL_ARRAY_BUFFER) == GL_FALSE) write(nullptr);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   counters_.bytes_uploaded += total;
@@ -342,7 +342,7 @@ void GlDevice::draw(const DrawCall& call) {
   const auto draw_from = [&](std::size_t first, std::size_t step, std::uint32_t count) {
     std::size_t offset = first * layout.bytes();
     const auto column = [&](GLuint location, GLint words, std::size_t stride) {
-      // The only way to say "offset into the bound buffer" in this interface.
+      // This interface takes the offset into the bound buffer as a pointer.
       glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, static_cast<GLsizei>(stride),
                              reinterpret_cast<const void*>(offset));
       glVertexAttribDivisor(location, 1);
@@ -361,7 +361,7 @@ void GlDevice::draw(const DrawCall& call) {
     }
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_of(call), static_cast<GLsizei>(count));
   };
-  // No driver need take a larger stride; beyond it the few instances that are left are drawn one by one.
+  // Drivers need not support a larger stride; beyond it the few remaining instances are drawn one by one.
   constexpr std::size_t kLargestStride = 2048;
   const std::uint32_t drawn = (call.instances + call.every - 1) / call.every;
   if (layout.bytes() * call.every <= kLargestStride) {
@@ -393,7 +393,7 @@ void GlDevice::draw_picture(const PictureCall& call) {
   paint_over(GL_TRIANGLE_STRIP, 4);
 }
 
-// All that is left to do once a program without instances is set up; its state does not stay.
+// Draws with a program that reads no instances, and resets the state.
 void GlDevice::paint_over(unsigned shape, int vertices) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_STENCIL_TEST);
@@ -441,7 +441,7 @@ void GlDevice::shrink(FramebufferId target, const PixelRect& to, FramebufferId s
   bind_for_reading(source);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_of(target).handle.get());
   glDisable(GL_SCISSOR_TEST);
-  // Halfway between four pixels a linear filter gives their mean.
+  // Halfway between four pixels a linear filter yields their mean.
   glBlitFramebuffer(from.left, from.bottom, from.left + from.width, from.bottom + from.height, to.left, to.bottom,
                     to.left + to.width, to.bottom + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `Device` on OpenGL 3.3 core. Double precision in shaders is used where the driver has it.
+// `Device` on OpenGL 3.3 core. Shaders use double precision where the driver offers it.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 namespace mes::render {
 
 struct GlDeviceOptions {
-  bool allow_double = true;   ///< false: programs keep to pairs of floats, as on hardware without doubles
-  bool allow_precise = true;  ///< false: nothing beyond OpenGL 3.3 is used to keep sums in order
+  bool allow_double = true;   ///< false: programs use pairs of floats, as on hardware without doubles
+  bool allow_precise = true;  ///< false: programs do without `precise`, as on drivers of OpenGL 3.3 alone
 };
 
 class GlDevice final : public Device {
  public:
-  /// A context of at least OpenGL 3.3 core must be current, and stay so for the device's life. Throws
-  /// AssertionFailure when it is older.
+  /// A context of OpenGL 3.3 core or later must be current, and stay current as long as the device exists. Throws
+  /// AssertionFailure if it is older.
   explicit GlDevice(const GlDeviceOptions& options = {});
   ~GlDevice() override;
 
@@ -41,14 +41,14 @@ class GlDevice final : public Device {
   int max_framebuffer_size() const override { return max_size_; }
   const DeviceCounters& counters() const override { return counters_; }
 
-  /// Renderer and version as the driver names them.
+  /// Renderer and version, as the driver reports them.
   std::string description() const;
   bool uses_double() const { return uses_double_; }
-  /// The next glReadPixels is of this target, multisampled or not.
+  /// Makes the next glReadPixels read this target, multisampled or not.
   void bind_for_reading(FramebufferId source);
-  /// `to` becomes the averages of the squares of two by two pixels of `from`, which is twice as wide and high.
+  /// Writes into each pixel of `to` the mean of two by two pixels of `from`, which is twice as wide and high.
   void shrink(FramebufferId target, const PixelRect& to, FramebufferId source, const PixelRect& from);
-  /// Waits until everything asked for is drawn; for measuring.
+  /// Waits until all drawing has ended; for measuring.
   void finish();
 
  private:
@@ -58,7 +58,7 @@ class GlDevice final : public Device {
   };
   struct Framebuffer {
     GlFramebuffer handle;
-    GlTexture texture;  ///< what is read; of `resolve` when multisampled
+    GlTexture texture;  ///< the pixels to read; of `resolve` if multisampled
     GlRenderbuffer multisampled;
     GlFramebuffer resolve;
     FramebufferSpec spec;
@@ -89,7 +89,7 @@ class GlDevice final : public Device {
   Program& program_of(const ProgramKey& key);
   void bind_target(FramebufferId target, const PixelRect& area);
   void paint_over(unsigned shape, int vertices);
-  /// Makes multisampled pixels readable; the framebuffer to read from.
+  /// Makes multisampled pixels readable. Returns the framebuffer to read from.
   unsigned resolved(FramebufferId source);
 
   std::map<std::uint32_t, Buffer> buffers_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Owners of OpenGL names. Destroy them while their context is current.
+// Owners of OpenGL names. Their context must be current when they are destroyed.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -8,7 +8,7 @@
 
 namespace mes::render {
 
-/// Calls `Release{}(name)` once, at the end. Move only; zero owns nothing.
+/// Calls `Release{}(name)` in its destructor, unless the name is zero. Move-only.
 template <class Release>
 class GlName {
  public:

@@ -15,8 +15,8 @@ using Sources = std::initializer_list<std::string_view>;
 
 std::string preamble(const ProgramKey& key, const ProgramFeatures& features) {
   std::string out = "#version 330 core\n";
-  // Sums whose rounding matters must not be reordered. `precise` forbids it; without it the compiler is kept from
-  // seeing through them by bits it does not know to be zero.
+  // The compiler must not reorder sums whose rounding matters. `precise` forbids it; without `precise`, each term is
+  // combined with bits that are zero, which the compiler cannot know.
   if (features.use_precise) {
     out += "#extension GL_ARB_gpu_shader5 : enable\n#define PRECISE precise\n#define HOLD(x) (x)\n";
   } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Puts the pieces of shaders together into programs. Sources: `render/shaders/`.
+// Builds the programs of OpenGL from the pieces in `render/shaders/`.
 #pragma once
 
 #include "render/device.h"
@@ -13,10 +13,10 @@ struct ProgramFeatures {
   bool use_precise = false;  ///< ARB_gpu_shader5
 };
 
-/// Where `build_program` lets a program read its `DrawUniforms`.
+/// The binding point at which programs of `build_program` read their `DrawUniforms`.
 inline constexpr GLuint kUniformBindingPoint = 0;
 
-/// Compiles and links. Throws AssertionFailure with the compiler's words when a program is wrong.
+/// Compiles and links. Throws AssertionFailure with the compiler's message if the driver refuses a program.
 GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features);
 GlProgram build_composite_program();
 GlProgram build_picture_program();

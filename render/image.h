@@ -20,14 +20,14 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// What a graphics library hands out: RGBA, 8 bits a channel, alpha multiplied in, rows from the bottom, no padding.
+/// A picture as OpenGL returns it: RGBA, 8 bits a channel, alpha multiplied in, rows from the bottom, no padding.
 struct RawImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-/// Turns it upside down and divides alpha out. O(pixels), any thread.
+/// Reverses the order of the rows and divides by alpha. O(pixels), any thread.
 Image to_image(const RawImage& raw);
 
 }  // namespace mes::render

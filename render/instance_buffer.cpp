@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kSmallest = 32;
 
-/// One more instance of that many bytes; neighbours become one range.
+/// Appends the range of an instance of `bytes` bytes; adjacent ranges become one.
 void append(std::vector<ByteRange>& ranges, std::size_t instance, std::size_t bytes) {
   const std::size_t offset = instance * bytes;
   if (!ranges.empty() && ranges.back().offset + ranges.back().size == offset) {
@@ -52,7 +52,7 @@ void InstanceBuffer::clear() {
 
 void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
   const std::size_t bytes = layout_of(kind_).bytes();
-  // Half as much again: between copying often and holding memory nobody uses.
+  // Half as much again is a compromise between frequent copies and unused memory.
   const std::size_t room = std::max({instances, kSmallest, keep == 0 ? 0 : capacity_ + capacity_ / 2});
   try {
     if (buffer_ == BufferId{}) {
@@ -66,7 +66,7 @@ void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
       capacity_ = room;
     }
   } catch (const std::bad_alloc&) {
-    // Later patches build on this one: nothing is better than a part.
+    // Later patches depend on this one, so a part of it is worse than nothing.
     clear();
     throw;
   }
@@ -78,7 +78,7 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   MES_ASSERT(data.size() >= count * stride);
   const std::size_t doubles = layout_of(kind_).doubles();
   decltype(extent_) extent{};
-  // First, so that what is there stays when there is no room.
+  // Encoded first, so that without memory for it the present instances stay.
   std::vector<double> encoded(count * doubles);
   for (std::size_t i = 0; i < count; ++i) {
     encode_instance(kind_, frame, data.subspan(i * stride, stride), std::span(encoded).subspan(i * doubles, doubles),
@@ -93,7 +93,7 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   try {
     return fill(count, encoded, data);
   } catch (const std::bad_alloc&) {
-    clear();  // half of it would be wrong
+    clear();  // a part of the instances would be a wrong picture
     throw;
   }
 }
@@ -134,7 +134,7 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
     if (has_scalars_) store_.resize(count_);
     return write(patch.index, patch.data);
   } catch (const std::bad_alloc&) {
-    clear();  // half of it would be wrong
+    clear();  // a part of the instances would be a wrong picture
     throw;
   }
 }
@@ -157,7 +157,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
   std::vector<ByteRange> scalar_ranges;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t instance = index[order[i]];
-    // Written and then dropped within one run of the graph.
+    // An instance that was written and dropped within one run of the graph.
     if (instance >= count_) break;
     if (i + 1 < order.size() && index[order[i + 1]] == instance) continue;
     const std::size_t end = encoded.size();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The instances of one layer and kind on a device.
 //
-// What it guarantees: after `apply` the first `count()` instances are those the patches say; bytes uploaded are those
-// of instances named by the patch (a reset: all). Growth is geometric and copies on the device.
+// What it guarantees: after `apply` the first `count()` instances are those of the patches. It uploads the instances
+// that the patch names, or all of them for a patch with `reset`. The buffer grows geometrically and is copied on the
+// device.
 //
-// Scalars lie in a buffer of their own, so that drawing without a colour map reads nothing of them; their range
-// follows in time proportional to the change.
+// Scalars are in a buffer of their own, so drawing without a colour map does not read them. Their range is kept up to
+// date in time proportional to the change.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +30,9 @@ class InstanceBuffer {
     return *this;
   }
 
-  /// Returns the bytes uploaded. A patch with `reset` takes over `frame`; one without must have the same.
+  /// Returns the number of bytes uploaded. Without `reset`, the frame must be that of the instances already here.
   std::uint64_t apply(const KindPatch& patch, const DrawingFrame& frame, bool has_scalars);
-  /// Replaces everything; `data` as in a patch with `reset`.
+  /// Replaces all instances; `data` is as in a patch with `reset`. Returns the number of bytes uploaded.
   std::uint64_t replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame,
                         bool has_scalars);
   void clear();
@@ -39,7 +40,7 @@ class InstanceBuffer {
   PrimitiveKind kind() const { return kind_; }
   std::uint32_t count() const { return count_; }
   BufferId buffer() const { return buffer_; }
-  /// One double an instance; none without scalars.
+  /// One double an instance; no buffer without scalars.
   BufferId scalars() const { return scalars_; }
   ScalarRange scalar_range() const { return store_.range(); }
   const DrawingFrame& frame() const { return frame_; }

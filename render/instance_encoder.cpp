@@ -15,10 +15,10 @@
 namespace mes::render {
 namespace {
 
-// Where something is parked that shows nothing: a corner of the range, about 10^18 drawings away.
+// The place of invisible instances: a corner of the range, about 10^18 drawings away.
 constexpr double kNowhere = kDrawingLimit;
 
-// Rare path only: its exponent range takes what the mapping of huge doubles overflows.
+// For huge coordinates only: mapping them overflows the exponents of a double.
 using Wide = long double;
 struct WideVec2 {
   Wide x;
@@ -32,14 +32,14 @@ WideVec2 map_wide(const DrawingFrame& frame, double x, double y) {
   return {(Wide{x} - Wide{frame.origin.x}) * Wide{frame.scale}, (Wide{y} - Wide{frame.origin.y}) * Wide{frame.scale}};
 }
 bool in_range(Vec2 p) {
-  // False for what is not a number, too.
+  // False for NaN, too.
   return std::abs(p.x) <= kDrawingLimit && std::abs(p.y) <= kDrawingLimit;
 }
 double size_of(Vec2 p) {
   return std::max(std::abs(p.x), std::abs(p.y));
 }
 
-/// The part of p + t d, t in [t0, t1], inside the range; false when there is none.
+/// Reduces [t0, t1] to the t with p + t d inside the range; false if there are none.
 bool cut(WideVec2 p, WideVec2 d, Wide& t0, Wide& t1) {
   const Wide limit = kDrawingLimit;
   const auto slab = [&](Wide start, Wide slope) {
@@ -69,7 +69,7 @@ void encode_segment(const DrawingFrame& frame, std::span<const double> in, std::
   if (!in_range(a) || !in_range(b)) {
     const WideVec2 p = map_wide(frame, in[0], in[1]);
     const WideVec2 q = map_wide(frame, in[2], in[3]);
-    // From the end that is nearer: rounding is relative to what is added.
+    // From the nearer end: rounding errors are relative to the numbers added.
     const bool from_p = std::max(std::abs(p.x), std::abs(p.y)) <= std::max(std::abs(q.x), std::abs(q.y));
     const WideVec2 start = from_p ? p : q;
     const WideVec2 step = from_p ? WideVec2{q.x - p.x, q.y - p.y} : WideVec2{p.x - q.x, p.y - q.y};
@@ -125,8 +125,8 @@ void encode_arc(const DrawingFrame& frame, std::span<const double> in, std::span
   const std::array columns{arc.center, arc.from, arc.to};
   for (std::size_t i = 0; i < columns.size(); ++i) store(out, i, shown ? columns[i] : Vec2{kNowhere, kNowhere});
   out[6] = shown ? arc.radius : -1.0;
-  // Of ends as close as doubles allow single precision cannot tell which comes first. Where only the frame makes ends
-  // equal, those of the document know which way around the arc goes.
+  // Single precision cannot decide which of two very close ends comes first, so out[7] says it. Where
+  // only the frame makes the ends equal, those of the document decide which way around the arc goes.
   const bool is_whole = in[3] == in[5] && in[4] == in[6];
   const Arc given{{in[0], in[1]}, in[2], {in[3], in[4]}, {in[5], in[6]}};
   const double sweep = sweep_of(!is_whole && arc.from == arc.to ? given : arc);
@@ -153,7 +153,7 @@ void encode_instance(PrimitiveKind kind, const DrawingFrame& frame, std::span<co
       const double r = in[2] * frame.scale;
       const bool shown = in_range(p) && r >= 0.0 && r <= kDrawingLimit;
       store(out, 0, shown ? p : Vec2{kNowhere, kNowhere});
-      // A negative radius is what programs take for nothing to draw.
+      // Programs draw nothing for a negative radius.
       out[2] = shown ? r : -1.0;
       if (shown) extent.radius = std::max(extent.radius, r);
       break;

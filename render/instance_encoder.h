@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns an instance of a patch into what lies in the buffer.
+// Encodes an instance of a patch as it is stored in the buffer.
 //
 // What it guarantees:
 //  1. Coordinates become `(p - origin) * scale`, computed in double and not rounded further.
-//  2. What leaves the buffer's range of +-kDrawingLimit is cut to it along its own line (segments, rays, lines), so
-//     that the part anybody can see stays where it is. Disks, circles and arcs that large show nothing: doubles do
-//     not say any more where their rim is.
-//  3. A number that is not finite gives an instance that shows nothing.
+//  2. Segments, rays and lines that leave the buffer's range of +-kDrawingLimit are cut to it along their own line, so
+//     their visible part does not move. Disks, circles and arcs that large are invisible: doubles do not determine
+//     where their rim is.
+//  3. An instance with a number that is not finite is invisible.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@
 
 namespace mes::render {
 
-/// Coordinates beyond this many drawings away are cut; squares of their differences still fit a float.
+/// The range of coordinates, in sizes of the drawing. Squares of differences within it are finite as floats.
 inline constexpr double kDrawingLimit = 0x1p60;
 
-/// What the culling of programs wants to know about a set of instances. Only ever grows, until the set is replaced.
+/// Bounds of a set of instances, by which programs are chosen. They only grow until the set is replaced.
 struct InstanceExtent {
-  double coordinate = 0.0;  ///< largest absolute value
+  double coordinate = 0.0;  ///< largest absolute value of all
   double radius = 0.0;
   double length = 0.0;  ///< of arcs
   void add(const InstanceExtent& other) {
@@ -32,7 +32,8 @@ struct InstanceExtent {
   }
 };
 
-/// `in` holds `stride_of(kind)` doubles, `out` has room for `layout_of(kind).doubles()`.
+/// `in` holds `stride_of(kind)` doubles; `out` has the size `layout_of(kind).doubles()`. Enlarges `extent` by the
+/// instance.
 void encode_instance(PrimitiveKind kind, const DrawingFrame& frame, std::span<const double> in, std::span<double> out,
                      InstanceExtent& extent);
 

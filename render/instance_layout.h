@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one instance looks like in a buffer: the bits of its coordinates in drawing space, as doubles.
+// The layout of one instance in a buffer: the bits of its coordinates in drawing space, as doubles.
 //
-// The scalar of a patch lies in a buffer of its own. A layout is a list of columns, each a vertex attribute
-// of two or four 32-bit words: one or two doubles. Attribute locations count from 0 in this order.
+// A layout is a list of columns, each a vertex attribute of two or four 32-bit words: one or two doubles. The locations
+// of attributes count from 0 in this order. The scalar of an instance is in a buffer of its own.
 #pragma once
 
 #include <array>

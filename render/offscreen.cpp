@@ -8,7 +8,7 @@
 namespace mes::render {
 namespace {
 
-// As many bytes as the writers of picture formats can count.
+// Writers of picture formats cannot count more bytes.
 constexpr std::size_t kMaxPixels = std::size_t{1} << 29U;
 
 class OwnedFramebuffer {
@@ -25,7 +25,7 @@ class OwnedFramebuffer {
   FramebufferId id_;
 };
 
-/// Copies a tile, turning it upside down and dividing alpha out.
+/// Copies a tile, reverses the order of its rows and divides by alpha.
 void place_tile(std::span<const std::uint8_t> tile, int tile_width, int tile_height, Image& image, int left,
                 int top) {
   for (int y = 0; y < tile_height; ++y) {

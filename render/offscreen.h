@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene drawn into a picture of any size.
+// Draws a scene into a picture of any size.
 //
 // What it guarantees:
-//  1. The picture is the one a window of that size would show, whatever the limits of the graphics hardware: larger
+//  1. The picture is the one that a window of its size would show, whatever the limits of the graphics hardware: large
 //     pictures are drawn in tiles that meet without a seam.
-//  2. A size that makes no sense or does not fit in memory is an error, not a crash.
+//  2. A size that is too large for the format or for memory is an error, not a crash.
 //
 // Smallest use:
 //     auto image = draw_image(device, scene, camera, views, {.background = Rgb{255, 255, 255}});
 //     auto png = encode_png(*image);
 //
-// Cost: drawing, plus one read-back of 4 bytes a pixel. Threads: the one that owns the context.
+// Cost: drawing, and one read-back of 4 bytes a pixel. Threads: the one that owns the context.
 #pragma once
 
 #include <optional>
@@ -29,15 +29,15 @@ struct ImageOptions {
   std::optional<Rgb> background;  ///< none: transparent
   double content_scale = 1.0;     ///< pixels per logical pixel of styles
   bool overlays = false;
-  int samples = 1;     ///< multisampling on top of analytic edges; 1 is enough
-  int tile_px = 4096;  ///< largest tile; the device's limit caps it
+  int samples = 1;     ///< of multisampling; 1 is none, and enough, as edges are analytic
+  int tile_px = 4096;  ///< largest side of a tile, at most the device's limit
 };
 
-/// Draws the camera's whole viewport.
+/// Draws the camera's whole viewport. Errors: `usage` for too many pixels, `out_of_memory`.
 Expected<Image> draw_image(Device& device, Scene& scene, const Camera& camera, std::span<const LayerView> views,
                            const ImageOptions& options);
 
-/// Reads what a target shows now, for snapshots of the window; `area` in pixels from the lower left corner.
+/// Reads the present contents of a target, for snapshots of the window.
 Image read_image(Device& device, FramebufferId source, const PixelRect& area);
 
 }  // namespace mes::render

@@ -34,7 +34,7 @@ std::unexpected<Error> fail(std::string text, const std::string& name, ErrorCode
   return std::unexpected(Error{code, std::move(text), name});
 }
 
-/// Two by two pixels become one; the last one stands for itself where a side is odd.
+/// Two by two pixels become one; the last row or column of an odd size counts twice.
 Image halved(const Image& image) {
   Image out{.width = (image.width + 1) / 2, .height = (image.height + 1) / 2, .rgba = {}};
   out.rgba.resize(4 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
@@ -69,7 +69,7 @@ Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::stri
   int height = 0;
   int channels = 0;
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
-    return fail("this is no PNG or JPEG picture", name);
+    return fail("this is not a PNG or JPEG picture", name);
   const std::string extent = std::to_string(width) + "x" + std::to_string(height);
   if (width < 1 || height < 1 || width > kLongestPictureSide || height > kLongestPictureSide ||
       static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most_pixels)

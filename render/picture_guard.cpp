@@ -8,7 +8,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-/// Big endian; what is missing at the end counts as zero.
+/// A number of `count` bytes, big-endian; bytes beyond the end count as zero.
 std::size_t number(Bytes bytes, std::size_t count) {
   std::size_t out = 0;
   for (std::size_t i = 0; i < count; ++i)
@@ -28,8 +28,8 @@ bool stands_alone(unsigned marker) {
   return (marker >= 0xD0 && marker <= 0xD9) || marker == 0x01;  // restarts, begin and end of the picture
 }
 
-/// Tables are a byte of class and number, the counts of symbols by length of their code, and the symbols. The decoder
-/// begins another one as long as the segment is not used up, also where its contents lie beyond the end of it.
+/// A table is a byte of class and number, the counts of symbols by code length, and the symbols. The decoder reads
+/// tables until the segment ends; the last one may extend beyond its end.
 bool are_tables_sound(Bytes from_segment, std::size_t segment) {
   constexpr std::size_t kLengths = 16;
   constexpr std::size_t kMostSymbols = 256;
@@ -42,8 +42,8 @@ bool are_tables_sound(Bytes from_segment, std::size_t segment) {
   return true;
 }
 
-/// From marker to marker: 0xFF and a byte that is neither zero, which stands for data, nor 0xFF, which fills. Between
-/// segments the decoder finds the same markers, or it gives up earlier.
+/// Walks from marker to marker: 0xFF and a byte that is neither zero, which means data, nor 0xFF, which is a filler.
+/// The decoder finds the same markers between segments, or it fails earlier.
 bool is_safe_jpeg(Bytes rest) {
   constexpr unsigned kTables = 0xC4;
   for (;;) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A look at what a picture announces, before a decoder believes it.
+// Checks the sizes that a picture file announces before a decoder relies on them.
 //
-// stb_image 2.27 takes two numbers of a file at their word: a Huffman table of JPEG may announce up to 4080 symbols,
-// which are written into a table of 256; and memory for a chunk of PNG is taken by the length that it announces, up
-// to a gibibyte, before the file turns out to be shorter.
+// stb_image 2.27 does not check two numbers of a file: a Huffman table of JPEG may announce up to 4080 symbols, which
+// it writes into a table of 256; and it allocates the announced length of a PNG chunk, up to a gibibyte, before it
+// notices that the file is shorter.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace mes::render {
 
-/// False when no decoder may be trusted with the bytes, which then are no sound picture. True for all other bytes;
-/// they need not be a picture. O(bytes).
+/// False for broken pictures that are unsafe to decode. True for all other bytes, which need not be a picture.
+/// O(bytes).
 bool is_safe_to_decode(std::span<const std::byte> bytes);
 
 }  // namespace mes::render

@@ -20,10 +20,10 @@ struct FreeBytes {
   void operator()(unsigned char* bytes) const { std::free(bytes); }
 };
 
-/// Of the picture this thread writes. The writer's own setting is one variable for all threads.
+/// The level of the picture that this thread writes; the writer's own setting is one variable for all threads.
 thread_local int level_now = 1;
 
-/// What the PNG writer calls instead of its own compressor; the result is released with std::free.
+/// The PNG writer calls this instead of its own compressor, and releases the result with std::free.
 unsigned char* compress_with_libdeflate(unsigned char* data, int size, int* out_size, int /*its level*/) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
       libdeflate_alloc_compressor(std::clamp(level_now, 1, 12)));
@@ -64,7 +64,7 @@ Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
   if (pixels == 0 || image.rgba.size() != 4 * pixels) {
     return std::unexpected(Error{.code = ErrorCode::usage, .text = "a picture needs at least one pixel"});
   }
-  // The writer counts bytes in int: the raw lines and their filter bytes have to fit.
+  // The writer counts the bytes of raw lines and their filters in an int.
   if (4 * pixels + static_cast<std::size_t>(image.height) >
       static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     return std::unexpected(
@@ -81,7 +81,7 @@ Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
     const int channels = opaque ? 3 : 4;
     const std::uint8_t* source = opaque ? rgb.data() : image.rgba.data();
 
-    // Differences to the left suit lines on a plain ground, and cost next to nothing.
+    // Differences to the left neighbour suit lines on a plain background, and are cheap.
     static std::once_flag filter_chosen;
     std::call_once(filter_chosen, [] { stbi_write_force_png_filter = 1; });
     level_now = level;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures as PNG files in memory.
+// Encodes pictures as PNG files in memory.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,12 @@
 
 namespace mes::render {
 
-/// 1 is fast (a 1080p frame in about 30 ms), 12 is small and slow.
+/// Levels of compression: 1 is fast (a 1080p frame in about 30 ms), 12 is small and slow.
 inline constexpr int kPngFast = 1;
 inline constexpr int kPngSmall = 9;
 
-/// 8-bit RGBA, or RGB when no pixel is transparent. Same picture, same level: same bytes. Any thread.
+/// 8-bit RGBA, or RGB if no pixel is transparent. The same picture and level yield the same bytes. Errors: `usage` for
+/// no pixels or too many, `out_of_memory`. Any thread.
 Expected<std::vector<std::byte>> encode_png(const Image& image, int level = kPngFast);
 
 }  // namespace mes::render

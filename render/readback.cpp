@@ -36,7 +36,7 @@ void Readback::ask(FramebufferId source, const PixelRect& area) {
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   place.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  // Otherwise the fence might stay in the driver's queue until somebody waits for it.
+  // Without it the fence might stay in the driver's queue until a call waits for it.
   glFlush();
   ++used_;
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pixels come back from the graphics card while it goes on drawing.
+// Reads pixels from the graphics card while it goes on drawing.
 //
 // What it guarantees:
-//  1. `ask` notes what the target shows at that moment; whatever is drawn into it later does not matter.
-//  2. Pictures come out in the order they were asked for, each once.
-//  3. `ask` waits only when as many pictures are under way as the ring has places; nothing is dropped.
+//  1. `ask` copies the contents of the target at that moment; later drawing does not change the picture.
+//  2. Pictures are returned in the order in which they were requested, each once.
+//  3. `ask` waits only if kPlaces pictures are under way already; no picture is dropped.
 //
 // Smallest use:
 //     Readback readback(device);
 //     readback.ask(target, {0, 0, 1920, 1080});
 //     ... in a later frame: while (auto raw = readback.poll()) use(*raw);
 //
-// Cost: `ask` starts a copy on the card; a picture that has come is copied once more, 4 bytes a pixel.
-// Threads: the one that owns the context, which has to be current for the object's life.
+// Cost: `ask` starts a copy on the card; a picture that has arrived is copied once more, 4 bytes a pixel.
+// Threads: the one that owns the context, which must be current as long as the object exists.
 #pragma once
 
 #include <array>
@@ -36,9 +36,9 @@ class Readback {
   Readback& operator=(const Readback&) = delete;
 
   void ask(FramebufferId source, const PixelRect& area);
-  /// The oldest picture if it has come.
+  /// The oldest picture if it has arrived.
   std::optional<RawImage> poll();
-  /// The oldest picture, waiting for it; none when none is under way.
+  /// The oldest picture; waits for it. None if no picture was requested.
   std::optional<RawImage> wait();
   std::size_t pending() const { return come_.size() + used_; }
 
@@ -55,9 +55,9 @@ class Readback {
 
   GlDevice& device_;
   std::array<Place, kPlaces> ring_{};
-  std::size_t first_ = 0;  // the oldest one under way
+  std::size_t first_ = 0;  // the oldest picture under way
   std::size_t used_ = 0;
-  std::deque<RawImage> come_;  // taken early to make room
+  std::deque<RawImage> come_;  // arrived, and taken early to make room
 };
 
 }  // namespace mes::render

@@ -14,7 +14,7 @@
 namespace mes::render {
 namespace {
 
-/// What undefined contents look like: no number that a test would take for an instance.
+/// Undefined contents are filled with this; as coordinates they are no numbers that a test expects.
 constexpr std::byte kUndefined{0xcd};
 
 template <int N>

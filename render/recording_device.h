@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device without a GPU: checks every call against the contract of `Device`, keeps buffer contents, counts.
+// A device without a GPU: checks every call against the contract of `Device`, keeps the contents of buffers, counts.
 //
-// What it guarantees: a call that breaks the contract (dead handle, range outside the buffer, data of another size
-// than its ranges, a draw of more instances than the buffer holds, a uniform that is not finite) throws
-// AssertionFailure. Smallest use: `RecordingDevice device; Scene scene(device); ...
-// CHECK(device.counters().bytes_uploaded == 0);` Cost: memory of the buffers. Threads: one.
+// What it guarantees: a call that breaks the contract throws AssertionFailure. Among these are calls with destroyed
+// handles, ranges outside their buffer, data of another size than its ranges, more instances than the buffer holds, and
+// uniforms that are not finite.
+//
+// Smallest use:
+//     RecordingDevice device;
+//     Scene scene(device);
+//     ...
+//     CHECK(device.counters().bytes_uploaded == 0);
+//
+// Cost: the memory of the buffers. Threads: one.
 #pragma once
 
 #include <map>

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scalars of a set of instances, and the range of those that are finite.
+// The scalars of a set of instances, and the range of their finite ones.
 //
-// What it guarantees: after `settle` the range is that of the values stored. Cost: `set` O(1), `settle` O(k log n)
-// for k changed values (blocks of 32, and blocks of blocks), `range` O(1). Threads: none.
+// What it guarantees: after `settle`, `range` is that of the finite values stored.
 //
 // Smallest use:
 //     store.resize(count);
 //     for (...) store.set(instance, scalar);
 //     store.settle();
 //     use(store.range());
+//
+// Cost: O(1) for `set` and `range`, O(k log n) for `settle` after k changes, by blocks of 32 values and blocks of
+// blocks. Threads: a value; one at a time.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +26,7 @@ class ScalarStore {
  public:
   std::size_t size() const { return values_.size(); }
   std::span<const double> values() const { return values_; }
-  /// New values are not numbers until they are set.
+  /// New values are NaN until they are set.
   void resize(std::size_t size);
   void set(std::size_t index, double value);
   void settle();

@@ -2,25 +2,26 @@
 // The layers as instance buffers on a device, kept up to date by patches and drawn through a camera.
 //
 // What it guarantees:
-//  1. `apply` uploads the changed instances of a patch and nothing else. Instances next to each other go together.
-//  2. `draw` uploads no instances: camera, style, colour map, range and stacking order are uniforms and order of
-//  calls.
+//  1. `apply` uploads the changed instances of a patch and nothing else. Adjacent instances are uploaded together.
+//  2. `draw` uploads no instances: camera, style, colour map and range are uniforms, and the stacking of layers is the
+//     order of draw calls.
 //  3. Layers are painted in the order given, bottom first, each above all before it.
-//  4. Nothing that is finite makes garbage: coordinates of any size are clipped to where they can be seen.
-//  5. With a colour map of a known name, instances have the colours of their scalars; a scalar beyond the range, an
-//     infinite one too, has the end colour, what is not a number the plain colour. In a flat layer the later instance
-//     hides the one before it, and the whole is as opaque as its style says.
+//  4. Finite coordinates of any size are drawn correctly: they are clipped to where they can be visible.
+//  5. If the style names a known colour map, instances have the colours of their scalars. A scalar beyond the range, an
+//     infinite one too, has the colour of that end; NaN has the plain colour. In a flat layer a later instance hides
+//     earlier ones, and the layer as a whole has the opacity of its style.
 //
 // Smallest use:
 //     Scene scene(device);
 //     scene.apply(*engine.sync());
 //     scene.draw(camera, views, {.content_scale = 2.0});
 //
-// Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the count, plus one pass over the
-// view for a layer drawn as a group. No pass over the instances on the CPU. Threads: the one that owns the context.
+// Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the number of instances, and one pass
+// over the view for a layer drawn as a group. The CPU never iterates over the instances. Threads: the one that owns the
+// context.
 //
-// Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles;
-// the vertex shader takes the camera's centre off before anything is rounded to single precision.
+// Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles. The
+// vertex shader subtracts the camera's centre before it rounds to single precision.
 #pragma once
 
 #include <array>
@@ -39,39 +40,39 @@
 
 namespace mes::render {
 
-/// What colours a layer now.
+/// The colour map that a layer has now.
 struct ShownMap {
-  const ColorMap* map = nullptr;  ///< none: it has its plain colour
-  ScalarRange range;              ///< may be empty: no scalar is finite
+  const ColorMap* map = nullptr;  ///< null: the layer has its plain colour
+  ScalarRange range;              ///< empty if no scalar is finite
 };
 
 struct LayerView {
   LayerIndex layer = 0;
   LayerStyle style;
-  /// Of disks only each `every`-th is drawn: a preview for when so many large ones lie on each other that painting
-  /// them all takes too long. Pictures for keeps have 1.
+  /// Draws one of `every` disks only: a preview for so many overlapping large disks that all of them take too long.
+  /// Pictures that are saved have 1.
   std::uint32_t every = 1;
 };
 
 struct DrawOptions {
   double content_scale = 1.0;  ///< framebuffer pixels per logical pixel; sizes of styles are logical
-  FramebufferId target{};      ///< the window by default
-  int left = 0;                ///< lower left corner of the view in the target; its size is the camera's
+  FramebufferId target{};      ///< default: the window
+  int left = 0;                ///< lower left corner of the view in the target; the camera has its size
   int bottom = 0;
   bool overlays = true;
 };
 
-/// Where a picture lies, in document units: its height follows from its pixels.
+/// The place of a picture in document units; its height follows from its proportions.
 struct PicturePlace {
   Vec2 center{};
-  double width = 0.0;  ///< not above 0: it is not drawn
+  double width = 0.0;  ///< 0 or less: the picture is not drawn
   friend bool operator==(const PicturePlace&, const PicturePlace&) = default;
 };
 
-/// A few primitives of the app above all layers: selection, hovered sample, rubber band.
+/// A few primitives of the program above all layers, such as the marks of selected samples.
 struct Overlay {
   PrimitiveKind kind = PrimitiveKind::point;
-  std::span<const double> data;  ///< `stride_of(kind)` doubles each, document units; copied
+  std::span<const double> data;  ///< `stride_of(kind)` doubles a primitive, in document units; copied
   LayerStyle style;
   bool ring = false;  ///< points are drawn as circles `line_width_px` wide instead of filled
 };
@@ -83,27 +84,27 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Throws std::bad_alloc when graphics memory is exhausted; the kind concerned is then empty, and the layer has to
-  /// be asked for again as a whole.
+  /// Throws std::bad_alloc when graphics memory is exhausted. The kind concerned is empty then, and the layer must be
+  /// sent again as a whole.
   void apply(const FramePatch& patch);
-  /// Forgets all instances of a layer and gives its memory back.
+  /// Removes all instances of a layer and releases their memory.
   void forget(LayerIndex layer);
 
-  /// Draws a picture in the place of a layer, with the opacity of its style; uploaded now, at most once. Its edges
-  /// lie where doubles say, at any zoom. Throws std::bad_alloc.
+  /// Draws a picture in the place of a layer, with the opacity of its style. Uploads it now; `place_picture` moves it
+  /// without another upload. Its edges are placed in double precision, at any zoom. Throws std::bad_alloc.
   void set_picture(LayerIndex layer, const Image& image);
   void place_picture(const PicturePlace& place) { picture_place_ = place; }
   void clear_picture();
 
-  /// Overlays are drawn in the order of their slots, a small number the app chooses. Cheap enough for every frame.
+  /// Overlays are drawn in the order of their slots, which are small numbers. Cheap enough for every frame.
   void set_overlay(std::uint32_t slot, const Overlay& overlay);
   void clear_overlay(std::uint32_t slot);
 
-  /// Replaces the maps that styles name; those that need no file are there from the beginning. Of two with one name
-  /// the first counts.
+  /// Replaces the maps that styles may name; the default is `builtin_color_maps`. Of two maps with the same name the
+  /// first counts.
   void set_color_maps(std::vector<ColorMap> maps);
   const std::vector<ColorMap>& color_maps() const { return maps_; }
-  /// Range of the finite scalars of a layer.
+  /// The range of the finite scalars of a layer.
   ScalarRange scalar_range(LayerIndex layer) const;
   ShownMap shown_map(LayerIndex layer, const LayerStyle& style) const;
 
@@ -112,9 +113,9 @@ class Scene {
   /// The frame of the last patch; overlays are placed in it.
   const DrawingFrame& frame() const { return frame_; }
   std::uint32_t instances(LayerIndex layer, PrimitiveKind kind) const;
-  /// Bytes of instances uploaded by `apply` and `set_overlay` since the scene exists.
+  /// Bytes of instances that `apply` and `set_overlay` have uploaded in the life of the scene.
   std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }
-  /// Draw calls of the last `draw`.
+  /// The number of draw calls of the last `draw`.
   std::uint32_t draw_calls() const { return draw_calls_; }
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kNoLetter = 0xfffd;
 
-/// Takes the next letter off the text; bytes that are no UTF-8 count as one letter that no font has.
+/// Removes the next letter from the text and returns it. Bytes that are not UTF-8 are one letter, which no font has.
 int next_letter(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -52,7 +52,7 @@ void blend(Image& image, int x, int y, Rgb color, double alpha) {
   at[3] = static_cast<std::uint8_t>(std::lround(255.0 * total));
 }
 
-/// How much of the pixel from `at` to `at` + 1 lies between two numbers.
+/// The part of the interval from `at` to `at` + 1 that lies between two numbers.
 double overlap(int at, double low, double high) {
   return std::clamp(std::min(high, at + 1.0) - std::max(low, static_cast<double>(at)), 0.0, 1.0);
 }
@@ -78,7 +78,7 @@ Expected<Font> Font::read(const std::filesystem::path& file) {
   data->bytes.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream || data->bytes.empty()) return fail("the font cannot be read");
   const int offset = stbtt_GetFontOffsetForIndex(data->bytes.data(), 0);
-  if (offset < 0 || stbtt_InitFont(&data->info, data->bytes.data(), offset) == 0) return fail("this is no font");
+  if (offset < 0 || stbtt_InitFont(&data->info, data->bytes.data(), offset) == 0) return fail("this is not a font");
   return Font(std::move(data));
 }
 

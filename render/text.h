@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text and plain shapes painted on a picture in memory: legends, captions.
+// Paints text and rectangles on a picture in memory, for legends and captions.
 //
 // What it guarantees:
-//  1. Same font, same text, same place: same pixels. No display and no OpenGL are needed.
-//  2. What lies outside the picture is left out. Letters the font has not are drawn as its empty box; bytes that are
-//  no
-//     UTF-8 too.
+//  1. The same font, text and place yield the same pixels. It needs neither a display nor OpenGL.
+//  2. Pixels outside the picture are left out. Letters that the font lacks, and bytes that are not UTF-8, are drawn as
+//     the font's empty box.
 //
 // Smallest use:
 //     const auto font = Font::read(file);
 //     draw_text(image, *font, 14.0, 10.0, 24.0, palette::black, "medial axis");
 //
-// Cost: some microseconds a letter. Threads: const is safe.
+// Cost: some microseconds a letter. Threads: several may use one font at the same time; a picture belongs to one.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +25,8 @@ namespace mes::render {
 
 class Font {
  public:
-  /// A TrueType or OpenType file that is trusted, such as one that comes with the program. Error: `bad_input`.
+  /// Reads a TrueType or OpenType file, which must be trusted, as those that come with the program are: the reader does
+  /// not check it. Error: `bad_input`.
   static Expected<Font> read(const std::filesystem::path& file);
   ~Font();
   Font(Font&& other) noexcept;
@@ -41,14 +41,14 @@ class Font {
                         std::string_view text);
 };
 
-/// Pixels from the beginning of the first letter to the end of the last one, on one line.
+/// The width in pixels from the beginning of the first letter to the end of the last one, on one line.
 double text_width(const Font& font, double size_px, std::string_view text);
 
-/// Begins at x, with the foot of its letters at y, pixels from the upper left corner. `size_px` is the height of the
-/// font as Dear ImGui counts it: from its ascent to its descent.
+/// Draws text that begins at x with its baseline at y, in pixels from the upper left corner. `size_px` is the height of
+/// the font from its ascent to its descent, as in Dear ImGui.
 void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color, std::string_view text);
 
-/// Edges that lie within a pixel cover it in part.
+/// Fills a rectangle; its edges cover pixels in part.
 void fill_rectangle(Image& image, double left, double top, double width, double height, Rgb color,
                     double opacity = 1.0);
 

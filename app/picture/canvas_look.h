@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is behind the drawing, and what has to look different because of it.
+// The background of the drawing, and the colours that depend on it.
 //
 // Black is ink, not a colour: on a dark canvas it is drawn light, in the window and in pictures. The style that is
-// stored, shared and shown in the colour chooser stays black, so that a bundle fits either canvas. Other colours are
-// drawn as they are.
+// stored, shared and shown in the colour chooser stays black, so a bundle fits either canvas. Other colours do not
+// change.
 //
 // Smallest use:
 //     const Rgb background = canvas_background(settings);
 //     view.style = drawn_on(view.style, background);
 //
-// Cost: nothing. Threads: any.
+// Cost: a few operations. Threads: any.
 #pragma once
 
 #include <optional>
@@ -25,16 +25,16 @@ inline constexpr Rgb kLightGreyCanvas{0xEE, 0xF0, 0xF2};
 inline constexpr Rgb kDarkCanvas{0x1B, 0x1E, 0x22};
 inline constexpr Rgb kBlackCanvas{0x00, 0x00, 0x00};
 
-/// The chosen one, else that of the theme.
+/// The background chosen in the settings, or else that of the theme.
 Rgb canvas_background(const Settings& settings);
 
-/// White writing is easier to read on it than black: by the contrast ratio of WCAG 2.2.
+/// True if white text is more legible on it than black text, by the contrast ratio of WCAG 2.2.
 bool is_dark(Rgb background);
 
-/// Of a canvas that is transparent nobody knows on what it will lie; there everything stays as it is.
+/// The style as it is drawn on a background. On a transparent one, whose surroundings are unknown, it does not change.
 LayerStyle drawn_on(LayerStyle style, const std::optional<Rgb>& background);
 
-/// Of what is selected or under the pointer.
+/// The colour that marks what is selected or under the pointer.
 Rgb mark_color(Rgb background);
 
 }  // namespace mes

@@ -7,10 +7,10 @@
 namespace mes {
 namespace {
 
-constexpr double kMovingMs = 60.0;        // a frame while something moves; longer is felt as a jerk
-constexpr double kRestingMs = 300.0;      // a frame of a picture at rest; longer delays the next input too much
-constexpr std::uint32_t kAlways = 256;    // so many disks show the shape of their union; never fewer
-constexpr std::uint32_t kUntried = 4096;  // more than that are not painted at once before it is known what they cost
+constexpr double kMovingMs = 60.0;        // of a frame while the picture moves; longer frames look jerky
+constexpr double kRestingMs = 300.0;      // of a frame at rest; longer frames delay the next input too much
+constexpr std::uint32_t kAlways = 256;    // disks that are always painted: they show the shape of the union
+constexpr std::uint32_t kUntried = 4096;  // the most disks in a first frame, before their cost has been measured
 
 std::uint32_t largest_step(std::uint32_t disks) {
   return std::bit_floor(std::max(1U, disks / kAlways));
@@ -19,7 +19,7 @@ std::uint32_t largest_step(std::uint32_t disks) {
 }  // namespace
 
 std::uint32_t Detail::begin_changed(std::uint32_t disks) {
-  // Four times as many are another drawing, of which nothing is known yet.
+  // Four times as many disks count as another drawing, whose cost is unknown.
   if (disks > kUntried && (disks / 4 > disks_ || disks_ / 4 > disks)) every_moving_ = largest_step(disks);
   disks_ = disks;
   every_moving_ = std::min(every_moving_, largest_step(disks));
@@ -43,7 +43,7 @@ void Detail::painted(double milliseconds) {
       every_moving_ = std::max(1U, every_moving_ / 2);
     }
   }
-  // Twice the disks take twice the time at most.
+  // Twice as many disks take at most twice the time.
   is_refining_ = every_ > 1 && 2.0 * milliseconds < kRestingMs;
 }
 

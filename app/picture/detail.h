@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of a heavy drawing is painted, so that the window stays quick on any graphics card.
+// Reduces the detail of heavy drawings, so that the window responds quickly with any graphics card.
 #pragma once
 
 #include <cstdint>
 
 namespace mes {
 
-/// Disks are what can make a picture slow: a million large ones lie on each other a thousandfold. While the picture
-/// moves only each `every()`-th is painted; once it rests, more and more of them, as long as that stays short.
+/// Disks can make a picture slow: of a million large ones, a thousand may cover each pixel. While the picture moves,
+/// one of `every()` disks is painted; when it rests, more and more of them, as long as a frame stays short.
 ///
 /// What it guarantees:
-///  1. The share is a power of two; one frame that was too slow is followed by one that is not.
-///  2. It ends: after `is_refining()` is false the same picture need not be painted again.
+///  1. `every()` is a power of two, and a frame that took too long is followed by a shorter one.
+///  2. Refinement ends: once `is_refining()` is false, the same picture need not be painted again.
 ///
 /// Smallest use:
 ///     paint(detail.begin_changed(disks)); detail.painted(ms);
 ///     while (detail.is_refining()) { paint(detail.begin_refinement()); detail.painted(ms); }
 ///
-/// Threads: none. It knows no clock: the caller measures.
+/// The caller measures the time. Threads: a value; one at a time.
 class Detail {
  public:
-  /// For a picture that is new; `disks` is the number of them in the largest layer.
+  /// Begins a picture that has changed; `disks` is the number of disks in the layer that has most of them.
   std::uint32_t begin_changed(std::uint32_t disks);
-  /// For the same picture once more.
+  /// Begins the same picture again, in more detail.
   std::uint32_t begin_refinement();
   void painted(double milliseconds);
   bool is_refining() const { return is_refining_; }
-  /// 1: everything is painted.
+  /// 1: all disks are painted.
   std::uint32_t every() const { return every_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the engine has computed, on the graphics card, with the marks of the window above it.
+// The results of the engine on the graphics card, with the marks of the window above them.
 #pragma once
 
 #include <memory>
@@ -22,61 +22,58 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. It never waits for the engine; a layer whose structure failed keeps its last good picture, greyed.
-///  2. The layers are drawn only when the view, a style, a patch or the selection changed; a frame in which only
-///  panels
+///  1. It never waits for the engine. A layer whose structure failed keeps its last good picture, greyed.
+///  2. The layers are drawn only when the view, a style, a patch or the selection changed. A frame in which only panels
 ///     or the pointer moved costs one copy of the last picture, however many primitives there are.
-///  3. Where MESECINA_CHECK_PATCHES is set, as in the tests of the window, each patch goes through a `LayerMirror`
-///  too,
-///     which refuses broken ones, and what is drawn is as much as that holds.
-///  4. However many large disks there are, a picture that moves is painted within a fraction of a second (detail.h).
+///  3. If MESECINA_CHECK_PATCHES is set, as in the tests of the window, each patch also goes through a `LayerMirror`,
+///     which refuses broken patches and must have as many instances as the scene.
+///  4. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
 ///
-/// Needs a current OpenGL context for its life. Threads: the window's.
+/// An OpenGL context must be current as long as the object exists. Threads: the window's.
 class Picture {
  public:
   Picture();
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
-  /// The picture to trace, in the place of a layer.
-  /// False when graphics memory is exhausted.
+  /// Sets the picture to trace, in the place of a layer. Returns false if graphics memory is exhausted.
   bool set_background(LayerIndex layer, const render::Image& image);
   void place_background(const render::PicturePlace& place);
   void clear_background();
-  /// Its height by its width; 0 while there is none.
+  /// The height of the picture to trace divided by its width; 0 without one.
   double background_aspect() const { return background_aspect_; }
 
-  /// Takes what is finished; true when something was.
+  /// Takes the finished results; returns false if there were none.
   bool take_from(Engine& engine);
-  /// Frees the graphics memory of layers that are shown no more.
+  /// Releases the graphics memory of layers that are no longer visible.
   void forget_hidden(const LayerStack& layers);
-  /// What the window is filled with from now on.
+  /// Sets the colour behind the layers.
   void set_canvas(Rgb background) { canvas_ = background; }
   Rgb canvas() const { return canvas_; }
-  /// Fills the window.
+  /// Draws the canvas, which fills the window.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale);
 
-  /// The layers as they are now, with the marks of the selection as last drawn, whole and without the window.
+  /// Captures the present layers in full detail, with the marks of the selection as last drawn, without panels.
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
                          const render::CaptureOptions& options);
   render::GlDevice& device() { return device_; }
-  /// Of the visible layers.
+  /// The legend of the visible layers.
   std::vector<LegendEntry> legend(const LayerStack& layers) const;
 
-  /// The picture at rest can be painted in more detail: draw again soon.
+  /// True if the picture at rest can be painted in more detail: it needs another `draw` soon.
   bool is_refining() const { return detail_.is_refining(); }
-  /// Of disks only each so manieth is on screen; 1: all.
+  /// One of so many disks is on screen; 1: all.
   std::uint32_t every() const { return detail_.every(); }
 
-  /// The last answer that came, once.
+  /// Returns the last answer that arrived, once.
   std::unique_ptr<Provenance> take_provenance() { return std::move(provenance_); }
 
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
   const std::vector<NodeReport>& nodes() const { return nodes_; }
-  /// There was no room for a patch: the layers are grey until the engine is asked for all of them anew, by a demand
-  /// for none and then for these.
+  /// True after memory was exhausted for a patch: the layers are grey until the engine sends all of them again, which a
+  /// demand for none and then for these causes.
   bool is_lost() const { return is_lost_; }
-  /// Some layers show their last picture because there was no room for another.
+  /// True if some layers show their last picture because memory was exhausted for another.
   bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
   /// The document state that is on screen.
   std::uint64_t document_revision() const { return document_revision_; }

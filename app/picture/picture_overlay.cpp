@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-/// Height of the letters, and of the band they stand on, in pixels.
+/// The heights of the letters and of the band behind them, in pixels.
 struct CaptionSize {
   double letters = 0.0;
   double band = 0.0;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is painted on a picture of the drawing alone: the legend, and a caption below.
+// What a saved picture shows beside the drawing: the legend, and a caption below it.
 //
-// It is plain data once made, so that pictures can be finished on other threads.
+// An overlay is plain data, so pictures can be finished on other threads.
 //
 // Smallest use:
-//     const PictureOverlay overlay = picture_overlay_of(legend_of(scene, views), caption, fonts, {width, height,
-//     scale, background}); overlay.paint(image);
+//     const PictureOverlay overlay =
+//         picture_overlay_of(legend_of(scene, views), caption, fonts, {width, height, scale, background});
+//     overlay.paint(image);
 //
-// Cost: to make some microseconds, to paint some milliseconds. Threads: const is safe.
+// Cost: some microseconds to make, some milliseconds to paint. Threads: const calls may run at the same time.
 #pragma once
 
 #include <memory>
@@ -31,15 +32,15 @@ struct PictureOverlay {
   void paint(render::Image& image) const;
 };
 
-/// The picture that it is for.
+/// The picture that an overlay is made for.
 struct OverlayTarget {
   int width = 0;
   int height = 0;
-  double scale = 1.0;  ///< pixels to a logical one
+  double scale = 1.0;  ///< pixels per logical pixel
   std::optional<Rgb> background;
 };
 
-/// Without fonts it is empty.
+/// Without fonts the overlay is empty.
 PictureOverlay picture_overlay_of(std::span<const LegendEntry> entries, std::string caption,
                                   std::shared_ptr<const LegendFonts> fonts, const OverlayTarget& target);
 

@@ -145,7 +145,7 @@ void FileBrowser::draw_path(const Gui& gui) {
     so_far /= part;
     if (id > 0) ImGui::SameLine(0, 2 * unit);
     const std::string label = part == "/" ? "/" : part.string();
-    // A long path goes on in the next line.
+    // A long path continues on the next line.
     if (id > 0 &&
         ImGui::GetCursorPosX() + ImGui::CalcTextSize(label.c_str()).x + 20 * unit > ImGui::GetContentRegionMax().x)
       ImGui::NewLine();

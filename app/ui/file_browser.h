@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choosing a file to open, or a name to save under.
+// A dialog that chooses a file to open, or a name to save under.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +19,10 @@ struct FilePurpose {
   std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: of samples and balls
 };
 
-/// What it guarantees: it reads a folder once, when it is entered; a folder that cannot be read is told, not left
-/// silently empty; saving over a file asks first, and a name without extension gets that of the name proposed.
+/// What it guarantees:
+///  1. A folder is read once, when it is entered. An error is reported, not shown as an empty folder.
+///  2. Overwriting a file needs a confirmation.
+///  3. A name without an extension gets that of the proposed name.
 ///
 /// Smallest use:
 ///     browser.ask_open(folder, [](const std::filesystem::path& file) { open(file); });
@@ -51,7 +53,7 @@ class FileBrowser final : public Dialog {
   void draw_path(const Gui& gui);
   void draw_entries(const Gui& gui, float height);
   bool draw_overwrite_question(const Gui& gui);
-  /// What the name field says, as a path; enters it when it is a folder.
+  /// Returns the content of the name field as a path; enters it if it is a folder.
   std::optional<std::filesystem::path> accept();
 
   bool is_open_ = false;
@@ -61,12 +63,12 @@ class FileBrowser final : public Dialog {
   std::filesystem::path folder_;
   std::string name_;
   NameField field_;
-  std::string extension_;  // of the name proposed
+  std::string extension_;  // of the proposed name
   FilePurpose purpose_;
   Then then_;
   std::string trouble_;
   std::vector<Entry> entries_;
-  std::filesystem::path overwrite_;  // waits for a yes
+  std::filesystem::path overwrite_;  // waits for the confirmation
 };
 
 }  // namespace mes

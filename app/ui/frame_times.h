@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the time of the window's turns goes.
+// Measures what the turns of the window's loop spend their time on.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace mes {
 
-/// Mean times of the last turns in which something was drawn: the window's own work, and what drawing takes in the
-/// graphics driver. Waiting for events and for the screen is not counted.
+/// Mean times of the last turns that drew something: of the window's own work, and of drawing in the graphics driver.
+/// Waiting for events and for the screen does not count.
 ///
 /// Smallest use, each turn:
 ///     times.begin(); ... times.begin_drawing(); draw(); times.end_drawing(); ... times.end();
@@ -26,7 +26,7 @@ class FrameTimes {
 
   double own_ms() const { return mean(own_); }
   double drawing_ms() const { return mean(drawn_); }
-  /// As a part of the statistics.
+  /// The times as an entry of the statistics.
   NodeReport report() const;
 
  private:

@@ -49,7 +49,7 @@ char32_t named_key(int code) {
   return 0;
 }
 
-// What the key says on the user's layout; on layouts without Latin letters, what it says on the American one.
+// The label of the key on the user's layout, or on the American one if that has no Latin letters.
 char32_t printed_key(int code, int scancode) {
   const char* name = glfwGetKeyName(code, scancode);
   if (name != nullptr && name[0] > ' ' && name[0] <= '~' && name[1] == '\0')
@@ -125,7 +125,7 @@ GlfwWindow::~GlfwWindow() {
 }
 
 void GlfwWindow::install_callbacks() {
-  // Dear ImGui hears of everything too; who acts on it is decided by the listener.
+  // Dear ImGui gets all events too; the listener decides which of both acts on them.
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
     GlfwWindow* self = self_of(window);
     self->pointer_ = {x, y};
@@ -146,7 +146,7 @@ void GlfwWindow::install_callbacks() {
     if (action == GLFW_PRESS && !self->press_) self->press_ = self->pointer_;
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
-    // It happened where the last move ended; asking for the position now would give that of later events.
+    // The press happened where the last move ended; the present position may be that of later events.
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const PointerButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? PointerButton::left
                                 : button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::right
@@ -204,7 +204,7 @@ void GlfwWindow::install_callbacks() {
   });
 }
 
-// Dear ImGui looks once a frame which keys are down: one pressed and released between two frames it would never see.
+// Dear ImGui polls the keys once a frame, so it would miss a key that was pressed and released between two frames.
 void GlfwWindow::tell_gui(int code, int scancode, int action, int bits) {
   const bool is_new = std::ranges::find(just_pressed_, code) != just_pressed_.end();
   if (action == GLFW_RELEASE && is_new) {
@@ -232,7 +232,7 @@ void GlfwWindow::key(int code, int scancode, int action, int bits) {
   if (action == GLFW_RELEASE) return;
   KeyChord chord{named_key(code), modifiers_of(bits)};
   if (chord.symbol == 0) chord.symbol = printed_key(code, scancode);
-  // Symbols come as text (on_typed), because only the layout knows which keys make them.
+  // Symbols arrive as text (on_typed), because the layout decides which keys type them.
   if (chord.symbol == 0 || code == GLFW_KEY_SPACE || is_typed_symbol(chord)) return;
   listener_->on_key(chord, key_repeats_);
 }

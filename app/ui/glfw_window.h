@@ -26,18 +26,18 @@ class WindowListener {
   virtual void on_pointer_left() = 0;
   virtual void on_button(PointerButton button, bool pressed, Modifiers modifiers) = 0;
   virtual void on_wheel(double steps) = 0;
-  /// A key that is no typed symbol (key_chord.h), by what it says on the present layout.
+  /// A key that types no symbol (key_chord.h), by its label on the present layout.
   virtual void on_key(const KeyChord& chord, bool repeated) = 0;
   virtual void on_typed(char32_t symbol, bool repeated) = 0;
   virtual void on_space(bool held) = 0;
   virtual void on_files_dropped(std::vector<std::string> files) = 0;
   virtual void on_close_wanted() = 0;
-  /// Something happened that may change the picture, or the window was uncovered.
+  /// Any event that may change the picture; also when the window was uncovered.
   virtual void on_anything() = 0;
 };
 
-/// What it guarantees: when `create` succeeds an OpenGL 3.3 core context is current; the destructor takes everything
-/// back, GLFW included. One at a time. Threads: the main one, but for `wake`.
+/// What it guarantees: after `create` succeeds, a context of OpenGL 3.3 core is current; the destructor releases
+/// everything, GLFW included. One window at a time. Threads: the main one, except for `wake`.
 class GlfwWindow {
  public:
   struct Options {
@@ -54,7 +54,7 @@ class GlfwWindow {
   void set_listener(WindowListener* listener) { listener_ = listener; }
 
   void poll();
-  /// Sleeps until an event, `wake`, or the time is over; 0 = no limit.
+  /// Sleeps until an event, `wake`, or the end of the time; 0 means no limit.
   void wait(double seconds);
   /// Ends a `wait`. From any thread while the window exists.
   static void wake();
@@ -62,8 +62,8 @@ class GlfwWindow {
   void swap();
   void set_title(const std::string& title);
   void set_pointer_shape(PointerShape shape);
-  /// Where a button went down since the last call, in screen coordinates: by the time of a late frame the pointer may
-  /// be elsewhere, and the panels would take the press for one there.
+  /// Where a button was pressed since the last call, in screen coordinates. When a late frame begins, the pointer may
+  /// be elsewhere, and panels would take the press for one there.
   std::optional<Vec2> take_press() { return std::exchange(press_, std::nullopt); }
   struct Size {
     int width = 0;
@@ -100,7 +100,7 @@ class GlfwWindow {
     int modifiers;
   };
   std::vector<int> just_pressed_;  // since the last frame
-  std::vector<Release> releases_;  // of those; Dear ImGui hears of them after the next frame
+  std::vector<Release> releases_;  // of those; reported to Dear ImGui after the next frame
   bool key_repeats_ = false;       // of the key whose typed text comes next
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr float kTextPx = 15.0F;
 constexpr float kSmallTextPx = 12.5F;
 constexpr double kProjectorScale = 1.35;
-constexpr float kRestSeconds = 0.4F;  // before a tooltip comes; shorter is a nuisance while passing by
+constexpr float kRestSeconds = 0.4F;  // before a tooltip; a shorter time shows tooltips of items passed by
 
 // Latin, Greek, and the few symbols that messages and panels use.
 constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2032, 0x2190,
@@ -24,7 +24,7 @@ constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010
 
 ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
   std::error_code error;
-  // The library ends the program when it meets a broken file.
+  // The library ends the program if a font file is broken.
   if (!std::filesystem::is_regular_file(file, error) || !render::Font::read(file)) return nullptr;
   ImFontConfig config;
   config.OversampleH = 2;
@@ -38,7 +38,7 @@ ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float si
 Gui::Gui(GlfwWindow& window, std::filesystem::path assets) : window_(window), assets_(std::move(assets)) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // the layout is ours, not the library's
+  io.IniFilename = nullptr;  // the program keeps the layout, not the library
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window awake
   io.ConfigWindowsMoveFromTitleBarOnly = true;
@@ -84,8 +84,8 @@ void Gui::begin_frame(const Settings& settings) {
     font_scale_ = scale;
     unit_ = static_cast<float>(scale / ratio);
     load_fonts(scale);
-    // Destroying all device objects would be wrong: the library remembers the sizes of its old buffers, so it would
-    // write beyond the new, empty ones and draw nothing from then on. The first texture comes with those objects.
+    // Not all device objects may be destroyed: the library keeps the sizes of its old buffers, so it would write beyond
+    // the new, empty ones and draw nothing from then on. The first texture is created with those objects.
     if (!is_first) {
       ImGui_ImplOpenGL3_DestroyFontsTexture();
       ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -115,12 +115,12 @@ void Gui::end_frame() {
 }
 
 bool Gui::wants_pointer(Vec2 px) const {
-  // The library's own answer dates from its last frame; the pointer may have jumped onto a panel since.
+  // The library's own answer is that of its last frame; the pointer may have moved onto a panel since.
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.ActiveId != 0 || has_popup()) return true;
   const double ratio = window_.pixel_ratio();
   const ImVec2 at(static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio));
-  // Popups are known by the stack of open ones; their windows outlive them by a frame.
+  // By the stack of open popups, because their windows exist for a frame longer.
   constexpr int kNotPanels = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
   for (const ImGuiWindow* window : context.Windows) {
     if (!window->Active || window->Hidden || (window->Flags & kNotPanels) != 0) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dear ImGui in our window: context, fonts, theme, scale, and who gets an event.
+// Dear ImGui in the program's window: context, fonts, theme, scale, and the question which of both an event is for.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// What it guarantees: text is drawn at the framebuffer's own resolution at every content scale; fonts are made again
-/// only when the scale changes. Lengths given to Dear ImGui are screen coordinates; `unit()` of them is one logical
+/// What it guarantees: text has the resolution of the framebuffer at every content scale; fonts are rasterised again
+/// only when the scale changes. Dear ImGui measures lengths in screen coordinates; `unit()` of them are one logical
 /// pixel. Threads: the window's. One at a time.
 class Gui {
  public:
@@ -20,34 +20,34 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Theme, contrast and size are those of the settings.
+  /// Uses the theme, contrast and size of the settings.
   void begin_frame(const Settings& settings);
   void end_frame();
 
   float unit() const { return unit_; }
-  /// Framebuffer pixels per logical pixel of the drawing: the size of the panels is no matter of the drawing, but for
+  /// Framebuffer pixels per logical pixel of the drawing. It does not depend on the size of the panels, except that for
   /// a projector both are larger.
   double drawing_scale() const;
   const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
   ImFont* small() const { return small_; }
 
-  /// A panel, popup or menu lies at this framebuffer position, or has hold of the pointer.
+  /// True if a panel, popup or menu is at this framebuffer position, or has captured the pointer.
   bool wants_pointer(Vec2 px) const;
-  /// The pointer has lain on something long enough that it may be explained.
+  /// True if the pointer has rested on an item long enough for a tooltip.
   bool is_resting() const;
-  /// It lies on something, but not yet so long: the next frame must come by itself.
+  /// True if the pointer is on an item, but not yet long enough: another frame is needed without an event.
   bool is_about_to_rest() const;
-  /// The darkening behind a dialog comes or goes: the next frame must come by itself.
+  /// True while the dimming behind a dialog appears or disappears: another frame is needed without an event.
   bool is_fading() const;
-  /// Text is being typed.
+  /// True while a field takes typed text.
   bool wants_text() const;
-  /// A popup, menu or dialog is open.
+  /// True while a popup, menu or dialog is open.
   bool has_popup() const;
-  /// Closes the topmost popup or menu; false when there was none.
+  /// Closes the topmost popup or menu; false if there was none.
   bool close_popup();
-  /// For dialogs that are shown while a flag of ours is set: opens the popup with the flag, closes it without. True:
-  /// fill it, then ImGui::EndPopup().
+  /// For dialogs that are shown while a flag is set: opens the popup if `open`, and closes it if not. Returns true if
+  /// the caller must fill it and then call ImGui::EndPopup().
   static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small pictures for buttons, drawn as lines so that they are sharp at every scale.
+// Icons for buttons, drawn as lines, so that they are sharp at every scale.
 #pragma once
 
 #include <cstdint>
@@ -42,14 +42,14 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
 
 enum class ButtonLook : std::uint8_t {
   plain,
-  chosen,  ///< the one of several that is in use
+  chosen,  ///< the one in use of several
   on,      ///< a switch that is on
 };
 
-/// A square button with an icon. True when it was clicked.
+/// A square button with an icon. Returns true when it was clicked.
 bool icon_button(const char* id, Icon icon, float size, ButtonLook look = ButtonLook::plain, bool enabled = true);
 
-/// One of a few words, side by side; the chosen one stands out. True when it was clicked.
+/// A button for one of several words side by side; the chosen one stands out. Returns true when it was clicked.
 bool choice_button(const char* label, bool chosen);
 
 }  // namespace mes

@@ -16,7 +16,7 @@ int place_cursor_at_end(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-/// What was typed since the last frame, which no field sees then.
+/// The text that was typed since the last frame, before a field took it.
 std::string take_typed_text() {
   ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
   std::string out;

@@ -5,13 +5,13 @@
 
 namespace mes {
 
-/// A line for a name in a dialog. It has the keyboard from the moment the dialog is asked for: what is typed before
-/// the field is on screen is not lost. A name proposed is selected, so typing replaces it.
+/// A field for a name in a dialog. It has the keyboard from the moment the dialog is requested, so letters that are
+/// typed before the field is visible are not lost. The proposed name is selected, so typing replaces it.
 class NameField {
  public:
-  /// With the dialog's first frame.
+  /// Takes the keyboard; for the first frame of the dialog.
   void focus();
-  /// True: the name was confirmed by Enter.
+  /// Returns true when Enter confirmed the name.
   bool draw(const char* label, const char* hint, std::string& name);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the panels look: light or dark, quiet, legible from the last row of a lecture room.
+// The look of the panels: light or dark, quiet, legible from the last row of a lecture room.
 #pragma once
 
 #include "app/model/settings.h"
@@ -8,12 +8,12 @@
 
 namespace mes {
 
-/// Every colour of the panels by what it is for. What lies on the canvas has colours of its own (canvas_look.h).
+/// Every colour of the panels, by its purpose. The canvas has colours of its own (canvas_look.h).
 struct ThemeColors {
   bool is_dark = false;
   ImU32 text = 0;
   ImU32 text_quiet = 0;
-  ImU32 text_faint = 0;  ///< what is off or cannot be used now
+  ImU32 text_faint = 0;  ///< of items that are off or unavailable
   ImU32 panel = 0;
   ImU32 raised = 0;  ///< popups, lists and pages
   ImU32 border = 0;
@@ -26,12 +26,12 @@ struct ThemeColors {
   ImU32 button = 0;
   ImU32 button_hovered = 0;
   ImU32 button_active = 0;
-  ImU32 grab = 0;  ///< of sliders; the number is written over it
+  ImU32 grab = 0;  ///< of sliders, behind the number
   ImU32 grab_active = 0;
   ImU32 scrollbar = 0;
   ImU32 scrollbar_hovered = 0;
   ImU32 scrollbar_active = 0;
-  ImU32 dim = 0;  ///< over everything behind a dialog
+  ImU32 dim = 0;  ///< on everything behind a dialog
   ImU32 warning = 0;
   ImU32 warning_soft = 0;
   ImU32 warning_border = 0;
@@ -41,10 +41,10 @@ struct ThemeColors {
   ImU32 wrong = 0;
 };
 
-/// For a projector the same with the strongest contrast.
+/// The colours of a theme; for a projector with the strongest contrast.
 ThemeColors theme_colors(Theme theme, bool for_projector);
 
-/// Colours and measures of Dear ImGui's style for `scale` units per logical pixel.
+/// Sets the colours and sizes of Dear ImGui's style, at `scale` units per logical pixel.
 void apply_theme(ImGuiStyle& style, const ThemeColors& colors, float scale);
 
 ImU32 to_imgui(Rgb color, double opacity = 1.0);

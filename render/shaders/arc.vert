@@ -1,4 +1,4 @@
-// A piece of a circle, with round ends.
+// Arcs: pieces of circles, with round ends.
 layout(location = 0) in uvec4 a_center;
 layout(location = 1) in uvec4 a_from;
 layout(location = 2) in uvec4 a_to;
@@ -8,12 +8,12 @@ layout(location = 4) in uvec2 a_turn;
 out vec2 v_offset;
 flat out vec3 v_rim;    // outward normal, radius
 flat out vec4 v_ends;   // both ends, from the anchor
-flat out vec3 v_range;  // pixels along the rim of both ends; 1: the arc holds the point opposite, where angles jump
+flat out vec3 v_range;  // both ends in pixels along the rim; 1: the arc contains the opposite point, where angles jump
 #if DASHED
 flat out vec2 v_dash;
 #endif
 
-// Beyond every view; ends that far are not seen.
+// Beyond every view: ends that far away are invisible.
 const float kFar = 1e7;
 
 void main() {
@@ -23,15 +23,15 @@ void main() {
   float h = shown_half_width() + 1.0;
   float view = u_view_radius + h;
 
-  // In units of the drawing, which no zoom makes too large for a float.
+  // In units of drawing space, which no zoom makes too large for a float.
   vec2 anchor = rim.anchor / u_pixels_per_unit;
   vec2 from = near_offset(a_from) - anchor;
   vec2 to = near_offset(a_to) - anchor;
   float unit_radius = near_number(a_radius);
   float low = rim_angle(from, rim.outward, unit_radius);
   float high = rim_angle(to, rim.outward, unit_radius);
-  // Of ends close together the encoder knows which comes first. Elsewhere order decides, also where rounding
-  // took an end across the jump.
+  // Which of two close ends comes first, the encoder has decided. Elsewhere the order of the angles decides, also
+  // where rounding moved an end across the jump.
   float half_turn = 0.5 * kTurn;
   float turn = near_number(a_turn);
   bool around = abs(high - low) < 1.0 ? turn > 0.5 : high < low;
@@ -43,7 +43,7 @@ void main() {
   v_range = vec3(clamp(r * vec2(low, high), -kFar, kFar), around ? 1.0 : 0.0);
   v_ends = clamp(vec4(from, to) * u_pixels_per_unit, -kFar, kFar);
 
-  // The strip covers the seen part of the arc and its caps; of an arc seen in two pieces also what is between them.
+  // The strip covers the visible part of the arc and its caps; if two pieces are visible, also the part between them.
   float limit = seen_angle(rim, r, view);
   float cap = r > 2.0 * h ? 2.0 * h / r : half_turn;
   bool crosses = limit >= half_turn && (low - cap < -half_turn || high + cap > half_turn);

@@ -20,7 +20,7 @@ void main() {
   }
   v_rim = vec4(rim.outward, min(q, 1e15), soft_alpha(r));
 
-  // The bounding square, cut to the view; around a huge disk simply the view.
+  // The bounding square, cut to the view; for a huge disk the view itself.
   vec2 view = u_half_view + 1.0;
   vec2 corner = strip_corner();
   vec2 px = corner * view;

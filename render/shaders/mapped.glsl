@@ -1,14 +1,14 @@
-// For vertex programs: the colour of an instance by its scalar.
+// For vertex programs: the colour of an instance from its scalar.
 #if MAPPED
 
 layout(location = 5) in uvec2 a_scalar;
 uniform sampler2D u_maps;
 flat out vec4 v_color;
 
-// Beyond 2^60 times the ends of the range a scalar is at an end, like an infinite one.
+// A scalar beyond 2^60 times the range counts as infinite, and one below 2^-90 times the range as zero.
 const int kFarAbove = 60;
 const int kFarBelow = -90;
-// Whole numbers that a float counts with certainty.
+// Categories from 2^22 on count as infinite: floats hold no halves beyond.
 const int kMostCategories = 21;
 
 vec4 map_color(int index) {
@@ -16,7 +16,7 @@ vec4 map_color(int index) {
   return vec4(color.rgb, 1.0) * u_color.a;
 }
 
-// Sets the colour; what is not a number has the plain one.
+// Sets the colour of the instance; NaN has the plain one.
 void paint() {
   int exponent = int((a_scalar.y >> 20) & 0x7ffu);
   if (exponent == 0x7ff && ((a_scalar.y & 0xfffffu) | a_scalar.x) != 0u) {
@@ -29,8 +29,8 @@ void paint() {
   if (exponent == 0x7ff || above > (u_map_categories > 0.0 ? kMostCategories : kFarAbove)) {
     if (u_map_categories > 0.0) t *= u_map_categories - 1.0;
   } else {
-    // The three pieces of the scalar, as `pieces` has them, in units of the range's power of two: those of the low end
-    // lie on the same grids, so that close to it nothing is lost.
+    // The three pieces of the scalar, as in `pieces`, in units of the range's power of two. The pieces of the low end
+    // are multiples of the same units, so differences close to it are exact.
     vec3 p = vec3(0.0);
     if (above >= kFarBelow && exponent > 0) {
       float unit = uintBitsToFloat((uint(above + 107) << 23) | (a_scalar.y & 0x80000000u));
@@ -48,7 +48,7 @@ void paint() {
     v_color = map_color(int(number - u_map_categories * floor(number / u_map_categories)));
     return;
   }
-  // Linear between the two nearest of the row.
+  // Interpolates the two nearest colours of the row.
   float last = float(textureSize(u_maps, 0).x - 1);
   float place = clamp(t, 0.0, 1.0) * last;
   float first = min(floor(place), last - 1.0);

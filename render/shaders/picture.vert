@@ -1,6 +1,6 @@
 // A rectangle of a picture.
-uniform vec4 u_place;  // left, bottom, right, top, from -1 to 1
-uniform vec4 u_part;   // the same of the picture, from 0 to 1, top row first
+uniform vec4 u_place;  // left, bottom, right, top in the area, from -1 to 1
+uniform vec4 u_part;   // the same edges in the picture, from 0 to 1, top row first
 
 out vec2 v_part;
 

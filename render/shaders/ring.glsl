@@ -1,17 +1,16 @@
-// For vertex programs of circles and arcs: a strip of u_arc_pieces quads along a rim. Angles are counted from the rim
-// point nearest to the centre of the view, where rounding is smallest.
+// For vertex programs of circles and arcs: a strip of u_arc_pieces quads along a rim. Angles count from the rim point
+// nearest to the centre of the view, where rounding errors are smallest.
 
-// Half the angle of the part of the rim within the circle around the view: from the triangle of both centres and a
-// point where the circles meet, by half angles, so that the angle of a huge circle does not drown. A little more does
-// no harm.
+// Half the angle of the part of the rim within the circle around the view, or a little more. It follows from the
+// triangle of both centres and an intersection of the circles, by half angles, which are exact for huge circles too.
 float seen_angle(Rim rim, float r, float view) {
   float product = 4.0 * max(rim.depth + r, 0.0) * r;
   float square = product > 0.0 ? (view - rim.depth) * ((view + rim.depth) / product) : 1.0;
   return square >= 1.0 ? 0.5 * kTurn : min(2.02 * steady_asin(sqrt(max(square, 0.0))), 0.5 * kTurn);
 }
 
-// This vertex of the strip from angle `low` to `high`, h pixels to both sides; where all rims are small (no pieces)
-// simply a corner of a square around the circle.
+// This vertex of the strip from angle `low` to `high`, h pixels to both sides; if all rims are small (no pieces), a
+// corner of a square around the circle.
 vec2 ring_corner(Rim rim, float r, float h, float low, float high) {
   if (u_arc_pieces == 0.0) return rim.nearest - rim.outward * r + strip_corner() * (r + h);
   float angle = low + (high - low) * (float(gl_VertexID >> 1) / u_arc_pieces);
@@ -20,7 +19,7 @@ vec2 ring_corner(Rim rim, float r, float h, float low, float high) {
   vec2 tangent = turned(rim.outward);
   vec2 on_rim = rim.nearest - (2.0 * r * half_sine * half_sine) * rim.outward + (r * sine) * tangent;
   vec2 radial = (1.0 - 2.0 * half_sine * half_sine) * rim.outward + sine * tangent;
-  // Outer corners lie where tangents at the outer edge meet; the inner edges are chords and need no more room.
+  // Outer corners are intersections of tangents at the outer edge; inner edges are chords and need no more room.
   float step = 0.5 * (high - low) / u_arc_pieces;
   float step_sine = steady_sin(0.5 * step);
   float bulge = (r + h) * (2.0 * step_sine * step_sine / cos(step)) + h;
@@ -28,9 +27,9 @@ vec2 ring_corner(Rim rim, float r, float h, float low, float high) {
 }
 
 #if DASHED
-// Pixels along the circle of the rim point nearest to the view's centre, and the period of dashes. A whole number of
-// dashes around the circle, counted from its rightmost point, so that they neither break where the circle closes nor
-// crawl when the view moves.
+// The rim point nearest to the view's centre in pixels along the circle, and the period of dashes. Dashes count from
+// the rightmost point of the circle and are a whole number, so they neither break where the circle closes nor move
+// with the view.
 vec2 ring_dash(Rim rim, float r) {
   float count = max(1.0, floor(kTurn * r / u_dash_period + 0.5));
   float period = kTurn * r / count;

@@ -1,4 +1,4 @@
-// Disks and circles share how they are seen: by the point of the rim nearest to the centre of the view.
+// Disks, circles and arcs are placed by the point of their rim that is nearest to the centre of the view.
 
 struct Rim {
   bool shown;
@@ -6,7 +6,7 @@ struct Rim {
   float depth;   // signed distance of the view's centre from the rim, negative inside
   vec2 outward;  // unit vector from the centre of the disk to that of the view
   vec2 nearest;  // the nearest rim point, pixels from the centre of the view
-  vec2 anchor;   // where fragment programs measure from: the centre, or for what may be huge the nearest rim point
+  vec2 anchor;   // the origin of fragment programs: the centre, or for rims that may be huge the nearest rim point
 };
 
 Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
@@ -21,7 +21,7 @@ Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
   rim.depth = (reach - unit_radius) * u_pixels_per_unit;
   rim.anchor = center * u_pixels_per_unit;
 #else
-  // |c| - r cancels when both are huge: (c.c - r.r) / (|c| + r), with the difference in `Wide`.
+  // |c| - r cancels if both are huge, so this is (c.c - r.r) / (|c| + r), with the difference in `Wide`.
   WideVec2 c = wide_offset(center_bits);
   Wide r = wide_number(radius_bits);
   Wide power = wide_sub(wide_add(wide_mul(c.x, c.x), wide_mul(c.y, c.y)), wide_mul(r, r));
@@ -35,7 +35,7 @@ Rim rim_of(uvec4 center_bits, uvec2 radius_bits) {
   return rim;
 }
 
-// Drivers may compute sine and its inverse to a fixed number of places after the point; times a huge radius that is
-// nothing. Small angles therefore go by their series.
+// Drivers may compute sine and its inverse with a fixed absolute error, which a huge radius magnifies. Small angles
+// therefore use the series.
 float steady_sin(float x) { return abs(x) < 0.25 ? x * (1.0 - x * x / 6.0 * (1.0 - x * x / 20.0)) : sin(x); }
 float steady_asin(float x) { return x < 0.25 ? x * (1.0 + x * x * (1.0 / 6.0 + x * x * (3.0 / 40.0))) : asin(x); }

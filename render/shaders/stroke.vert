@@ -8,14 +8,14 @@ flat out vec2 v_ends;  // where along the line the stroke begins and ends
 flat out float v_phase;
 #endif
 
-// Beyond every view; ends that far are not seen.
+// Beyond every view: ends that far away are invisible.
 const float kFar = 1e7;
 
 void main() {
   paint();
   WideVec2 first = wide_offset(a_first);
 #if KIND_SEGMENT
-  // Measured from the nearer end, which is the one whose float is good.
+  // Measured from the nearer end, whose float is the more exact one.
   WideVec2 second = wide_offset(a_second);
   vec2 f = abs(narrow(first));
   vec2 s = abs(narrow(second));
@@ -42,7 +42,7 @@ void main() {
   vec2 corner = strip_corner();
   v_place = vec2(corner.x < 0.0 ? low : high, corner.y * h);
 #if DASHED
-  // Dashes are the same seen from either end, so they can be counted from the first one always.
+  // Dashes always count from the first end, whichever end the line is measured from.
   v_phase = -line.start;
 #if KIND_SEGMENT
   if (swapped) v_phase -= line.size;

@@ -2,9 +2,9 @@ in vec3 v_edges;
 flat in vec3 v_corners;
 out vec4 color;
 
-// Of a pixel that two edges cover by a and b, how much lies behind both. For a right angle the product; towards a needle
-// a + b - 1, which is exact for parallel edges; towards a straight angle the smaller one. `w` goes from -1 to 1 on that
-// way, such that triangles around a common corner come close to covering its pixel together.
+// The part of a pixel behind two edges of which one covers a and the other b: the product at a right angle, a + b - 1
+// at an angle of zero, where the edges are parallel, and the smaller one at a straight angle. `w` goes from -1 to 1
+// between these, such that triangles around a common corner nearly cover its pixel together.
 float corner_cover(float a, float b, float w) {
   return w < 0.0 ? mix(a * b, max(a + b - 1.0, 0.0), -w) : mix(a * b, min(a, b), w);
 }

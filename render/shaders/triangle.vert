@@ -3,9 +3,10 @@ layout(location = 1) in uvec4 a_second;
 layout(location = 2) in uvec4 a_third;
 
 out vec3 v_edges;         // signed distances to the edges, negative inside
-flat out vec3 v_corners;  // what `corner_cover` blends by, for edges 0-1, 1-2, 2-0
+flat out vec3 v_corners;  // the weights of `corner_cover`, for edges 0-1, 1-2, 2-0
 
-// Outward normal of the edge from a to b of a counter-clockwise triangle, and its signed distance from the view's centre.
+// Outward normal of the edge from a to b of a counter-clockwise triangle, and the edge's signed distance from the
+// view's centre.
 vec3 edge(WideVec2 a, WideVec2 b) {
   vec2 na = abs(narrow(a));
   vec2 nb = abs(narrow(b));

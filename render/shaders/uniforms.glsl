@@ -1,4 +1,4 @@
-// What a draw call says to its programs. `DrawUniforms` has the same members in the same order.
+// The uniforms of a draw call. `DrawUniforms` of draw_uniforms.h has the same members in the same order.
 layout(std140) uniform DrawUniforms {
   vec2 u_center_1;
   vec2 u_center_2;
@@ -26,11 +26,11 @@ layout(std140) uniform DrawUniforms {
 // Zero, which no compiler can know.
 #define u_nothing (floatBitsToUint(u_one) & 1u)
 
-// Strokes thinner than a pixel keep that width and fade instead.
+// Strokes thinner than a pixel are drawn one pixel wide, and fainter.
 float shown_half_width() { return max(u_half_width, 0.5); }
 float stroke_alpha() { return min(2.0 * u_half_width, 1.0); }
 
-// A ramp one pixel wide around radius q covers pi (q^2 + 1/12). A disk of radius r is therefore drawn with a radius a
-// little smaller, so that its area is right; below the radius where that fails, a cone of fixed size fades.
+// A ramp one pixel wide around radius q covers pi (q^2 + 1/12). A disk of radius r is therefore drawn with a slightly
+// smaller radius, so that its area is right; disks too small for that are cones of a fixed size, and fainter.
 float soft_radius(float r) { return sqrt(max(r * r - 1.0 / 12.0, 0.25)); }
 float soft_alpha(float r) { return min(3.0 * r * r, 1.0); }

@@ -21,7 +21,7 @@ float narrow(Wide a) { return a; }
 #elif REACH == 1
 
 #define Wide vec2
-// Sum and what rounding took off (Knuth).
+// Sum and its rounding error (Knuth's two-sum).
 Wide two_sum(float a, float b) {
   PRECISE float sum = HOLD(a + b);
   PRECISE float part = HOLD(sum - a);
@@ -33,8 +33,8 @@ Wide quick_two_sum(float a, float b) {
   PRECISE float rest = HOLD(b - (sum - a));
   return vec2(sum, rest);
 }
-// Product and what rounding took off. Halves of 12 bits are cut off by a mask, not by arithmetic, so that a fused
-// multiply-add changes nothing.
+// Product and its rounding error. A mask splits the factors into halves of 12 bits, so that a fused multiply-add does
+// not change the result.
 Wide two_product(float a, float b) {
   float a1 = uintBitsToFloat(floatBitsToUint(a) & 0xfffff000u);
   float b1 = uintBitsToFloat(floatBitsToUint(b) & 0xfffff000u);
@@ -98,7 +98,7 @@ float wide_cross(WideVec2 a, WideVec2 b) {
 }
 vec2 narrow(WideVec2 a) { return vec2(narrow(a.x), narrow(a.y)); }
 
-// A straight line as the view sees it, in pixels: points `offset` * turned(direction) + s * direction.
+// A straight line in the view, in pixels: the points `offset` * turned(direction) + s * direction.
 struct Carrier {
   vec2 direction;  // of unit length
   float offset;    // signed distance of the line from the centre of the view
@@ -106,13 +106,13 @@ struct Carrier {
   float size;      // length of `along`
 };
 
-// The line through an anchor. `along` need not be short, nor of unit length; the result is as good as the anchor is near,
-// or as many bits as `Wide` has.
+// The line through an anchor. `along` may have any length. The result is the more exact, the nearer the anchor is and
+// the more bits `Wide` has.
 Carrier carrier(WideVec2 anchor, WideVec2 along) {
   Carrier line;
   vec2 d = narrow(along);
   float unit = max(abs(d.x), abs(d.y));
-  // An anchor and a vector far apart in size must not underflow on the way.
+  // Scaled, as a product of an anchor and a vector of very different sizes might underflow.
   vec2 scaled = unit > 0.0 ? d / unit : vec2(1.0, 0.0);
   float norm = length(scaled);
   line.direction = scaled / norm;
