@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uniform_ring.h"
 
+#include <cstring>
+
 namespace mes::render {
 namespace {
 
@@ -20,6 +22,10 @@ UniformRing::UniformRing() {
 }
 
 void UniformRing::bind(GLuint binding_point, const DrawUniforms& uniforms) {
+  // A driver may take every newly bound block for a change, also when it holds the same values.
+  if (bound_to_ == binding_point && std::memcmp(&bound_, &uniforms, sizeof uniforms) == 0) return;
+  bound_to_ = binding_point;
+  bound_ = uniforms;
   glBindBuffer(GL_UNIFORM_BUFFER, buffer_.get());
   if (used_ == kBlocks * stride_) {
     glBufferData(GL_UNIFORM_BUFFER, kBlocks * stride_, nullptr, GL_STREAM_DRAW);

@@ -10,10 +10,12 @@
 //     ring.bind(kBindingPoint, uniforms);
 //     glDrawArraysInstanced(...);
 //
-// Cost: `bind` copies the block, 144 bytes. Threads: the one that owns the context, which must be current.
+// Cost: `bind` copies the block, 144 bytes, unless it equals the one that is bound. Threads: the one that owns the context, which must be current.
 #pragma once
 
 #include <epoxy/gl.h>
+
+#include <optional>
 
 #include "render/draw_uniforms.h"
 #include "render/gl_handles.h"
@@ -24,13 +26,15 @@ class UniformRing {
  public:
   UniformRing();
 
-  /// The next draw call reads `uniforms` at the binding point.
+  /// The next draw call reads `uniforms` at the binding point, to which nothing else is bound.
   void bind(GLuint binding_point, const DrawUniforms& uniforms);
 
  private:
   GlBuffer buffer_;
   GLsizeiptr stride_ = 0;
   GLsizeiptr used_ = 0;  // bytes
+  std::optional<GLuint> bound_to_;
+  DrawUniforms bound_;
 };
 
 }  // namespace mes::render
