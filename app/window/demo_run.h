@@ -14,9 +14,9 @@
 
 namespace mes {
 
-/// What it guarantees: a step is taken when the picture of the one before is complete and has been seen for its time;
-/// the demo ends with the layers and settings as they were before it, unless someone edits its drawing, which is then
-/// theirs. Threads: the window's.
+/// What it guarantees: a step is taken when the picture of the one before is complete and has been seen for its time.
+/// The demo ends with the layers and settings as they were before it; an edit by hand ends it too and keeps what it
+/// shows. Threads: the window's.
 class DemoRun {
  public:
   DemoRun(Workspace& work, ViewFitter& fitter, Messages& messages)

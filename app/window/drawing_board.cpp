@@ -121,7 +121,7 @@ void DrawingBoard::draw(Vec2 pointer_px) {
   screen_.times.begin_drawing();
   picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale());
   screen_.times.end_drawing();
-  // The status bar tells the share; it was drawn before it was known.
+  // The status bar shows the share, and was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
 }
 

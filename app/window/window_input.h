@@ -12,9 +12,9 @@
 
 namespace mes {
 
-/// What it guarantees: events are acted on in their order, each by what it was meant for: those that came with one
-/// that opened or closed a dialog wait for the next frame, and during a recording each waits until the change before
-/// has its frame. Listens to the window for its life. Threads: the window's.
+/// What it guarantees: events are acted on in their order, each by what it was meant for. What came together with an
+/// event that opened or closed a dialog waits for the next frame, and during a recording each event waits until the
+/// change before has its frame. Listens to the window for its life. Threads: the window's.
 class WindowInput final : private WindowListener {
  public:
   struct Uses {
