@@ -3,7 +3,7 @@
 add_library(mes_options INTERFACE)
 target_include_directories(mes_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(mes_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast $<$<BOOL:${MESECINA_WERROR}>:-Werror>
   -ffp-contract=off)
 target_compile_definitions(mes_options INTERFACE MESECINA_VERSION="${PROJECT_VERSION}")
 

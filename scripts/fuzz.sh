@@ -23,7 +23,7 @@ else
 fi
 
 "$root/scripts/install_packages.sh" test || exit 1
-configure asan
+configure asan -DMESECINA_WERROR=ON
 build asan --target "${targets[@]/#/fuzz_}"
 
 export seconds

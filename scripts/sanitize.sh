@@ -24,6 +24,6 @@ case $kind in
 esac
 
 "$root/scripts/install_packages.sh" test || exit 1
-configure "$kind"
+configure "$kind" -DMESECINA_WERROR=ON
 build "$kind" --target "${targets[@]}"
 exec ctest --test-dir "build/$kind" --output-on-failure --parallel "$(job_count)" --tests-regex "$tests" "$@"

@@ -7,6 +7,6 @@ set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$root/scripts/install_packages.sh" test || exit 1
-configure release -DMESECINA_TESTS=ON
+configure release -DMESECINA_TESTS=ON -DMESECINA_WERROR=ON
 build release --target soak
 exec build/release/soak "$@"
