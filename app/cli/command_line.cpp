@@ -10,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include "app/cli/command_help.h"
 #include "app/cli/manual.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
@@ -44,6 +45,7 @@ struct Arguments {
   EvolveRequest evolve;
   ListRequest list;
   ManualRequest manual;
+  CompletionsRequest completions;
 };
 
 std::string ids_of(const auto& descriptors) {
@@ -212,29 +214,33 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   CLI::App* const manual =
       app.add_subcommand("manual", "All keys, layers, parameters, formats, commands: as Markdown");
+  manual->add_flag("--man", to.manual.as_man_page, "The commands and keys as a man page instead");
   manual->add_option("-o,--output", to.manual.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list, manual})
+  CLI::App* const completions =
+      app.add_subcommand("completions", "A script that completes commands and options in a shell");
+  completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
+  completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
+
+  for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // A variable of a script that is not set: hardly what was meant, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
   for (CLI::App* const command : app.get_subcommands({}))
     for (CLI::Option* const option : command->get_options())
       if (option->get_expected_max() > 0) option->check(is_not_empty);
+  name_values(app);
   // At the end, or each command would have it too.
   app.footer(std::string(kExamples) + "\n\nInput: " + wrapped(coordinate_range_in_words(), 7));
 }
 
-/// The help pages, that of the program itself first.
-std::vector<CommandHelp> help_pages() {
+/// The program itself first, then its commands.
+std::vector<CommandHelp> all_commands() {
   // Parsing changes what a parser says of its defaults, so this is one that has parsed nothing.
   CLI::App app;
   Arguments arguments;
   describe_commands(app, arguments);
-  std::vector<CommandHelp> out{{"mesecina", app.help()}};
-  for (const CLI::App* command : app.get_subcommands({}))
-    out.push_back({"mesecina " + command->get_name(), command->help("mesecina")});
-  return out;
+  return help_of(app);
 }
 
 Expected<void> run_command(const CLI::App& command, const Arguments& arguments) {
@@ -249,7 +255,9 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
-  if (command.get_name() == "manual") return run_manual(arguments.manual, help_pages(), interruption);
+  if (command.get_name() == "manual") return run_manual(arguments.manual, all_commands(), interruption);
+  if (command.get_name() == "completions")
+    return run_completions(arguments.completions, all_commands(), interruption);
   return run_list(arguments.list, interruption);
 }
 

@@ -19,8 +19,9 @@ namespace {
 constexpr std::string_view kSamples = "points";
 constexpr std::string_view kBallCenters = "b-inner-centers";
 
+constexpr std::array<std::string_view, 3> kNow{"csv", "poff", "wpoff"};
+
 Expected<void> check_export_format(const std::string& format) {
-  constexpr std::array<std::string_view, 3> kNow{"csv", "poff", "wpoff"};
   constexpr std::array<std::string_view, 2> kLater{"npoff", "geojson"};
   if (std::ranges::find(kNow, format) != kNow.end()) return {};
   if (std::ranges::find(kLater, format) != kLater.end())
@@ -54,6 +55,10 @@ Expected<std::string> text_of(const LayerMirror& mirror, LayerIndex layer, const
 }
 
 }  // namespace
+
+std::span<const std::string_view> export_formats() {
+  return kNow;
+}
 
 Expected<void> run_export(const ExportRequest& request, Interruption& interruption) {
   const auto settings = settings_of(request.source);

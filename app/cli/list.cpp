@@ -83,10 +83,9 @@ std::vector<Entry> structures() {
 }
 
 std::vector<Entry> formats() {
-  constexpr std::array<std::string_view, 3> kExported{"csv", "poff", "wpoff"};
   std::vector<Entry> out;
   for (const FormatDescriptor& format : format_descriptors()) {
-    const bool is_exported = std::ranges::find(kExported, format.id) != kExported.end();
+    const bool is_exported = std::ranges::find(export_formats(), format.id) != export_formats().end();
     std::string text = std::string(format.name) + " (";
     for (std::size_t i = 0; i < format.extensions.size(); ++i) {
       if (i != 0) text += ' ';

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/actions/actions.h"
+#include "app/cli/man_page.h"
 #include "app/cli/markdown.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
@@ -236,11 +237,11 @@ void write_formats(Markdown& page) {
   page.block("0 0 0.5   # dark blue\n1 1 0     # yellow\n");
 
   page.subsection("Where things are kept");
-  page.table(
-      {"What", "Where"},
-      {{"Bundles, colour maps, unsaved work", "`$XDG_DATA_HOME/mesecina`, or `~/.local/share/mesecina`"},
-       {"Settings of the window", "`$XDG_CONFIG_HOME/mesecina`, or `~/.config/mesecina`"},
-       {"Shapes, fonts and maps of the program", "`assets` beside the program; `$MESECINA_ASSETS` overrides it"}});
+  page.table({"What", "Where"},
+             {{"Bundles, colour maps, unsaved work", "`$XDG_DATA_HOME/mesecina`, or `~/.local/share/mesecina`"},
+              {"Settings of the window", "`$XDG_CONFIG_HOME/mesecina`, or `~/.config/mesecina`"},
+              {"Shapes, fonts and maps of the program",
+               "`assets` beside the program or `../share/mesecina`; `$MESECINA_ASSETS` overrides both"}});
 }
 
 void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
@@ -250,7 +251,7 @@ void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
       "the form `mesecina: FILE:LINE:COLUMN: what is wrong`.");
   for (const CommandHelp& command : commands) {
     page.subsection(command.name);
-    page.block(command.text);
+    page.block(command.page);
   }
 }
 
@@ -259,6 +260,7 @@ void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
 Expected<void> run_manual(const ManualRequest& request, std::span<const CommandHelp> commands,
                           Interruption& interruption) {
   if (auto good = check_output(request.output); !good) return good;
+  if (request.as_man_page) return write_output(request.output, man_page(commands), interruption);
   const fs::path assets = find_assets({});
   if (const std::string message = read_starting_bundles(assets).message; !message.empty())
     return std::unexpected(Error{ErrorCode::bad_input, message});

@@ -6,13 +6,9 @@
 #include <span>
 #include <string>
 
-namespace mes::cli {
+#include "app/cli/command_help.h"
 
-/// A command as its help page tells of it.
-struct CommandHelp {
-  std::string name;
-  std::string text;
-};
+namespace mes::cli {
 
 /// Markdown, with a table of contents. Equal programs give equal bytes: nothing of the user's is in it, and of the
 /// machine nothing but the bundles and colour maps in `assets`.

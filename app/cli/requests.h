@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/film.h"
@@ -86,12 +87,23 @@ struct ListRequest {
 Expected<void> run_list(const ListRequest& request, Interruption& interruption);
 
 struct ManualRequest {
+  bool as_man_page = false;
   std::string output;
 };
 Expected<void> run_manual(const ManualRequest& request, std::span<const CommandHelp> commands,
                           Interruption& interruption);
 
+struct CompletionsRequest {
+  std::string shell;
+  std::string output;
+};
+Expected<void> run_completions(const CompletionsRequest& request, std::span<const CommandHelp> commands,
+                               Interruption& interruption);
+
 /// What `list` can list.
 std::vector<std::string> listed_things();
+
+/// The formats of `export`, by their ids.
+std::span<const std::string_view> export_formats();
 
 }  // namespace mes::cli

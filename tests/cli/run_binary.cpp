@@ -50,12 +50,13 @@ void drain(int descriptor, std::string& to, const std::function<void()>& at_firs
   }
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGINT, SIG_DFL);
-  std::vector<std::string> words{std::getenv("MESECINA_BINARY")};
+  if (!options.folder.empty() && ::chdir(options.folder.c_str()) != 0) ::_exit(127);
+  std::vector<std::string> words{options.program.empty() ? std::getenv("MESECINA_BINARY") : options.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  ::execv(argv[0], argv.data());
+  ::execvp(argv[0], argv.data());
   ::_exit(127);
 }
 

@@ -17,6 +17,8 @@ struct RunResult {
 };
 
 struct RunOptions {
+  std::string program{};                   ///< another one than the program under test; on the PATH, if it has no /
+  std::string folder{};                    ///< where it runs; empty: here
   std::string input{};                     ///< standard input
   bool keep_input_open = false;            ///< it does not end
   std::vector<std::string> environment{};  ///< NAME=VALUE to set

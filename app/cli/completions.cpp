@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/completions.h"
+
+#include <array>
+
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::array<Shell, 3> kShells{
+    {{"bash", bash_completions}, {"zsh", zsh_completions}, {"fish", fish_completions}}};
+
+}  // namespace
+
+std::span<const Shell> shells() {
+  return kShells;
+}
+
+Expected<void> run_completions(const CompletionsRequest& request, std::span<const CommandHelp> commands,
+                               Interruption& interruption) {
+  if (auto good = check_output(request.output); !good) return good;
+  std::vector<std::string_view> names;
+  for (const Shell& shell : kShells) {
+    names.push_back(shell.name);
+    if (shell.name == request.shell) return write_output(request.output, shell.script(commands), interruption);
+  }
+  return usage_error("no completions for " + in_quotes(request.shell) + "; the shell is one of " + one_of(names));
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/completions.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::string_view kBegin = R"(# Completions of mesecina for bash, written by `mesecina completions bash`.
+_mesecina_choices() {
+  mapfile -t COMPREPLY < <(compgen -W "$2" -- "$1")
+  if [[ ${#COMPREPLY[@]} == 1 && ${COMPREPLY[0]} == *= ]]; then compopt -o nospace; fi
+}
+# Those of a list that is separated by commas.
+_mesecina_list() {
+  local last=${1##*,}
+  mapfile -t COMPREPLY < <(compgen -P "${1%"$last"}" -W "$2" -- "$last")
+  compopt -o nospace
+}
+_mesecina_files() {
+  compopt -o filenames
+  mapfile -t COMPREPLY < <(compgen "$2" -- "$1")
+}
+_mesecina() {
+  local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' i
+  if [[ $current == '=' ]]; then
+    current=
+  elif [[ $before == '=' ]] && ((COMP_CWORD > 2)); then
+    before=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
+  if ((COMP_CWORD > 1)); then command=${COMP_WORDS[1]}; fi
+  COMPREPLY=()
+)";
+
+std::string words(const std::vector<std::string>& all) {
+  std::string out;
+  for (const std::string& word : all) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
+std::string reply(const OptionValue& value) {
+  switch (value.kind) {
+    case ValueKind::choice: return R"(_mesecina_choices "$current" ')" + words(value.offer()) + '\'';
+    case ValueKind::choices: return R"(_mesecina_list "$current" ')" + words(value.offer()) + '\'';
+    case ValueKind::file: return R"(_mesecina_files "$current" -f)";
+    case ValueKind::folder: return R"(_mesecina_files "$current" -d)";
+    case ValueKind::text: break;
+  }
+  return ":";
+}
+
+std::string last_word(const std::string& name) {
+  return name.substr(name.rfind(' ') + 1);
+}
+
+// After the option, or at its place, what fits.
+std::string cases_of(const CommandHelp& command, std::string_view indent) {
+  std::string out;
+  std::string at_its_place = ":";
+  std::vector<std::string> names;
+  for (const OptionHelp& option : command.options) {
+    if (option.is_positional) {
+      at_its_place = reply(*option.value);
+      continue;
+    }
+    names.insert(names.end(), option.names.begin(), option.names.end());
+    if (option.value == nullptr) continue;
+    std::string pattern;
+    for (const std::string& name : option.names) pattern += (pattern.empty() ? "" : " | ") + name;
+    out.append(indent).append(pattern + ") " + reply(*option.value) + " ;;\n");
+  }
+  out.append(indent).append("*) if [[ $current == -* ]]; then _mesecina_choices \"$current\" '" + words(names) +
+                            "'; else " + at_its_place + "; fi ;;\n");
+  return out;
+}
+
+}  // namespace
+
+std::string bash_completions(std::span<const CommandHelp> commands) {
+  std::string out(kBegin);
+  std::vector<std::string> names;
+  std::vector<std::string> options;
+  for (const CommandHelp& command : commands.subspan(1)) names.push_back(last_word(command.name));
+  for (const OptionHelp& option : commands.front().options)
+    if (!option.is_positional) options.insert(options.end(), option.names.begin(), option.names.end());
+  out += "  case $command in\n";
+  for (const CommandHelp& command : commands.subspan(1))
+    out += "    " + last_word(command.name) + ")\n      case $before in\n" + cases_of(command, "        ") +
+           "      esac ;;\n";
+  out += "    *)\n      _mesecina_choices \"$current\" '" + words(options) + "'\n" +
+         "      if [[ $current != -* ]]; then\n        local files=()\n" +
+         "        mapfile -t files < <(compgen -f -- \"$current\")\n        compopt -o filenames\n        " +
+         "COMPREPLY=(\"${files[@]}\")\n        if ((COMP_CWORD == 1)); then\n          mapfile -t -O ${#files[@]} " +
+         "COMPREPLY < <(compgen -W '" + words(names) + "' -- \"$current\")\n        fi\n      fi ;;\n  esac\n}\n" +
+         "complete -F _mesecina mesecina\n";
+  return out;
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/completions.h"
+
+namespace mes::cli {
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '\'';
+}
+
+std::string offered(const OptionValue& value) {
+  std::string out;
+  for (const std::string& word : value.offer()) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
+std::string argument(const OptionValue& value) {
+  switch (value.kind) {
+    case ValueKind::choice: return " -x -a " + quoted(offered(value));
+    case ValueKind::choices: return " -x -a " + quoted("(__fish_append , " + offered(value) + ")");
+    case ValueKind::file: return " -r -F";
+    case ValueKind::folder: return " -x -a " + quoted("(__fish_complete_directories)");
+    case ValueKind::text: break;
+  }
+  return " -x";
+}
+
+std::string line(const std::string& condition, const OptionHelp& option) {
+  std::string out = "complete -c mesecina -n " + quoted(condition);
+  if (option.is_positional) {
+    if (option.value->kind == ValueKind::file) return out + " -F\n";
+    return out + " -f -a " + quoted(offered(*option.value)) + '\n';
+  }
+  for (const std::string& name : option.names)
+    out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  if (option.value != nullptr) out += argument(*option.value);
+  return out + " -d " + quoted(brief(option.text)) + '\n';
+}
+
+}  // namespace
+
+std::string fish_completions(std::span<const CommandHelp> commands) {
+  std::string out = "# Completions of mesecina for fish, written by `mesecina completions fish`.\n";
+  const std::string first = "__fish_use_subcommand";
+  for (const OptionHelp& option : commands.front().options) out += line(first, option);
+  for (const CommandHelp& command : commands.subspan(1)) {
+    const std::string name = command.name.substr(command.name.rfind(' ') + 1);
+    out += "complete -c mesecina -n " + first + " -a " + name + " -d " + quoted(command.summary) + '\n';
+    for (const OptionHelp& option : command.options) out += line("__fish_seen_subcommand_from " + name, option);
+  }
+  return out;
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/completions.h"
+
+namespace mes::cli {
+namespace {
+
+// Within single quotes, where `special` has a meaning of its own.
+std::string quoted(std::string_view text, std::string_view special) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\'') {
+      out += "'\\''";
+      continue;
+    }
+    if (special.find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string offered(const OptionValue& value) {
+  std::string out;
+  for (const std::string& word : value.offer()) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
+// ":NAME:ACTION"; what it is called, and how it is completed.
+std::string action(const OptionHelp& option) {
+  const OptionValue& value = *option.value;
+  const std::string name = value.name.empty() ? option.names.back() : std::string(value.name);
+  switch (value.kind) {
+    case ValueKind::choice:
+      // Nothing but a value follows the name of a parameter at once.
+      return ':' + name + ":" +
+             (value.name.ends_with("VALUE") ? "{compadd -S \"\" -- " + offered(value) + '}'
+                                            : "(" + offered(value) + ")");
+    case ValueKind::choices: return ':' + name + ":_values -s , " + name + ' ' + offered(value);
+    case ValueKind::file: return ':' + name + ":_files";
+    case ValueKind::folder: return ':' + name + ":_files -/";
+    case ValueKind::text: break;
+  }
+  return ':' + name + ": ";
+}
+
+std::string specification(const OptionHelp& option) {
+  if (option.is_positional) return '\'' + (option.may_repeat ? "*" + action(option) : action(option)) + '\'';
+  const std::string text = '[' + quoted(brief(option.text), "[]:\\") + ']';
+  const std::string value = option.value == nullptr ? "" : action(option);
+  if (option.names.size() == 1)
+    return '\'' + std::string(option.may_repeat ? "*" : "") + option.names.front() + text + value + '\'';
+  std::string all;
+  std::string braces;
+  for (const std::string& name : option.names) {
+    all += (all.empty() ? "" : " ") + name;
+    braces += (braces.empty() ? "" : ",") + name;
+  }
+  return "'(" + all + ")'{" + braces + "}'" + text + value + '\'';
+}
+
+std::string arguments(const CommandHelp& command, const std::string& indent) {
+  std::string out = "_arguments";
+  for (const OptionHelp& option : command.options) out += " \\\n" + indent + specification(option);
+  return out;
+}
+
+}  // namespace
+
+std::string zsh_completions(std::span<const CommandHelp> commands) {
+  std::string out = "#compdef mesecina\n# Completions of mesecina for zsh, written by `mesecina completions zsh`.\n";
+  out += "_mesecina_first() {\n  local -a commands=(\n";
+  std::string cases;
+  for (const CommandHelp& command : commands.subspan(1)) {
+    const std::string name = command.name.substr(command.name.rfind(' ') + 1);
+    out += "    '" + name + ':' + quoted(command.summary, "") + "'\n";
+    cases += "    " + name + ")\n      shift words\n      ((CURRENT--))\n      " + arguments(command, "        ") +
+             "\n      ;;\n";
+  }
+  out += "  )\n  _describe command commands\n  _files\n}\n";
+  out +=
+      "_mesecina() {\n  if ((CURRENT == 2)) && [[ $words[2] != -* ]]; then\n    _mesecina_first\n    return\n  fi\n";
+  out += "  case $words[2] in\n" + cases + "    *)\n      " + arguments(commands.front(), "        ") +
+         "\n      ;;\n  esac\n}\n_mesecina \"$@\"\n";
+  return out;
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The man page, from the same tables as the manual.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/cli/command_help.h"
+
+namespace mes::cli {
+
+/// In the macros of man(7). Equal programs give equal bytes: there is no date in it.
+std::string man_page(std::span<const CommandHelp> commands);
+
+}  // namespace mes::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/option_values.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/cli/completions.h"
+#include "app/cli/requests.h"
+#include "core/document/computation_settings.h"
+#include "core/document/parameter.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/evolutions/evolution.h"
+#include "core/io/format.h"
+
+namespace mes::cli {
+namespace {
+
+std::vector<std::string> ids_of(const auto& descriptors) {
+  std::vector<std::string> out;
+  for (const auto& descriptor : descriptors) out.emplace_back(descriptor.id);
+  return out;
+}
+
+std::vector<std::string> layers() {
+  return ids_of(layer_descriptors());
+}
+
+std::vector<std::string> formats() {
+  return ids_of(format_descriptors());
+}
+
+std::vector<std::string> exported() {
+  const auto formats = export_formats();
+  return {formats.begin(), formats.end()};
+}
+
+std::vector<std::string> precisions() {
+  return ids_of(kPrecisionDescriptors);
+}
+
+std::vector<std::string> parameters() {
+  std::vector<std::string> out = ids_of(parameter_descriptors());
+  for (const ParameterDescriptor& parameter : evolution_parameters()) out.emplace_back(parameter.id);
+  for (std::string& name : out) name += '=';
+  return out;
+}
+
+std::vector<std::string> evolution_ids() {
+  std::vector<std::string> out;
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) out.emplace_back(evolutions()[i].descriptor.id);
+  return out;
+}
+
+constexpr std::array<OptionValue, 24> kValues{{
+    {"FILE", {}, ValueKind::file},
+    {"SESSION", {}, ValueKind::file},
+    {"WHAT", {}, ValueKind::choice, listed_things},
+    {"SHELL", {}, ValueKind::choice, shell_names},
+    {"--from", "FORMAT", ValueKind::choice, formats},
+    {"--format", "FORMAT", ValueKind::choice, exported},
+    {"--precision", "TYPE", ValueKind::choice, precisions},
+    {"--set", "NAME=VALUE", ValueKind::choice, parameters},
+    {"--layers", "IDS", ValueKind::choices, layers},
+    {"--layer", "ID", ValueKind::choice, layers},
+    {"--evolution", "ID", ValueKind::choice, evolution_ids},
+    {"--output", "FILE", ValueKind::file},
+    {"--image", "FILE", ValueKind::file},
+    {"--video", "FILE", ValueKind::file},
+    {"--bundle", "NAME", ValueKind::file},
+    {"--frames", "FOLDER", ValueKind::folder},
+    {"--size", "WxH"},
+    {"--view", "VIEW"},
+    {"--scale", "FACTOR"},
+    {"--background", "COLOR"},
+    {"--set-style", "STYLE"},
+    {"--steps", "N"},
+    {"--seed", "N"},
+    {"--fps", "N"},
+}};
+constexpr OptionValue kText{{}, "TEXT"};
+
+}  // namespace
+
+const OptionValue& value_of(std::string_view option) {
+  const auto found = std::ranges::find(kValues, option, &OptionValue::option);
+  return found != kValues.end() ? *found : kText;
+}
+
+std::vector<std::string> shell_names() {
+  std::vector<std::string> out;
+  for (const Shell& shell : shells()) out.emplace_back(shell.name);
+  return out;
+}
+
+}  // namespace mes::cli
