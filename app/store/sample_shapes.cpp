@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/sample_shapes.h"
 
+#include <sys/auxv.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -16,16 +18,14 @@ fs::path find_assets(const fs::path& executable) {
   std::error_code error;
   // The link of the running program is right whatever name it was started by.
   fs::path self = fs::read_symlink("/proc/self/exe", error);
-  if (error) self = fs::absolute(executable, error);
+  // A bare root may be without /proc. A name without a folder was found on the PATH, where the loader knows it.
+  if (error) self = executable.has_parent_path() ? executable : reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+  self = fs::absolute(self, error);
   const fs::path folder = self.parent_path();
   candidates.push_back(folder / "assets");
   candidates.push_back(folder / ".." / "share" / "mesecina");
-  candidates.push_back(folder / ".." / ".." / "assets");
-#ifdef MESECINA_SOURCE_ASSETS
-  candidates.emplace_back(MESECINA_SOURCE_ASSETS);
-#endif
   for (const fs::path& candidate : candidates)
-    if (fs::is_directory(candidate / "shapes", error)) return candidate.lexically_normal();
+    if (fs::is_directory(candidate / "shapes", error)) return fs::canonical(candidate, error);
   return {};
 }
 

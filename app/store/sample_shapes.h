@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// The first that exists of $MESECINA_ASSETS, `assets` and `share/mesecina` near the executable, and the source
-/// tree; empty when there is none. Everything works without it, only plainer.
+/// The first that exists of $MESECINA_ASSETS, `assets` beside the executable (a link, in a build folder) and
+/// `../share/mesecina` (where it is installed); empty when there is none. Everything works without it, only plainer.
 std::filesystem::path find_assets(const std::filesystem::path& executable);
 
 struct SampleShape {

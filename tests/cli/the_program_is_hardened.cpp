@@ -4,8 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
+
+#include "tests/io/temporary_folder.h"
 
 namespace {
 
@@ -30,4 +33,12 @@ TEST_CASE("the stack is guarded, and functions of the C library check what they 
   const std::string symbols = said_by_readelf("--dyn-syms");
   CHECK_THAT(symbols, Catch::Contains("__stack_chk_fail"));
   CHECK_THAT(symbols, Catch::Contains("__snprintf_chk"));
+}
+
+TEST_CASE("nothing in the program says where it was built") {
+  const std::string bytes = mes::test::contents_of(std::getenv("MESECINA_BINARY"));
+  REQUIRE(bytes.size() > 100000);
+  // Not compared within CHECK, which would print the program.
+  const bool is_named = bytes.find(std::filesystem::current_path().string()) != std::string::npos;
+  CHECK_FALSE(is_named);
 }
