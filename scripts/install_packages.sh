@@ -1,43 +1,94 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the Debian packages that are missing; says nothing and touches nothing when none is.
+# Installs the packages that are missing; says nothing and touches nothing when none is.
 #
-#   scripts/install_packages.sh [build|test|bench|format]      test and bench include build; default: test
+#   scripts/install_packages.sh [build|test|bench|package|package-check|tidy|format]
+#
+# test, bench and package include build; default: test. It installs on Debian and Ubuntu; elsewhere it says what to
+# install.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-build_packages=(
-  g++ cmake ninja-build pkg-config
-  libcgal-dev libgmp-dev libmpfr-dev                       # exact geometry
-  libglfw3-dev libimgui-dev libepoxy-dev libegl-dev        # window and drawing
-  libglm-dev                                               # vectors, matrices and colours of drawing
-  libgl1 libegl1 libgl1-mesa-dri libglx-mesa0              # OpenGL, also without a graphics card
-  libstb-dev libdeflate-dev                                # PNG
-  libcli11-dev nlohmann-json3-dev                          # command line, JSON
-)
-test_packages=(catch2 xvfb xdotool imagemagick)
-bench_packages=(libbenchmark-dev)
-format_packages=(clang-format-14)
+# The names of what is needed: `-` where there is no package or none is needed. The names of apt are used by every test
+# run on Debian 12. Those of Ubuntu, which are the same, and of dnf, pacman and brew are from reading only, not tried:
+# newer systems have version 3 of Catch2, and the tests need version 2; brew has neither EGL nor stb.
+packages() {
+  cat <<'TABLE'
+# set          apt                 dnf                 pacman         brew
+build          g++                 gcc-c++             gcc            gcc
+build          cmake               cmake               cmake          cmake
+build          ninja-build         ninja-build         ninja          ninja
+build          pkg-config          pkgconf-pkg-config  pkgconf        pkgconf
+build          libcgal-dev         CGAL-devel          cgal           cgal
+build          libgmp-dev          gmp-devel           gmp            gmp
+build          libmpfr-dev         mpfr-devel          mpfr           mpfr
+build          libglfw3-dev        glfw-devel          glfw           glfw
+build          libimgui-dev        imgui-devel         imgui          imgui
+build          libepoxy-dev        libepoxy-devel      libepoxy       libepoxy
+build          libglm-dev          glm-devel           glm            glm
+build          libegl-dev          libglvnd-devel      libglvnd       -
+build          libgl1              libglvnd-glx        libglvnd       -
+build          libegl1             libglvnd-egl        libglvnd       -
+build          libgl1-mesa-dri     mesa-dri-drivers    mesa           -
+build          libglx-mesa0        mesa-libGL          mesa           -
+build          libstb-dev          stb-devel           stb            -
+build          libdeflate-dev      libdeflate-devel    libdeflate     libdeflate
+build          libcli11-dev        cli11-devel         cli11          cli11
+build          nlohmann-json3-dev  json-devel          nlohmann-json  nlohmann-json
+test           catch2              catch2-devel        catch2-v2      -
+test           xvfb                xorg-x11-server-Xvfb  xorg-server-xvfb  -
+test           xdotool             xdotool             xdotool        -
+test           imagemagick         ImageMagick         imagemagick    imagemagick
+bench          libbenchmark-dev    google-benchmark-devel  benchmark  google-benchmark
+package        dpkg-dev            dpkg-dev            dpkg           dpkg
+package        file                file                file           -
+package-check  lintian             -                   -              -
+package-check  debootstrap         -                   -              -
+package-check  desktop-file-utils  -                   -              -
+package-check  appstream           -                   -              -
+package-check  shared-mime-info    -                   -              -
+tidy           clang-tidy-14       clang-tools-extra   clang          llvm
+format         clang-format-14     clang-tools-extra   clang          clang-format
+TABLE
+}
 
-case ${1:-test} in
-  build) wanted=("${build_packages[@]}") ;;
-  test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
-  bench) wanted=("${build_packages[@]}" "${bench_packages[@]}") ;;
-  format) wanted=("${format_packages[@]}") ;;
-  *) fail "unknown set '$1'; there are build, test, bench and format" ;;
+set_name=${1:-test}
+case $set_name in
+  build | package-check | tidy | format) sets=("$set_name") ;;
+  test | bench | package) sets=(build "$set_name") ;;
+  *) fail "unknown set '$1'; sets are build, test, bench, package, package-check, tidy and format" ;;
 esac
 
-command -v dpkg-query >/dev/null || fail "this is no Debian system; install by hand: ${wanted[*]}"
+# Who installs here, how it is asked, and the names of what it has installed.
+if command -v dpkg-query >/dev/null; then
+  column=2 command='apt-get install'
+  installed() {
+    dpkg-query --show --showformat='${db:Status-Abbrev} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^ii  *//p'
+  }
+elif command -v dnf >/dev/null; then
+  column=3 command='dnf install'
+  installed() { rpm --query --queryformat '%{NAME}\n' "$@" 2>/dev/null; }
+elif command -v pacman >/dev/null; then
+  column=4 command='pacman -S'
+  installed() { pacman --query --quiet "$@" 2>/dev/null; }
+elif command -v brew >/dev/null; then
+  column=5 command='brew install'
+  installed() { brew list --formula -1; }
+else
+  fail "none of apt, dnf, pacman and brew is here; install by hand what the table in $0 lists"
+fi
 
-# One line "STATUS NAME" a package; what dpkg has never heard of has no line.
-installed=$(dpkg-query --show --showformat='${db:Status-Abbrev} ${Package}\n' "${wanted[@]}" 2>/dev/null |
-  awk '$1 == "ii" { print $2 }')
+mapfile -t wanted < <(packages | awk -v sets="${sets[*]}" -v column="$column" '
+  BEGIN { split(sets, names, " "); for (i in names) is_wanted[names[i]] = 1 }
+  $1 in is_wanted && $column != "-" && !seen[$column]++ { print $column }')
+present=$(installed "${wanted[@]}")
 missing=()
 for package in "${wanted[@]}"; do
-  grep -qxF -- "$package" <<<"$installed" || missing+=("$package")
+  grep -qxF -- "$package" <<<"$present" || missing+=("$package")
 done
 if ((${#missing[@]} == 0)); then exit 0; fi
+if ((column != 2)); then fail "packages are missing: $command ${missing[*]}"; fi
 
 if ((EUID == 0)); then
   as_root=(env)
