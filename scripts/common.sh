@@ -39,6 +39,6 @@ build() {
   local preset=$1 count
   count=$(job_count)
   shift
-  say "Building $root/build/$preset with $count job(s) ..."
+  say "Building $PWD/build/$preset with $count job(s) ..."
   cmake --build "build/$preset" --parallel "$count" "$@" >&2 || fail "the $preset build failed"
 }
