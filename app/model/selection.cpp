@@ -80,8 +80,8 @@ std::string counted(std::size_t samples, std::size_t balls) {
 }
 
 std::string noun_of(const Selection& selection) {
-  const std::string samples = selection.sample_count() == 1 ? "sample" : "samples";
-  const std::string balls = selection.ball_count() == 1 ? "ball" : "balls";
+  std::string samples = selection.sample_count() == 1 ? "sample" : "samples";
+  std::string balls = selection.ball_count() == 1 ? "ball" : "balls";
   if (selection.ball_count() == 0) return samples;
   return selection.sample_count() == 0 ? balls : samples + " and " + balls;
 }

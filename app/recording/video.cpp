@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/video.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -50,14 +46,7 @@ std::vector<std::string> arguments(double fps, std::size_t frames, const fs::pat
 }  // namespace
 
 bool has_video_maker() {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path != nullptr ? path : "";
-  while (!rest.empty()) {
-    const std::string_view folder = rest.substr(0, rest.find(':'));
-    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    if (!folder.empty() && ::access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
-  }
-  return false;
+  return is_program_on_path("ffmpeg");
 }
 
 Expected<void> check_video(const fs::path& output) {

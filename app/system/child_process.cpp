@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <mutex>
 #include <string_view>
 #include <thread>
@@ -38,6 +39,7 @@ Children& children() {
 
 int spawn(const std::vector<std::string>& words, const fs::path& folder, int errors, pid_t& pid) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t files;
@@ -111,6 +113,17 @@ std::string ChildProcess::complaint() {
     if (!text.empty()) last = text;
   }
   return last;
+}
+
+bool is_program_on_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path != nullptr ? path : "";
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    if (!folder.empty() && ::access((fs::path(folder) / name).c_str(), X_OK) == 0) return true;
+  }
+  return false;
 }
 
 void kill_children(Clock::time_point until) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Another program that works for this one, and does not outlive it.
+// Another program that works for this one, and does not outlive it: the one place that starts programs. (Computations
+// in a copy of this process are in core/base/isolated.h.)
 #pragma once
 
 #include <sys/types.h>
@@ -33,6 +34,9 @@ class ChildProcess {
   pid_t pid_ = -1;
   std::FILE* errors_ = nullptr;
 };
+
+/// Whether `ChildProcess` finds a program of this name.
+bool is_program_on_path(const std::string& name);
 
 /// For a process that ends without destructors: kills its children and waits for their end, as far as the time
 /// allows; none is started any more.
