@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/structures/balls/internal/union_pipeline.h"
+#include "core/structures/balls/internal/union_numbers.h"
 #include "core/structures/balls/internal/union_runs.h"
 #include "core/structures/triangulation/regular_triangulation.h"
 

@@ -5,7 +5,7 @@
 namespace mes {
 
 UnionTables run_union_doubles(const PipelineInput& input, JobControl& job) {
-  return UnionPipeline<FastKernel, FastKernel>(input, false, job).run();
+  return union_pipeline::run<FastKernel, FastKernel>(input, CrossingRule::root, job);
 }
 
 std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job) {
@@ -13,7 +13,7 @@ std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, Job
 }
 
 UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known, JobControl& job) {
-  return UnionPipeline<FastKernel, FastKernel>(input, false, job).run_v_diagram(known);
+  return union_pipeline::run_v_diagram<FastKernel, FastKernel>(input, known, job);
 }
 
 }  // namespace mes

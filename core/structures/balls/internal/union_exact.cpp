@@ -5,19 +5,19 @@
 namespace mes {
 
 UnionTables run_union_rational(const PipelineInput& input, JobControl& job) {
-  return UnionPipeline<ExactKernel, ExactKernel>(input, true, job).run();
+  return union_pipeline::run<ExactKernel, ExactKernel>(input, CrossingRule::sample, job);
 }
 
 UnionTables run_union_mixed(const PipelineInput& input, JobControl& job) {
-  return UnionPipeline<ExactKernel, RootsKernel>(input, true, job).run();
+  return union_pipeline::run<ExactKernel, RootsKernel>(input, CrossingRule::sample, job);
 }
 
 UnionTables run_union_roots(const PipelineInput& input, JobControl& job) {
-  return UnionPipeline<RootsKernel, RootsKernel>(input, false, job).run();
+  return union_pipeline::run<RootsKernel, RootsKernel>(input, CrossingRule::root, job);
 }
 
 UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job) {
-  return UnionPipeline<ExactKernel, ExactKernel>(input, true, job).run_dual_complex();
+  return union_pipeline::run_dual_complex<ExactKernel, ExactKernel>(input, job);
 }
 
 std::vector<PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job) {

@@ -5,7 +5,7 @@
 namespace mes {
 
 UnionTables run_union_naive(const PipelineInput& input, JobControl& job) {
-  return UnionPipeline<NaiveKernel, NaiveKernel>(input, false, job).run();
+  return union_pipeline::run<NaiveKernel, NaiveKernel>(input, CrossingRule::root, job);
 }
 
 std::vector<PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job) {

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Seventh stage of the union pipeline: edge cuts -> the medial axis, and where its nodes lie. The axis consists of the
+// cuts that lie in |R|, and of the singular dual edges.
+#pragma once
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/kernel/circumcircle.h"
+#include "core/structures/balls/internal/edge_cuts.h"
+#include "core/structures/balls/internal/union_balls.h"
+#include "core/structures/balls/internal/union_complex.h"
+#include "core/structures/balls/internal/union_crossings.h"
+#include "core/structures/balls/internal/union_tables.h"
+#include "core/structures/balls/internal/union_triangulation.h"
+#include "core/structures/balls/internal/union_v_triangulation.h"
+
+namespace mes {
+
+/// The faces of the triangulation of the v-points, with their circumcircles.
+struct UnionFaces {
+  std::vector<VFace> rows;
+  std::vector<Vec2> local_center;  ///< rounded, in the frame
+};
+
+struct PlacedCircle {
+  Circle local;
+  Vec2 center;  ///< in the document
+};
+
+template <class Balls, class Points>
+PlacedCircle placed_circumcircle(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points,
+                                 const std::array<Slot, 3>& v) {
+  if constexpr (VPoints<Points>::kIsDouble) {
+    Vec2 corner[3];
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = points.local[v[i]];
+    std::ranges::rotate(corner, std::ranges::min_element(corner, lexicographically_less));
+    const Circle circle = circumcircle(corner[0], corner[1], corner[2]);
+    return {circle, balls.frame.to_document(circle.center)};
+  } else {
+    const auto center = CGAL::circumcenter(points.exact[v[0]], points.exact[v[1]], points.exact[v[2]]);
+    const PlacedPoint at = placed(center.x(), center.y(), balls.frame);
+    return {{at.local, distance(at.local, points.local[v[0]])}, at.document};
+  }
+}
+
+template <class Balls, class Points>
+UnionFaces place_faces(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, const VTriangulation& v,
+                       const std::vector<Slot>& ball_of_face, const EdgeCuts& cuts) {
+  UnionFaces out;
+  out.rows.resize(v.faces.size());
+  out.local_center.resize(v.faces.size());
+  balls.in_parts(v.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      VFace& face = out.rows[slot];
+      std::ranges::copy(v.faces[slot], face.v);
+      face.is_inside = cuts.is_inside[slot];
+      if (ball_of_face[slot] != kNoSlot) {
+        const PipelineBall& ball = balls.input[ball_of_face[slot]];
+        out.local_center[slot] = ball.disk.center;
+        face.center = ball.drawn.center;
+        face.radius = ball.drawn.radius;
+        face.ball = ball.row;
+      } else {
+        const PlacedCircle circle = placed_circumcircle(balls, points, v.faces[slot]);
+        out.local_center[slot] = circle.local.center;
+        face.center = circle.center;
+        face.radius = balls.frame.to_document_length(circle.local.radius);
+      }
+    }
+  });
+  return out;
+}
+
+/// Reads cuts as pieces of the axis.
+template <class Balls, class Points>
+class AxisReader {
+ public:
+  AxisReader(const UnionBalls<Balls, Points>& balls, const VTriangulation& v, const UnionFaces& faces)
+      : balls_(balls), v_(v), faces_(faces) {}
+
+  bool is_unbounded(const EdgeCut& cut) const { return node_at(cut, 0) == kNoSlot || node_at(cut, 1) == kNoSlot; }
+  /// Cuts between two triangles of one circle have no length, and are none of the axis.
+  bool is_axis(const EdgeCut& cut) const {
+    if (cut.label != CutLabel::in) return false;
+    const Slot a = node_at(cut, 0);
+    const Slot b = node_at(cut, 1);
+    return a != kNoSlot && b != kNoSlot && a != b;
+  }
+  /// From the positions in the frame, which have the most digits.
+  double length_of(const EdgeCut& cut) const { return distance(local_at(cut, 0), local_at(cut, 1)); }
+  AxisPiece piece_of(const EdgeCut& cut) const {
+    const VEdge& edge = v_.edges[cut.edge];
+    const Disk a = disk_at(cut, 0);
+    const Disk b = disk_at(cut, 1);
+    AxisPiece piece{
+        a.center, b.center, a.radius, b.radius, {node_at(cut, 0), node_at(cut, 1)}, {edge.v[0], edge.v[1]}};
+    if (ends_at_plain_face(cut, 0) && ends_at_plain_face(cut, 1))
+      piece.is_zero = local_at(cut, 0) == local_at(cut, 1) ? 1 : 0;
+    return piece;
+  }
+
+ private:
+  // Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut goes on for ever.
+  Slot node_at(const EdgeCut& cut, std::size_t i) const {
+    if (cut.end[i] != kNoSlot) return balls_.input[cut.end[i]].row;
+    const Slot face = cut.face_at(v_, i);
+    if (face == kNoSlot) return kNoSlot;
+    const Slot ball = faces_.rows[face].ball;
+    return ball != kNoSlot ? ball : static_cast<Slot>(balls_.rows) + face;
+  }
+  bool ends_at_plain_face(const EdgeCut& cut, std::size_t i) const {
+    const Slot face = cut.face_at(v_, i);
+    return face != kNoSlot && faces_.rows[face].ball == kNoSlot;
+  }
+  Vec2 local_at(const EdgeCut& cut, std::size_t i) const {
+    return cut.end[i] != kNoSlot ? balls_.center(cut.end[i]) : faces_.local_center[cut.face_at(v_, i)];
+  }
+  Disk disk_at(const EdgeCut& cut, std::size_t i) const {
+    if (cut.end[i] != kNoSlot) return balls_.input[cut.end[i]].drawn;
+    const VFace& face = faces_.rows[cut.face_at(v_, i)];
+    return {face.center, face.radius};
+  }
+
+  const UnionBalls<Balls, Points>& balls_;
+  const VTriangulation& v_;
+  const UnionFaces& faces_;
+};
+
+struct UnionAxis {
+  std::vector<AxisPiece> pieces;
+  std::int64_t contradictions = 0;  ///< cuts in |R| that go on for ever
+};
+
+/// Appends the singular dual edges.
+template <class Balls, class Points>
+void add_singular_edges(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
+                        const DualComplex& complex, const VPoints<Points>& points, std::vector<AxisPiece>& out) {
+  for (Slot e = 0; e < tables.edges.size(); ++e) {
+    const Slot row = complex.row_of_edge[e];
+    if (row == kNoSlot || complex.edges[row].kind != DualClass::singular) continue;
+    const PipelineBall& a = balls.input[tables.edges[e].v[0]];
+    const PipelineBall& b = balls.input[tables.edges[e].v[1]];
+    out.push_back({a.drawn.center,
+                   b.drawn.center,
+                   a.drawn.radius,
+                   b.drawn.radius,
+                   {a.row, b.row},
+                   {points.of_dual_edge[row][0], points.of_dual_edge[row][1]},
+                   1});
+  }
+}
+
+template <class Balls, class Points>
+UnionAxis union_axis(const UnionBalls<Balls, Points>& balls, const RegularTables& tables, const DualComplex& complex,
+                     const VPoints<Points>& points, const VTriangulation& v, const UnionFaces& faces,
+                     const std::vector<EdgeCut>& cuts) {
+  UnionAxis out;
+  const AxisReader reader(balls, v, faces);
+  std::vector<std::size_t> place(balls.part_count(cuts.size()) + 1, 0);
+  std::vector<std::int64_t> unbounded(place.size(), 0);
+  balls.in_parts(cuts.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    std::size_t kept = 0;
+    for (std::size_t c = begin; c < end; ++c) {
+      if (reader.is_axis(cuts[c])) ++kept;
+      if (cuts[c].label == CutLabel::in && reader.is_unbounded(cuts[c])) ++unbounded[part];
+    }
+    place[part + 1] = kept;
+  });
+  for (std::size_t part = 1; part < place.size(); ++part) place[part] += place[part - 1];
+  for (const std::int64_t count : unbounded) out.contradictions += count;
+  const auto singular = std::ranges::count(complex.edges, DualClass::singular, &DualEdge::kind);
+  out.pieces.reserve(place.back() + static_cast<std::size_t>(singular));
+  out.pieces.resize(place.back());
+  balls.in_parts(cuts.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    std::size_t at = place[part];
+    for (std::size_t c = begin; c < end; ++c)
+      if (reader.is_axis(cuts[c])) out.pieces[at++] = reader.piece_of(cuts[c]);
+  });
+  add_singular_edges(balls, tables, complex, points, out.pieces);
+  return out;
+}
+
+}  // namespace mes

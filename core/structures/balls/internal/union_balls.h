@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every stage of the union pipeline reads: the balls in the numbers of both kernels, and how work is split.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/vec2.h"
+#include "core/structures/balls/internal/local_frame.h"
+#include "core/structures/balls/internal/union_numbers.h"
+#include "core/structures/balls/internal/union_runs.h"
+
+namespace mes {
+
+/// `Balls` is the kernel of the triangulation of the balls and of the dual complex, `Points` that of the v-points.
+/// A ball is named by its position in the input.
+template <class Balls, class Points>
+struct UnionBalls {
+  using BallNumber = typename Balls::FT;
+  using PointNumber = typename Points::FT;
+  /// Numbers other than doubles belong to one thread.
+  static constexpr bool kIsDouble = std::is_same_v<BallNumber, double> && std::is_same_v<PointNumber, double>;
+
+  std::span<const PipelineBall> input;
+  std::size_t rows;  ///< of the family's table
+  LocalFrame frame;
+  std::vector<BallOf<BallNumber>> in_balls;
+  std::vector<BallOf<PointNumber>> in_points;
+
+  explicit UnionBalls(const PipelineInput& given)
+      : input(given.balls),
+        rows(given.rows),
+        frame(given.frame),
+        in_balls(given.balls.size()),
+        in_points(given.balls.size()) {
+    in_parts(input.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        in_balls[i] = ball_in<BallNumber>(input[i]);
+        in_points[i] = ball_in<PointNumber>(input[i]);
+      }
+    });
+  }
+
+  std::size_t size() const { return input.size(); }
+  Vec2 center(Slot ball) const { return input[ball].disk.center; }
+  /// An order that does not depend on that of the input.
+  bool comes_before(Slot a, Slot b) const { return lexicographically_less(center(a), center(b)); }
+
+  static std::size_t part_count(std::size_t count) {
+    return kIsDouble ? std::clamp<std::size_t>(count >> 12U, 1, 8) : 1;
+  }
+  /// Calls `body(begin, end, part)` for the parts of [0, count), side by side. The split depends on `count` alone.
+  template <class Body>
+  static void in_parts(std::size_t count, Body body) {
+    const std::size_t parts = part_count(count);
+    run_tasks(parts, [&](std::size_t part) { body(count * part / parts, count * (part + 1) / parts, part); });
+  }
+};
+
+}  // namespace mes

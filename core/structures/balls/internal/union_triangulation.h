@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First stage of the union pipeline: balls -> regular triangulation.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/structures/balls/internal/union_balls.h"
+#include "core/structures/triangulation/regular_triangulation.h"
+
+namespace mes {
+
+/// The tables of the regular triangulation, and the ways from a triangle and from a ball to the edges there.
+struct UnionTriangulation {
+  RegularTables tables;
+  std::vector<std::array<Slot, 3>> face_edge;  ///< by face: edge i lies opposite corner i
+  std::vector<Slot> some_face;                 ///< by ball: one of the faces there
+  std::vector<std::vector<Slot>> line_edges;   ///< by ball: its edges; only when all centres are collinear
+
+  bool is_infinite(Slot face) const {
+    for (const Slot v : tables.faces[face].v)
+      if (v == kInfiniteBall) return true;
+    return false;
+  }
+};
+
+/// A ball in another one that it touches from inside has a power cell and a dual edge, but no part in the union:
+/// without it the tables are those of a set in which no such thing happens. Circumdisks of Delaunay triangles never
+/// hold each other before they are scaled.
+template <class Balls, class Points>
+void leave_out_covered(const UnionBalls<Balls, Points>& balls, RegularTables& tables, JobControl& job) {
+  std::vector<bool> left_out;
+  for (bool found = true; found;) {
+    found = false;
+    for (const auto& edge : tables.edges) {
+      const Slot a = edge.v[0];
+      const Slot b = edge.v[1];
+      const bool may_hold = balls.input[a].origin == BallOrigin::disk || balls.input[a].scale != 1.0;
+      if (!may_hold || sign_of_edge_radius<Balls>(balls.in_balls[a], balls.in_balls[b]) != 0) continue;
+      if (!touch_from_inside<Balls>(balls.in_balls[a], balls.in_balls[b])) continue;
+      left_out.resize(balls.size(), false);
+      left_out[balls.in_balls[a].w < balls.in_balls[b].w ? a : b] = true;
+      found = true;
+    }
+    if (found) tables = regular_triangulation<Balls>(balls.in_balls, job, left_out);
+  }
+}
+
+template <class Balls, class Points>
+UnionTriangulation union_triangulation(const UnionBalls<Balls, Points>& balls, JobControl& job) {
+  UnionTriangulation out;
+  RegularTables& tables = out.tables;
+  tables = regular_triangulation<Balls>(balls.in_balls, job);
+  leave_out_covered(balls, tables, job);
+  out.face_edge.assign(tables.faces.size(), {kNoSlot, kNoSlot, kNoSlot});
+  out.some_face.assign(balls.size(), kNoSlot);
+  for (Slot f = 0; f < tables.faces.size(); ++f)
+    for (const Slot v : tables.faces[f].v)
+      if (v != kInfiniteBall) out.some_face[v] = f;
+  for (Slot e = 0; e < tables.edges.size(); ++e) {
+    const auto& edge = tables.edges[e];
+    for (const Slot f : edge.f) {
+      if (f == kNoSlot) continue;
+      const auto& v = tables.faces[f].v;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (v[i] != edge.v[0] && v[i] != edge.v[1]) out.face_edge[f][i] = e;
+    }
+  }
+  if (tables.dimension == 1) {
+    out.line_edges.resize(balls.size());
+    for (Slot e = 0; e < tables.edges.size(); ++e)
+      for (const Slot ball : tables.edges[e].v) out.line_edges[ball].push_back(e);
+  }
+  return out;
+}
+
+}  // namespace mes

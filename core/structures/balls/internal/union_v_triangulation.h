@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fourth stage of the union pipeline: v-points -> their Delaunay triangulation.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/structures/balls/internal/union_crossings.h"
+#include "core/structures/balls/internal/union_tables.h"
+
+namespace mes {
+
+/// Named by rows of v-points. Its edges stand for their duals, the Voronoi edges.
+struct VTriangulation {
+  struct EdgeTo {
+    Slot to, edge;
+  };
+  bool is_flat = false;                        ///< all v-points are collinear
+  std::vector<std::array<Slot, 3>> faces;      ///< corners, counter-clockwise
+  std::vector<std::array<Slot, 3>> face_edge;  ///< edge i lies opposite corner i
+  std::vector<VEdge> edges;
+  std::vector<EdgeTo> edges_at;      ///< those at v-point v begin at `edges_begin[v]`
+  std::vector<Slot> edges_begin;     ///< by v-point, and one more
+  std::int64_t near_duplicates = 0;  ///< see `UnionCounts`
+
+  /// O(smaller degree); kNoSlot = the two are not joined.
+  Slot edge_between(Slot from, Slot to) const {
+    const auto degree = [this](Slot v) { return edges_begin[v + 1] - edges_begin[v]; };
+    if (degree(to) < degree(from)) std::swap(from, to);
+    for (Slot i = edges_begin[from]; i < edges_begin[from + 1]; ++i)
+      if (edges_at[i].to == to) return edges_at[i].edge;
+    return kNoSlot;
+  }
+};
+
+inline std::int64_t count_near_duplicates(const std::vector<VEdge>& edges, const std::vector<Vec2>& position) {
+  const auto square_of = [&position](const VEdge& edge) {
+    const Vec2 d = position[edge.v[1]] - position[edge.v[0]];
+    return dot(d, d);
+  };
+  // No edge is longer than the diagonal, so these hold all edges that are short against the longest.
+  Box2 box;
+  for (const Vec2 v : position) box.add(v);
+  const double diagonal = dot(box.high - box.low, box.high - box.low);
+  std::vector<double> short_squares;
+  double longest = 0.0;
+  for (const VEdge& edge : edges) {
+    const double square = square_of(edge);
+    longest = std::max(longest, square);
+    if (square < 1e-14 * diagonal) short_squares.push_back(square);
+  }
+  return std::ranges::count_if(short_squares, [longest](double square) { return square < 1e-14 * longest; });
+}
+
+/// Fills in `edges_at` and `edges_begin`.
+inline void list_edges_at_points(std::size_t points, VTriangulation& out) {
+  out.edges_begin.assign(points + 1, 0);
+  for (const VEdge& edge : out.edges)
+    for (const Slot v : edge.v) ++out.edges_begin[v];
+  Slot end = 0;
+  for (Slot& begin : out.edges_begin) begin = end += begin;
+  out.edges_at.resize(end);
+  for (Slot e = static_cast<Slot>(out.edges.size()); e-- > 0;) {
+    const auto& v = out.edges[e].v;
+    out.edges_at[--out.edges_begin[v[0]]] = {v[1], e};
+    out.edges_at[--out.edges_begin[v[1]]] = {v[0], e};
+  }
+}
+
+template <class Points>
+VTriangulation v_triangulation(const VPoints<Points>& points) {
+  VTriangulation out;
+  const auto& faces = points.triangulation.faces;
+  const auto& row = points.row_of_crossing;
+  out.is_flat = points.triangulation.dimension != 2;
+  out.faces.resize(faces.size());
+  out.face_edge.resize(faces.size());
+  out.edges.reserve(3 * points.rows.size());
+  for (const auto& [from, to] : points.triangulation.line) out.edges.push_back({{row[from], row[to]}});
+  for (Slot f = 0; f < faces.size(); ++f) {
+    auto& v = out.faces[f];
+    for (std::size_t i = 0; i < 3; ++i) v[i] = row[faces[f].v[i]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Slot g = faces[f].n[i];
+      if (g < f) continue;
+      const auto edge = static_cast<Slot>(out.edges.size());
+      out.edges.push_back({{v[(i + 1) % 3], v[(i + 2) % 3]}, {f, g}});
+      out.face_edge[f][i] = edge;
+      if (g == kNoSlot) continue;
+      const auto& n = faces[g].n;
+      out.face_edge[g][n[0] == f ? 0 : (n[1] == f ? 1 : 2)] = edge;
+    }
+  }
+  out.near_duplicates = count_near_duplicates(out.edges, points.local);
+  list_edges_at_points(points.rows.size(), out);
+  return out;
+}
+
+}  // namespace mes
