@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/sum.h"
 
 namespace mes {
@@ -36,12 +36,7 @@ int MedialAxis::node_degree(Slot face) const {
 }
 
 StatList MedialAxis::statistics() const {
-  std::vector<Slot> parent(delaunay_.face_rows());
-  std::iota(parent.begin(), parent.end(), Slot{0});
-  const auto root = [&parent](Slot face) {
-    while (parent[face] != face) face = parent[face] = parent[parent[face]];
-    return face;
-  };
+  DisjointSets joined(delaunay_.face_rows());
   std::int64_t nodes = 0;
   std::int64_t leaves = 0;
   std::int64_t branch_points = 0;
@@ -66,10 +61,10 @@ StatList MedialAxis::statistics() const {
     const EdgeRow& row = delaunay_.edge(edge);
     ++edges;
     length_sum.add(delaunay_.dual_length(edge));
-    const Slot a = root(balls_.ball(row.f[0]));
-    const Slot b = root(balls_.ball(row.f[1]));
+    const Slot a = joined.root(balls_.ball(row.f[0]));
+    const Slot b = joined.root(balls_.ball(row.f[1]));
     if (a == b) continue;
-    parent[a] = b;
+    joined.join(b, a);
     --components;
   }
   return {{"nodes", nodes},

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/isolated.h"
 #include "core/structures/balls/internal/union_runs.h"
 #include "core/structures/balls/local_balls.h"
@@ -100,19 +100,15 @@ struct AxisCounts {
 };
 AxisCounts count_axis(const UnionTables& t) {
   AxisCounts out;
-  std::vector<Slot> parent(t.balls.size() + t.v_faces.size());
-  std::iota(parent.begin(), parent.end(), Slot{0});
-  std::vector<std::uint32_t> degree(parent.size(), 0);
-  const auto root = [&parent](Slot node) {
-    while (parent[node] != node) node = parent[node] = parent[parent[node]];
-    return node;
-  };
+  const std::size_t nodes = t.balls.size() + t.v_faces.size();
+  DisjointSets joined(nodes);
+  std::vector<std::uint32_t> degree(nodes, 0);
   // Ends of pieces without length are one node.
   for (const AxisPiece& piece : t.axis)
-    if (piece.is_alive() && piece.is_zero != 0) parent[root(piece.node[0])] = root(piece.node[1]);
-  std::vector<Slot> merged(parent.size());
-  for (Slot node = 0; node < parent.size(); ++node) merged[node] = root(node);
-  std::vector<bool> is_node(parent.size(), false);
+    if (piece.is_alive() && piece.is_zero != 0) joined.join(joined.root(piece.node[1]), joined.root(piece.node[0]));
+  std::vector<Slot> merged(nodes);
+  for (Slot node = 0; node < nodes; ++node) merged[node] = joined.root(node);
+  std::vector<bool> is_node(nodes, false);
   for (Slot ball = 0; ball < t.balls.size(); ++ball)
     if (t.balls[ball] == BallState::isolated) is_node[ball] = true;
   for (const AxisPiece& piece : t.axis) {
@@ -122,8 +118,8 @@ AxisCounts count_axis(const UnionTables& t) {
     ++out.edges;
     for (const Slot node : piece.node) ++degree[merged[node]];
   }
-  std::iota(parent.begin(), parent.end(), Slot{0});
-  for (Slot node = 0; node < parent.size(); ++node) {
+  joined.reset(nodes);
+  for (Slot node = 0; node < nodes; ++node) {
     if (!is_node[node] || merged[node] != node) continue;
     ++out.nodes;
     out.leaves += degree[node] == 1 ? 1 : 0;
@@ -132,10 +128,10 @@ AxisCounts count_axis(const UnionTables& t) {
   out.components = out.nodes;
   for (const AxisPiece& piece : t.axis) {
     if (!piece.is_alive() || piece.is_zero != 0) continue;
-    const Slot a = root(merged[piece.node[0]]);
-    const Slot b = root(merged[piece.node[1]]);
+    const Slot a = joined.root(merged[piece.node[0]]);
+    const Slot b = joined.root(merged[piece.node[1]]);
     if (a == b) continue;
-    parent[a] = b;
+    joined.join(b, a);
     --out.components;
   }
   return out;

@@ -2,8 +2,8 @@
 #include "core/structures/poles/polar_diagram.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/sum.h"
 
 namespace mes {
@@ -38,11 +38,7 @@ bool PowerCrust::update(JobControl&) {
 
 StatList PowerCrust::statistics() const {
   const std::vector<PowerEdge>& edges = diagram_.edges();
-  std::vector<Slot> parent;
-  const auto root = [&parent](Slot face) {
-    while (parent[face] != face) face = parent[face] = parent[parent[face]];
-    return face;
-  };
+  DisjointSets joined;
   std::int64_t crust = 0;
   std::int64_t unbounded = 0;
   std::int64_t loops = 0;
@@ -56,13 +52,12 @@ StatList PowerCrust::statistics() const {
     }
     crust += edge.from != edge.to ? 1 : 0;
     length.add(edge.length);
-    const std::size_t needed = std::max(edge.face[0], edge.face[1]) + std::size_t{1};
-    while (parent.size() < needed) parent.push_back(static_cast<Slot>(parent.size()));
-    const Slot a = root(edge.face[0]);
-    const Slot b = root(edge.face[1]);
+    joined.grow(std::max(edge.face[0], edge.face[1]) + std::size_t{1});
+    const Slot a = joined.root(edge.face[0]);
+    const Slot b = joined.root(edge.face[1]);
     // Every vertex has two crust edges: a curve closes just once.
     loops += a == b ? 1 : 0;
-    parent[a] = b;
+    joined.join(b, a);
   }
   return {{"edges", crust}, {"unbounded", unbounded}, {"loops", loops}, {"length", length.value()}};
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
+
 namespace mes {
 
 namespace {
@@ -296,30 +298,27 @@ void ConflictJoin::join_all(JobControl& job) {
     bool closes;       ///< two odd components made an even one
   };
   const auto sites = static_cast<Slot>(delaunay_.site_rows());
-  std::vector<Slot> parent(sites);
+  DisjointSets joined(sites);
   std::vector<Slot> node(sites);  // of the component, by root
   std::vector<std::uint8_t> odd(sites);
   for (Slot site = 0; site < sites; ++site) {
-    parent[site] = node[site] = site;
+    node[site] = site;
     odd[site] = delaunay_.is_site(site) && crust_.is_odd(site) ? 1 : 0;
   }
-  const auto root = [&parent](Slot site) {
-    while (parent[site] != site) site = parent[site] = parent[parent[site]];
-    return site;
-  };
   std::vector<Merge> merges;
   std::vector<Slot> tree;  // edge of each merge
   merges.reserve(sites);
   tree.reserve(sites);
   for (const Candidate& edge : edges) {
-    Slot a = root(edge.site);
-    Slot b = root(edge.from);
+    const Slot a = joined.root(edge.site);
+    const Slot b = joined.root(edge.from);
     if (a == b) continue;
     merges.push_back({node[a], node[b], odd[a] != 0 && odd[b] != 0});
     tree.push_back(edge.edge);
-    parent[b] = a;
-    odd[a] ^= odd[b];
-    node[a] = sites + static_cast<Slot>(merges.size() - 1);
+    const auto odd_of_both = static_cast<std::uint8_t>(odd[a] ^ odd[b]);
+    const Slot both = joined.join(a, b);
+    odd[both] = odd_of_both;
+    node[both] = sites + static_cast<Slot>(merges.size() - 1);
   }
   job.checkpoint();
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/slot.h"
 
 namespace mes {
@@ -39,7 +40,7 @@ class TreePairs {
   void hang_up(const std::vector<Edge>& edges, std::size_t sites);
 
   std::vector<TreePair> pairs_;
-  std::vector<Slot> parent_;
+  DisjointSets joined_;
   std::vector<Slot> left_over_;
   std::vector<Slot> size_;
   std::vector<Slot> first_;     // of each site in `incident_`
@@ -51,27 +52,20 @@ class TreePairs {
 };
 
 inline void TreePairs::find_pairs(const std::vector<Edge>& edges, const std::vector<std::uint8_t>& odd) {
-  parent_.resize(odd.size());
-  std::iota(parent_.begin(), parent_.end(), Slot{0});
+  joined_.reset(odd.size());
   size_.assign(odd.size(), 1);
   left_over_.resize(odd.size());
   for (Slot site = 0; site < odd.size(); ++site) left_over_[site] = odd[site] != 0 ? site : kNoSlot;
-  const auto root = [this](Slot site) {
-    while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
-    return site;
-  };
   for (const Edge& edge : edges) {
-    const Slot a = root(edge.a);
-    const Slot b = root(edge.b);
-    parent_[b] = a;
-    size_[a] += size_[b];
-    if (left_over_[b] == kNoSlot) continue;
-    if (left_over_[a] == kNoSlot) {
-      left_over_[a] = left_over_[b];
-    } else {
-      pairs_.push_back({left_over_[a], left_over_[b], size_[a], {}});
-      left_over_[a] = kNoSlot;
-    }
+    const Slot a = joined_.root(edge.a);
+    const Slot b = joined_.root(edge.b);
+    const Slot of_a = left_over_[a];
+    const Slot of_b = left_over_[b];
+    const Slot size = size_[a] + size_[b];
+    const Slot both = joined_.join(a, b);
+    size_[both] = size;
+    left_over_[both] = of_a == kNoSlot ? of_b : (of_b == kNoSlot ? of_a : kNoSlot);
+    if (of_a != kNoSlot && of_b != kNoSlot) pairs_.push_back({of_a, of_b, size, {}});
   }
 }
 
