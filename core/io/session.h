@@ -13,9 +13,10 @@
 // Smallest use:
 //     auto session = read_session(text, "a.json");
 //     DocumentReplay replay;
-//     auto done = replay_session(*session, replay);
+//     auto done = replay_session(*session, replay, "a.json");
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@
 #include "core/document/timeline.h"
 
 namespace mes {
+
+/// Version of the keys of a session file. A file with a greater one is refused.
+inline constexpr std::uint64_t kSessionSchema = 1;
 
 /// The slider of evolutions.
 struct SessionEvolution {

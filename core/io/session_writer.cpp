@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sessions as text.
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/io/json_layers.h"
+#include "core/io/session.h"
+
+namespace mes {
+namespace {
+
+using nlohmann::json;
+
+void put(json& out, Vec2 p) {
+  out.push_back(p.x);
+  out.push_back(p.y);
+}
+void put(json& out, const Disk& disk) {
+  put(out, disk.center);
+  out.push_back(disk.radius);
+}
+void put(json& out, std::uint32_t number) {
+  out.push_back(number);
+}
+template <class Place>
+void put(json& out, const std::pair<std::uint32_t, Place>& thing) {
+  out.push_back(thing.first);
+  put(out, thing.second);
+}
+
+/// All numbers of all things in one array.
+template <class Things>
+json flat(const Things& things) {
+  json out = json::array();
+  for (const auto& thing : things) put(out, thing);
+  return out;
+}
+
+json to_json(const Box2& box) {
+  return flat(std::array{box.low, box.high});
+}
+
+json to_json(const std::vector<SampleData::Contour>& contours) {
+  json out = json::array();
+  for (const SampleData::Contour& contour : contours)
+    out.push_back({{"closed", contour.closed}, {"points", flat(contour.points)}});
+  return out;
+}
+
+json to_json(const SampleData& data) {
+  return {{"samples", flat(data.positions)}, {"contours", to_json(data.contours)}, {"balls", flat(data.balls)}};
+}
+
+json to_json(const ComputationSettings& settings) {
+  json parameters = json::object();
+  for (std::size_t i = 0; i < kParameters; ++i)
+    parameters[std::string(parameter_descriptors()[i].id)] = settings.values[i];
+  return {{"precision", id_of(settings.precision)}, {"parameters", std::move(parameters)}};
+}
+
+json to_json(const SessionEvolution& evolution) {
+  json parameters = json::object();
+  for (const auto& [id, value] : evolution.parameters) parameters[id] = value;
+  return {{"id", evolution.id},
+          {"seed", evolution.seed},
+          {"step", evolution.step},
+          {"parameters", std::move(parameters)}};
+}
+
+json to_json(const TimelineEdit& edit) {
+  json out = json::object();
+  const auto add = [&out](const char* key, const auto& things) {
+    if (!things.empty()) out[key] = flat(things);
+  };
+  if (!edit.name.empty()) out["name"] = edit.name;
+  if (edit.continues) out["continues"] = true;
+  if (edit.replaces) out["replaces"] = true;
+  add("remove", edit.removed);
+  add("move", edit.moved);
+  add("insert", edit.inserted);
+  add("remove_balls", edit.removed_balls);
+  add("change_balls", edit.changed_balls);
+  add("insert_balls", edit.inserted_balls);
+  if (edit.curve) out["contours"] = to_json(*edit.curve);
+  return {{"edit", std::move(out)}};
+}
+json to_json(const GestureBegun& begun) {
+  return {{"begin", begun.name}};
+}
+json to_json(const GestureEnded& /*entry*/) {
+  return {{"end", true}};
+}
+json to_json(const Undone& /*entry*/) {
+  return {{"undo", true}};
+}
+json to_json(const Redone& /*entry*/) {
+  return {{"redo", true}};
+}
+json difference_to_json(const LayersChanged& change) {
+  LayerConfiguration changed{change.changed, {}};
+  if (change.image) changed.image = *change.image;
+  json out = {{"changed", to_json(changed)}};
+  if (!change.order.empty()) out["order"] = change.order;
+  if (change.image) out["has_image"] = true;
+  return out;
+}
+json to_json(const LayersChanged& change) {
+  json out = {{"layers", difference_to_json(change)}};
+  switch (change.role) {
+    case LayersChanged::Role::noted: return out;
+    case LayersChanged::Role::step: out["step"] = change.name; break;
+    case LayersChanged::Role::joined: out["joins"] = true; break;
+    case LayersChanged::Role::undone: out["undoes"] = true; break;
+    case LayersChanged::Role::redone: out["redoes"] = true; break;
+  }
+  if (!change.back.empty()) out["back"] = difference_to_json(change.back.front());
+  return out;
+}
+json to_json(const SettingsChanged& change) {
+  return {{"settings", to_json(change.settings)}};
+}
+json to_json(const ViewChanged& change) {
+  return {{"view", to_json(change.visible)}};
+}
+json to_json(const Captioned& caption) {
+  json out = {{"caption", caption.text}};
+  if (caption.seconds > 0.0) out["seconds"] = caption.seconds;
+  return out;
+}
+json to_json(const TimelineEntry& entry) {
+  return std::visit([](const auto& kind) { return to_json(kind); }, entry);
+}
+
+json head_of(const Session& session) {
+  json out = {{"version", MESECINA_VERSION},
+              {"title", session.title},
+              {"data", to_json(*session.data)},
+              {"layers", to_json(session.layers)},
+              {"settings", to_json(session.settings)}};
+  if (!session.evolution.id.empty()) out["evolution"] = to_json(session.evolution);
+  if (!session.view.is_empty()) out["view"] = to_json(session.view);
+  return out;
+}
+
+// File names and titles may be any bytes; those that are not UTF-8 are replaced rather than refused.
+std::string text_of(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// Keys are sorted; the one that tells what this is comes first all the same.
+std::string head_text(const Session& session) {
+  return "{\"mesecina\":\"session\",\"schema\":" + std::to_string(kSessionSchema) + ',' +
+         text_of(head_of(session)).substr(1);
+}
+
+}  // namespace
+
+std::string write_session(const Session& session) {
+  // One entry a line: files of sessions are compared and kept under version control.
+  std::string out = head_text(session);
+  out.pop_back();
+  out += ",\n\"timeline\":[";
+  for (std::size_t i = 0; i < session.entries.size(); ++i) {
+    out += i == 0 ? "\n" : ",\n";
+    out += text_of(to_json(session.entries[i]));
+  }
+  return out + "\n]}\n";
+}
+
+std::string write_journal_head(const Session& session) {
+  return head_text(session) + '\n';
+}
+
+std::string write_journal_line(const TimelineEntry& entry) {
+  return text_of(to_json(entry)) + '\n';
+}
+
+std::string write_journal_saved() {
+  return "{\"saved\":true}\n";
+}
+
+}  // namespace mes
