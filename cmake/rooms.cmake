@@ -22,7 +22,7 @@ set(rooms
   "core/structures: core/graph core/structures/*"
   "core/layers/parts: core/graph core/structures/*"
   "core/layers/union: core/layers/parts core/structures/balls"
-  "core/layers: core/graph core/layers/parts core/structures/*"
+  "core/layers: core/base core/draw core/graph core/layers/parts core/layers/union core/structures/*"
   "core/evolutions: core/base core/document core/structures/crust"
   "core/engine: core/base core/draw core/document core/graph core/structures/inputs"
   "render: core/base core/draw"

@@ -4,7 +4,7 @@
 //
 // Smallest use:
 //     history.begin_gesture("Move samples");
-//     ... document.apply(delta); history.record(delta);  (once or often)
+//     document.apply(moved); history.record(moved);  // once or often
 //     history.end_gesture();
 //     for (const DocumentDelta& delta : history.undo()) document.apply(delta);
 //

@@ -31,7 +31,7 @@ namespace mes {
 ///
 /// Smallest use:
 ///     Graph graph;
-///     graph.set_demand({find_layer("medial-axis")});
+///     graph.set_demand(std::vector{find_layer("medial-axis")});
 ///     graph.post(delta);
 ///     FramePatch patch;
 ///     JobControl job;

@@ -14,7 +14,7 @@
 //     EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
 //     const auto state = states.at(12, job);
 //
-// A new one: a file with `Evolution name_evolution()` and a line in core/evolutions/CMakeLists.txt.
+// A new one: a file with `Evolution name_evolution()` and a line in core/evolutions/evolution_list.inc.
 #pragma once
 
 #include <cstdint>
@@ -98,7 +98,7 @@ struct Evolution {
   const ParameterMove* moved_parameter() const { return std::get_if<ParameterMove>(&move); }
 };
 
-/// In the order of core/evolutions/CMakeLists.txt.
+/// In the order of core/evolutions/evolution_list.inc.
 std::span<const Evolution> evolutions();
 std::optional<EvolutionIndex> find_evolution(std::string_view id);
 

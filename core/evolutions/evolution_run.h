@@ -10,7 +10,7 @@
 //     EvolutionRun run({});
 //     run.begin(state_of(document), choice);
 //     run.want(12);
-//     ... if (auto answer = run.poll()) show(*answer);
+//     if (auto answer = run.poll()) show(*answer);  // from time to time
 //
 // Threads: all methods may be called from one other thread. `wake` is called from the thread of the run.
 #pragma once

@@ -4,12 +4,14 @@
 //
 // A layer file (core/layers/*.cpp) gives one function `Layer make_xyz_layer(const StructureSet&)`. The emitter looks
 // at one row and fills in at most one primitive; which instance of the drawing buffer that becomes is not its
-// business:
+// business.
 //
-//     return Layer({.id = "curve", ...}, {&delaunay, &crust},
-//                  rows_of_edges(delaunay, delaunay.edge_changes(), [&](Slot edge, Instance& out) {
-//                    if (crust.is_crust(edge)) out.segment(...);
-//                  }));
+// Smallest use:
+//     const auto emit = [&](Slot edge, Instance& out) {
+//       if (crust.is_crust(edge)) emit_edge(delaunay, edge, out);
+//     };
+//     return make_layer({.id = "curve", .kinds = {PrimitiveKind::segment}}, {&delaunay, &crust},
+//                       edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), emit));
 #pragma once
 
 #include <algorithm>
@@ -280,7 +282,7 @@ struct Layer {
   std::vector<std::unique_ptr<LayerPart>> parts;
 };
 
-/// Every layer over the given structures, in the order of core/layers/CMakeLists.txt: bottom first.
+/// Every layer over the given structures, in the order of core/layers/layer_list.inc: bottom first.
 std::vector<Layer> make_layers(const StructureSet& structures);
 
 }  // namespace mes

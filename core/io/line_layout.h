@@ -13,9 +13,9 @@ namespace mes {
 ///
 /// Smallest use:
 ///     LineLayout layout(2, header_line);
-///     for (each number) layout.add(line, column, length);
+///     for (const auto& number : numbers) layout.add(number.line, number.column, number.length);
 ///     layout.end();
-///     if (const auto line = layout.contradiction(announced)) ...
+///     if (const auto line = layout.contradiction(announced)) refuse(*line);
 ///
 /// Cost: constant time a number, constant memory.
 class LineLayout {

@@ -50,7 +50,9 @@ inline std::unexpected<Error> bad_input(std::string text, const std::string& fil
 
 /// Reads words between white space, `#` comments left out, and knows where it is.
 ///
-/// Lines end at LF, CR LF or a lone CR. Cost: one look at each byte. Smallest use:
+/// Lines end at LF, CR LF or a lone CR. Cost: one look at each byte.
+///
+/// Smallest use:
 ///     Scanner scanner(bytes);
 ///     while (scanner.next()) use(scanner.token(), scanner.line(), scanner.column());
 class Scanner {

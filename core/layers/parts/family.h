@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the layers of a union of balls have in common: each exists once for every family of balls.
 //
-// A file here defines `Layer make_union_name_layer(const UnionFamily&)`; core/layers/CMakeLists.txt lists it once,
+// A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; union_layer_list.inc lists it,
 // and the registration makes a layer of it for each family, with the family's letter before id and name.
 #pragma once
 

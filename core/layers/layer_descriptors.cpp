@@ -1,15 +1,10 @@
-// Generated from core/layers/CMakeLists.txt.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What may be known of layers without their structures.
+#include "core/draw/layer_descriptor.h"
+
 #include "core/graph/layer.h"
-#include "core/layers/parts/family.h"
-#include "core/structures/poles/polar_union.h"
 
 namespace mes {
-
-@declarations@
-std::vector<Layer> make_layers(const StructureSet& structures) {
-  std::vector<Layer> layers;
-@makers@  return layers;
-}
 
 std::span<const LayerDescriptor> layer_descriptors() {
   static const std::vector<LayerDescriptor> descriptors = [] {

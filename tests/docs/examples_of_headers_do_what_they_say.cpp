@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smallest uses in the comments of headers, word for word, each with what it needs around it.
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <thread>
+
+#include "core/base/coordinate_range.h"
+#include "core/base/disjoint_sets.h"
+#include "core/base/rng.h"
+#include "core/base/task_queue.h"
+#include "core/document/commands.h"
+#include "core/document/history.h"
+#include "core/document/layer_fold.h"
+#include "core/document/timeline.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/engine.h"
+#include "core/engine/graph.h"
+#include "core/evolutions/evolution_run.h"
+#include "core/io/json_text.h"
+#include "core/io/json_view.h"
+#include "core/io/line_layout.h"
+#include "core/io/session.h"
+#include "core/io/text_numbers.h"
+#include "core/layers/parts/helpers.h"
+
+using namespace mes;
+
+namespace {
+
+/// Samples around a circle.
+std::vector<Vec2> ring(std::size_t count = 16) {
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+    out.push_back({std::cos(t), std::sin(t)});
+  }
+  return out;
+}
+
+std::vector<Vec2> ellipse() {
+  std::vector<Vec2> out = ring(60);
+  for (Vec2& p : out) p.x *= 2.0;
+  return out;
+}
+
+Document ring_document() {
+  Document document;
+  document.apply(*insert_samples(document, ring()));
+  return document;
+}
+
+std::string refused_by_coordinate_range(double x) {
+  const auto refuse = [](std::string why) { return why; };
+  // core/base/coordinate_range.h
+  Magnitudes seen;
+  if (const auto fault = seen.fault_of(x)) return refuse(describe(*fault, x, seen));
+  seen.add(x);
+  return seen.is_empty() ? "nothing was seen" : "";
+}
+
+Expected<std::size_t> count_timeline(std::string_view text) {
+  const std::string file = "a.json";
+  std::size_t count = 0;
+  const auto use = [&count](const JsonView& entry) { count += entry.is_object() ? 1U : 0U; };
+  // core/io/json_view.h
+  if (auto good = check_json(text, file); !good) return std::unexpected(good.error());
+  for (const JsonView entry : JsonView::whole(text).find("timeline").elements()) use(entry);
+  return count;
+}
+
+Layer curve_layer(const StructureSet& set) {
+  const auto& delaunay = set.get<Delaunay>();
+  const auto& crust = set.get<OneStepCrust>();
+  // core/graph/layer.h
+  const auto emit = [&](Slot edge, Instance& out) {
+    if (crust.is_crust(edge)) emit_edge(delaunay, edge, out);
+  };
+  return make_layer({.id = "curve", .kinds = {PrimitiveKind::segment}}, {&delaunay, &crust},
+                    edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), emit));
+}
+
+}  // namespace
+
+TEST_CASE("core/base/disjoint_sets.h") {
+  DisjointSets sets(3);
+  sets.join(sets.root(0), sets.root(2));
+  const bool are_together = sets.root(0) == sets.root(2);
+  CHECK(are_together);
+  CHECK(sets.root(1) != sets.root(0));
+  sets.grow(5);
+  CHECK(sets.root(4) == 4);
+}
+
+TEST_CASE("core/base/task_queue.h") {
+  std::atomic<int> a = 0;
+  int b = 0;
+  const auto fill = [](std::atomic<int>& x) { x = 1; };
+  const auto compute = [](int& x) { x = 2; };
+  TaskQueue tasks;
+  tasks.add([&] { fill(a); });
+  compute(b);
+  tasks.finish();
+  CHECK(a == 1);
+  CHECK(b == 2);
+}
+
+TEST_CASE("core/base/coordinate_range.h") {
+  CHECK(refused_by_coordinate_range(3.0).empty());
+  CHECK_FALSE(refused_by_coordinate_range(0x1p600).empty());
+}
+
+TEST_CASE("core/base/rng.h") {
+  const std::uint64_t seed = 7;
+  Rng random(seed);
+  double x = random.uniform(-1.0, 1.0);
+  CHECK(x == Rng(seed).uniform(-1.0, 1.0));
+  CHECK(std::abs(x) <= 1.0);
+}
+
+TEST_CASE("core/document/document.h") {
+  const std::vector<Vec2> points = ring();
+  Document document;
+  if (auto delta = insert_samples(document, points)) document.apply(*delta);
+  CHECK(document.sample_count() == points.size());
+}
+
+TEST_CASE("core/document/history.h") {
+  Document document = ring_document();
+  const auto before = document.position(0);
+  const std::vector<std::pair<SampleId, Vec2>> targets{{document.id(0), Vec2{2.0, 0.5}}};
+  const DocumentDelta moved = *move_samples(document, targets);
+  History history;
+  history.begin_gesture("Move samples");
+  document.apply(moved);
+  history.record(moved);
+  history.end_gesture();
+  for (const DocumentDelta& delta : history.undo()) document.apply(delta);
+  CHECK(document.position(0) == before);
+}
+
+TEST_CASE("core/document/layer_fold.h") {
+  Session session;
+  session.layers.layers = {{"curve", false, {}}};
+  LayersChanged hidden, shown;
+  hidden.changed = {{"points", false, {}}};
+  shown.changed = {{"points", true, {}}};
+  const std::vector<LayersChanged> changes{hidden, shown};
+  LayerConfiguration seen;
+  const auto show = [&seen](const LayerConfiguration& configuration) { seen = configuration; };
+  LayerFold fold(session.layers);
+  for (const LayersChanged& change : changes) fold.apply(change);
+  show(fold.configuration());
+  REQUIRE(seen.layers.size() == 2);
+  CHECK(seen.layers.back().visible);
+}
+
+TEST_CASE("core/document/timeline.h") {
+  SampleData data;
+  data.positions = ring();
+  Document document = ring_document();
+  const std::vector<Vec2> more{{0.25, 0.5}};
+  const DocumentDelta delta = *insert_samples(document, more);
+  document.apply(delta);
+  Timeline timeline;
+  timeline.restart(std::make_shared<const SampleData>(data));
+  timeline.note_edit(document, delta, "Insert sample", false);
+  DocumentReplay replay;
+  replay.begin(*timeline.data());
+  for (const TimelineEntry& entry : timeline.entries()) replay.apply(entry);
+  CHECK(replay.document().sample_count() == data.positions.size() + 1);
+}
+
+TEST_CASE("core/evolutions/evolution.h") {
+  const Document document = ring_document();
+  JobControl job;
+  EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+  const auto state = states.at(12, job);
+  REQUIRE(state);
+  CHECK((*state)->positions.size() == document.sample_count());
+}
+
+TEST_CASE("core/evolutions/evolution_states.h") {
+  const Document document = ring_document();
+  JobControl job;
+  EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+  auto state = states.at(12, job);
+  REQUIRE(state);
+  CHECK(length((*state)->positions[0]) < 1.0);
+}
+
+TEST_CASE("core/evolutions/evolution_run.h") {
+  const Document document = ring_document();
+  const EvolutionChoice choice{.evolution = *find_evolution("smooth")};
+  std::size_t shown = 0;
+  const auto show = [&shown](const EvolutionRun::Answer& answer) {
+    REQUIRE(answer.state);
+    CHECK(answer.k == 12);
+    ++shown;
+  };
+  EvolutionRun run({});
+  run.begin(state_of(document), choice);
+  run.want(12);
+  if (auto answer = run.poll()) show(*answer);
+  while (shown == 0) {
+    std::this_thread::yield();
+    if (auto answer = run.poll()) show(*answer);
+  }
+  CHECK_FALSE(run.poll());
+}
+
+TEST_CASE("core/engine/engine.h") {
+  const DocumentDelta delta = *insert_samples(Document(), ring());
+  LayerMirror scene;
+  Engine engine({});
+  engine.set_demand({find_layer("medial-axis")});
+  engine.post(std::make_shared<const DocumentDelta>(delta));
+  while (auto patch = engine.sync()) {
+    scene.apply(*patch);
+    engine.recycle(std::move(patch));
+  }
+  CHECK(scene.document_revision() == delta.to_revision);
+}
+
+TEST_CASE("core/draw/layer_mirror.h") {
+  Engine engine({});
+  engine.set_demand({find_layer("medial-axis")});
+  engine.post(std::make_shared<const DocumentDelta>(*insert_samples(Document(), ellipse())));
+  LayerMirror mirror;
+  while (auto patch = engine.sync()) {
+    mirror.apply(*patch);
+    engine.recycle(std::move(patch));
+  }
+  mirror.count(find_layer("medial-axis"), PrimitiveKind::segment);
+  CHECK(mirror.count(find_layer("medial-axis"), PrimitiveKind::segment) > 10);
+}
+
+TEST_CASE("core/engine/graph.h") {
+  Document document;
+  const auto delta = std::make_shared<const DocumentDelta>(*insert_samples(document, ring()));
+  Graph graph;
+  graph.set_demand(std::vector{find_layer("medial-axis")});
+  graph.post(delta);
+  FramePatch patch;
+  JobControl job;
+  graph.run(patch, job);
+  LayerMirror mirror;
+  mirror.apply(patch);
+  CHECK(graph.structures().get<Delaunay>().site_rows() == 16);
+}
+
+TEST_CASE("core/graph/layer.h") {
+  Document document;
+  Graph graph;
+  graph.set_demand(std::vector{find_layer("curve")});
+  graph.post(std::make_shared<const DocumentDelta>(*insert_samples(document, ring())));
+  FramePatch patch;
+  JobControl job;
+  graph.run(patch, job);
+  Layer layer = curve_layer(graph.structures());
+  LayerPatch fresh;
+  layer.parts.front()->reset(fresh);
+  CHECK(fresh[PrimitiveKind::segment].count == 16);
+}
+
+TEST_CASE("core/io/text_numbers.h") {
+  const std::string_view bytes = "1 2\n 3";
+  std::vector<std::uint64_t> columns;
+  const auto use = [&columns](std::string_view, std::uint64_t, std::uint64_t column) { columns.push_back(column); };
+  Scanner scanner(bytes);
+  while (scanner.next()) use(scanner.token(), scanner.line(), scanner.column());
+  CHECK(columns == std::vector<std::uint64_t>{1, 3, 2});
+}
+
+TEST_CASE("core/io/line_layout.h") {
+  struct Number {
+    std::uint64_t line, column;
+    std::size_t length;
+  };
+  const std::vector<Number> numbers{{2, 1, 1}, {2, 3, 1}, {2, 5, 1}, {3, 1, 1}, {3, 3, 1}, {3, 5, 1}};
+  const std::uint64_t header_line = 1;
+  const std::uint64_t announced = 2;
+  std::uint64_t refused_line = 0;
+  const auto refuse = [&refused_line](const LineLayout::OddLine& line) { refused_line = line.place.line; };
+  LineLayout layout(2, header_line);
+  for (const auto& number : numbers) layout.add(number.line, number.column, number.length);
+  layout.end();
+  if (const auto line = layout.contradiction(announced)) refuse(*line);
+  CHECK(refused_line == 2);
+}
+
+TEST_CASE("core/io/session.h") {
+  Session given;
+  SampleData data;
+  data.positions = ring();
+  given.data = std::make_shared<const SampleData>(data);
+  const std::string text = write_session(given);
+  auto session = read_session(text, "a.json");
+  DocumentReplay replay;
+  auto done = replay_session(*session, replay, "a.json");
+  REQUIRE(done);
+  CHECK(replay.document().sample_count() == data.positions.size());
+}
+
+TEST_CASE("core/io/json_view.h") {
+  const auto count = count_timeline(R"({"timeline": [{}, {}, {}]})");
+  REQUIRE(count);
+  CHECK(*count == 3);
+  CHECK_FALSE(count_timeline("{"));
+}
