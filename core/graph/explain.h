@@ -1,17 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an element of the picture is, what it comes from and what it made.
+// How structures say what a row of theirs is, what it comes from and what it made.
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "core/base/disk.h"
 #include "core/draw/provenance.h"
 #include "core/graph/structure.h"
 
 namespace mes {
 
-/// Defined beside the structures, which only it knows by name.
-///
+/// Shapes of one line; those with coordinates that are not finite are left out.
+class ProvenanceShapes {
+ public:
+  void point(Vec2 p) { add(PrimitiveKind::point, {p.x, p.y}); }
+  void circle(const Disk& disk) { add(PrimitiveKind::circle, {disk.center.x, disk.center.y, disk.radius}); }
+  void segment(Vec2 a, Vec2 b) { add(PrimitiveKind::segment, {a.x, a.y, b.x, b.y}); }
+  void ray(Vec2 from, Vec2 towards) { add(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y}); }
+  void line(Vec2 through, Vec2 along) { add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}); }
+  void arc(const Disk& disk, Vec2 from, Vec2 to) {
+    add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.x, from.y, to.x, to.y});
+  }
+  void triangle(Vec2 a, Vec2 b, Vec2 c) { add(PrimitiveKind::triangle, {a.x, a.y, b.x, b.y, c.x, c.y}); }
+  std::size_t size() const { return shapes_.size(); }
+  std::vector<ProvenanceShape> take() { return std::move(shapes_); }
+
+ private:
+  void add(PrimitiveKind kind, std::array<double, 7> values);
+  std::vector<ProvenanceShape> shapes_;
+};
+
+/// Numbers as the lines write them: six digits.
+std::string number_text(double x);
+std::string place_text(Vec2 p);
+/// "1 edge", "2 edges".
+std::string count_text(std::size_t count, const std::string& one, const std::string& many);
+
+/// The lines about one element. Structures add theirs in `Structure::explain`.
+class Explanation {
+ public:
+  Explanation(const StructureSet& set, const std::function<bool(const Structure&)>& is_current)
+      : set_(set), is_current_(is_current) {}
+
+  /// Lets the owner of the row speak; where there is none, every structure that is up to date, inputs first: each
+  /// adds what it knows of the row.
+  void about(const Element& element);
+  void about(ElementKind kind, Slot row) { about(Element{{kind, nullptr}, row}); }
+
+  /// Null when it is not up to date.
+  template <class T>
+  const T* current() const {
+    const T& structure = set_.get<T>();
+    return is_current_(structure) ? &structure : nullptr;
+  }
+
+  void say(ProvenanceRole role, std::string text, ProvenanceShapes& shapes) {
+    lines_.push_back({role, std::move(text), shapes.take()});
+  }
+  /// Only if there is something to show.
+  void say_any(ProvenanceRole role, const std::string& one, const std::string& many, ProvenanceShapes& shapes) {
+    if (const std::size_t count = shapes.size(); count != 0) say(role, count_text(count, one, many), shapes);
+  }
+  std::vector<ProvenanceLine> take() { return std::move(lines_); }
+
+ private:
+  const StructureSet& set_;
+  const std::function<bool(const Structure&)>& is_current_;
+  std::vector<ProvenanceLine> lines_;
+};
+
 /// Reads only structures for which `is_current` holds; the others are passed over in silence. Empty when the row is
 /// dead. O(size of the neighbourhood), O(n) where rows are found by looking at all.
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,

@@ -22,9 +22,13 @@
 #include "core/base/assert.h"
 #include "core/base/finding.h"
 #include "core/base/job_control.h"
+#include "core/base/slot.h"
 #include "core/base/stat.h"
 
 namespace mes {
+
+class Explanation;
+enum class ElementKind : std::uint8_t;
 
 class Structure {
  public:
@@ -53,6 +57,9 @@ class Structure {
   virtual bool is_judge() const { return false; }
   /// A judge without findings has proved the theorem for this input.
   virtual bool has_verdict() const { return is_judge(); }
+  /// Adds what it knows of a row to the explanation; nothing when the row is dead. Called while the structure is up
+  /// to date: for rows of its own, and for rows that have no owner (core/graph/explain.h).
+  virtual void explain(ElementKind /*kind*/, Slot /*row*/, Explanation& /*out*/) const {}
 
  private:
   std::string_view id_;
@@ -75,7 +82,7 @@ class StructureSet {
   std::vector<std::unique_ptr<Structure>> structures_;
 };
 
-/// Every structure of the program, in the order of core/structures/CMakeLists.txt.
+/// Every structure of the program, in the order of core/structures/structure_list.cpp.
 StructureSet make_structures();
 
 /// Public ids in the same order.

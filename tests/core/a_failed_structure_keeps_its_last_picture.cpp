@@ -10,7 +10,6 @@
 #include "core/engine/graph.h"
 #include "core/engine/memory_lack.h"
 #include "core/engine/theorem_light.h"
-#include "core/graph/explain.h"
 #include "tests/support/layer_contents.h"
 
 using namespace mes;
@@ -83,11 +82,6 @@ constexpr LayerIndex kDependent = 2;
 }  // namespace
 
 namespace mes {
-
-std::vector<ProvenanceLine> explain(const StructureSet&, const std::function<bool(const Structure&)>&,
-                                    const Element&) {
-  return {};
-}
 
 StructureSet make_structures() {
   StructureSet set;

@@ -25,8 +25,11 @@ class PowerDiagram : public Structure {
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
   std::string_view kernel() const override;
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 
  protected:
+  /// The cell of a ball.
+  void explain_cell(Slot ball, Explanation& out) const;
   /// Without `scale` the balls are taken as they are.
   PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                std::unique_ptr<BallFamily> family, std::optional<Parameter> scale = std::nullopt);
@@ -56,6 +59,7 @@ class VDiagram : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 
  protected:
   VDiagram(std::string_view id, std::vector<Structure*> inputs, const BallUnion& balls);
@@ -71,6 +75,7 @@ class VDiagram : public Structure {
 class APowerDiagram final : public PowerDiagram {
  public:
   APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls);
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 };
 
 /// Of all finite Voronoi balls, inside and outside.
@@ -82,6 +87,7 @@ class VoronoiBallDiagram final : public PowerDiagram {
 class BPowerDiagram final : public PowerDiagram {
  public:
   BPowerDiagram(SettingsSource& settings, UserBalls& balls);
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 };
 
 class BVDiagram final : public VDiagram {

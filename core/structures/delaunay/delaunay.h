@@ -128,6 +128,7 @@ class Delaunay final : public Structure {
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
   std::string_view kernel() const override { return "EPICK"; }
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 
  private:
   template <class Kernel>

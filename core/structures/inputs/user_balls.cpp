@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+
+#include "core/graph/explain.h"
 
 namespace mes {
 
@@ -90,6 +93,15 @@ StatList UserBalls::statistics() const {
           {"zero_radius", zero},
           {"radius_min", count_ == 0 ? none : least},
           {"radius_max", count_ == 0 ? none : most}};
+}
+
+void UserBalls::explain(ElementKind kind, Slot row, Explanation& out) const {
+  if (kind != ElementKind::own_ball || !is_alive(row)) return;
+  ProvenanceShapes itself;
+  itself.circle(disk(row));
+  itself.point(disk(row).center);
+  out.say(ProvenanceRole::itself,
+          "Ball at " + place_text(disk(row).center) + ", radius " + number_text(disk(row).radius), itself);
 }
 
 }  // namespace mes

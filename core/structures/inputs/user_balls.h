@@ -36,6 +36,7 @@ class UserBalls final : public SourceStructure {
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 
  private:
   void make_room();

@@ -47,12 +47,15 @@ class Poles final : public Structure {
   std::size_t touched() const override { return face_changes_.size(); }
   StatList statistics() const override;
   std::string_view kernel() const override { return "doubles with a proved bound, integers, rationals"; }
+  void explain(ElementKind kind, Slot row, Explanation& out) const override;
 
  private:
   struct HullNeighbours {
     Slot before = kNoSlot;  ///< kNoSlot for inner sites
     Slot after = kNoSlot;
   };
+  void explain_site(Slot site, Explanation& out) const;
+  void explain_vertex(Slot face, Explanation& out) const;
   HullNeighbours hull_neighbours(Slot site) const;
   /// Finite faces around the site go to `star_`.
   HullNeighbours gather_star(Slot site);

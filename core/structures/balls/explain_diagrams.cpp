@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rows of the diagrams of a union of balls are.
+#include "core/graph/explain.h"
+#include "core/structures/axis/inner_balls.h"
+#include "core/structures/balls/ball_diagrams.h"
+
+namespace mes {
+namespace {
+
+void add_edge(ProvenanceShapes& shapes, const PowerEdge& edge) {
+  switch (edge.kind) {
+    case PowerEdge::Kind::segment: shapes.segment(edge.from, edge.to); break;
+    case PowerEdge::Kind::ray: shapes.ray(edge.from, edge.to); break;
+    case PowerEdge::Kind::line: shapes.line(edge.from, edge.to); break;
+  }
+}
+
+void explain_v_face(const UnionTables& t, Slot row, Explanation& out) {
+  if (row >= t.v_faces.size()) return;
+  const VFace& face = t.v_faces[row];
+  ProvenanceShapes itself, points;
+  itself.point(face.center);
+  itself.circle({face.center, face.radius});
+  out.say(ProvenanceRole::itself,
+          std::string("Voronoi vertex of the v-points ") + (face.is_inside != 0 ? "inside" : "outside") +
+              " the dual complex" + (face.ball != kNoSlot ? ", the centre of a ball" : ""),
+          itself);
+  for (const Slot v : face.v) points.point(t.v_points[v].position);
+  out.say(ProvenanceRole::origin, "3 v-points on its circle", points);
+}
+
+void explain_v_edge(const UnionTables& t, Slot row, Explanation& out) {
+  if (row >= t.v_edges.size()) return;
+  const VEdge& edge = t.v_edges[row];
+  ProvenanceShapes itself, points;
+  itself.segment(t.v_points[edge.v[0]].position, t.v_points[edge.v[1]].position);
+  constexpr const char* kKind[] = {"Voronoi edge of two v-points",
+                                   "Voronoi edge of two v-points, through a ball's centre",
+                                   "Voronoi edge of two v-points, along a singular dual edge"};
+  out.say(ProvenanceRole::itself, kKind[static_cast<std::size_t>(edge.kind)], itself);
+  for (const Slot v : edge.v) points.point(t.v_points[v].position);
+  out.say(ProvenanceRole::origin, "2 v-points", points);
+}
+
+}  // namespace
+
+void PowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+  if (kind != ElementKind::power_edge) return;
+  if (row >= edges().size()) return;
+  const PowerEdge& edge = edges()[row];
+  ProvenanceShapes itself, circles;
+  add_edge(itself, edge);
+  const Disk a = family().disk(edge.ball[0]);
+  const Disk b = family().disk(edge.ball[1]);
+  itself.segment(a.center, b.center);
+  out.say(ProvenanceRole::itself, "Edge of the power diagram, and of the triangulation of the balls", itself);
+  circles.circle(a);
+  circles.circle(b);
+  out.say(ProvenanceRole::origin, "2 balls of equal power along it", circles);
+}
+
+void PowerDiagram::explain_cell(Slot ball, Explanation& out) const {
+  ProvenanceShapes cell;
+  for (const PowerEdge& edge : edges()) {
+    if (edge.ball[0] != ball && edge.ball[1] != ball) continue;
+    add_edge(cell, edge);
+  }
+  out.say_any(ProvenanceRole::product, "side of its power cell", "sides of its power cell", cell);
+}
+
+void APowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+  if (kind != ElementKind::voronoi_vertex) return PowerDiagram::explain(kind, row, out);
+  if (const auto* inner = out.current<InnerBalls>(); inner != nullptr && inner->is_ball(row))
+    explain_cell(inner->ball(row), out);
+}
+
+void BPowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+  if (kind != ElementKind::own_ball) return PowerDiagram::explain(kind, row, out);
+  if (family().is_ball(row)) explain_cell(row, out);
+}
+
+void VDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+  if (kind == ElementKind::v_face) explain_v_face(tables(), row, out);
+  if (kind == ElementKind::v_edge) explain_v_edge(tables(), row, out);
+}
+
+}  // namespace mes

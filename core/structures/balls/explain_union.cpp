@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rows of a union of balls are.
+#include <algorithm>
+
+#include "core/graph/explain.h"
+#include "core/structures/axis/inner_balls.h"
+#include "core/structures/balls/ball_union.h"
+
+namespace mes {
+namespace {
+
+void explain_dual_edge(const BallUnion& balls, Slot row, Explanation& out) {
+  const UnionTables& t = balls.tables();
+  if (row >= t.dual_edges.size() || !t.dual_edges[row].is_alive()) return;
+  const DualEdge& edge = t.dual_edges[row];
+  const Disk a = balls.family().disk(edge.ball[0]);
+  const Disk b = balls.family().disk(edge.ball[1]);
+  ProvenanceShapes itself, circles, points;
+  itself.segment(a.center, b.center);
+  constexpr const char* kClass[] = {"Singular dual edge: no dual triangle at it",
+                                    "Regular dual edge: one dual triangle at it",
+                                    "Interior dual edge: between two dual triangles"};
+  out.say(ProvenanceRole::itself, kClass[static_cast<std::size_t>(edge.kind)], itself);
+  circles.circle(a);
+  circles.circle(b);
+  out.say(ProvenanceRole::origin,
+          std::string("2 balls that meet within their power cells") +
+              (balls.family().touch_samples() && edge.shares_sample != 0 ? ", and share a sample" : ""),
+          circles);
+  for (const VOrigin& origin : t.v_origins)
+    if (origin.is_alive() && origin.edge == row) points.point(t.v_points[origin.v].position);
+  out.say_any(ProvenanceRole::product, "v-point made by it", "v-points made by it", points);
+}
+
+void explain_dual_face(const BallUnion& balls, Slot row, Explanation& out) {
+  const UnionTables& t = balls.tables();
+  if (row >= t.dual_faces.size() || !t.dual_faces[row].is_alive()) return;
+  const DualFace& face = t.dual_faces[row];
+  ProvenanceShapes itself, circles, common;
+  itself.triangle(balls.family().disk(face.ball[0]).center, balls.family().disk(face.ball[1]).center,
+                  balls.family().disk(face.ball[2]).center);
+  out.say(ProvenanceRole::itself,
+          face.sign < 0
+              ? "Dual triangle: its three balls have a common interior point"
+              : "Dual triangle: its three balls meet in one point only, their orthogonal circle has radius zero",
+          itself);
+  std::vector<TouchedSample> shared;
+  for (std::size_t i = 0; i < 3; ++i) {
+    circles.circle(balls.family().disk(face.ball[i]));
+    std::vector<TouchedSample> touched;
+    if (balls.family().touch_samples()) balls.family().touched_samples(face.ball[i], touched);
+    if (i == 0) {
+      shared = touched;
+    } else {
+      std::erase_if(shared, [&touched](const TouchedSample& sample) {
+        return std::ranges::find(touched, sample.site, &TouchedSample::site) == touched.end();
+      });
+    }
+  }
+  out.say(ProvenanceRole::origin, "3 balls", circles);
+  for (const TouchedSample& sample : shared) common.point(sample.position);
+  out.say_any(ProvenanceRole::origin, "sample that all three touch", "samples that all three touch", common);
+}
+
+void explain_v_point(const BallUnion& balls, Slot row, Explanation& out) {
+  const UnionTables& t = balls.tables();
+  if (row >= t.v_points.size() || !t.v_points[row].is_alive()) return;
+  const VPoint& v = t.v_points[row];
+  ProvenanceShapes itself, edges, circles, pieces;
+  itself.point(v.position);
+  const bool is_foreign = balls.family().touch_samples() && v.site == kNoSlot;
+  out.say(
+      ProvenanceRole::itself,
+      "V-point at " + place_text(v.position) + (v.site != kNoSlot ? ", a sample" : (is_foreign ? ", no sample" : "")),
+      itself);
+  std::vector<Slot> touching;
+  const auto add_ball = [&](Slot ball) {
+    if (std::ranges::find(touching, ball) != touching.end()) return;
+    touching.push_back(ball);
+    circles.circle(balls.family().disk(ball));
+  };
+  for (const VOrigin& origin : t.v_origins) {
+    if (!origin.is_alive() || origin.v != row) continue;
+    const DualEdge& edge = t.dual_edges[origin.edge];
+    edges.segment(balls.family().disk(edge.ball[0]).center, balls.family().disk(edge.ball[1]).center);
+    for (const Slot ball : edge.ball) add_ball(ball);
+  }
+  for (const AxisPiece& piece : t.axis) {
+    if (!piece.is_alive() || (piece.v[0] != row && piece.v[1] != row)) continue;
+    pieces.segment(piece.a, piece.b);
+    for (const Slot node : piece.node)
+      if (node < t.balls.size()) add_ball(node);
+  }
+  out.say_any(ProvenanceRole::origin, "ball whose circle passes through it", "balls whose circles cross here",
+              circles);
+  out.say_any(ProvenanceRole::origin, "dual edge that made it", "dual edges that made it", edges);
+  out.say_any(ProvenanceRole::product, "piece of the axis has it as a nearest boundary point",
+              "pieces of the axis have it as a nearest boundary point", pieces);
+}
+
+void explain_v_origin(const BallUnion& balls, Slot row, Explanation& out) {
+  const auto& origins = balls.tables().v_origins;
+  if (row < origins.size() && origins[row].is_alive()) explain_v_point(balls, origins[row].v, out);
+}
+
+void explain_axis_piece(const BallUnion& balls, Slot row, Explanation& out) {
+  const UnionTables& t = balls.tables();
+  if (row >= t.axis.size() || !t.axis[row].is_alive()) return;
+  const AxisPiece& piece = t.axis[row];
+  ProvenanceShapes itself, points, circles;
+  itself.segment(piece.a, piece.b);
+  out.say(ProvenanceRole::itself,
+          std::string(piece.is_singular != 0 ? "Piece of the axis along a singular dual edge"
+                                             : "Piece of the axis on the Voronoi diagram of the v-points") +
+              ", radius " + number_text(piece.radius_a) + " to " + number_text(piece.radius_b),
+          itself);
+  for (const Slot v : piece.v)
+    if (v != kNoSlot && v < t.v_points.size() && t.v_points[v].is_alive()) points.point(t.v_points[v].position);
+  out.say_any(ProvenanceRole::origin, "v-point nearest to all of it", "v-points nearest to all of it", points);
+  for (std::size_t i = 0; i < 2; ++i)
+    circles.circle(i == 0 ? Disk{piece.a, piece.radius_a} : Disk{piece.b, piece.radius_b});
+  out.say(ProvenanceRole::origin, "the maximal balls at its two ends", circles);
+}
+
+void explain_arc(const BallUnion& balls, Slot row, Explanation& out) {
+  const UnionTables& t = balls.tables();
+  if (row >= t.arcs.size() || !t.arcs[row].is_alive()) return;
+  ProvenanceShapes itself, circle;
+  if (const auto drawn = drawn_arc(t.arcs[row], balls.family().disk(t.arcs[row].ball)))
+    itself.arc({drawn->center, drawn->radius}, drawn->from, drawn->to);
+  out.say(ProvenanceRole::itself,
+          t.arcs[row].is_whole != 0 ? "A whole circle on the boundary of the union"
+                                    : "Arc on the boundary of the union, between two v-points",
+          itself);
+  circle.circle(balls.family().disk(t.arcs[row].ball));
+  out.say(ProvenanceRole::origin, "its ball", circle);
+}
+
+}  // namespace
+
+void BallUnion::explain_place(Slot row, Explanation& out) const {
+  const UnionTables& t = tables();
+  if (row >= t.balls.size()) return;
+  ProvenanceShapes edges, triangles, points, arcs;
+  std::vector<Slot> own_edges;
+  for (Slot e = 0; e < t.dual_edges.size(); ++e) {
+    const DualEdge& edge = t.dual_edges[e];
+    if (!edge.is_alive() || (edge.ball[0] != row && edge.ball[1] != row)) continue;
+    own_edges.push_back(e);
+    edges.segment(family().disk(edge.ball[0]).center, family().disk(edge.ball[1]).center);
+  }
+  for (const DualFace& face : t.dual_faces)
+    if (face.is_alive() && std::ranges::find(face.ball, row) != std::end(face.ball))
+      triangles.triangle(family().disk(face.ball[0]).center, family().disk(face.ball[1]).center,
+                         family().disk(face.ball[2]).center);
+  std::size_t free_arcs = 0;
+  std::vector<Vec2> ends;
+  for (const BoundaryArc& arc : t.arcs) {
+    if (!arc.is_alive() || arc.ball != row) continue;
+    ++free_arcs;
+    if (arc.is_whole != 0) continue;
+    for (const Vec2 end : {arc.from, arc.to})
+      if (std::ranges::find(ends, end) == ends.end()) ends.push_back(end);
+  }
+  for (const Vec2 end : ends) points.point(end);
+  out.say_any(ProvenanceRole::product, "dual edge at it", "dual edges at it", edges);
+  out.say_any(ProvenanceRole::product, "dual triangle at it", "dual triangles at it", triangles);
+  out.say_any(ProvenanceRole::product, "end of its arcs on the boundary of the union",
+              "ends of its " + count_text(free_arcs, "arc", "arcs") + " on the boundary of the union", points);
+}
+
+void BallUnion::explain_scale(Slot row, Explanation& out) const {
+  if (family().scale() == 1.0) return;
+  ProvenanceShapes circle;
+  circle.circle(family().disk(row));
+  out.say(ProvenanceRole::product,
+          "Scaled by " + number_text(family().scale()) + " for its union: radius " +
+              number_text(family().disk(row).radius),
+          circle);
+}
+
+void BallUnion::explain(ElementKind kind, Slot row, Explanation& out) const {
+  switch (kind) {
+    case ElementKind::ball:
+      if (!family().is_ball(row)) return;
+      out.about(ElementKind::voronoi_vertex, row);
+      explain_scale(row, out);
+      return explain_place(row, out);
+    case ElementKind::dual_edge: return explain_dual_edge(*this, row, out);
+    case ElementKind::dual_face: return explain_dual_face(*this, row, out);
+    case ElementKind::v_point: return explain_v_point(*this, row, out);
+    case ElementKind::v_origin: return explain_v_origin(*this, row, out);
+    case ElementKind::axis_piece: return explain_axis_piece(*this, row, out);
+    case ElementKind::boundary_arc: return explain_arc(*this, row, out);
+    default: return;
+  }
+}
+
+void AUnion::explain(ElementKind kind, Slot row, Explanation& out) const {
+  const auto* inner = out.current<InnerBalls>();
+  const auto* delaunay = out.current<Delaunay>();
+  switch (kind) {
+    case ElementKind::site:
+      if (rung() == UnionRung::shortcut && delaunay != nullptr && delaunay->is_site(row) &&
+          tables().v_points[row].multiplicity >= 2) {
+        ProvenanceShapes shapes;
+        shapes.point(delaunay->site_position(row));
+        out.say(ProvenanceRole::product, "it is a v-point of union A", shapes);
+      }
+      return;
+    case ElementKind::voronoi_vertex:
+      if (inner != nullptr && inner->is_ball(row)) explain_place(inner->ball(row), out);
+      return;
+    case ElementKind::ball:
+      // Its place in this union is part of what its Voronoi vertex is.
+      if (!family().is_ball(row)) return;
+      out.about(ElementKind::voronoi_vertex, row);
+      return explain_scale(row, out);
+    default: return BallUnion::explain(kind, row, out);
+  }
+}
+
+void BUnion::explain(ElementKind kind, Slot row, Explanation& out) const {
+  switch (kind) {
+    case ElementKind::own_ball:
+      if (!family().is_ball(row)) return;
+      explain_scale(row, out);
+      return explain_place(row, out);
+    case ElementKind::ball:
+      if (family().is_ball(row)) out.about(ElementKind::own_ball, row);
+      return;
+    default: return BallUnion::explain(kind, row, out);
+  }
+}
+
+}  // namespace mes
