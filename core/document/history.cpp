@@ -28,7 +28,7 @@ void merge(std::vector<Edit>& earlier, const std::vector<Edit>& later) {
 // Two deltas that move the same samples and change the same balls, in the same order, are one delta.
 bool History::are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later) {
   if (earlier.replaces_all() || later.replaces_all()) return false;
-  if (earlier.curve_after != later.curve_after || earlier.curve_before != later.curve_before) return false;
+  if (earlier.curve_after != later.curve_after) return false;
   return !earlier.is_empty() && can_merge(earlier.edits, later.edits, SampleEdit::Kind::move) &&
          can_merge(earlier.ball_edits, later.ball_edits, BallEdit::Kind::change);
 }
@@ -97,7 +97,8 @@ void History::record(const DocumentDelta& delta, const std::string& name) {
 }
 
 bool History::can_extend(const DocumentDelta& delta, const std::string& name) const {
-  if (gesture_open_ || position_ == 0 || position_ != steps_.size()) return false;
+  // A step that is undone ended at a revision that the document does not have any more.
+  if (gesture_open_ || steps_.empty()) return false;
   const Step& last = steps_.back();
   return last.is_edit() && last.name == name && last.deltas.back().to_revision == delta.from_revision &&
          are_same_moves(last.deltas.back(), delta);
