@@ -60,6 +60,13 @@ TEST_CASE("what was undone is gone after another edit, and after a gesture") {
   CHECK_FALSE(desk.history.can_redo());
   desk.undo();
   CHECK(desk.document.is_empty());
+  // A gesture that only changed layers is a step as well.
+  desk.history.begin_gesture("Look");
+  REQUIRE(desk.history.join_layers(step_of("curve", true)));
+  desk.history.end_gesture();
+  CHECK(desk.history.step_count() == 1);
+  CHECK_FALSE(desk.history.can_redo());
+  CHECK(desk.history.undo_name() == "Look");
 }
 
 TEST_CASE("a revision is given to one state only") {

@@ -54,6 +54,12 @@ TEST_CASE("quoted tokens are short and printable") {
   CHECK(in_quotes("caf\xc3\xa9") == "\"caf\xc3\xa9\"");
   CHECK(in_quotes("a\tb\x1b[31m") == "\"a\\x09b\\x1b[31m\"");
   CHECK(in_quotes("\xe2\x80\xae") == "\"\\xe2\\x80\\xae\"");
+  // Half a surrogate pair, an overlong form, what lies beyond Unicode.
+  CHECK(in_quotes("\xed\xa0\x80") == "\"\\xed\\xa0\\x80\"");
+  CHECK(in_quotes("\xed\x9f\xbf") == "\"\xed\x9f\xbf\"");
+  CHECK(in_quotes("\xe0\x9f\xbf") == "\"\\xe0\\x9f\\xbf\"");
+  CHECK(in_quotes("\xf0\x8f\xbf\xbf") == "\"\\xf0\\x8f\\xbf\\xbf\"");
+  CHECK(in_quotes("\xf4\x90\x80\x80") == "\"\\xf4\\x90\\x80\\x80\"");
   CHECK(in_quotes(std::string(500, 'a')).size() < 80);
   // Cut between characters, not within one.
   const std::string accents = [] {
