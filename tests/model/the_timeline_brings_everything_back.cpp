@@ -120,6 +120,16 @@ TEST_CASE("a gesture that did nothing, or was taken back, leaves the timeline ab
   CHECK(replayed(editor.timeline()).history().position() == 0);
 }
 
+TEST_CASE("a gesture that did nothing and is cancelled takes nothing back") {
+  Editor editor({});
+  REQUIRE(editor.load({{{0, 0}}, {}}));
+  REQUIRE(editor.insert(std::array{Vec2{1, 1}}, "Insert"));
+  editor.begin_gesture("Drag");
+  editor.cancel_gesture();
+  CHECK(editor.document().sample_count() == 2);
+  CHECK(editor.undo_name() == "Insert");
+}
+
 TEST_CASE("dragging very many samples does not put each move of the pointer on record") {
   Editor editor({});
   SampleData data;
