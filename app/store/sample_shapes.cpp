@@ -19,6 +19,7 @@ fs::path find_assets(const fs::path& executable) {
   // The link of the running program is right whatever name it was started by.
   fs::path self = fs::read_symlink("/proc/self/exe", error);
   // A bare root may be without /proc. A name without a folder was found on the PATH, where the loader knows it.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the kernel hands over the address as a number.
   if (error) self = executable.has_parent_path() ? executable : reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
   self = fs::absolute(self, error);
   const fs::path folder = self.parent_path();
