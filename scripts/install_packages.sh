@@ -21,6 +21,7 @@ build          cmake               cmake               cmake          cmake
 build          ninja-build         ninja-build         ninja          ninja
 build          pkg-config          pkgconf-pkg-config  pkgconf        pkgconf
 build          libcgal-dev         CGAL-devel          cgal           cgal
+build          libboost-dev        boost-devel         boost          boost
 build          libgmp-dev          gmp-devel           gmp            gmp
 build          libmpfr-dev         mpfr-devel          mpfr           mpfr
 build          libglfw3-dev        glfw-devel          glfw           glfw

@@ -144,6 +144,7 @@ void GlfwWindow::install_callbacks() {
     GlfwWindow* self = self_of(window);
     ImGui_ImplGlfw_MouseButtonCallback(window, button, action, bits);
     if (action == GLFW_PRESS && !self->press_) self->press_ = self->pointer_;
+    if (action == GLFW_RELEASE) self->release_ = self->pointer_;
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
     // The press happened where the last move ended; the present position may be that of later events.
@@ -240,6 +241,10 @@ void GlfwWindow::key(int code, int scancode, int action, int bits) {
 Vec2 GlfwWindow::to_framebuffer(double x, double y) const {
   const double ratio = pixel_ratio();
   return {x * ratio, y * ratio};
+}
+
+std::optional<Vec2> GlfwWindow::take_click() {
+  return std::exchange(press_ ? press_ : release_, std::nullopt);
 }
 
 void GlfwWindow::poll() {

@@ -62,9 +62,9 @@ class GlfwWindow {
   void swap();
   void set_title(const std::string& title);
   void set_pointer_shape(PointerShape shape);
-  /// Where a button was pressed since the last call, in screen coordinates. When a late frame begins, the pointer may
-  /// be elsewhere, and panels would take the press for one there.
-  std::optional<Vec2> take_press() { return std::exchange(press_, std::nullopt); }
+  /// Where a button was pressed since the last call, then where it was released, in screen coordinates. When a late
+  /// frame begins, the pointer may be elsewhere, and panels would take the click for one there.
+  std::optional<Vec2> take_click();
   struct Size {
     int width = 0;
     int height = 0;
@@ -94,6 +94,7 @@ class GlfwWindow {
   std::string title_;
   Vec2 pointer_;  // as of the last event, in screen coordinates
   std::optional<Vec2> press_;
+  std::optional<Vec2> release_;
   struct Release {
     int key;
     int scancode;

@@ -100,8 +100,8 @@ void Gui::begin_frame(const Settings& settings) {
   ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / ratio);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  if (const auto press = window_.take_press())
-    ImGui::GetIO().MousePos = {static_cast<float>(press->x), static_cast<float>(press->y)};
+  if (const auto click = window_.take_click())
+    ImGui::GetIO().MousePos = {static_cast<float>(click->x), static_cast<float>(click->y)};
   ImGui::NewFrame();
 }
 

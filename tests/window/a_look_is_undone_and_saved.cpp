@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/io/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 
@@ -37,6 +38,15 @@ struct Window {
                     folder / "errors");
     REQUIRE(eventually([&] { return title().starts_with(name); }));
     screen.xdotool("mousemove 1200 6");
+  }
+  /// The journal says that a file holds everything; until then a crash leaves work to recover.
+  bool has_journaled_save() const {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "data" / "mesecina" / "autosave", error)) {
+      const auto journal = read_journal(bytes_of(entry.path()), entry.path().string());
+      if (!journal || journal->unsaved_edits != 0) return false;
+    }
+    return true;
   }
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
   std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
@@ -94,6 +104,7 @@ TEST_CASE("in a session changes of layers are unsaved work, and its file brings 
   CHECK(eventually([&] { return window.title().starts_with("* house.json"); }));
   window.press("ctrl+s");
   CHECK(eventually([&] { return window.title().starts_with("house.json"); }));
+  REQUIRE(eventually([&] { return window.has_journaled_save(); }));
 
   kill(window.program.pid(), SIGKILL);
   window.program.wait();
