@@ -13,7 +13,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   std::string text;
   for (const auto& color : map->colors)
-    for (const float part : color) {
+    for (int i = 0; i < 3; ++i) {
+      const float part = color[i];
       require(part >= 0.0F && part <= 1.0F, "parts of colours are from 0 to 1");
       mes::append_number(text, static_cast<double>(part));
       text += ' ';
