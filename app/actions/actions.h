@@ -30,14 +30,8 @@ enum class ActionId : std::uint8_t {
   invert_selection,
   deselect,
   delete_selection,
-  nudge_left,
-  nudge_right,
-  nudge_up,
-  nudge_down,
-  nudge_left_far,
-  nudge_right_far,
-  nudge_up_far,
-  nudge_down_far,
+  first_nudge,  // left, right, up, down by a pixel, then the same by ten
+  last_nudge = first_nudge + 7,
   tool_select,
   tool_insert,
   tool_spray,
@@ -56,15 +50,8 @@ enum class ActionId : std::uint8_t {
   toggle_evolution,
   toggle_theme,
   projector_mode,
-  bundle_1,  // the nine in a row
-  bundle_2,
-  bundle_3,
-  bundle_4,
-  bundle_5,
-  bundle_6,
-  bundle_7,
-  bundle_8,
-  bundle_9,
+  first_bundle,  // those of the digits 1 to 9
+  last_bundle = first_bundle + 8,
   save_bundle,
   import_bundles,
   export_bundles,
@@ -90,6 +77,16 @@ enum class ActionId : std::uint8_t {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;
 
+/// Of a series of actions the one with this place, from 0.
+constexpr ActionId nth(ActionId first, std::size_t place) {
+  return static_cast<ActionId>(static_cast<std::size_t>(first) + place);
+}
+constexpr std::size_t length_of_series(ActionId first, ActionId last) {
+  return static_cast<std::size_t>(last) - static_cast<std::size_t>(first) + 1;
+}
+inline constexpr std::size_t kNudges = length_of_series(ActionId::first_nudge, ActionId::last_nudge);
+inline constexpr std::size_t kNumberedBundles = length_of_series(ActionId::first_bundle, ActionId::last_bundle);
+
 enum class ActionGroup : std::uint8_t { file, edit, tools, view, compute, help };
 std::string_view title_of(ActionGroup group);
 
@@ -98,9 +95,9 @@ enum class ActionContext : std::uint8_t { always, with_selection, without_select
 
 struct ActionDescriptor {
   ActionId id = ActionId::help;
-  std::string_view public_id;  ///< kebab case, stable
-  std::string_view name;       ///< as in a menu
-  std::string_view tooltip;    ///< one sentence, no full stop
+  std::string public_id;  ///< kebab case, stable
+  std::string name;       ///< as in a menu
+  std::string tooltip;    ///< one sentence, no full stop
   ActionGroup group = ActionGroup::file;
   ActionContext context = ActionContext::always;
   bool repeats = false;                ///< holding the key down does it again

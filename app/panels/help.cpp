@@ -40,9 +40,9 @@ struct Series {
   std::string_view name;
 };
 constexpr std::array<Series, 3> kSeries{
-    {{ActionId::nudge_left, ActionId::nudge_down, "Arrow keys", "Nudge by a pixel"},
-     {ActionId::nudge_left_far, ActionId::nudge_down_far, "Shift+arrow keys", "Nudge by ten pixels"},
-     {ActionId::bundle_1, ActionId::bundle_9, "1 to 9", "Show a bundle"}}};
+    {{ActionId::first_nudge, nth(ActionId::first_nudge, kNudges / 2 - 1), "Arrow keys", "Nudge by a pixel"},
+     {nth(ActionId::first_nudge, kNudges / 2), ActionId::last_nudge, "Shift+arrow keys", "Nudge by ten pixels"},
+     {ActionId::first_bundle, ActionId::last_bundle, "1 to 9", "Show a bundle"}}};
 
 struct Line {
   std::vector<std::string_view> keys;

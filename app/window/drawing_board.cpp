@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/drawing_board.h"
 
+#include <array>
 #include <utility>
 
 #include "app/panels/pointer_marks.h"
@@ -42,17 +43,13 @@ void DrawingBoard::bind(ActionBindings& actions) {
 }
 
 void DrawingBoard::bind_nudges(ActionBindings& actions) {
-  const auto bind = [&](ActionId id, Vec2 px) {
-    actions.bind(id, {[this, px] { nudge(px); }, [this] { return !work_.editor().selection().is_empty(); }});
-  };
-  bind(ActionId::nudge_left, {-1, 0});
-  bind(ActionId::nudge_right, {1, 0});
-  bind(ActionId::nudge_up, {0, 1});
-  bind(ActionId::nudge_down, {0, -1});
-  bind(ActionId::nudge_left_far, {-10, 0});
-  bind(ActionId::nudge_right_far, {10, 0});
-  bind(ActionId::nudge_up_far, {0, 10});
-  bind(ActionId::nudge_down_far, {0, -10});
+  constexpr std::array<Vec2, kNudges / 2> kDirections{{{-1, 0}, {1, 0}, {0, 1}, {0, -1}}};
+  constexpr double kFar = 10.0;  // pixels
+  for (std::size_t i = 0; i < kNudges; ++i) {
+    const Vec2 px = (i < kDirections.size() ? 1.0 : kFar) * kDirections[i % kDirections.size()];
+    actions.bind(nth(ActionId::first_nudge, i),
+                 {[this, px] { nudge(px); }, [this] { return !work_.editor().selection().is_empty(); }});
+  }
 }
 
 void DrawingBoard::bind_view(ActionBindings& actions) {

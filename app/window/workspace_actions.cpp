@@ -91,16 +91,15 @@ void Workspace::bind_computation(ActionBindings& actions) {
 }
 
 void Workspace::bind_bundles(ActionBindings& actions) {
-  constexpr std::size_t kDigits = 9;
-  for (std::size_t index = 0; index < kDigits; ++index) {
-    const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::bundle_1) + index);
-    actions.bind(id, {[this, index] {
-                        const std::string name = bundles_.bundles()[index].name;
-                        editor_.change_layers("Bundle " + in_quotes(name), [&] { bundles_.choose(index); });
-                        messages_.remark("Bundle " + std::to_string(index + 1) + ": " + name);
-                      },
-                      [this, index] { return index < bundles_.bundles().size(); },
-                      [this, index] { return bundles_.current() == index; }});
+  for (std::size_t index = 0; index < kNumberedBundles; ++index) {
+    actions.bind(nth(ActionId::first_bundle, index),
+                 {[this, index] {
+                    const std::string name = bundles_.bundles()[index].name;
+                    editor_.change_layers("Bundle " + in_quotes(name), [&] { bundles_.choose(index); });
+                    messages_.remark("Bundle " + std::to_string(index + 1) + ": " + name);
+                  },
+                  [this, index] { return index < bundles_.bundles().size(); },
+                  [this, index] { return bundles_.current() == index; }});
   }
   actions.bind(ActionId::undo_bundles, {[this] { report(bundles_.undo()); }, [this] { return bundles_.can_undo(); }});
 }
