@@ -2,7 +2,6 @@
 #include "render/picture_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <new>
 #include <vector>
 
+#include "core/base/lower_case.h"
 #include "render/picture_guard.h"
 
 #define STB_IMAGE_STATIC
@@ -107,9 +107,7 @@ Expected<Image> read_picture(const std::filesystem::path& file) {
 }
 
 bool is_picture_file(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case_extension(file);
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 

@@ -2,7 +2,6 @@
 #include "app/cli/bundle_request.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 
@@ -10,6 +9,7 @@
 #include "app/cli/names.h"
 #include "app/store/bundles.h"
 #include "app/store/sample_shapes.h"
+#include "core/base/lower_case.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/bundle_file.h"
 #include "core/io/text_numbers.h"
@@ -19,17 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// The one of this name, whatever the case if that leaves one; nothing: there is none.
 const Bundle* named(const std::vector<Bundle>& bundles, const std::string& name) {
   const Bundle* similar = nullptr;
   for (const Bundle& bundle : bundles) {
     if (bundle.name == name) return &bundle;
-    if (lower(bundle.name) != lower(name)) continue;
+    if (lower_case(bundle.name) != lower_case(name)) continue;
     if (similar != nullptr) return nullptr;
     similar = &bundle;
   }
@@ -86,7 +81,7 @@ Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<Source
   for (AvailableBundle& each : available_bundles()) bundles.push_back(std::move(each.bundle));
   if (const Bundle* bundle = named(bundles, name_or_file)) return *bundle;
   std::error_code error;
-  const std::string extension = lower(fs::path(name_or_file).extension().string());
+  const std::string extension = lower_case_extension(name_or_file);
   if (fs::exists(name_or_file, error)) return bundle_of_file(name_or_file, {}, sources);
   // Names of files and of bundles may hold colons too.
   for (std::size_t colon = name_or_file.find(':'); colon != std::string::npos;

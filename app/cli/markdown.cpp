@@ -3,6 +3,8 @@
 
 #include <cctype>
 
+#include "core/base/lower_case.h"
+
 namespace mes::cli {
 namespace {
 
@@ -12,7 +14,7 @@ std::string anchor_of(std::string_view title) {
   for (const char c : title) {
     const auto byte = static_cast<unsigned char>(c);
     if (std::isalnum(byte) != 0 || c == '_' || byte >= 0x80)
-      out += static_cast<char>(std::tolower(byte));
+      out += lower_case(c);
     else if (c == ' ' || c == '-')
       out += '-';
   }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 
 #include "app/cli/bundle_request.h"
@@ -24,6 +23,7 @@
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
+#include "core/base/lower_case.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 #include "render/gl_device.h"
@@ -51,9 +51,7 @@ Expected<void> check_picture_name(const std::string& file) {
     if (::isatty(STDOUT_FILENO) != 0) return usage_error("a picture cannot be printed on a terminal; name a file");
     return {};
   }
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case_extension(file);
   if (extension == ".png") return {};
   constexpr std::array<std::string_view, 3> kLater{".svg", ".pdf", ".ps"};
   if (std::ranges::find(kLater, extension) != kLater.end())

@@ -2,22 +2,12 @@
 #include "app/model/layer_stack.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "core/base/assert.h"
+#include "core/base/lower_case.h"
 
 namespace mes {
-namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
-}  // namespace
-
 LayerStack::LayerStack(std::span<const LayerDescriptor> descriptors) : descriptors_(descriptors) {
   reset();
 }
@@ -153,8 +143,8 @@ void LayerStack::set_image(const BackgroundImage& image) {
 
 bool matches_search(const LayerDescriptor& descriptor, std::string_view text) {
   const std::string haystack =
-      lower(descriptor.name) + ' ' + lower(descriptor.id) + ' ' + lower(title_of(descriptor.group));
-  const std::string needle = lower(text);
+      lower_case(descriptor.name) + ' ' + lower_case(descriptor.id) + ' ' + lower_case(title_of(descriptor.group));
+  const std::string needle = lower_case(text);
   std::size_t begin = 0;
   while (begin < needle.size()) {
     const std::size_t end = std::min(needle.find(' ', begin), needle.size());

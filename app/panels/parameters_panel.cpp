@@ -2,25 +2,20 @@
 #include "app/panels/parameters_panel.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/model/changed_parameters.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/base/lower_case.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
 
 bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
-  const auto lower = [](std::string_view text) {
-    std::string out(text);
-    std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-  };
-  return lower(std::string(descriptor.id) + ' ' + std::string(descriptor.explanation)).find(lower(search)) !=
-         std::string::npos;
+  return lower_case(std::string(descriptor.id) + ' ' + std::string(descriptor.explanation))
+             .find(lower_case(search)) != std::string::npos;
 }
 
 std::string explanation(const ParameterDescriptor& descriptor) {

@@ -2,11 +2,11 @@
 #include "app/store/file_desk.h"
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <iterator>
 #include <utility>
 
+#include "core/base/lower_case.h"
 #include "core/io/atomic_file.h"
 
 namespace mes {
@@ -15,19 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string extension_of(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool is_ball_file(const fs::path& file) {
-  return extension_of(file) == ".wpoff";
+  return lower_case_extension(file) == ".wpoff";
 }
 
 bool is_session_file(const fs::path& file) {
-  return extension_of(file) == ".json";
+  return lower_case_extension(file) == ".json";
 }
 
 /// However the file was named. Links are not followed: one that leads elsewhere now holds something else.

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
 
 #include "app/ui/theme.h"
+#include "core/base/lower_case.h"
 #include "core/io/format.h"
 
 namespace mes {
@@ -17,15 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string extension_of(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool is_known(const std::string& name) {
-  const std::string extension = extension_of(name);
+  const std::string extension = lower_case_extension(name);
   for (const FormatDescriptor& format : format_descriptors())
     if (format.can_read && std::ranges::count(format.extensions, extension) > 0) return true;
   return extension == ".txt" || extension == ".bnd";
@@ -80,7 +73,7 @@ void FileBrowser::ask_save(const fs::path& folder, const std::string& name, Then
 bool FileBrowser::is_listed(const std::string& name) const {
   if (all_files_) return true;
   const std::vector<std::string>& wanted = purpose_.extensions;
-  return wanted.empty() ? is_known(name) : std::ranges::count(wanted, extension_of(name)) > 0;
+  return wanted.empty() ? is_known(name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
 }
 
 void FileBrowser::enter(const fs::path& folder) {

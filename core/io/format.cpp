@@ -2,11 +2,11 @@
 #include "core/io/format.h"
 
 #include <algorithm>
-#include <cctype>
 #include <new>
 #include <system_error>
 #include <utility>
 
+#include "core/base/lower_case.h"
 #include "core/io/bundle_file.h"
 #include "core/io/format_registry.h"
 #include "core/io/read_file.h"
@@ -34,9 +34,7 @@ std::string readable_ids() {
 }
 
 const Format* format_by_extension(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case_extension(name);
   for (const Format& format : formats())
     if (format.descriptor.can_read && std::ranges::count(format.descriptor.extensions, extension) != 0)
       return &format;

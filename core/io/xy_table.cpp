@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/lower_case.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -115,10 +115,9 @@ struct Columns {
   }
 };
 
-std::string lower_case(std::string_view text) {
-  std::string out(text.substr(0, 64));
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
+// No word of a header that is known is as long.
+std::string word_of(std::string_view field) {
+  return lower_case(field.substr(0, 64));
 }
 
 template <std::size_t N>
@@ -139,7 +138,7 @@ Columns columns_of(const Fields& header) {
   bool has_y = false;
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const std::string word = lower_case(header[i]);
+    const std::string word = word_of(header[i]);
     if (!has_x && is_one_of(word, kX)) {
       columns.x = i;
       has_x = true;
@@ -242,7 +241,7 @@ Plan make_plan(std::string_view bytes) {
   if (header_alone) {
     const Columns columns = columns_of(fields);
     const bool names_both = columns.x < fields.size() && columns.y < fields.size() &&
-                            lower_case(fields[columns.x]) == "x" && lower_case(fields[columns.y]) == "y";
+                            word_of(fields[columns.x]) == "x" && word_of(fields[columns.y]) == "y";
     if (has_second || names_both) {
       plan.columns = columns;
       plan.has_header = true;
