@@ -4,26 +4,15 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/model/layer_stack.h"
+#include "app/model/playback.h"
 #include "core/document/layer_fold.h"
 #include "core/engine/engine.h"
 #include "core/io/session.h"
 
 namespace mes {
-
-/// What follows each other without a picture of its own between, and the picture after it.
-struct PlayStep {
-  std::size_t first_entry = 0;
-  std::size_t end_entry = 0;  ///< one past the last
-  std::string_view what;      ///< of the entry that made the picture: "edit", "undo", "layers", ...
-  double seconds = 0.0;       ///< how long it stays in a video; 0: as long as any
-};
-
-/// Everything before the first thing that was done is the first step, then each entry that can be seen is one.
-std::vector<PlayStep> steps_of(const TimelineLog& entries);
 
 /// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are
 /// those of that moment, and the patches handed on make the whole picture; the same session gives the same pictures
@@ -39,12 +28,12 @@ std::vector<PlayStep> steps_of(const TimelineLog& entries);
 ///     }
 ///
 /// Threads: one; the engine has its own.
-class Player {
+class Player : private Stage {
  public:
   using OnPatch = std::function<void(const FramePatch&)>;
   Player(const Session& session, OnPatch on_patch);
 
-  const std::vector<PlayStep>& steps() const { return steps_; }
+  const std::vector<PlayStep>& steps() const { return playback_.steps(); }
   /// Error: an entry makes no sense; nothing after it can be played.
   Expected<void> apply(const PlayStep& step);
   /// Waits for the picture. What failed to be computed, one line; empty: nothing.
@@ -55,19 +44,21 @@ class Player {
   const ComputationSettings& settings() const { return settings_; }
   /// What is to be seen; empty: everything.
   const Box2& view() const { return view_; }
-  const std::string& caption() const { return caption_; }
+  const std::string& caption() const { return playback_.caption(); }
 
  private:
-  Expected<void> apply(const TimelineEntry& entry);
+  Expected<void> change_document(const TimelineEntry& entry) override;
+  void change_layers(const LayersChanged& change) override;
+  void change_settings(const ComputationSettings& settings) override { settings_ = settings; }
+  void look_at(const Box2& box) override { view_ = box; }
 
-  Session session_;
-  std::vector<PlayStep> steps_;
+  std::shared_ptr<const SampleData> data_;
+  Playback playback_;
   OnPatch on_patch_;
   LayerStack layers_;
   LayerFold layer_fold_;
   ComputationSettings settings_;
   Box2 view_;
-  std::string caption_;
   Engine engine_;
   std::vector<std::shared_ptr<const DocumentDelta>> deltas_;  // of the steps since the last picture
   DocumentReplay replay_;

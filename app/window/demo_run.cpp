@@ -9,10 +9,8 @@
 
 namespace mes {
 
-void DemoRun::start(Session session) {
-  std::vector<PlayStep> steps = steps_of(session.entries);
-  run_ = Run{.session = std::move(session),
-             .steps = std::move(steps),
+void DemoRun::start(const Session& session) {
+  run_ = Run{.playback = Playback(session.entries),
              .document = work_.document().revision(),
              .layers_before = work_.layers().configuration(),
              .settings_before = work_.computation().settings()};
@@ -31,21 +29,24 @@ std::optional<double> DemoRun::next_due(double now) const {
   return run_ && !run_->is_paused ? std::optional(run_->not_before - now) : std::nullopt;
 }
 
-Expected<void> DemoRun::perform(const TimelineEntry& entry) {
-  if (const auto* edit = std::get_if<TimelineEdit>(&entry)) return work_.editor().perform(*edit);
-  if (const auto* change = std::get_if<LayersChanged>(&entry)) {
-    LayerConfiguration configuration = work_.layers().configuration();
-    apply(*change, configuration);
-    work_.layers().set_configuration(configuration);
-  } else if (const auto* settings = std::get_if<SettingsChanged>(&entry)) {
-    work_.computation().set(settings->settings);
-  } else if (const auto* view = std::get_if<ViewChanged>(&entry)) {
-    fitter_.set_target(view->visible);
-    fitter_.want(ViewFitter::How::glide);
-  } else if (const auto* caption = std::get_if<Captioned>(&entry)) {
-    run_->caption = caption->text;
-  }
-  return {};
+Expected<void> DemoRun::change_document(const TimelineEntry& entry) {
+  const auto* edit = std::get_if<TimelineEdit>(&entry);
+  return edit == nullptr ? Expected<void>() : work_.editor().perform(*edit);
+}
+
+void DemoRun::change_layers(const LayersChanged& change) {
+  LayerConfiguration configuration = work_.layers().configuration();
+  apply(change, configuration);
+  work_.layers().set_configuration(configuration);
+}
+
+void DemoRun::change_settings(const ComputationSettings& settings) {
+  work_.computation().set(settings);
+}
+
+void DemoRun::look_at(const Box2& box) {
+  fitter_.set_target(box);
+  fitter_.want(ViewFitter::How::glide);
 }
 
 bool DemoRun::advance(double now, bool may_step) {
@@ -56,7 +57,7 @@ bool DemoRun::advance(double now, bool may_step) {
     return false;
   }
   if (run_->is_paused || now < run_->not_before || !may_step) return false;
-  if (run_->next == run_->steps.size()) {
+  if (run_->next == run_->playback.steps().size()) {
     end(true);
     messages_.remark("The demo has ended");
     return false;
@@ -66,13 +67,11 @@ bool DemoRun::advance(double now, bool may_step) {
 
 bool DemoRun::take_step(double now) {
   constexpr double kShortest = 1.0 / 12.0;  // seconds
-  const PlayStep step = run_->steps[run_->next++];
-  for (std::size_t i = step.first_entry; i < step.end_entry; ++i) {
-    if (const auto done = perform(run_->session.entries[i]); !done) {
-      messages_.problem(done.error().message());
-      end(true);
-      return false;
-    }
+  const PlayStep step = run_->playback.steps()[run_->next++];
+  if (const auto done = run_->playback.perform(step, *this); !done) {
+    messages_.problem(done.error().message());
+    end(true);
+    return false;
   }
   run_->document = work_.document().revision();
   run_->not_before = now + std::max(kShortest, step.seconds);
@@ -82,10 +81,11 @@ bool DemoRun::take_step(double now) {
 
 void DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
   if (!run_) return;
+  const std::string& caption = run_->playback.caption();
   const float unit = gui.unit();
   ImGui::PushFont(gui.bold());
   const float button = 1.5F * ImGui::GetTextLineHeight();
-  const float text = ImGui::CalcTextSize(run_->caption.c_str(), nullptr, false, width - 120 * unit).x;
+  const float text = ImGui::CalcTextSize(caption.c_str(), nullptr, false, width - 120 * unit).x;
   const float wanted = std::min(width - 20 * unit, std::max(text, 200 * unit) + 2 * button + 44 * unit);
   ImGui::SetNextWindowPos({middle.x, middle.y - 14 * unit}, ImGuiCond_Always, {0.5F, 1.0F});
   ImGui::SetNextWindowSize({wanted, 0});
@@ -94,7 +94,7 @@ void DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PushTextWrapPos(wanted - 2 * button - 24 * unit);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(run_->caption.c_str());
+  ImGui::TextUnformatted(caption.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
   ImGui::SameLine(wanted - 2 * button - 14 * unit);

@@ -4,31 +4,31 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/model/messages.h"
-#include "app/model/player.h"
+#include "app/model/playback.h"
 #include "app/model/view_fitter.h"
 #include "app/ui/gui.h"
 #include "app/window/workspace.h"
+#include "core/io/session.h"
 
 namespace mes {
 
 /// What it guarantees: a step is taken when the picture of the one before is complete and has been seen for its time.
 /// The demo ends with the layers and settings as they were before it; an edit by hand ends it too and keeps what it
 /// shows. Threads: the window's.
-class DemoRun {
+class DemoRun : private Stage {
  public:
   DemoRun(Workspace& work, ViewFitter& fitter, Messages& messages)
       : work_(work), fitter_(fitter), messages_(messages) {}
 
   /// Plays it in the present document, which is empty.
-  void start(Session session);
+  void start(const Session& session);
   /// `restore`: layers and settings become what they were, and nothing is left that would have to be saved.
   void end(bool restore);
   bool is_running() const { return run_.has_value(); }
   /// Of the present step; empty while none runs.
-  std::string caption() const { return run_ ? run_->caption : std::string(); }
+  std::string caption() const { return run_ ? run_->playback.caption() : std::string(); }
   /// When the next step is due, in seconds from `now`; nothing while none is going to be taken.
   std::optional<double> next_due(double now) const;
 
@@ -39,18 +39,19 @@ class DemoRun {
 
  private:
   struct Run {
-    Session session;
-    std::vector<PlayStep> steps;
+    Playback playback;
     std::size_t next = 0;
     bool is_paused = false;
     double not_before = 0.0;     // seconds; the next step waits until then, and for the picture
     std::uint64_t document = 0;  // revision it left behind; another one means an edit by hand
-    std::string caption{};
     LayerConfiguration layers_before{};
     ComputationSettings settings_before{};
   };
   bool take_step(double now);
-  Expected<void> perform(const TimelineEntry& entry);
+  Expected<void> change_document(const TimelineEntry& entry) override;
+  void change_layers(const LayersChanged& change) override;
+  void change_settings(const ComputationSettings& settings) override;
+  void look_at(const Box2& box) override;
 
   Workspace& work_;
   ViewFitter& fitter_;

@@ -127,7 +127,7 @@ void DocumentFlow::start_demo() {
     return;
   }
   start_empty();
-  uses_.demo.start(std::move(*session));
+  uses_.demo.start(*session);
   // What was selected or clicked belongs to another document.
   uses_.board.provenance().clear();
   uses_.clock.settle();

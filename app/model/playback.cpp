@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/playback.h"
+
+#include <utility>
+
+namespace mes {
+namespace {
+
+std::string_view name_of(const TimelineEntry& entry) {
+  struct Name {
+    std::string_view operator()(const TimelineEdit&) const { return "edit"; }
+    std::string_view operator()(const GestureBegun&) const { return "begin"; }
+    std::string_view operator()(const GestureEnded&) const { return "end"; }
+    std::string_view operator()(const Undone&) const { return "undo"; }
+    std::string_view operator()(const Redone&) const { return "redo"; }
+    std::string_view operator()(const LayersChanged&) const { return "layers"; }
+    std::string_view operator()(const SettingsChanged&) const { return "settings"; }
+    std::string_view operator()(const ViewChanged&) const { return "view"; }
+    std::string_view operator()(const Captioned&) const { return "caption"; }
+  };
+  return std::visit(Name{}, entry);
+}
+
+}  // namespace
+
+std::vector<PlayStep> steps_of(const TimelineLog& entries) {
+  std::vector<PlayStep> out;
+  std::size_t first = 0;
+  for (std::size_t at = 0; at < entries.size(); ++at) {
+    const TimelineEntry entry = entries[at];
+    if (out.empty() && (is_work(entry) || std::holds_alternative<GestureBegun>(entry))) {
+      out.push_back({.first_entry = 0, .end_entry = at, .what = "open"});
+      first = at;
+    }
+    if (out.empty() || !is_visible(entry)) continue;
+    const auto* caption = std::get_if<Captioned>(&entry);
+    out.push_back({first, at + 1, name_of(entry), caption == nullptr ? 0.0 : caption->seconds});
+    first = at + 1;
+  }
+  if (out.empty()) out.push_back({.first_entry = 0, .end_entry = entries.size(), .what = "open"});
+  return out;
+}
+
+Expected<void> Playback::perform(const TimelineEntry& entry, Stage& stage) {
+  if (const auto* layers = std::get_if<LayersChanged>(&entry)) {
+    stage.change_layers(*layers);
+  } else if (const auto* settings = std::get_if<SettingsChanged>(&entry)) {
+    stage.change_settings(settings->settings);
+  } else if (const auto* view = std::get_if<ViewChanged>(&entry)) {
+    stage.look_at(view->visible);
+  } else if (const auto* caption = std::get_if<Captioned>(&entry)) {
+    caption_ = caption->text;
+  } else {
+    return stage.change_document(entry);
+  }
+  return {};
+}
+
+Expected<void> Playback::perform(const PlayStep& step, Stage& stage) {
+  for (std::size_t i = step.first_entry; i < step.end_entry; ++i) {
+    auto done = perform(entries_[i], stage);
+    if (!done) {
+      done.error().text = "entry " + std::to_string(i + 1) + " of the timeline: " + done.error().text;
+      return done;
+    }
+  }
+  return {};
+}
+
+}  // namespace mes
