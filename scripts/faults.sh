@@ -83,7 +83,7 @@ copy_tree() {
   ours=$(git ls-files -z --cached --others --exclude-standard | sums_in "$root")
   theirs=$(cd "$tree" && find . -path ./build -prune -o -type f -printf '%P\0' | sums_in "$tree")
   comm -13 <(cut -c 67- <<<"$ours" | sort) <(cut -c 67- <<<"$theirs" | sort) |
-    while IFS= read -r file; do rm "$tree/$file"; done
+    while IFS= read -r file; do [[ $file ]] && rm "$tree/$file"; done
   comm -23 <(echo "$ours") <(echo "$theirs") | cut -c 67- | grep -vxF -f <(printf '%s\n' "${!text_of[@]}") |
     (cd "$root" && xargs -d '\n' -r cp --parents -t "$tree")
   for file in "${!text_of[@]}"; do
