@@ -158,6 +158,34 @@ TEST_CASE("each loop keeps its area and its middle when asked to") {
   }
 }
 
+TEST_CASE("a loop with samples that stay keeps them where they are, whatever becomes of its area") {
+  // Two loops that meet in the first sample.
+  const SampleData eight{.positions = {{0, 0}, {2, 1}, {3, 0}, {2, -1}, {-2, 1}, {-3, 0}, {-2, -1}},
+                         .contours = {{true, {0, 1, 2, 3}}, {true, {0, 4, 5, 6}}}};
+  const auto after = state_at(eight, choice_of("smooth", {{"smooth-keep-area", 1.0}}), 3).positions;
+  CHECK(after[0] == eight.positions[0]);
+  CHECK(after == state_at(eight, choice_of("smooth"), 3).positions);
+}
+
+TEST_CASE("two samples that are each other's neighbours enclose nothing and stay") {
+  const SampleData data{.positions = {{0, 0}, {2, 1}}, .contours = {{true, {0, 1}}}};
+  for (const std::string_view id : {"smooth", "noise"})
+    CHECK(state_at(data, choice_of(id), 3).positions == data.positions);
+}
+
+TEST_CASE("curves found by the crust are numbered by their samples, wherever they lie") {
+  for (const double side : {-1.0, 1.0}) {
+    // Far apart; the first samples are those of one or of the other.
+    SampleData data = regular_polygon(20, false);
+    const std::vector<Vec2> first = data.positions;
+    for (const Vec2 p : first) data.positions.push_back(p + Vec2{100.0 * side, 0.0});
+    const auto after = state_at(data, choice_of("subdivide"), 1).positions;
+    REQUIRE(after.size() == 80);
+    for (std::size_t i = 40; i < 60; ++i) CHECK(distance(after[i], first[0]) < 50.0);
+    for (std::size_t i = 60; i < 80; ++i) CHECK(distance(after[i], first[0]) > 50.0);
+  }
+}
+
 TEST_CASE("subdivision converges to the cubic B-spline of the control polygon") {
   const SampleData data = polygon(7, true, [](double t) { return 2.0 + std::cos(3.0 * t); });
   const auto& p = data.positions;
@@ -366,6 +394,22 @@ TEST_CASE("a run answers the last wish, on a thread of its own, and can be cance
   run.want(3);
   CHECK(answer().k == 3);
   run.want(1'000'000'000);  // is left behind when the run ends
+}
+
+TEST_CASE("a state that is reached after a farther one was wanted is no answer") {
+  EvolutionRun run({});
+  run.begin(beginning_of(regular_polygon(300, true)), choice_of("smooth"));
+  run.want(20'000);
+  while (run.reached() == 0) std::this_thread::yield();
+  run.want(20'001);
+  for (;;) {
+    if (const auto answer = run.poll()) {
+      CHECK(answer->k == 20'001);
+      break;
+    }
+    std::this_thread::yield();
+  }
+  CHECK_FALSE(run.is_busy());
 }
 
 TEST_CASE("balls grow by equal steps, shrink by the inverse, and stay within the parameter's range") {
