@@ -270,6 +270,12 @@ TEST_CASE("changes of layers count as unsaved where a file holds them") {
   CHECK(desk.editor.is_modified());
   desk.editor.set_saved_layers(std::nullopt);
   CHECK_FALSE(desk.editor.is_modified());
+  // Another document is in no file that would hold layers.
+  desk.editor.set_saved_layers(desk.layers.configuration());
+  desk.widen(kCurve, 6.0);
+  CHECK(desk.editor.is_modified());
+  REQUIRE(desk.editor.load({{{0, 0}}, {}, {}}));
+  CHECK_FALSE(desk.editor.is_modified());
 }
 
 TEST_CASE("solo stays while styles are undone, and ends where a visibility is") {
