@@ -42,12 +42,10 @@ Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Sample
 void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
   for (const StructureNode& node : nodes_)
     if (node.source != nullptr) node.source->post(delta);
-  dirty_ = true;
 }
 
 void Graph::post_settings(const ComputationSettings& settings) {
   structures_.get<SettingsSource>().post(settings);
-  dirty_ = true;
 }
 
 void Graph::set_demand(std::span<const LayerIndex> layers) {
@@ -62,14 +60,12 @@ void Graph::set_demand(std::span<const LayerIndex> layers) {
     node.state = NodeState::inactive;
   }
   demand_changed_ = true;
-  dirty_ = true;
 }
 
 void Graph::set_want_findings(bool wanted) {
   if (wanted == want_findings_) return;
   want_findings_ = wanted;
   demand_changed_ = true;
-  dirty_ = true;
 }
 
 void Graph::mark_needed() {
@@ -379,7 +375,6 @@ void Graph::report(FramePatch& out) {
 
 void Graph::ask(ProvenanceQuestion question) {
   question_ = std::move(question);
-  dirty_ = true;
 }
 
 Provenance Graph::answer(const ProvenanceQuestion& question) const {
@@ -428,7 +423,6 @@ void Graph::give_up_for_lack_of_memory(FramePatch& out) {
 
 bool Graph::run(FramePatch& out, JobControl& job) {
   ++run_;
-  dirty_ = false;
   out.layer_count = 0;
   out.complete = true;
   out.provenance.reset();
@@ -454,7 +448,6 @@ bool Graph::run(FramePatch& out, JobControl& job) {
     sent_revision_ = samples_.document_revision();
   } catch (const Cancelled&) {
     out.complete = false;
-    dirty_ = true;
     tasks.drop();
     take_back(out);
   } catch (const std::bad_alloc&) {

@@ -51,8 +51,6 @@ class Graph {
   void set_want_findings(bool wanted);
   /// The next complete run answers; a later question takes the place of an earlier one.
   void ask(ProvenanceQuestion question);
-  /// Something was posted or demanded that `run` has not seen.
-  bool is_dirty() const { return dirty_; }
   /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
   /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
   bool run(FramePatch& out, JobControl& job);
@@ -126,7 +124,6 @@ class Graph {
   std::uint64_t sent_revision_ = 0;
   std::atomic<bool> keeps_frame_ = false;  ///< some layer has a picture in that frame, and no room for another
   std::uint64_t run_ = 0;
-  bool dirty_ = false;
   bool demand_changed_ = true;
   bool want_statistics_ = false;
   bool want_findings_ = false;
