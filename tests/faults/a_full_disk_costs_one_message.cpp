@@ -72,6 +72,16 @@ TEST_CASE("a file is the old one or the new one, whichever call fails, and nothi
   CHECK(failed >= 5);
 }
 
+TEST_CASE("a write that a signal interrupts goes on where it was") {
+  std::string bytes;
+  for (int i = 0; i < 20'000; ++i) bytes += std::to_string(i) + ' ';
+  const TemporaryFolder folder;
+  const FailingDisk interrupted(DiskCall::write, 0, false, EINTR);
+  REQUIRE(write_file_atomically(folder / "file", bytes));
+  CHECK(interrupted.has_failed());
+  CHECK(contents_of(folder / "file") == bytes);
+}
+
 TEST_CASE("a journal is whole again when the disk is, and its trouble is reported once") {
   const int failed = with_each_call_failing([](DiskCall kind, int call) {
     const TemporaryFolder folder;

@@ -22,12 +22,13 @@ std::atomic<bool> is_failing{false};
 std::atomic<bool> fails_on{false};
 std::atomic<DiskCall> failing_kind{DiskCall::write};
 std::atomic<int> calls_left{0};
+std::atomic<int> failing_error{ENOSPC};
 
 bool fails(DiskCall kind) {
   if (!is_failing || failing_kind != kind) return false;
   const int left = calls_left--;
   if (left > 0 || (left < 0 && !fails_on)) return false;
-  errno = ENOSPC;
+  errno = failing_error;
   return true;
 }
 
@@ -38,7 +39,7 @@ std::ptrdiff_t room_for(int file, std::size_t bytes) {
   static thread_local bool was_short = false;
   if (was_short) {
     was_short = false;
-    errno = ENOSPC;
+    errno = failing_error;
     return -1;
   }
   if (!fails(DiskCall::write)) return static_cast<std::ptrdiff_t>(bytes);
@@ -80,7 +81,8 @@ int open(const char* path, int flags, ...) {
 
 namespace mes::test {
 
-FailingDisk::FailingDisk(DiskCall kind, int call, bool and_later) {
+FailingDisk::FailingDisk(DiskCall kind, int call, bool and_later, int error) {
+  failing_error = error;
   failing_kind = kind;
   calls_left = call;
   fails_on = and_later;

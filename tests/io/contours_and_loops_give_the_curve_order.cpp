@@ -123,6 +123,11 @@ TEST_CASE("a repeated closing point is dropped and closes its contour") {
   CHECK(whole.data.contours[0].closed);
   CHECK(whole.data.contours[0].points == Indices{0, 1, 2});
 
+  // There and back is no loop.
+  const LoadedFile there_and_back = read_good("x,y\n0,0\n1,0\n0,0\n", "a.csv");
+  CHECK(there_and_back.data.positions == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 0}});
+  CHECK(there_and_back.data.contours.empty());
+
   // Rows of two contours in turn; only the first repeats its beginning, so only it is closed.
   const LoadedFile mixed = read_good("ring,x,y\na,0,0\nb,5,5\na,1,0\nb,6,5\na,1,1\na,0,0\nb,6,6\n", "a.csv");
   CHECK(mixed.data.positions.size() == 6);

@@ -140,6 +140,13 @@ TEST_CASE("a journal is read up to where it was torn") {
   CHECK(all->session.layers.image.file.empty());
   CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);
   CHECK(read_journal(text + write_journal_saved() + write_journal_line(Undone{}), "x.journal")->unsaved_edits == 1);
+  // The head says how things stood when the journal began.
+  const auto moved = read_journal(text + write_journal_line(ViewChanged{{{7, 7}, {8, 9}}}), "x.journal");
+  CHECK(moved->session.view == Box2{{7, 7}, {8, 9}});
+  ComputationSettings settings;
+  settings.precision = Precision::naive;
+  CHECK(read_journal(text + write_journal_line(SettingsChanged{settings}), "x.journal")->session.settings ==
+        settings);
   const auto spoiled =
       read_journal(text + "{\"edit\":{\"remove\":[77]}}\n" + write_journal_line(Undone{}), "x.journal");
   REQUIRE(spoiled);

@@ -104,6 +104,20 @@ TEST_CASE("a part that is found before it is locked is made anew") {
   CHECK(folder.file_count() == 1);
 }
 
+TEST_CASE("a part that another one takes the place of, before it is locked, is not removed with it") {
+  const Hooks hooks;
+  const TemporaryFolder folder;
+  const fs::path part = folder.write(".mesecina-0123456789abcdef.part", "left behind");
+  int times = 0;
+  before_lock = [&] {
+    if (++times == 1) fs::rename(folder.write("b", "of a living process"), part);
+    return 0;
+  };
+  remove_abandoned_parts(folder.path());
+  CHECK(times == 1);
+  CHECK(contents_of(part) == "of a living process");
+}
+
 TEST_CASE("a journal that is found before it is locked is not lost") {
   const Hooks hooks;
   const TemporaryFolder folder;
