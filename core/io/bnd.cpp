@@ -259,7 +259,7 @@ class BundleReader {
     // Nobody could choose these then.
     entry.style.dashed = layer->style.dashed;
     entry.style.flat = layer->style.flat;
-    // Two layers of old can be one of ours; it looks as the one that was shown.
+    // Two layers of old can be one of ours; it looks as the first of those that were shown.
     const auto twin = std::ranges::find(to.layers, entry.layer, &LayerConfiguration::Entry::layer);
     if (twin != to.layers.end()) {
       if (twin->visible || !entry.visible) return;

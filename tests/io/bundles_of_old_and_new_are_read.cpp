@@ -188,6 +188,14 @@ TEST_CASE("two layers of old that are one today look as the one that was shown")
     CHECK(out.layers[0].visible);
     CHECK(out.layers[0].style.point_size_px == 9.0);
   }
+  // Where both were shown or neither was, as the first.
+  for (const bool shown : {true, false}) {
+    const LayerConfiguration out = one(layer(u"A medial axis", state(shown, kNull, {}, 9.F)) +
+                                       layer(u"A onestep medial axis", state(shown, kNull, {}, 5.F)));
+    REQUIRE(out.layers.size() == 1);
+    CHECK(out.layers[0].visible == shown);
+    CHECK(out.layers[0].style.point_size_px == 9.0);
+  }
 }
 
 TEST_CASE("layers of BND that are not available are left out and counted once") {
