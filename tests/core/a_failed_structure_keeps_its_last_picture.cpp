@@ -206,6 +206,21 @@ TEST_CASE("a failure and its picture stay while nothing changes") {
   CHECK(bench.report("dependent").state == NodeState::blocked);
 }
 
+TEST_CASE("what failed is tried again when its inputs have changed, and not before") {
+  Bench bench;
+  bench.graph.set_want_statistics(true);
+  bench.insert({0, 0});
+  bench.insert({2, -1});
+  REQUIRE(bench.report("shaky").state == NodeState::failed);
+  for (const LayerIndex layer : {kShaky, kSteady}) {
+    bench.graph.set_demand(std::vector{layer, kDependent});
+    bench.run();
+  }
+  bench.remove_last();
+  REQUIRE(bench.report("shaky").stats.size() == 1);
+  CHECK(std::get<std::int64_t>(bench.report("shaky").stats[0].value) == 3);
+}
+
 TEST_CASE("a structure that fails from the beginning has no picture, and recovers") {
   Bench bench;
   bench.insert({0, -1});
@@ -244,6 +259,20 @@ TEST_CASE("an old picture is withdrawn when the drawing frame it is in is gone")
   CHECK(bench.patch.frame != before);
   CHECK(bench.contents.count(kShaky, kPoint) == 0);
   CHECK(bench.contents.count(kSteady, kPoint) == 4);
+}
+
+TEST_CASE("in a new drawing frame every picture is sent whole") {
+  Bench bench;
+  bench.insert({0, 0});
+  bench.insert({1, 0});
+  const DrawingFrame before = bench.patch.frame;
+  bench.insert({1e12, 1e12});
+  REQUIRE(bench.patch.frame != before);
+  for (const LayerIndex layer : {kSteady, kShaky, kDependent}) {
+    REQUIRE(bench.brings(layer));
+    const auto patch = std::ranges::find(bench.patch.layers, layer, &LayerPatch::layer);
+    CHECK((*patch)[kPoint].reset);
+  }
 }
 
 TEST_CASE("where there is no room for a new picture the old one stays, and its frame with it") {
