@@ -104,7 +104,6 @@ void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
     if (input.state != NodeState::up_to_date) {
       node.state = NodeState::blocked;
       node.reason = std::string(input.structure->id()) + ": " + input.reason;
-      node.synced = 0;
       return;
     }
     if (input.changed <= seen && seen != 0) continue;
@@ -128,8 +127,8 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
     node.state = NodeState::failed;
     node.reason = std::move(reason);
   };
-  // Whatever goes wrong, the tables are worthless then: nothing may follow them until they are rebuilt.
-  node.synced = 0;
+  // Whatever goes wrong, the tables are worthless then. Its state says so: what is not up to date is rebuilt before
+  // anything follows it.
   node.tried = run_;
   node.has_changes = true;
   try {
