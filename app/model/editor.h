@@ -127,7 +127,7 @@ class Editor {
   /// Takes the last edit back and leaves the layers as they are, also where they were changed since.
   void undo_edit();
 
-  /// Tries again to tell the listener what it could not be told for lack of memory; call it from time to time.
+  /// Repeats what the listener missed for lack of memory, if there is room now. Call it once a frame.
   void catch_up();
 
   bool is_modified() const;

@@ -44,7 +44,7 @@ class EvolutionPlayer {
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
   /// Goes back to state 0.
   void choose(EvolutionIndex evolution);
-  /// The one so many places after the present one, around the list.
+  /// Chooses the evolution `places` places after the present one, cyclically.
   void choose_next(int places);
   /// Shows the present state anew.
   void set_seed(std::uint64_t seed);

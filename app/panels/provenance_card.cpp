@@ -84,7 +84,7 @@ class Overlay {
  private:
   Vec2 on_screen(Vec2 world) const { return (to_logical_ * static_cast<double>(unit_)) * camera_.to_screen(world); }
   static ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
-  // A dot, a ring, a square: told apart without colours too.
+  // A dot, a ring, a square: distinguishable without colours.
   void point(Vec2 world) const {
     const Vec2 p = on_screen(world);
     if (!(std::abs(p.x) < 1e5 && std::abs(p.y) < 1e5)) return;

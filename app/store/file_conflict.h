@@ -26,7 +26,7 @@ struct FileConflict {
   Holdings mine{};
   std::optional<Holdings> theirs{};           ///< of the file now; nothing if it cannot be read
   std::string problem{};                      ///< why not
-  std::optional<std::size_t> shared_edits{};  ///< of two sessions of the same data: so many first edits are the same
+  std::optional<std::size_t> shared_edits{};  ///< first edits that two sessions of the same data have in common
   std::optional<FileFingerprint> found{};     ///< what all this is about
 };
 

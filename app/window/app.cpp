@@ -166,7 +166,7 @@ void App::end() {
   const GlfwWindow::Size size = window.size();
   settings_.settings().window_width = static_cast<int>(std::lround(size.width / units));
   settings_.settings().window_height = static_cast<int>(std::lround(size.height / units));
-  // There is no window any more to say in that this failed.
+  // The window is gone, so a failure cannot be shown.
   static_cast<void>(settings_.save());
   recording_.end();
 }

@@ -94,7 +94,7 @@ void DocumentFlow::take_read_file() {
   if (outcome->session) show_as_in(*outcome->session);
   if (!picture.empty()) uses_.board.traced().trace(picture);
   uses_.board.fitter().want(had_first_file_ ? ViewFitter::How::glide : ViewFitter::How::at_once);
-  // What is to be told at the start stays to be read.
+  // Messages from the start stay on screen.
   if (had_first_file_) uses_.messages.clear_problem();
   uses_.board.note_new_document();
   had_first_file_ = true;

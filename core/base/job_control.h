@@ -33,8 +33,8 @@ class JobControl {
     if (looks_left_.load(std::memory_order_relaxed) != kNoLimit && looks_left_.fetch_sub(1) <= 1) return true;
     return token_.stop_requested();
   }
-  /// Stops the computation when it has looked so many times, whatever the clock says; for tests, which stop it at
-  /// each place in turn.
+  /// Stops the computation at its `look`-th look, independent of the clock; for tests, which stop it at each
+  /// look in turn.
   void stop_at_look(std::int64_t look) { looks_left_ = look; }
 
  private:

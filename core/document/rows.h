@@ -60,7 +60,7 @@ class Rows {
     return slots;
   }
 
-  /// After this, so many insertions of things with ids up to `last`, and so many removals, ask for no memory.
+  /// After this, `inserted` insertions of things with ids up to `last`, and `removed` removals, allocate nothing.
   void make_room(std::size_t inserted, ThingId last, std::size_t removed) {
     const auto grow = [](auto& column, std::size_t size) {
       if (column.capacity() < size) column.reserve(std::max(size, column.capacity() + column.capacity() / 2));

@@ -146,7 +146,7 @@ class TimelineLog {
     std::uint32_t chunk;
     std::uint32_t offset;
   };
-  /// A place for so many bytes, behind all others.
+  /// Appends a place of `bytes` bytes.
   void make_place(std::size_t bytes);
   std::span<const std::byte> bytes(std::size_t i) const;
 

@@ -59,7 +59,7 @@ class Engine {
   void post(std::shared_ptr<const DocumentDelta> delta);
   /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
   void set_demand(std::vector<LayerIndex> layers);
-  /// Number type and the like. What is being computed with others is given up.
+  /// Number type and parameters. A computation with other settings is abandoned.
   void set_settings(const ComputationSettings& settings);
   /// All three at once: no patch shows some of it without the rest. So what follows depends on the steps alone, and
   /// not on how fast they come.

@@ -21,7 +21,7 @@ struct OffKind {
   std::string_view things;   ///< what is counted, in the plural
   std::string_view numbers;  ///< what one of them consists of, in the plural
   std::size_t numbers_each = 2;
-  /// What a file is that has so many numbers a line instead; empty: who knows.
+  /// What a file with this many numbers a line probably is; empty: unknown.
   std::string_view (*guess)(std::size_t columns) = nullptr;
 };
 

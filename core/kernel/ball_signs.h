@@ -198,7 +198,7 @@ int sign_of_excess_at_center(const Ball& a, const Ball& b, const Ball& c, const 
   const auto polynomial = [](const auto&... x) { return ball_polynomials::excess_at_center(x...); };
   if constexpr (std::is_same_v<Kernel, FastKernel>) {
     if (const int known = ball_polynomials::quick_excess_at_center(a, b, c, d); known != 0) return known;
-    // The same determinant from another origin: of two balls in nearly one place one had better be the origin.
+    // The same determinant from another origin: the bound is best when one of two nearly coincident balls is the origin.
     if (const int known = ball_polynomials::quick_excess_at_center(c, d, a, b); known != 0) return known;
     return BallSigns<Kernel>::sign_without_filter(polynomial, a, b, c, d);
   } else {

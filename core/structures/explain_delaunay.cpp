@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What rows of `Delaunay` are. Sites, edges and Voronoi vertices are what crust, labels, balls and axis are about, so
-// that is told here too, which is why this file lies above their rooms.
+// that is explained here too, which is why this file lies above their rooms.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -29,7 +29,7 @@ struct EdgeCut {
   Slot end[2];  ///< balls, or kNoSlot: the end of the Voronoi edge
   CutLabel label;
 
-  /// The face whose circumcentre end i is; kNoSlot = it is a ball's centre, or the cut goes on for ever.
+  /// The face whose circumcentre end i is; kNoSlot = it is a ball's centre, or the cut is unbounded.
   Slot face_at(const VTriangulation& v, std::size_t i) const {
     return end[i] == kNoSlot ? v.edges[edge].f[i] : kNoSlot;
   }

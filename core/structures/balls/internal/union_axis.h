@@ -104,7 +104,7 @@ class AxisReader {
   }
 
  private:
-  // Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut goes on for ever.
+  // Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut is unbounded.
   Slot node_at(const EdgeCut& cut, std::size_t i) const {
     if (cut.end[i] != kNoSlot) return balls_.input[cut.end[i]].row;
     const Slot face = cut.face_at(v_, i);
@@ -132,7 +132,7 @@ class AxisReader {
 
 struct UnionAxis {
   std::vector<AxisPiece> pieces;
-  std::int64_t contradictions = 0;  ///< cuts in |R| that go on for ever
+  std::int64_t contradictions = 0;  ///< unbounded cuts in |R|
 };
 
 /// Appends the singular dual edges.
