@@ -9,7 +9,7 @@
 
 namespace mes::cli {
 
-/// In the macros of man(7). Equal programs give equal bytes: there is no date in it.
+/// In the macros of man(7). It contains no date, so equal programs give equal bytes.
 std::string man_page(std::span<const CommandHelp> commands);
 
 }  // namespace mes::cli

@@ -310,7 +310,7 @@ void Editor::redo() {
 
 void Editor::undo_edit() {
   note_layers();
-  // The order of steps that do not touch each other is no change.
+  // Reordering steps that do not touch each other changes nothing.
   if (history_.raise_edit()) take_step(history_.deltas_of_undo(), Undone{}, &History::step_back);
 }
 

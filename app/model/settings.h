@@ -42,7 +42,7 @@ inline constexpr std::size_t kRecentFiles = 12;
 /// Puts the file first, without a twin further down.
 void remember_file(Settings& settings, const std::filesystem::path& file);
 
-/// $XDG_CONFIG_HOME/mesecina/settings.json, or ~/.config/mesecina/settings.json; empty when there is no home.
+/// $XDG_CONFIG_HOME/mesecina/settings.json, or ~/.config/mesecina/settings.json; empty when no home folder is known.
 std::filesystem::path default_settings_path();
 
 struct LoadedSettings {

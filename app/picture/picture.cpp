@@ -48,7 +48,7 @@ bool Picture::apply(const FramePatch& patch) {
   }
 }
 
-// Every layer that is in demand and up to date is in it, whole. With nothing in demand there is no answer.
+// True when the patch holds, whole, every demanded layer that is up to date; false when no layer is demanded.
 bool Picture::brings_all(const FramePatch& patch) {
   const auto sent = std::span(patch.layers).first(patch.layer_count);
   return !sent.empty() && std::ranges::all_of(patch.reports, [sent](const LayerReport& report) {

@@ -79,7 +79,7 @@ class Autosave {
   std::jthread thread_;
 };
 
-/// $XDG_DATA_HOME/mesecina/autosave or ~/.local/share/mesecina/autosave; empty when there is no home.
+/// $XDG_DATA_HOME/mesecina/autosave or ~/.local/share/mesecina/autosave; empty when no home folder is known.
 std::filesystem::path default_autosave_folder();
 
 /// What a program left behind that did not end in order. Nobody else is offered it while this lives.

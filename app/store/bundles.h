@@ -64,7 +64,7 @@ Expected<std::string> checked_bundle_name(std::string_view name);
 std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const Bundle> mine,
                                   std::span<const Bundle> theirs);
 
-/// $XDG_DATA_HOME/mesecina/bundles.json; empty when there is no home.
+/// $XDG_DATA_HOME/mesecina/bundles.json; empty when no home folder is known.
 std::filesystem::path default_bundles_path();
 
 /// Every layer of the program, for reading bundles.

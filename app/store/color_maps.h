@@ -21,7 +21,7 @@ Expected<render::ColorMap> parse_color_map(std::string_view bytes, std::string n
 /// Error: also when the file is missing, no file, or larger than any colour map.
 Expected<render::ColorMap> read_color_map(const std::filesystem::path& file);
 
-/// $XDG_DATA_HOME/mesecina/colormaps, or ~/.local/share/mesecina/colormaps; empty when there is no home.
+/// $XDG_DATA_HOME/mesecina/colormaps, or ~/.local/share/mesecina/colormaps; empty when no home folder is known.
 std::filesystem::path user_color_map_folder();
 
 struct LoadedColorMaps {

@@ -6,9 +6,9 @@
 
 namespace mes {
 
-/// $XDG_DATA_HOME/mesecina or ~/.local/share/mesecina; empty when there is no home.
+/// $XDG_DATA_HOME/mesecina or ~/.local/share/mesecina; empty when no home folder is known.
 std::filesystem::path data_folder();
-/// $XDG_CONFIG_HOME/mesecina or ~/.config/mesecina; empty when there is no home.
+/// $XDG_CONFIG_HOME/mesecina or ~/.config/mesecina; empty when no home folder is known.
 std::filesystem::path config_folder();
 
 }  // namespace mes

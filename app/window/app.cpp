@@ -87,7 +87,7 @@ void App::refuse_for_memory() noexcept try {
   messages_.problem(refusal_for_memory());
   screen_.clock.settle();
 } catch (const std::bad_alloc&) {
-  // There is no room for the message either.
+  // The message does not fit into memory either.
 }
 
 // An edit that finds no room is not done at all (Editor), so the window goes on.

@@ -396,7 +396,7 @@ TEST_CASE("a run answers the last wish, on a thread of its own, and can be cance
   run.want(1'000'000'000);  // is left behind when the run ends
 }
 
-TEST_CASE("a state that is reached after a farther one was wanted is no answer") {
+TEST_CASE("a state reached after a farther one was requested does not answer the request") {
   EvolutionRun run({});
   run.begin(beginning_of(regular_polygon(300, true)), choice_of("smooth"));
   run.want(20'000);

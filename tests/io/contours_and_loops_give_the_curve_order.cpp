@@ -123,7 +123,7 @@ TEST_CASE("a repeated closing point is dropped and closes its contour") {
   CHECK(whole.data.contours[0].closed);
   CHECK(whole.data.contours[0].points == Indices{0, 1, 2});
 
-  // There and back is no loop.
+  // There and back is not a loop.
   const LoadedFile there_and_back = read_good("x,y\n0,0\n1,0\n0,0\n", "a.csv");
   CHECK(there_and_back.data.positions == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 0}});
   CHECK(there_and_back.data.contours.empty());
