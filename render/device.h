@@ -123,6 +123,8 @@ struct DeviceCounters {
   std::uint64_t draw_calls = 0;
   std::uint64_t instances_drawn = 0;
   std::uint64_t composites = 0;
+  std::uint64_t masks = 0;            ///< painted
+  std::uint64_t mask_rows = 0;        ///< written
   std::uint64_t bytes_allocated = 0;  ///< of all instance buffers that exist now
 };
 
@@ -150,6 +152,10 @@ class Device {
 
   /// RGBA bytes, premultiplied, top row first. A smooth texture can be drawn at any size.
   virtual TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) = 0;
+  /// One channel of 16 bits; its contents are undefined until they are written.
+  virtual TextureId create_mask(int width, int height) = 0;
+  /// Writes whole rows from `first_row` on, the lowest of which is 0.
+  virtual void update_mask(TextureId mask, int first_row, std::span<const std::uint16_t> rows) = 0;
   virtual void destroy_texture(TextureId texture) = 0;
 
   virtual void draw(const DrawCall& call) = 0;
@@ -159,6 +165,12 @@ class Device {
   virtual void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                          const PremultipliedColor& color) = 0;
 
+  /// Paints `color`, each pixel multiplied by the mask, on `area`, lower left corner on lower left corner.
+  virtual void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+                          const PremultipliedColor& color) = 0;
+
+  /// Roughly the nanoseconds that it takes to blend one pixel of a large shape.
+  virtual double pixel_cost_ns() const = 0;
   /// The largest width and height of a framebuffer or texture.
   virtual int max_framebuffer_size() const = 0;
   virtual const DeviceCounters& counters() const = 0;

@@ -7,6 +7,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <new>
+#include <string_view>
 
 #include "core/base/assert.h"
 #include "render/gl_programs.h"
@@ -53,6 +54,12 @@ GLenum internal_format(TargetFormat format) {
   return format == TargetFormat::color ? GL_RGBA8 : GL_R8;
 }
 
+/// Makes the texture bound now read one channel as white with that alpha.
+void read_as_alpha() {
+  for (const auto channel : {GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B, GL_TEXTURE_SWIZZLE_A})
+    glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(channel), GL_RED);
+}
+
 GlTexture make_texture(const FramebufferSpec& spec) {
   GLuint name = 0;
   glGenTextures(1, &name);
@@ -64,14 +71,23 @@ GlTexture make_texture(const FramebufferSpec& spec) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  if (!is_color) {
-    // Coverage reads as white with that alpha.
-    for (const auto channel : {GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B, GL_TEXTURE_SWIZZLE_A})
-      glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(channel), GL_RED);
-  }
+  if (!is_color) read_as_alpha();
   glBindTexture(GL_TEXTURE_2D, 0);
   throw_if_out_of_memory();
   return texture;
+}
+
+std::string text_of(GLenum name) {
+  const auto* bytes = glGetString(name);
+  return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
+}
+
+/// A processor paints some 3 ns a pixel, as measured with llvmpipe on two cores; for graphics cards the figure is that
+/// of a slow one.
+double pixel_cost_of(std::string_view renderer) {
+  constexpr std::array<std::string_view, 4> kSoftware{"llvmpipe", "softpipe", "swrast", "SwiftShader"};
+  const auto is_named = [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; };
+  return std::ranges::any_of(kSoftware, is_named) ? 3.0 : 0.1;
 }
 
 GlFramebuffer make_framebuffer() {
@@ -94,6 +110,7 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples_);
   uses_precise_ = options.allow_precise && epoxy_has_gl_extension("GL_ARB_gpu_shader5");
   uses_double_ = options.allow_double && uses_precise_ && epoxy_has_gl_extension("GL_ARB_gpu_shader_fp64");
+  pixel_cost_ns_ = options.pixel_cost_ns.value_or(pixel_cost_of(text_of(GL_RENDERER)));
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   vertex_array_ = GlVertexArray(name);
@@ -266,9 +283,42 @@ TextureId GlDevice::create_texture(int width, int height, std::span<const std::u
   return id;
 }
 
+TextureId GlDevice::create_mask(int width, int height) {
+  MES_ASSERT(width > 0 && height > 0 && width <= max_size_ && height <= max_size_);
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  GlTexture texture(name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, width, height, 0, GL_RED, GL_UNSIGNED_SHORT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  read_as_alpha();
+  glBindTexture(GL_TEXTURE_2D, 0);
+  throw_if_out_of_memory();
+  const TextureId id{next_id_++};
+  textures_.emplace(id.value, std::move(texture));
+  mask_widths_.emplace(id.value, width);
+  return id;
+}
+
+void GlDevice::update_mask(TextureId mask, int first_row, std::span<const std::uint16_t> rows) {
+  const auto width = mask_widths_.find(mask.value);
+  MES_ASSERT(width != mask_widths_.end() && rows.size() % static_cast<std::size_t>(width->second) == 0);
+  glBindTexture(GL_TEXTURE_2D, texture_of(mask).get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, width->second,
+                  static_cast<GLsizei>(rows.size() / static_cast<std::size_t>(width->second)), GL_RED,
+                  GL_UNSIGNED_SHORT, rows.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  counters_.mask_rows += rows.size() / static_cast<std::size_t>(width->second);
+}
+
 void GlDevice::destroy_texture(TextureId texture) {
   static_cast<void>(texture_of(texture));
   textures_.erase(texture.value);
+  mask_widths_.erase(texture.value);
 }
 
 void GlDevice::bind_target(FramebufferId target, const PixelRect& area) {
@@ -413,23 +463,32 @@ void GlDevice::paint_over(unsigned shape, int vertices) {
 void GlDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                          const PremultipliedColor& color) {
   static_cast<void>(resolved(group));
+  paint_texture(target, area, framebuffer_of(group).texture, color);
+  ++counters_.composites;
+}
+
+void GlDevice::paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+                          const PremultipliedColor& color) {
+  MES_ASSERT(mask_widths_.contains(mask.value));
+  paint_texture(target, area, texture_of(mask), color);
+  ++counters_.masks;
+}
+
+// Pixel on pixel.
+void GlDevice::paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
+                             const PremultipliedColor& color) {
   bind_target(target, area);
   glUseProgram(composite_.handle.get());
   glUniform4fv(composite_.tint, 1, glm::value_ptr(color));
   glUniform2i(composite_.corner, area.left, area.bottom);
   glUniform1i(composite_.group, 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, framebuffer_of(group).texture.get());
+  glBindTexture(GL_TEXTURE_2D, texture.get());
   paint_over(GL_TRIANGLES, 3);
-  ++counters_.composites;
 }
 
 std::string GlDevice::description() const {
-  const auto text = [](GLenum name) {
-    const auto* bytes = glGetString(name);
-    return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
-  };
-  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+  return text_of(GL_RENDERER) + ", OpenGL " + text_of(GL_VERSION);
 }
 
 void GlDevice::bind_for_reading(FramebufferId source) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "render/device.h"
@@ -13,8 +14,9 @@
 namespace mes::render {
 
 struct GlDeviceOptions {
-  bool allow_double = true;   ///< false: programs use pairs of floats, as on hardware without doubles
-  bool allow_precise = true;  ///< false: programs do without `precise`, as on drivers of OpenGL 3.3 alone
+  bool allow_double = true;               ///< false: programs use pairs of floats, as on hardware without doubles
+  bool allow_precise = true;              ///< false: programs do without `precise`, as on drivers of OpenGL 3.3 alone
+  std::optional<double> pixel_cost_ns{};  ///< instead of an estimate from the name of the renderer
 };
 
 class GlDevice final : public Device {
@@ -33,11 +35,16 @@ class GlDevice final : public Device {
   void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) override;
   void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) override;
   TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) override;
+  TextureId create_mask(int width, int height) override;
+  void update_mask(TextureId mask, int first_row, std::span<const std::uint16_t> rows) override;
   void destroy_texture(TextureId texture) override;
   void draw(const DrawCall& call) override;
   void draw_picture(const PictureCall& call) override;
   void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                  const PremultipliedColor& color) override;
+  void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+                  const PremultipliedColor& color) override;
+  double pixel_cost_ns() const override { return pixel_cost_ns_; }
   int max_framebuffer_size() const override { return max_size_; }
   const DeviceCounters& counters() const override { return counters_; }
 
@@ -89,6 +96,8 @@ class GlDevice final : public Device {
   Program& program_of(const ProgramKey& key);
   void bind_target(FramebufferId target, const PixelRect& area);
   void paint_over(unsigned shape, int vertices);
+  void paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
+                     const PremultipliedColor& color);
   /// Makes multisampled pixels readable. Returns the framebuffer to read from.
   unsigned resolved(FramebufferId source);
 
@@ -97,10 +106,12 @@ class GlDevice final : public Device {
   std::map<ProgramKey, Program> programs_;
   UniformRing uniforms_;
   std::map<std::uint32_t, GlTexture> textures_;
+  std::map<std::uint32_t, int> mask_widths_;
   CompositeProgram composite_;
   PictureProgram picture_;
   GlVertexArray vertex_array_;
   std::uint32_t next_id_ = 1;
+  double pixel_cost_ns_ = 0.0;
   int max_size_ = 0;
   int max_samples_ = 1;
   bool uses_double_ = false;

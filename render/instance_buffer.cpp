@@ -37,6 +37,9 @@ void InstanceBuffer::swap(InstanceBuffer& other) noexcept {
   std::swap(frame_, other.frame_);
   std::swap(extent_, other.extent_);
   std::swap(store_, other.store_);
+  std::swap(disks_, other.disks_);
+  std::swap(changed_disks_, other.changed_disks_);
+  std::swap(all_disks_changed_, other.all_disks_changed_);
 }
 
 void InstanceBuffer::clear() {
@@ -48,6 +51,26 @@ void InstanceBuffer::clear() {
   count_ = 0;
   extent_ = {};
   store_.clear();
+  disks_ = {};
+  changed_disks_ = {};
+  all_disks_changed_ = true;
+}
+
+void InstanceBuffer::forget_disk_changes() {
+  changed_disks_.clear();
+  all_disks_changed_ = false;
+}
+
+void InstanceBuffer::keep_disk(std::size_t instance, std::span<const double> encoded) {
+  disks_[instance] = {encoded[0], encoded[1], encoded[2]};
+  if (all_disks_changed_) return;
+  // Beyond a quarter, all at once takes no longer.
+  if (changed_disks_.size() >= disks_.size() / 4 + 16) {
+    changed_disks_.clear();
+    all_disks_changed_ = true;
+  } else {
+    changed_disks_.push_back(static_cast<std::uint32_t>(instance));
+  }
 }
 
 void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
@@ -103,6 +126,12 @@ std::uint64_t InstanceBuffer::fill(std::uint32_t count, std::span<const double> 
   const std::size_t stride = stride_of(kind_);
   reserve(count, 0);
   count_ = count;
+  if (kind_ == PrimitiveKind::disk) {
+    all_disks_changed_ = true;
+    changed_disks_.clear();
+    disks_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) keep_disk(i, encoded.subspan(3 * i, 3));
+  }
   if (count == 0) return 0;
   const ByteRange all{0, encoded.size_bytes()};
   device_->update_buffer(buffer_, std::span(&all, 1), std::as_bytes(encoded));
@@ -132,6 +161,7 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
   if (count_ == 0) extent_ = {};
   try {
     if (has_scalars_) store_.resize(count_);
+    if (kind_ == PrimitiveKind::disk) disks_.resize(count_);
     return write(patch.index, patch.data);
   } catch (const std::bad_alloc&) {
     clear();  // a part of the instances would be a wrong picture
@@ -164,6 +194,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
     encoded.resize(end + doubles);
     encode_instance(kind_, frame_, data.subspan(order[i] * stride, stride), std::span(encoded).subspan(end), extent_);
     append(ranges, instance, bytes);
+    if (kind_ == PrimitiveKind::disk) keep_disk(instance, std::span(encoded).subspan(end));
     if (!has_scalars_) continue;
     scalars.push_back(data[order[i] * stride + stride - 1]);
     store_.set(instance, scalars.back());

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/draw/patch.h"
@@ -18,6 +19,13 @@
 #include "render/scalar_store.h"
 
 namespace mes::render {
+
+/// In drawing space; the radius is negative if the disk is not drawn.
+struct DiskInstance {
+  double x = 0.0;
+  double y = 0.0;
+  double radius = -1.0;
+};
 
 class InstanceBuffer {
  public:
@@ -46,9 +54,18 @@ class InstanceBuffer {
   const DrawingFrame& frame() const { return frame_; }
   const InstanceExtent& extent() const { return extent_; }
 
+  /// The instances, if they are disks; else none.
+  std::span<const DiskInstance> disks() const { return disks_; }
+  /// Those written since `forget_disk_changes`, some more than once, some of them gone.
+  std::span<const std::uint32_t> changed_disks() const { return changed_disks_; }
+  /// True if they are so many that they are not listed.
+  bool have_all_disks_changed() const { return all_disks_changed_; }
+  void forget_disk_changes();
+
  private:
   void swap(InstanceBuffer& other) noexcept;
   void reserve(std::size_t instances, std::size_t keep);
+  void keep_disk(std::size_t instance, std::span<const double> encoded);
   std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data);
   std::uint64_t fill(std::uint32_t count, std::span<const double> encoded, std::span<const double> data);
   std::uint64_t write_scalars(std::span<const ByteRange> ranges, std::span<const double> scalars);
@@ -63,6 +80,9 @@ class InstanceBuffer {
   DrawingFrame frame_;
   InstanceExtent extent_;
   ScalarStore store_;
+  std::vector<DiskInstance> disks_;
+  std::vector<std::uint32_t> changed_disks_;
+  bool all_disks_changed_ = false;
 };
 
 }  // namespace mes::render

@@ -132,8 +132,25 @@ TextureId RecordingDevice::create_texture(int width, int height, std::span<const
   return id;
 }
 
+TextureId RecordingDevice::create_mask(int width, int height) {
+  MES_ASSERT(width > 0 && height > 0 && width <= max_framebuffer_size() && height <= max_framebuffer_size());
+  const TextureId id{next_id_++};
+  masks_.emplace(id.value, std::pair{width, height});
+  return id;
+}
+
+void RecordingDevice::update_mask(TextureId mask, int first_row, std::span<const std::uint16_t> rows) {
+  const auto found = masks_.find(mask.value);
+  MES_ASSERT(found != masks_.end());
+  const auto [width, height] = found->second;
+  const auto pixels = static_cast<std::size_t>(width);
+  MES_ASSERT(first_row >= 0 && !rows.empty() && rows.size() % pixels == 0);
+  MES_ASSERT(static_cast<std::size_t>(first_row) + rows.size() / pixels <= static_cast<std::size_t>(height));
+  counters_.mask_rows += rows.size() / pixels;
+}
+
 void RecordingDevice::destroy_texture(TextureId texture) {
-  MES_ASSERT(textures_.erase(texture.value) == 1);
+  MES_ASSERT(textures_.erase(texture.value) + masks_.erase(texture.value) == 1);
 }
 
 void RecordingDevice::draw(const DrawCall& call) {
@@ -175,6 +192,16 @@ void RecordingDevice::composite(FramebufferId target, const PixelRect& area, Fra
   MES_ASSERT(target != group && found->second.width >= area.width && found->second.height >= area.height);
   MES_ASSERT(is_color(color));
   ++counters_.composites;
+}
+
+void RecordingDevice::paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+                                 const PremultipliedColor& color) {
+  check_target(target, area);
+  const auto found = masks_.find(mask.value);
+  MES_ASSERT(found != masks_.end());
+  MES_ASSERT(found->second.first >= area.width && found->second.second >= area.height);
+  MES_ASSERT(is_color(color));
+  ++counters_.masks;
 }
 
 }  // namespace mes::render

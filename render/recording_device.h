@@ -16,6 +16,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "render/device.h"
@@ -33,11 +34,18 @@ class RecordingDevice final : public Device {
   void clear(FramebufferId target, const PixelRect& area, const PremultipliedColor& color) override;
   void read_pixels(FramebufferId source, const PixelRect& area, std::span<std::uint8_t> rgba) override;
   TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) override;
+  TextureId create_mask(int width, int height) override;
+  void update_mask(TextureId mask, int first_row, std::span<const std::uint16_t> rows) override;
   void destroy_texture(TextureId texture) override;
   void draw(const DrawCall& call) override;
   void draw_picture(const PictureCall& call) override;
   void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                  const PremultipliedColor& color) override;
+  void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+                  const PremultipliedColor& color) override;
+  /// That of no device at first, so nothing is drawn in another way because of it.
+  double pixel_cost_ns() const override { return pixel_cost_ns_; }
+  void set_pixel_cost_ns(double cost) { pixel_cost_ns_ = cost; }
   int max_framebuffer_size() const override { return 16384; }
   const DeviceCounters& counters() const override { return counters_; }
 
@@ -50,7 +58,7 @@ class RecordingDevice final : public Device {
   std::span<const std::byte> contents(BufferId buffer) const;
   std::size_t buffers_alive() const { return buffers_.size(); }
   std::size_t framebuffers_alive() const { return framebuffers_.size(); }
-  std::size_t textures_alive() const { return textures_.size(); }
+  std::size_t textures_alive() const { return textures_.size() + masks_.size(); }
   const std::vector<PictureCall>& picture_calls() const { return picture_calls_; }
 
  private:
@@ -60,6 +68,8 @@ class RecordingDevice final : public Device {
   std::map<std::uint32_t, std::vector<std::byte>> buffers_;
   std::map<std::uint32_t, FramebufferSpec> framebuffers_;
   std::set<std::uint32_t> textures_;
+  std::map<std::uint32_t, std::pair<int, int>> masks_;  // width and height
+  double pixel_cost_ns_ = 0.0;
   std::vector<DrawCall> calls_;
   std::vector<PictureCall> picture_calls_;
   std::uint32_t next_id_ = 1;

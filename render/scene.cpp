@@ -18,6 +18,8 @@ namespace {
 // to 1/128 of a pixel there. A smaller limit would use costlier programs in ordinary views; with a larger one lines
 // would shake.
 constexpr double kNearReach = 0x1p17;
+// Up to here doubles place the rim of a disk to a millionth of a pixel.
+constexpr double kCountedReach = 0x1p33;
 // At these scales the drawing is far smaller than a pixel, or a pixel far smaller than the spacing of doubles.
 constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
@@ -51,17 +53,44 @@ CenterParts split(double value, double low) {
           .low_words = glm::unpackDouble2x32(low)};
 }
 
-/// One coordinate of the camera's centre in a drawing frame; the low part holds the bits that the first cannot.
-CenterParts center_in(double center, double center_low, double origin, double scale) {
+/// One coordinate of the camera's centre in a drawing frame: the sum of both.
+struct FrameCenter {
+  double value;
+  double low;  ///< the bits that `value` cannot hold
+};
+
+FrameCenter center_in(double center, double center_low, double origin, double scale) {
   const double high = center - origin;
   const double part = high - center;
   const double error = (center - (high - part)) + (-origin - part);
   const double scaled = high * scale;
-  if (!(std::abs(scaled) < kDrawingLimit)) return split(std::copysign(kDrawingLimit, high), 0.0);
+  if (!(std::abs(scaled) < kDrawingLimit)) return {std::copysign(kDrawingLimit, high), 0.0};
   // Renormalised, so that the low part does not reach into the pieces of the high one.
   const double rest = (error + center_low) * scale;
   const double sum = scaled + rest;
-  return split(sum, rest - (sum - scaled));
+  return {sum, rest - (sum - scaled)};
+}
+
+/// Where a camera sees the instances of a buffer.
+struct Placement {
+  PixelFrame frame;
+  double reach;  ///< in pixels, of what is farthest from the centre of the view, at most
+};
+
+Placement placement_of(const InstanceBuffer& buffer, const Camera& camera) {
+  const DrawingFrame& frame = buffer.frame();
+  const FrameCenter x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, frame.scale);
+  const FrameCenter y = center_in(camera.center().y, camera.center_low().y, frame.origin.y, frame.scale);
+  const double scale = std::clamp(1.0 / camera.units_per_pixel() / frame.scale, kMinScale, kMaxScale);
+  const double center_size = std::max(std::abs(x.value), std::abs(y.value));
+  return {.frame = {.center_x = x.value,
+                    .center_low_x = x.low,
+                    .center_y = y.value,
+                    .center_low_y = y.low,
+                    .scale = scale,
+                    .width = camera.width(),
+                    .height = camera.height()},
+          .reach = (buffer.extent().coordinate + buffer.extent().radius + center_size) * scale};
 }
 
 /// Sets the uniforms by which a program finds the colours of scalars.
@@ -118,6 +147,7 @@ struct Scene::Look {
   const ColorMap* map = nullptr;
   ScalarRange range{};
   float map_row = 0.0F;
+  std::unique_ptr<CountedDisks>* counted = nullptr;  ///< where counts of its disks are kept
 };
 
 struct Scene::Pass {
@@ -157,6 +187,7 @@ void Scene::apply(const FramePatch& patch) {
 void Scene::forget(LayerIndex layer) {
   if (layer >= layers_.size()) return;
   for (InstanceBuffer& buffer : layers_[layer].kinds) buffer.clear();
+  layers_[layer].counted.reset();
 }
 
 void Scene::set_picture(LayerIndex layer, const Image& image) {
@@ -199,6 +230,14 @@ void Scene::clear_overlay(std::uint32_t slot) {
 
 std::uint32_t Scene::instances(LayerIndex layer, PrimitiveKind kind) const {
   return layer < layers_.size() ? layers_[layer].kinds[static_cast<std::size_t>(kind)].count() : 0;
+}
+
+std::uint32_t Scene::painted_disks(const Camera& camera, LayerIndex layer, const LayerStyle& style) const {
+  if (instances(layer, PrimitiveKind::disk) == 0) return 0;
+  const InstanceBuffer& disks = layers_[layer].kinds[static_cast<std::size_t>(PrimitiveKind::disk)];
+  const bool may_be_counted =
+      shown_map(layer, style).map == nullptr && placement_of(disks, camera).reach <= kCountedReach;
+  return may_be_counted ? 0 : disks.count();
 }
 
 void Scene::set_color_maps(std::vector<ColorMap> maps) {
@@ -256,12 +295,12 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
     Pass of_view = pass;
     of_view.every = std::max(1U, view.every);
     const ShownMap shown = shown_map(view.layer, view.style);
-    Look look{.style = view.style, .map = shown.map, .range = shown.range};
+    Look look{.style = view.style, .map = shown.map, .range = shown.range, .counted = &layers_[view.layer].counted};
     if (look.map != nullptr) look.map_row = static_cast<float>(look.map - maps_.data());
     draw_layer(of_view, layers_[view.layer].kinds, look);
   }
   if (!options.overlays) return;
-  for (const OverlaySet& set : overlays_) {
+  for (OverlaySet& set : overlays_) {
     if (set.buffer.count() > 0) draw_layer(pass, std::span(&set.buffer, 1), {.style = set.style, .ring = set.ring});
   }
 }
@@ -292,7 +331,7 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
   }
 }
 
-void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look) {
+void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {
   const LayerStyle& style = look.style;
   const PremultipliedColor color = premultiplied(style.color, style.opacity);
   if (color.a <= 0.0F) return;
@@ -312,7 +351,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   }
   const auto draw_all = [&](bool triangles) {
     for (const PrimitiveKind kind : kDrawOrder) {
-      for (const InstanceBuffer& buffer : kinds) {
+      for (InstanceBuffer& buffer : kinds) {
         if (buffer.kind() != kind || buffer.count() == 0 || (kind == PrimitiveKind::triangle) != triangles) continue;
         if (triangles) {
           draw_group(pass, std::span(&buffer, 1), look);
@@ -326,7 +365,7 @@ void Scene::draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, 
   draw_all(false);
 }
 
-void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look) {
+void Scene::draw_group(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {
   // A single colour is applied at the end; several colours are drawn into the group.
   const bool has_colors = look.map != nullptr;
   const FramebufferId group =
@@ -339,7 +378,7 @@ void Scene::draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, 
                    .every = pass.every};
   device_.clear(group, inner.area, clear_color(std::nullopt));
   for (const PrimitiveKind kind : kDrawOrder) {
-    for (const InstanceBuffer& buffer : kinds) {
+    for (InstanceBuffer& buffer : kinds) {
       if (buffer.kind() != kind || buffer.count() == 0) continue;
       const Blend blend = kind == PrimitiveKind::triangle ? Blend::add : Blend::over;
       draw_kind(inner, buffer, look, has_colors ? premultiplied(look.style.color, 1.0) : kWhite, blend);
@@ -362,14 +401,31 @@ FramebufferId Scene::group_target(TargetFormat format, int width, int height) {
   return group.id;
 }
 
-void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look& look,
-                      const PremultipliedColor& color, Blend blend) {
+// False if the disks are to be painted.
+bool Scene::draw_counted(const Pass& pass, InstanceBuffer& disks, const Look& look, const PixelFrame& frame,
+                         const PremultipliedColor& color) {
+  if (disks.kind() != PrimitiveKind::disk || look.counted == nullptr) return false;
+  std::unique_ptr<CountedDisks>& counted = *look.counted;
+  if (look.map != nullptr || !CountedDisks::is_cheaper(disks, frame, device_)) {
+    counted.reset();
+    return false;
+  }
+  if (!counted) counted = std::make_unique<CountedDisks>(device_);
+  counted->show(disks, frame, static_cast<double>(color.a));
+  // The mask has the opacity in it.
+  device_.paint_mask(pass.target, pass.area, counted->mask(), color / color.a);
+  ++draw_calls_;
+  return true;
+}
+
+void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
+                      Blend blend) {
   const LayerStyle& style = look.style;
-  const DrawingFrame& frame = buffer.frame();
   const Camera& camera = pass.camera;
-  const CenterParts x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, frame.scale);
-  const CenterParts y = center_in(camera.center().y, camera.center_low().y, frame.origin.y, frame.scale);
-  const double scale = std::clamp(1.0 / camera.units_per_pixel() / frame.scale, kMinScale, kMaxScale);
+  const Placement placement = placement_of(buffer, camera);
+  if (placement.reach <= kCountedReach && draw_counted(pass, buffer, look, placement.frame, color)) return;
+  const CenterParts x = split(placement.frame.center_x, placement.frame.center_low_x);
+  const CenterParts y = split(placement.frame.center_y, placement.frame.center_low_y);
   const bool is_point = buffer.kind() == PrimitiveKind::point;
 
   DrawCall call;
@@ -385,7 +441,7 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look
   u.center_3 = {x.pieces[2], y.pieces[2]};
   u.center_words = glm::uvec4(x.words, y.words);
   u.center_low_words = glm::uvec4(x.low_words, y.low_words);
-  u.pixels_per_unit = static_cast<float>(scale);
+  u.pixels_per_unit = static_cast<float>(placement.frame.scale);
   const float line_width = pixels(style.line_width_px, pass.content_scale, 0.1, 64.0);
   u.half_width_px = 0.5F * (is_point ? pixels(style.point_size_px, pass.content_scale, 0.1, 256.0) : line_width);
   u.ring_px = is_point && look.ring ? 0.5F * line_width : 0.0F;
@@ -395,12 +451,10 @@ void Scene::draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look
   const double width = std::max(1.0, style.line_width_px / 2.0);
   u.dash_px = static_cast<float>(kDash * width * pass.content_scale);
   u.dash_period_px = static_cast<float>((kDash + kGap) * width * pass.content_scale);
-  u.arc_pieces = arc_pieces(buffer.kind(), buffer.extent(), scale);
+  u.arc_pieces = arc_pieces(buffer.kind(), buffer.extent(), placement.frame.scale);
 
   call.program.kind = buffer.kind();
-  const double center_size = std::max(std::abs(x.pieces[0]), std::abs(y.pieces[0]));
-  const double reach = (buffer.extent().coordinate + buffer.extent().radius + center_size) * scale;
-  if (!is_point && reach > kNearReach) call.program.reach = Reach::far;
+  if (!is_point && placement.reach > kNearReach) call.program.reach = Reach::far;
   call.program.dashed =
       style.dashed && (buffer.kind() == PrimitiveKind::segment || buffer.kind() == PrimitiveKind::ray ||
                        buffer.kind() == PrimitiveKind::line || is_ring(buffer.kind()));

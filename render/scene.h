@@ -10,6 +10,8 @@
 //  5. If the style names a known colour map, instances have the colours of their scalars. A scalar beyond the range, an
 //     infinite one too, has the colour of that end; NaN has the plain colour. In a flat layer a later instance hides
 //     earlier ones, and the layer as a whole has the opacity of its style.
+//  6. Disks of one colour that would take long to paint are counted instead (`CountedDisks`), on the processor; the
+//     picture is that of painting without rounding.
 //
 // Smallest use:
 //     Scene scene(device);
@@ -17,8 +19,8 @@
 //     scene.draw(camera, views, {.content_scale = 2.0});
 //
 // Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the number of instances, and one pass
-// over the view for a layer drawn as a group. The CPU never iterates over the instances. Threads: the one that owns the
-// context.
+// over the view for a layer drawn as a group. The CPU iterates over disks of one colour, over no other instances.
+// Threads: the one that owns the context.
 //
 // Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles. The
 // vertex shader subtracts the camera's centre before it rounds to single precision.
@@ -26,6 +28,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,6 +37,7 @@
 #include "core/draw/primitives.h"
 #include "render/camera.h"
 #include "render/colormap.h"
+#include "render/counted_disks.h"
 #include "render/device.h"
 #include "render/image.h"
 #include "render/instance_buffer.h"
@@ -49,8 +53,8 @@ struct ShownMap {
 struct LayerView {
   LayerIndex layer = 0;
   LayerStyle style;
-  /// Draws one of `every` disks only: a preview for so many overlapping large disks that all of them take too long.
-  /// Pictures that are saved have 1.
+  /// Paints one of `every` disks only: a preview for so many overlapping large disks that all of them take too long.
+  /// Disks that are counted are all there. Pictures that are saved have 1.
   std::uint32_t every = 1;
 };
 
@@ -113,6 +117,9 @@ class Scene {
   /// The frame of the last patch; overlays are placed in it.
   const DrawingFrame& frame() const { return frame_; }
   std::uint32_t instances(LayerIndex layer, PrimitiveKind kind) const;
+  /// The number of disks of a layer that `draw` paints one by one, however long it takes; 0 if they are counted instead
+  /// when that takes less time.
+  std::uint32_t painted_disks(const Camera& camera, LayerIndex layer, const LayerStyle& style) const;
   /// Bytes of instances that `apply` and `set_overlay` have uploaded in the life of the scene.
   std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }
   /// The number of draw calls of the last `draw`.
@@ -121,6 +128,7 @@ class Scene {
  private:
   struct Layer {
     std::array<InstanceBuffer, kPrimitiveKinds> kinds;
+    std::unique_ptr<CountedDisks> counted;  ///< null: its disks are painted
   };
   struct OverlaySet {
     PrimitiveKind kind = PrimitiveKind::point;
@@ -136,10 +144,12 @@ class Scene {
     int height = 0;
   };
 
-  void draw_layer(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look);
-  void draw_group(const Pass& pass, std::span<const InstanceBuffer> kinds, const Look& look);
-  void draw_kind(const Pass& pass, const InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
+  void draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
+  void draw_group(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
+  void draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
                  Blend blend);
+  bool draw_counted(const Pass& pass, InstanceBuffer& disks, const Look& look, const PixelFrame& frame,
+                    const PremultipliedColor& color);
   void draw_picture(const Pass& pass, const LayerStyle& style);
   FramebufferId group_target(TargetFormat format, int width, int height);
   TextureId map_texture();

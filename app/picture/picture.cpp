@@ -160,10 +160,10 @@ void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle&
     scene_.set_overlay(slot, {kind, mark_data_, style, false});
 }
 
-std::uint32_t Picture::largest_disk_layer(const LayerStack& layers) const {
+std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const {
   std::uint32_t out = 0;
   for (const LayerIndex layer : layers.visible_layers())
-    out = std::max(out, scene_.instances(layer, PrimitiveKind::disk));
+    out = std::max(out, scene_.painted_disks(camera, layer, layers.style(layer)));
   return out;
 }
 
@@ -201,7 +201,7 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
     return;
   }
   const std::uint32_t every =
-      is_same ? detail_.begin_refinement() : detail_.begin_changed(largest_disk_layer(layers));
+      is_same ? detail_.begin_refinement() : detail_.begin_changed(largest_painted_layer(camera, layers));
   std::vector<render::LayerView> views;
   for (const auto& [layer, style] : now.layers) views.push_back({layer, style, every});
   const auto start = std::chrono::steady_clock::now();

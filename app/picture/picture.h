@@ -104,7 +104,7 @@ class Picture {
   static bool brings_all(const FramePatch& patch);
   void mark_selection(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
-  std::uint32_t largest_disk_layer(const LayerStack& layers) const;
+  std::uint32_t largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const;
 
   render::GlDevice device_;
   render::Scene scene_;

@@ -197,6 +197,56 @@ void main() {
   GLsizei count_ = 0;
 };
 
+/// Disks of 150 to 400 pixels across, counted as they would be, against painting them.
+void large_disks(benchmark::State& state, RatioTable& table, std::size_t n) {
+  const auto context = render::EglContext::create();
+  if (!context) {
+    state.SkipWithError(context.error().text.c_str());
+    return;
+  }
+  Rng rng(5);
+  FramePatch patch;
+  patch.layers.resize(1);
+  patch.layer_count = 1;
+  KindPatch& disks = patch.layers[0][PrimitiveKind::disk];
+  disks.reset = true;
+  disks.count = static_cast<std::uint32_t>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = rng.uniform(0.0, kWidth);
+    const double y = rng.uniform(0.0, kHeight);
+    disks.data.insert(disks.data.end(), {x, y, rng.uniform(75.0, 200.0), 0.0});
+  }
+  const render::LayerView view{.layer = 0, .style = {.color = {70, 130, 180}, .opacity = 0.1}};
+  // Every frame is of another view, so that nothing is drawn from what was counted before.
+  const auto median_frame = [&](render::GlDevice& device, int frames) {
+    render::Scene scene(device);
+    scene.apply(patch);
+    const render::FramebufferId target = device.create_framebuffer({kWidth, kHeight});
+    render::Camera camera;
+    camera.set_viewport(kWidth, kHeight);
+    camera.look_at({0.5 * kWidth, 0.5 * kHeight}, 1.0);
+    std::vector<double> times;
+    for (int i = 0; i < frames; ++i) {
+      camera.pan({1.0, 0.0});
+      const double start = now_us();
+      device.clear(target, {0, 0, kWidth, kHeight}, {1, 1, 1, 1});
+      scene.draw(camera, std::span(&view, 1), {.target = target, .overlays = false});
+      device.finish();
+      times.push_back(now_us() - start);
+    }
+    device.destroy_framebuffer(target);
+    return median(times);
+  };
+  for (auto _ : state) {
+    render::GlDevice chooses;
+    render::GlDevice paints({.pixel_cost_ns = 0.0});
+    const double ours = median_frame(chooses, 15);
+    table.add({"frame of large disks", n, ours, median_frame(paints, 3), 0.02, "painting them"});
+    table.add_note("frame of " + std::to_string(n) + " disks of 150 to 400 pixels, 1600 x 1000: median " +
+                   std::to_string(1e-3 * ours) + " ms (" + context->description() + ")");
+  }
+}
+
 void against_minimal(benchmark::State& state, RatioTable& table, std::size_t n, double goal) {
   const auto context = render::EglContext::create();
   if (!context) {
@@ -290,6 +340,10 @@ void register_drawing(RatioTable& table) {
         ->Iterations(n > 100000 ? 7 : 15)
         ->Unit(benchmark::kMillisecond);
   }
+  benchmark::RegisterBenchmark("large_disks/20000",
+                               [&table](benchmark::State& state) { large_disks(state, table, 20000); })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
   for (const std::size_t n : {std::size_t{1000}, std::size_t{100000}}) {
     benchmark::RegisterBenchmark(("first_picture/" + std::to_string(n)).c_str(),
                                  [&table, n](benchmark::State& state) { first_picture(state, table, n); })

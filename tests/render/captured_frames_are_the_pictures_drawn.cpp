@@ -87,6 +87,10 @@ class ShortOfMemory final : public render::Device {
   render::TextureId create_texture(int width, int height, std::span<const std::uint8_t> rgba, bool smooth) override {
     return device_.create_texture(width, height, rgba, smooth);
   }
+  render::TextureId create_mask(int width, int height) override { return device_.create_mask(width, height); }
+  void update_mask(render::TextureId mask, int first_row, std::span<const std::uint16_t> rows) override {
+    device_.update_mask(mask, first_row, rows);
+  }
   void destroy_texture(render::TextureId texture) override { device_.destroy_texture(texture); }
   void draw(const render::DrawCall& call) override {
     if (left_-- == 0) throw std::bad_alloc();
@@ -97,6 +101,11 @@ class ShortOfMemory final : public render::Device {
                  const render::PremultipliedColor& color) override {
     device_.composite(target, area, group, color);
   }
+  void paint_mask(render::FramebufferId target, const render::PixelRect& area, render::TextureId mask,
+                  const render::PremultipliedColor& color) override {
+    device_.paint_mask(target, area, mask, color);
+  }
+  double pixel_cost_ns() const override { return 0.0; }
   int max_framebuffer_size() const override { return device_.max_framebuffer_size(); }
   const render::DeviceCounters& counters() const override { return device_.counters(); }
 
