@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/frame_capture.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -86,9 +87,9 @@ Expected<void> FrameCapture::draw(Scene& scene, const Camera& camera, std::span<
     return {};
   } catch (const std::bad_alloc&) {
     if (wanted_.size() != before) wanted_.back().is_given_up = true;
-    return std::unexpected(Error{.code = ErrorCode::out_of_memory,
-                                 .text = "not enough memory for a frame of " + std::to_string(width) + "x" +
-                                         std::to_string(height) + " pixels"});
+    return std::unexpected(
+        Error{.code = ErrorCode::out_of_memory,
+              .text = fmt::format("not enough memory for a frame of {}x{} pixels", width, height)});
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gl_programs.h"
 
+#include <fmt/core.h>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -23,13 +24,12 @@ std::string preamble(const ProgramKey& key, const ProgramFeatures& features) {
     out += "#define PRECISE\n#define HOLD(x) uintBitsToFloat(floatBitsToUint(x) ^ u_nothing)\n";
   }
   if (features.use_double) out += "#extension GL_ARB_gpu_shader_fp64 : enable\n";
-  out += "#define REACH " + std::string(key.reach == Reach::near ? "0" : (features.use_double ? "2" : "1")) + "\n";
-  out += "#define DASHED " + std::string(key.dashed ? "1" : "0") + "\n";
-  out += "#define MAPPED " + std::string(key.mapped ? "1" : "0") + "\n";
+  const int reach = key.reach == Reach::near ? 0 : (features.use_double ? 2 : 1);
+  out += fmt::format("#define REACH {}\n#define DASHED {:d}\n#define MAPPED {:d}\n", reach, key.dashed, key.mapped);
   for (const PrimitiveKind kind : {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}) {
     std::string name(name_of(kind));
     for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
-    out += "#define KIND_" + name + (key.kind == kind ? " 1\n" : " 0\n");
+    out += fmt::format("#define KIND_{} {:d}\n", name, key.kind == kind);
   }
   return out;
 }

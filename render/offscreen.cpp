@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/offscreen.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <new>
 #include <string>
@@ -51,7 +52,7 @@ Expected<Image> draw_image(Device& device, Scene& scene, const Camera& camera, s
   const int width = camera.width();
   const int height = camera.height();
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  const std::string size = fmt::format("{}x{}", width, height);
   if (pixels > kMaxPixels) {
     return std::unexpected(Error{.code = ErrorCode::usage, .text = "a picture of " + size + " pixels is too large"});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/picture_file.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
@@ -70,7 +71,7 @@ Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::stri
   int channels = 0;
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
     return fail("this is not a PNG or JPEG picture", name);
-  const std::string extent = std::to_string(width) + "x" + std::to_string(height);
+  const std::string extent = fmt::format("{}x{}", width, height);
   if (width < 1 || height < 1 || width > kLongestPictureSide || height > kLongestPictureSide ||
       static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most_pixels)
     return fail("a picture of " + extent + " pixels is too large to trace", name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/coordinate_range.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -40,15 +41,14 @@ Magnitudes MagnitudeCounts::magnitudes() const {
 }
 
 std::string describe(RangeFault fault, std::string_view named, const Magnitudes& others) {
-  const std::string name(named);
   switch (fault) {
-    case RangeFault::not_finite: return name + " is not a finite number";
-    case RangeFault::too_small: return name + " is too small: " + std::string(kFirstRule);
-    case RangeFault::too_large: return name + " is too large: " + std::string(kFirstRule);
+    case RangeFault::not_finite: return fmt::format("{} is not a finite number", named);
+    case RangeFault::too_small: return fmt::format("{} is too small: {}", named, kFirstRule);
+    case RangeFault::too_large: return fmt::format("{} is too large: {}", named, kFirstRule);
     case RangeFault::too_small_here:
-      return name + " is too small beside numbers of about " + about(others.most) + ": " + std::string(kSecondRule);
+      return fmt::format("{} is too small beside numbers of about {}: {}", named, about(others.most), kSecondRule);
     case RangeFault::too_large_here:
-      return name + " is too large beside numbers of about " + about(others.least) + ": " + std::string(kSecondRule);
+      return fmt::format("{} is too large beside numbers of about {}: {}", named, about(others.least), kSecondRule);
   }
   return {};
 }
@@ -58,7 +58,7 @@ std::string describe(RangeFault fault, double x, const Magnitudes& others) {
 }
 
 std::string_view coordinate_range_in_words() {
-  static const std::string words = std::string(kFirstRule) + "; " + std::string(kSecondRule);
+  static const std::string words = fmt::format("{}; {}", kFirstRule, kSecondRule);
   return words;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/isolated.h"
 
+#include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -148,8 +149,8 @@ std::vector<std::byte> run_isolated(const std::function<std::vector<std::byte>()
     job.checkpoint();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (limits.seconds > 0.0 && seconds > limits.seconds)
-      throw GeometryError(what + " did not come to an end within " +
-                          std::to_string(static_cast<int>(limits.seconds)) + " s");
+      throw GeometryError(
+          fmt::format("{} did not come to an end within {} s", what, static_cast<int>(limits.seconds)));
     if (ready <= 0) continue;
     const ssize_t count = read(pipe.in, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
@@ -157,7 +158,8 @@ std::vector<std::byte> run_isolated(const std::function<std::vector<std::byte>()
     received.insert(received.end(), buffer.begin(), buffer.begin() + count);
   }
   child.wait();
-  if (WIFSIGNALED(child.status)) throw GeometryError(what + " crashed (" + strsignal(WTERMSIG(child.status)) + ")");
+  if (WIFSIGNALED(child.status))
+    throw GeometryError(fmt::format("{} crashed ({})", what, strsignal(WTERMSIG(child.status))));
   if (received.empty() || WEXITSTATUS(child.status) != 0) throw GeometryError(what + " ended without a result");
   const char tag = static_cast<char>(received.front());
   received.erase(received.begin());

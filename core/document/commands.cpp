@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/commands.h"
 
+#include <fmt/core.h>
 #include <limits>
 #include <string>
 #include <unordered_set>
@@ -63,9 +64,8 @@ bool has_room(std::uint32_t next_id, std::size_t wanted) {
 
 template <class SomeId>
 Expected<Slot> live_slot(Slot slot, SomeId id, std::string_view kind, std::unordered_set<SomeId>& seen) {
-  const auto named = [&] { return std::string(kind) + ' ' + std::to_string(id.value); };
-  if (slot == kNoSlot) return refuse(named() + " does not exist");
-  if (!seen.insert(id).second) return refuse(named() + " is named twice");
+  if (slot == kNoSlot) return refuse(fmt::format("{} {} does not exist", kind, id.value));
+  if (!seen.insert(id).second) return refuse(fmt::format("{} {} is named twice", kind, id.value));
   return slot;
 }
 Expected<Slot> live_slot(const Document& document, SampleId id, std::unordered_set<SampleId>& seen) {
@@ -79,7 +79,7 @@ Expected<Slot> live_slot(const Document& document, BallId id, std::unordered_set
 template <class Value, class SomeId>
 Expected<void> number(std::span<const Value> wanted, SomeId first, std::string_view kind, std::vector<Value>& values,
                       std::vector<SomeId>& ids) {
-  if (!has_room(first.value, wanted.size())) return refuse("too many " + std::string(kind) + " in one session");
+  if (!has_room(first.value, wanted.size())) return refuse(fmt::format("too many {} in one session", kind));
   values.reserve(wanted.size());
   ids.reserve(wanted.size());
   for (const Value& value : wanted) {
@@ -138,7 +138,7 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
     edits.push_back({Things::kChange, id, *slot, Things::value(document, *slot), target});
   }
   const std::uint32_t first = Things::next_id(document);
-  if (!has_room(first, inserted.size())) return refuse("too many " + std::string(Things::kKind) + " in one session");
+  if (!has_room(first, inserted.size())) return refuse(fmt::format("too many {} in one session", Things::kKind));
   for (std::size_t i = 0; i < inserted.size(); ++i) {
     if (auto fault = fault_of(inserted[i]); !fault.empty()) return refuse(std::move(fault));
     edits.push_back({Kind::insert, typename Things::SomeId{first + static_cast<std::uint32_t>(i)},

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/layer_digest.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdio>
 
 #include "core/base/vec2.h"
 
@@ -76,10 +76,7 @@ void make_canonical(PrimitiveKind kind, Values& v) {
 }  // namespace
 
 std::string LayerDigest::text() const {
-  std::array<char, 40> out{};
-  std::snprintf(out.data(), out.size(), "%016llx%016llx", static_cast<unsigned long long>(high),
-                static_cast<unsigned long long>(low));
-  return out.data();
+  return fmt::format("{:016x}{:016x}", high, low);
 }
 
 LayerDigest digest_of(PrimitiveKind kind, std::span<const double> instances, bool with_scalars) {

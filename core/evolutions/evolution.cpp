@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evolutions/evolution.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <exception>
 
@@ -134,7 +135,7 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
     for_each_number(p, [&fault](double x) {
       if (const auto found = range_fault_of(x); found && fault.empty()) fault = describe(*found, x);
     });
-  if (!fault.empty()) return failure("step " + std::to_string(k + 1) + " leaves the range of coordinates: " + fault);
+  if (!fault.empty()) return failure(fmt::format("step {} leaves the range of coordinates: {}", k + 1, fault));
   return next;
 }
 
@@ -143,7 +144,7 @@ Expected<double> moved_value(const ParameterMove& move, double first, std::uint6
   const double value = move.value(first, k, values);
   const ParameterDescriptor& parameter = descriptor_of(move.parameter);
   if (parameter.low <= value && value <= parameter.high) return value;
-  return failure("step " + std::to_string(k) + " takes " + std::string(parameter.id) + " out of its range");
+  return failure(fmt::format("step {} takes {} out of its range", k, parameter.id));
 }
 
 std::vector<SampleData::Contour> contours_of(const EvolutionState& state) {

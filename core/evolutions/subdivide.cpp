@@ -4,6 +4,7 @@
 // The cubic B-spline mask is that of Lane and Riesenfeld (1980), the rule of Mesecina from its beginning; Chaikin's
 // gives quadratic B-splines (1974); the four-point scheme, of Dyn, Levin and Gregory (1987), and midpoints keep every
 // sample. The ends of an open chain stay.
+#include <fmt/core.h>
 #include <array>
 #include <string>
 
@@ -68,12 +69,12 @@ Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& 
   for (const MovingCurve::Chain& chain : step.curve.chains)
     wanted += new_samples(scheme, Walk(chain, state.positions), chain.closed);
   if (wanted > kMostSamples)
-    return std::unexpected(Error{ErrorCode::cannot_compute,
-                                 "step " + std::to_string(step.number + 1) + " would make " + std::to_string(wanted) +
-                                     " samples; " + std::to_string(kMostSamples) + " are the most",
-                                 {},
-                                 0,
-                                 0});
+    return std::unexpected(
+        Error{ErrorCode::cannot_compute,
+              fmt::format("step {} would make {} samples; {} are the most", step.number + 1, wanted, kMostSamples),
+              {},
+              0,
+              0});
   EvolutionState out{state.positions, nullptr, nullptr};
   out.positions.reserve(wanted);
   MovingCurve refined;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graph/explain.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace mes {
 
@@ -12,15 +12,13 @@ void ProvenanceShapes::add(PrimitiveKind kind, std::array<double, 7> values) {
 }
 
 std::string number_text(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
+  return fmt::format("{:.6g}", x);
 }
 std::string place_text(Vec2 p) {
-  return "(" + number_text(p.x) + ", " + number_text(p.y) + ")";
+  return fmt::format("({:.6g}, {:.6g})", p.x, p.y);
 }
 std::string count_text(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 void Explanation::about(const Element& element) {

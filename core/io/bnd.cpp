@@ -7,6 +7,7 @@
 // QColor  := u8 specification (1: RGB), u16 alpha, red, green, blue, padding
 #include "core/io/bnd.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -81,7 +82,7 @@ class Stream {
     if (*found != expected) return fail(std::string("this is not ") + what);
     const auto of = number(4);
     if (!of) return std::unexpected(of.error());
-    if (*of != version) return fail("version " + std::to_string(*of) + " of " + what + " is not known");
+    if (*of != version) return fail(fmt::format("version {} of {} is not known", *of, what));
     return {};
   }
 
@@ -292,15 +293,15 @@ Read<std::vector<Bundle>> read_file(Stream stream, BundleReader& reader) {
     if (!block) return std::unexpected(block.error());
     auto layers = reader.read(*block);
     if (!layers) return std::unexpected(layers.error());
-    if (name->empty()) *name = "Bundle " + std::to_string(out.size() + 1);
+    if (name->empty()) *name = fmt::format("Bundle {}", out.size() + 1);
     out.push_back({std::move(*name), std::move(*layers)});
   }
   return out;
 }
 
 std::string warning_of(const std::set<std::string>& left_out, const std::string& file) {
-  std::string out = file + ": " + std::to_string(left_out.size()) +
-                    (left_out.size() == 1 ? " layer is" : " layers are") + " not available here and left out: ";
+  std::string out = fmt::format("{}: {} {} not available here and left out: ", file, left_out.size(),
+                                left_out.size() == 1 ? "layer is" : "layers are");
   constexpr std::size_t kMostNames = 3;
   std::size_t count = 0;
   for (const std::string& name : left_out) {
@@ -326,8 +327,7 @@ Expected<LoadedBundles> read_bnd(std::string_view bytes, const std::string& file
   auto bundles = read_file(Stream(bytes, 0), reader);
   if (!bundles)
     return std::unexpected(Error{ErrorCode::bad_input,
-                                 bundles.error().what + " (at byte " + std::to_string(bundles.error().byte) + ")",
-                                 file});
+                                 fmt::format("{} (at byte {})", bundles.error().what, bundles.error().byte), file});
   LoadedBundles out{std::move(*bundles)};
   if (!reader.left_out().empty()) out.warnings.push_back(warning_of(reader.left_out(), file));
   return out;

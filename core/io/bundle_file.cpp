@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/bundle_file.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -41,7 +42,7 @@ bool holds_bundles(JsonView object) {
 
 Expected<Bundle> bundle_from(JsonView object, std::size_t number, const std::string& file,
                              const LayerStyleSource& style_of) {
-  const std::string where = "bundle " + std::to_string(number);
+  const std::string where = fmt::format("bundle {}", number);
   const auto [name, description] = object.pick<2>({"name", "description"});
   Bundle out{name.is_text() ? name.text() : std::string()};
   if (out.name.empty()) return refuse(where + " has no name", file);
@@ -73,8 +74,7 @@ Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& fil
   if (!list.is_list()) return refuse("\"bundles\" is not a list", file);
   LoadedBundles out;
   for (const JsonView object : list.elements()) {
-    if (out.bundles.size() == kMostBundles)
-      return refuse("more than " + std::to_string(kMostBundles) + " bundles", file);
+    if (out.bundles.size() == kMostBundles) return refuse(fmt::format("more than {} bundles", kMostBundles), file);
     auto bundle = bundle_from(object, out.bundles.size() + 1, file, style_of);
     if (!bundle) return std::unexpected(bundle.error());
     out.bundles.push_back(std::move(*bundle));

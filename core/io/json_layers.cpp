@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/json_layers.h"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -22,9 +21,7 @@ constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestPath = 4096;
 
 std::string hexadecimal(Rgb color) {
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "#%02X%02X%02X", color.r, color.g, color.b);
-  return text.data();
+  return fmt::format("#{:02X}{:02X}{:02X}", color.r, color.g, color.b);
 }
 
 json to_json(const LayerStyle& style) {
@@ -52,7 +49,7 @@ class Reader {
   }
   void to_number(JsonView value, const char* key, double low, double high, double& out) {
     if (!value.is_number())
-      complain(std::string("\"") + key + "\" is not a number");
+      complain(fmt::format("\"{}\" is not a number", key));
     else
       out = std::clamp(value.number(), low, high);
   }
@@ -60,7 +57,7 @@ class Reader {
     const JsonView value = find(key);
     if (!value) return;
     if (!value.is_flag())
-      complain(std::string("\"") + key + "\" is neither true nor false");
+      complain(fmt::format("\"{}\" is neither true nor false", key));
     else
       out = value.flag();
   }
@@ -69,9 +66,9 @@ class Reader {
     if (!value) return;
     std::string text = value.is_text() && value.text_length() <= 6 * longest ? value.text() : std::string();
     if (!value.is_text())
-      complain(std::string("\"") + key + "\" is not a text");
+      complain(fmt::format("\"{}\" is not a text", key));
     else if (value.text_length() > 6 * longest || text.size() > longest)
-      complain(std::string("\"") + key + "\" is longer than " + std::to_string(longest) + " bytes");
+      complain(fmt::format("\"{}\" is longer than {} bytes", key, longest));
     else
       out = std::move(text);
   }
@@ -79,7 +76,7 @@ class Reader {
     const JsonView value = find(key);
     if (!value) return;
     if (value.size() != 2) {
-      complain(std::string("\"") + key + "\" is not two numbers");
+      complain(fmt::format("\"{}\" is not two numbers", key));
       return;
     }
     auto element = value.elements().begin();
@@ -147,10 +144,10 @@ Expected<LayerConfiguration> layer_configuration_from(JsonView value, const Laye
   if (layers && !layers.is_list()) reader.complain("\"layers\" is not a list");
   std::size_t number = 0;
   for (const JsonView object : layers.elements()) {
-    if (number == kMostLayers) reader.complain("more than " + std::to_string(kMostLayers));
+    if (number == kMostLayers) reader.complain(fmt::format("more than {}", kMostLayers));
     if (!fault.empty()) break;
     LayerConfiguration::Entry entry;
-    Reader part(object, "layer " + std::to_string(++number), fault);
+    Reader part(object, fmt::format("layer {}", ++number), fault);
     part.text("layer", kLongestName, entry.layer);
     part.flag("visible", entry.visible);
     entry.style = style_of(entry.layer);

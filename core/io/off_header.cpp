@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/off_header.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
 
@@ -27,17 +28,17 @@ std::string OffReader::warning(std::string text) const {
 
 Expected<std::uint64_t> OffReader::read_header() {
   const std::string magic = in_quotes(kind_.magic);
-  const std::string things(kind_.things);
-  if (!scanner_.next()) return fail("expected " + magic + ", found the end of the file");
-  if (scanner_.token() != kind_.magic) return fail("expected " + magic + ", found " + in_quotes(scanner_.token()));
+  const std::string_view things = kind_.things;
+  if (!scanner_.next()) return fail(fmt::format("expected {}, found the end of the file", magic));
+  if (scanner_.token() != kind_.magic)
+    return fail(fmt::format("expected {}, found {}", magic, in_quotes(scanner_.token())));
 
-  if (!scanner_.next()) return fail("expected the number of " + things + ", found the end of the file");
+  if (!scanner_.next()) return fail(fmt::format("expected the number of {}, found the end of the file", things));
   const auto count = parse_count(scanner_.token());
   if (!count || *count > kMostThings) {
     if (!count && count.error() == NumberFault::not_a_number)
-      return fail("expected the number of " + things + ", found " + in_quotes(scanner_.token()));
-    return fail("more than " + std::to_string(kMostThings) + ' ' + things +
-                " are announced: " + in_quotes(scanner_.token()));
+      return fail(fmt::format("expected the number of {}, found {}", things, in_quotes(scanner_.token())));
+    return fail(fmt::format("more than {} {} are announced: {}", kMostThings, things, in_quotes(scanner_.token())));
   }
   for (int i = 0; i < 2; ++i) {
     if (!scanner_.next()) return fail("the header must end with two integers, \"0 0\"; found the end of the file");
@@ -74,11 +75,10 @@ Expected<void> OffReader::survey() const {
 std::optional<Error> OffReader::contradiction(const LineLayout& layout) const {
   const auto line = layout.contradiction(count_);
   if (!line) return std::nullopt;
-  const std::string found = std::to_string(line->columns) + (line->columns == 1 ? " number" : " numbers");
-  const std::string wanted = std::string(kind_.things) + " have " + std::to_string(kind_.numbers_each);
-  std::string text = found + (line->are_all_alike ? " a line, but " : " on this line, but ") + wanted;
+  std::string text = fmt::format("{} {} {}, but {} have {}", line->columns, line->columns == 1 ? "number" : "numbers",
+                                 line->are_all_alike ? "a line" : "on this line", kind_.things, kind_.numbers_each);
   if (const std::string_view guess = kind_.guess(line->columns); line->are_all_alike && !guess.empty())
-    text += ": probably " + std::string(guess);
+    text += fmt::format(": probably {}", guess);
   return Error{ErrorCode::bad_input, std::move(text), name_, line->place.line, line->place.column};
 }
 
@@ -91,8 +91,8 @@ Expected<void> OffReader::read_next(std::span<double> numbers) {
   for (double& number : numbers) {
     if (!next()) {
       if (auto error = contradiction(layout_)) return std::unexpected(std::move(*error));
-      return fail("the file ends after " + std::to_string(numbers_read_) + " of " +
-                  std::to_string(kind_.numbers_each * count_) + ' ' + std::string(kind_.numbers));
+      return fail(
+          fmt::format("the file ends after {} of {} {}", numbers_read_, kind_.numbers_each * count_, kind_.numbers));
     }
     auto value = coordinates_.read(scanner_.token());
     if (!value) return fail(std::move(value.error()));
@@ -105,8 +105,7 @@ Expected<void> OffReader::read_next(std::span<double> numbers) {
 Expected<std::vector<std::string>> OffReader::finish() {
   std::vector<std::string> warnings;
   if (!next()) return warnings;
-  warnings.push_back(warning("everything after the " + std::to_string(count_) + " announced " +
-                             std::string(kind_.things) + " is ignored"));
+  warnings.push_back(warning(fmt::format("everything after the {} announced {} is ignored", count_, kind_.things)));
   while (next()) {
   }
   if (auto error = contradiction(layout_)) return std::unexpected(std::move(*error));

@@ -4,6 +4,7 @@
 // Two ways to say how the points follow each other on curves: lines `# loop closed i0 i1 ...` (or `open`), which old
 // readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,
 // in file order. The lines in the file win.
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -70,8 +71,8 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
       continue;
     }
     const std::uint64_t column = note.column + static_cast<std::uint64_t>(word.data() - note.text.data());
-    return bad_input("this loop is ignored, because " + in_quotes(word) + " is not the number of one of the " +
-                         std::to_string(points) + " points",
+    return bad_input(fmt::format("this loop is ignored, because {} is not the number of one of the {} points",
+                                 in_quotes(word), points),
                      name, note.line, column);
   }
   if (contour.points.empty()) return std::nullopt;
@@ -118,15 +119,15 @@ Expected<std::vector<SampleData::Contour>> read_contours(std::string_view bytes,
   while (scanner.next()) {
     const auto size = parse_count(scanner.token());
     if (!size || *size > points - sum)
-      return bad_input(size ? "the contours have more points than the file (" + std::to_string(points) + ")"
+      return bad_input(size ? fmt::format("the contours have more points than the file ({})", points)
                             : "expected the number of points of a contour, found " + in_quotes(scanner.token()),
                        name, scanner.line(), scanner.column());
     sum += *size;
     if (*size != 0) sizes.push_back(*size);
   }
   if (sum != points)
-    return bad_input("the contours have " + std::to_string(sum) + " points, the file has " + std::to_string(points),
-                     name, scanner.line(), scanner.column());
+    return bad_input(fmt::format("the contours have {} points, the file has {}", sum, points), name, scanner.line(),
+                     scanner.column());
   std::vector<SampleData::Contour> contours;
   std::uint32_t next = 0;
   for (const std::uint64_t size : sizes) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <unordered_map>
 
 #include "core/document/document.h"
@@ -10,7 +11,7 @@ namespace mes {
 std::string write_poff(const Document& document) {
   const std::vector<Slot> slots = document.slots_in_input_order();
   constexpr std::size_t kTypicalLine = 40;
-  std::string out = "POFF " + std::to_string(slots.size()) + " 0 0\n";
+  std::string out = fmt::format("POFF {} 0 0\n", slots.size());
   out.reserve(out.size() + slots.size() * kTypicalLine);
   // By slot: its number in the file.
   std::vector<std::uint32_t> number(document.slot_count(), 0);

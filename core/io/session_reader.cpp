@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions from text.
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +28,7 @@ struct Nonsense {
 
 std::string text_from(JsonView value, const char* key, const std::string& where) {
   if (!value) return {};
-  if (!value.is_text()) complain(where, std::string("\"") + key + "\" is not a text");
+  if (!value.is_text()) complain(where, fmt::format("\"{}\" is not a text", key));
   return value.text();
 }
 
@@ -118,11 +119,11 @@ constexpr std::size_t kNumbersEach<std::pair<std::uint32_t, Place>> = 1 + kNumbe
 template <class T>
 void read_flat(JsonView value, const char* key, std::vector<T>& out, const std::string& where) {
   if (!value) return;
-  const std::string here = where + " \"" + key + '"';
+  const std::string here = fmt::format("{} \"{}\"", where, key);
   constexpr std::size_t each = kNumbersEach<T>;
   if (!value.is_list()) complain(here, "not a list");
   const std::size_t count = value.size();
-  if (count % each != 0) complain(here, "the number of numbers is not a multiple of " + std::to_string(each));
+  if (count % each != 0) complain(here, fmt::format("the number of numbers is not a multiple of {}", each));
   out.resize(count / each);
   Numbers numbers{value.elements().begin(), here};
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -140,7 +141,7 @@ void require_together(const std::vector<T>& things, JsonView list, const char* k
   for (const T& thing : things) {
     for_each_number(thing, [&](double x) {
       if (const auto fault = seen.fault_of(x))
-        throw Nonsense{where + " \"" + key + "\": " + describe(*fault, x, seen), element_of(list, index)};
+        throw Nonsense{fmt::format("{} \"{}\": {}", where, key, describe(*fault, x, seen)), element_of(list, index)};
       seen.add(x);
       ++index;
     });
@@ -208,7 +209,7 @@ SessionEvolution evolution_from(JsonView object) {
     const JsonView value = object.find(key);
     if (!value) return;
     const auto number = value.is_number() ? value.count() : std::nullopt;
-    if (!number) complain(where, std::string("\"") + key + "\" is not a whole number");
+    if (!number) complain(where, fmt::format("\"{}\" is not a whole number", key));
     to = *number;
   };
   count("seed", out.seed);
@@ -272,7 +273,7 @@ LayersChanged layers_changed_from(JsonView object) {
   }
   for (const JsonView id : order.elements()) {
     if (!id.is_text()) continue;
-    if (out.order.size() == kMostLayers) complain("layers", "more than " + std::to_string(kMostLayers));
+    if (out.order.size() == kMostLayers) complain("layers", fmt::format("more than {}", kMostLayers));
     out.order.push_back(id.text());
   }
   return out;
@@ -310,7 +311,7 @@ std::optional<TimelineEntry> entry_from(JsonView object) {
 }
 
 std::string entry_name(std::size_t i) {
-  return "entry " + std::to_string(i + 1) + " of the timeline";
+  return fmt::format("entry {} of the timeline", i + 1);
 }
 
 void read_timeline(JsonView timeline, TimelineLog& out) {
@@ -408,7 +409,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
       is_first = false;
       continue;
     }
-    const auto stop = [&](const std::string& why) { out.complaint = file + ':' + std::to_string(line) + ": " + why; };
+    const auto stop = [&](const std::string& why) { out.complaint = fmt::format("{}:{}: {}", file, line, why); };
     if (const auto good = check_json(this_line, file); !good) {
       stop(good.error().text);
       break;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as text.
+#include <fmt/core.h>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -150,8 +151,7 @@ std::string text_of(const json& value) {
 
 // Keys are sorted; the one that tells what this is comes first all the same.
 std::string head_text(const Session& session) {
-  return "{\"mesecina\":\"session\",\"schema\":" + std::to_string(kSessionSchema) + ',' +
-         text_of(head_of(session)).substr(1);
+  return fmt::format(R"({{"mesecina":"session","schema":{},)", kSessionSchema) + text_of(head_of(session)).substr(1);
 }
 
 }  // namespace

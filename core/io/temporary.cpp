@@ -3,16 +3,15 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <stdlib.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -67,9 +66,7 @@ std::string part_name() {
   if (::getrandom(&number, sizeof number, GRND_NONBLOCK) != sizeof number)
     number = static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()) ^
              (static_cast<std::uint64_t>(::getpid()) << 32U);
-  std::array<char, kPartDigits + 1> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(number));
-  return std::string(kPartBegin) + digits.data() + std::string(kPartEnd);
+  return fmt::format("{}{:0{}x}{}", kPartBegin, number, kPartDigits, kPartEnd);
 }
 
 fs::path folder_of(const fs::path& path) {

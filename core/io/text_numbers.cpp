@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/text_numbers.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -149,7 +150,7 @@ std::string in_quotes(std::string_view token) {
   if (token.size() <= kQuotedLength) return '"' + printable(token) + '"';
   std::size_t cut = kQuotedLength - 3;
   while (cut > 0 && (static_cast<unsigned char>(token[cut]) & 0xC0U) == 0x80) --cut;
-  return '"' + printable(token.substr(0, cut)) + "...\" (" + std::to_string(token.size()) + " characters)";
+  return fmt::format(R"("{}..." ({} characters))", printable(token.substr(0, cut)), token.size());
 }
 
 void append_number(std::string& out, double value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // WPOFF: "WPOFF n 0 0" and n times "x y radius", white space anywhere unless the lines say otherwise. Radii are taken
 // as they stand.
+#include <fmt/core.h>
 #include <array>
 
 #include "core/io/format_registry.h"
@@ -40,9 +41,11 @@ Expected<LoadedFile> read_wpoff(std::string_view bytes, const std::string& name)
   }
   if (zeros != 0)
     file.warnings.push_back(
-        at_first_zero + (zeros == 1 ? "a ball has radius zero; it is kept, but adds nothing to unions"
-                                    : std::to_string(zeros) + " balls have radius zero, the first of them here; they "
-                                                              "are kept, but add nothing to unions"));
+        at_first_zero +
+        (zeros == 1 ? "a ball has radius zero; it is kept, but adds nothing to unions"
+                    : fmt::format("{} balls have radius zero, the first of them here; they are kept, but add nothing "
+                                  "to unions",
+                                  zeros)));
   auto remarks = reader.finish();
   if (!remarks) return std::unexpected(remarks.error());
   for (std::string& remark : *remarks) file.warnings.push_back(std::move(remark));
@@ -60,7 +63,7 @@ Format wpoff_format() {
 
 std::string write_wpoff(std::span<const Disk> balls) {
   constexpr std::size_t kTypicalLine = 60;
-  std::string out = "WPOFF " + std::to_string(balls.size()) + " 0 0\n";
+  std::string out = fmt::format("WPOFF {} 0 0\n", balls.size());
   out.reserve(out.size() + balls.size() * kTypicalLine);
   for (const Disk& ball : balls) {
     append_number(out, ball.center.x);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/xy_table.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <unordered_map>
@@ -361,18 +362,18 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
     for (double* coordinate : {&point.x, &point.y}) {
       const bool is_x = coordinate == &point.x;
       const std::size_t column = is_x ? columns.x : columns.y;
-      const std::string which = is_x ? "x" : "y";
+      const char which = is_x ? 'x' : 'y';
       if (column >= fields.size()) {
         // For a single word that is not a number, that is the error, and not that it is alone.
         if (!is_x || fields.empty() || is_number(fields.back(), plan.kind.decimal_comma))
-          return bad_input("expected a number for " + which + ", found the end of the line", name, lines.number(),
-                           lines.text().size() + 1);
+          return bad_input(fmt::format("expected a number for {}, found the end of the line", which), name,
+                           lines.number(), lines.text().size() + 1);
         return bad_input(describe(NumberFault::not_a_number, fields.back()), name, lines.number(),
                          lines.column_of(fields.back()));
       }
       const std::string_view field = fields[column];
       if (field.empty())
-        return bad_input("expected a number for " + which + ", found nothing", name, lines.number(),
+        return bad_input(fmt::format("expected a number for {}, found nothing", which), name, lines.number(),
                          lines.column_of(field));
       auto value = coordinates.read(field, plan.kind.decimal_comma);
       if (!value) return bad_input(std::move(value.error()), name, lines.number(), lines.column_of(field));
@@ -387,12 +388,10 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
     if (!plan.has_header) return bad_input("there are no samples in it", name, 1, 1);
     file.warnings.push_back(Error{ErrorCode::bad_input, "there are no samples after the header", name}.message());
   }
-  if (plan.has_count_line && announced != file.data.positions.size())
-    file.warnings.push_back(Error{
-        ErrorCode::bad_input,
-        std::to_string(announced) + " samples are announced, there are " + std::to_string(file.data.positions.size()),
-        name, announced_line, 1}
-                                .message());
+  if (const std::size_t found = file.data.positions.size(); plan.has_count_line && announced != found) {
+    std::string text = fmt::format("{} samples are announced, there are {}", announced, found);
+    file.warnings.push_back(Error{ErrorCode::bad_input, std::move(text), name, announced_line, 1}.message());
+  }
   std::move(grouping).finish(file.data);
   return file;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/balls/ball_union.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -190,8 +191,8 @@ void BallUnion::rebuild(JobControl& job) {
              made_with_.precision == Precision::exact_roots) {
     why_ = "as asked for";
   } else {
-    why_ = "not certified: " + std::to_string(certificate_->bad_edge_count()) + " arcs met by other balls, " +
-           std::to_string(certificate_->bad_site_count()) + " samples not on one border";
+    why_ = fmt::format("not certified: {} arcs met by other balls, {} samples not on one border",
+                       certificate_->bad_edge_count(), certificate_->bad_site_count());
   }
   run_pipeline(made_with_.precision, job);
 }
