@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bundle_request.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -51,8 +52,8 @@ Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std
     return std::unexpected(unknown(*name, loaded->bundles, " in " + file));
   }
   if (loaded->bundles.size() > 1)
-    say(file + ": the first of its " + std::to_string(loaded->bundles.size()) + " bundles is taken, " +
-        in_quotes(loaded->bundles.front().name) + "; FILE:NAME takes another");
+    say(fmt::format("{}: the first of its {} bundles is taken, {}; FILE:NAME takes another", file,
+                    loaded->bundles.size(), in_quotes(loaded->bundles.front().name)));
   return std::move(loaded->bundles.front());
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include "app/cli/completions.h"
 
 namespace mes::cli {
@@ -65,11 +67,10 @@ std::string cases_of(const CommandHelp& command, std::string_view indent) {
     if (option.value == nullptr) continue;
     std::string pattern;
     for (const std::string& name : option.names) pattern += (pattern.empty() ? "" : " | ") + name;
-    out.append(indent).append(pattern + ") " + reply(*option.value) + " ;;\n");
+    out += fmt::format("{}{}) {} ;;\n", indent, pattern, reply(*option.value));
   }
-  out.append(indent).append("*) if [[ $current == -* ]]; then _mesecina_choices \"$current\" '" + words(names) +
-                            "'; else " + at_its_place + "; fi ;;\n");
-  return out;
+  return out + fmt::format("{}*) if [[ $current == -* ]]; then _mesecina_choices \"$current\" '{}'; else {}; fi ;;\n",
+                           indent, words(names), at_its_place);
 }
 
 }  // namespace
@@ -83,8 +84,8 @@ std::string bash_completions(std::span<const CommandHelp> commands) {
     if (!option.is_positional) options.insert(options.end(), option.names.begin(), option.names.end());
   out += "  case $command in\n";
   for (const CommandHelp& command : commands.subspan(1))
-    out += "    " + last_word(command.name) + ")\n      case $before in\n" + cases_of(command, "        ") +
-           "      esac ;;\n";
+    out += fmt::format("    {})\n      case $before in\n{}      esac ;;\n", last_word(command.name),
+                       cases_of(command, "        "));
   out += "    *)\n      _mesecina_choices \"$current\" '" + words(options) + "'\n" +
          "      if [[ $current != -* ]]; then\n        local files=()\n" +
          "        mapfile -t files < <(compgen -f -- \"$current\")\n        compopt -o filenames\n        " +

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include "app/cli/completions.h"
 
 namespace mes::cli {
@@ -50,7 +52,7 @@ std::string fish_completions(std::span<const CommandHelp> commands) {
   for (const OptionHelp& option : commands.front().options) out += line(first, option);
   for (const CommandHelp& command : commands.subspan(1)) {
     const std::string name = command.name.substr(command.name.rfind(' ') + 1);
-    out += "complete -c mesecina -n " + first + " -a " + name + " -d " + quoted(command.summary) + '\n';
+    out += fmt::format("complete -c mesecina -n {} -a {} -d {}\n", first, name, quoted(command.summary));
     for (const OptionHelp& option : command.options) out += line("__fish_seen_subcommand_from " + name, option);
   }
   return out;

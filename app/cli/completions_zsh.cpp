@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include "app/cli/completions.h"
 
 namespace mes::cli {
@@ -31,10 +33,9 @@ std::string action(const OptionHelp& option) {
   switch (value.kind) {
     case ValueKind::choice:
       // Nothing but a value follows the name of a parameter at once.
-      return ':' + name + ":" +
-             (value.name.ends_with("VALUE") ? "{compadd -S \"\" -- " + offered(value) + '}'
-                                            : "(" + offered(value) + ")");
-    case ValueKind::choices: return ':' + name + ":_values -s , " + name + ' ' + offered(value);
+      return value.name.ends_with("VALUE") ? fmt::format(":{}:{{compadd -S \"\" -- {}}}", name, offered(value))
+                                           : fmt::format(":{}:({})", name, offered(value));
+    case ValueKind::choices: return fmt::format(":{0}:_values -s , {0} {1}", name, offered(value));
     case ValueKind::file: return ':' + name + ":_files";
     case ValueKind::folder: return ':' + name + ":_files -/";
     case ValueKind::text: break;
@@ -54,7 +55,7 @@ std::string specification(const OptionHelp& option) {
     all += (all.empty() ? "" : " ") + name;
     braces += (braces.empty() ? "" : ",") + name;
   }
-  return "'(" + all + ")'{" + braces + "}'" + text + value + '\'';
+  return fmt::format("'({})'{{{}}}'{}{}'", all, braces, text, value);
 }
 
 std::string arguments(const CommandHelp& command, const std::string& indent) {
@@ -71,9 +72,9 @@ std::string zsh_completions(std::span<const CommandHelp> commands) {
   std::string cases;
   for (const CommandHelp& command : commands.subspan(1)) {
     const std::string name = command.name.substr(command.name.rfind(' ') + 1);
-    out += "    '" + name + ':' + quoted(command.summary, "") + "'\n";
-    cases += "    " + name + ")\n      shift words\n      ((CURRENT--))\n      " + arguments(command, "        ") +
-             "\n      ;;\n";
+    out += fmt::format("    '{}:{}'\n", name, quoted(command.summary, ""));
+    cases += fmt::format("    {})\n      shift words\n      ((CURRENT--))\n      {}\n      ;;\n", name,
+                         arguments(command, "        "));
   }
   out += "  )\n  _describe command commands\n  _files\n}\n";
   out +=

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina evolve`: samples after some steps of an evolution.
+#include <fmt/core.h>
 #include <charconv>
 
 #include "app/cli/input.h"
@@ -18,7 +19,7 @@ Expected<std::uint64_t> whole_number(std::string_view option, const std::string&
   std::uint64_t value = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault == std::errc() && end == text.data() + text.size()) return value;
-  return usage_error(std::string(option) + ": " + in_quotes(text) + " is not a whole number from 0 to 2^64 - 1");
+  return usage_error(fmt::format("{}: {} is not a whole number from 0 to 2^64 - 1", option, in_quotes(text)));
 }
 
 Expected<EvolutionChoice> choice_of(const EvolveRequest& request) {
@@ -43,7 +44,7 @@ Expected<EvolutionState> evolved(EvolutionState state, const EvolutionChoice& ch
   auto now = begin_evolution(std::move(state), choice, job);
   for (std::uint64_t k = 0; now && k < steps; ++k) {
     now = next_state(*now, k, choice, job);
-    progress.show("step " + std::to_string(k + 1), static_cast<double>(k + 1) / static_cast<double>(steps));
+    progress.show(fmt::format("step {}", k + 1), static_cast<double>(k + 1) / static_cast<double>(steps));
   }
   return now;
 }
@@ -54,9 +55,9 @@ Expected<void> run_evolve(const EvolveRequest& request, Interruption& interrupti
   const auto choice = choice_of(request);
   if (!choice) return std::unexpected(choice.error());
   if (const ParameterMove* move = evolutions()[choice->evolution].moved_parameter())
-    return usage_error(in_quotes(request.evolution) + " moves no samples but the parameter " +
-                       std::string(descriptor_of(move->parameter).id) +
-                       "; give that to compute, render or export by --set");
+    return usage_error(
+        fmt::format("{} moves no samples but the parameter {}; give that to compute, render or export by --set",
+                    in_quotes(request.evolution), descriptor_of(move->parameter).id));
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina export`: the geometry of one layer as text.
+#include <fmt/core.h>
 #include <array>
 
 #include "app/cli/computation.h"
@@ -25,9 +26,9 @@ Expected<void> check_export_format(const std::string& format) {
   constexpr std::array<std::string_view, 2> kLater{"npoff", "geojson"};
   if (std::ranges::find(kNow, format) != kNow.end()) return {};
   if (std::ranges::find(kLater, format) != kLater.end())
-    return usage_error("export format \"" + format + "\" is not available in this build; it is one of " +
-                       one_of(kNow));
-  return usage_error("unknown export format " + in_quotes(format) + "; it is one of " + one_of(kNow));
+    return usage_error(
+        fmt::format("export format \"{}\" is not available in this build; it is one of {}", format, one_of(kNow)));
+  return usage_error(fmt::format("unknown export format {}; it is one of {}", in_quotes(format), one_of(kNow)));
 }
 
 /// Formats that hold points or disks only cannot take every layer.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/film.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -181,15 +182,14 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
 
   FrameWriterOptions options{.first = film->shard.index, .stride = film->shard.count};
   if (film->shard.count > 1)
-    options.manifest =
-        "manifest-" + std::to_string(film->shard.index) + "-of-" + std::to_string(film->shard.count) + ".json";
+    options.manifest = fmt::format("manifest-{}-of-{}.json", film->shard.index, film->shard.count);
   FrameWriter writer({folder, {film->size.width, film->size.height, film->fps}}, options);
   Progress progress;
   std::uint64_t frame = 0;
   std::uint64_t total = 0;
   for (const PlayStep& step : player.steps()) total += frames_of(step, film->fps);
   for (const PlayStep& step : player.steps()) {
-    progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(total),
+    progress.show(fmt::format("frame {} of {}", frame + 1, total),
                   static_cast<double>(frame) / static_cast<double>(total));
     if (auto done = player.apply(step); !done) {
       done.error().file = name;
@@ -197,7 +197,7 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
     }
     // Also where another shard draws the frame: what is drawn in which order depends on every step before.
     if (const std::string failure = player.complete(); !failure.empty())
-      say("frame " + std::to_string(frame + 1) + ": " + failure);
+      say(fmt::format("frame {}: {}", frame + 1, failure));
     std::optional<Studio::Shot> shot;
     for (std::uint64_t end = frame + frames_of(step, film->fps); frame < end;) {
       ++frame;

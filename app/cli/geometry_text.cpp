@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/geometry_text.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -122,7 +123,7 @@ class ChainFinder {
 };
 
 std::string poff_text(std::span<const Vec2> points, std::span<const Chain> chains) {
-  std::string out = "POFF " + std::to_string(points.size()) + " 0 0\n";
+  std::string out = fmt::format("POFF {} 0 0\n", points.size());
   for (const Vec2 p : points) {
     append_number(out, p.x);
     out += ' ';
@@ -184,7 +185,7 @@ Expected<std::string> wpoff_of(const LayerMirror& mirror, LayerIndex layer, cons
       balls.push_back({{instances[at], instances[at + 1]}, instances[at + 2]});
     return write_wpoff(balls);
   }
-  return usage_error("layer " + std::string(descriptor.id) + " has no disks to write as WPOFF; csv can hold it");
+  return usage_error(fmt::format("layer {} has no disks to write as WPOFF; csv can hold it", descriptor.id));
 }
 
 Expected<std::string> poff_of(const LayerMirror& mirror, LayerIndex layer, const LayerDescriptor& descriptor) {
@@ -202,7 +203,7 @@ Expected<std::string> poff_of(const LayerMirror& mirror, LayerIndex layer, const
     const PointGraph graph = graph_of(mirror.instances(layer, PrimitiveKind::segment));
     return poff_text(graph.points, ChainFinder(graph).find());
   }
-  return usage_error("layer " + std::string(descriptor.id) + " has no points to write as POFF; csv can hold it");
+  return usage_error(fmt::format("layer {} has no points to write as POFF; csv can hold it", descriptor.id));
 }
 
 }  // namespace mes::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina list`: what there is, for people as a table and for programs as JSON.
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -75,9 +76,9 @@ std::vector<Entry> structures() {
     Json readers = Json::array();
     for (const LayerDescriptor& layer : layer_descriptors())
       if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);
-    const std::string text =
-        "read by " + std::to_string(readers.size()) + (readers.size() == 1 ? " layer" : " layers");
-    out.push_back({std::string(id), text, {{"id", id}, {"layers", readers}}});
+    out.push_back({std::string(id),
+                   fmt::format("read by {} {}", readers.size(), readers.size() == 1 ? "layer" : "layers"),
+                   {{"id", id}, {"layers", readers}}});
   }
   return out;
 }
@@ -208,10 +209,10 @@ std::vector<Entry> color_maps() {
   for (const Error& problem : loaded.problems) say("a colour map is left out: " + problem.message());
   std::vector<Entry> out;
   for (const render::ColorMap& map : loaded.maps) {
-    const std::string text = std::to_string(map.colors.size()) +
-                             (map.is_categorical ? " colours for whole numbers" : " colours, and all between them");
-    out.push_back(
-        {map.name, text, {{"id", map.name}, {"colors", map.colors.size()}, {"categorical", map.is_categorical}}});
+    out.push_back({map.name,
+                   fmt::format("{} colours{}", map.colors.size(),
+                               map.is_categorical ? " for whole numbers" : ", and all between them"),
+                   {{"id", map.name}, {"colors", map.colors.size()}, {"categorical", map.is_categorical}}});
   }
   return out;
 }

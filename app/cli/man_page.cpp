@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/man_page.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -43,7 +44,7 @@ std::string section(std::string_view title) {
 }
 
 std::string item(const std::string& name, std::string_view text) {
-  return ".TP\n" + name + '\n' + plain(text) + '\n';
+  return fmt::format(".TP\n{}\n{}\n", name, plain(text));
 }
 
 std::string heading_of(const OptionHelp& option) {
@@ -102,7 +103,7 @@ std::string keys() {
     if (action.keys.empty()) continue;
     std::string all;
     for (const std::string_view key : action.keys) all += (all.empty() ? "" : ", ") + bold(key);
-    out += item(all, std::string(action.name) + ": " + std::string(action.tooltip) + '.');
+    out += item(all, fmt::format("{}: {}.", action.name, action.tooltip));
   }
   for (const GestureDescriptor& gesture : gesture_descriptors()) out += item(bold(gesture.input), gesture.meaning);
   return out;
@@ -128,7 +129,7 @@ std::string man_page(std::span<const CommandHelp> commands) {
   out += ".fi\n" + section("Description") + plain(program.summary) + '\n';
   out += section("Options") + options_of(program) + section("Commands");
   for (const CommandHelp& command : commands.subspan(1)) {
-    out += ".SS " + plain(command.name) + '\n' + plain(command.summary) + ".\n" + options_of(command);
+    out += fmt::format(".SS {}\n{}.\n{}", plain(command.name), plain(command.summary), options_of(command));
     if (!command.footer.empty()) out += ".PP\n" + plain(command.footer) + '\n';
   }
   return out + sections_of(program.footer) + keys() + files();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/manual.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -102,7 +103,8 @@ Rows rows_of(std::span<const ParameterDescriptor> parameters) {
   Rows rows;
   for (const ParameterDescriptor& parameter : parameters)
     rows.push_back({code(parameter.id), plain(parameter.explanation),
-                    number(parameter.low) + " to " + number(parameter.high) + (parameter.is_whole ? ", whole" : ""),
+                    fmt::format("{} to {}{}", number(parameter.low), number(parameter.high),
+                                parameter.is_whole ? ", whole" : ""),
                     plain(parameter.unit), number(parameter.default_value)});
   return rows;
 }
@@ -133,8 +135,8 @@ void write_evolutions(Markdown& page) {
   for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
     const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
     page.subsection(evolution.name);
-    page.paragraph(plain(evolution.tooltip) + ". Id " + code(evolution.id) + "." +
-                   (evolution.is_random ? " Random: the seed decides." : ""));
+    page.paragraph(fmt::format("{}. Id {}.{}", plain(evolution.tooltip), code(evolution.id),
+                               evolution.is_random ? " Random: the seed decides." : ""));
     page.table(parameter_titles(), rows_of(parameters_of(i)));
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/markdown.h"
 
+#include <fmt/core.h>
 #include <cctype>
 
 #include "core/base/lower_case.h"
@@ -34,7 +35,7 @@ std::string plain(std::string_view text) {
 }
 
 std::string code(std::string_view word) {
-  return "`" + std::string(word) + "`";
+  return fmt::format("`{}`", word);
 }
 
 std::string code(std::span<const std::string_view> words) {
@@ -72,7 +73,7 @@ void Markdown::block(std::string_view text, std::string_view language) {
 }
 
 std::string Markdown::text() const {
-  std::string out = "# " + title_ + "\n\n" + introduction_ + "\n\n" + contents_ + '\n' + body_;
+  std::string out = fmt::format("# {}\n\n{}\n\n{}\n{}", title_, introduction_, contents_, body_);
   out.pop_back();  // the empty line after the last paragraph
   return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/names.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,8 +31,7 @@ std::vector<std::string_view> layer_ids() {
 }
 
 std::string unknown(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
-  return "unknown " + std::string(what) + ' ' + in_quotes(word) + "; did you mean " +
-         one_of(nearest_names(word, names)) + '?';
+  return fmt::format("unknown {} {}; did you mean {}?", what, in_quotes(word), one_of(nearest_names(word, names)));
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ Expected<Precision> precision_of(const std::string& id) {
     if (descriptor.id == id) return descriptor.precision;
     ids.push_back(descriptor.id);
   }
-  return usage_error("unknown precision " + in_quotes(id) + "; it is one of " + one_of(ids));
+  return usage_error(fmt::format("unknown precision {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
 }  // namespace
@@ -129,11 +129,11 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   const auto index = static_cast<std::size_t>(found - names.begin());
   const ParameterDescriptor& parameter = parameters[index];
   const auto value = parse_number(text);
-  if (!value) return usage_error("--set " + printable(name) + ": " + describe(value.error(), text));
+  if (!value) return usage_error(fmt::format("--set {}: {}", printable(name), describe(value.error(), text)));
   if (parameter.is_whole && *value != std::floor(*value))
-    return usage_error("--set " + printable(name) + ": " + in_quotes(text) + " is not a whole number");
+    return usage_error(fmt::format("--set {}: {} is not a whole number", printable(name), in_quotes(text)));
   if (*value < parameter.low || *value > parameter.high) {
-    std::string range = "--set " + printable(name) + ": " + in_quotes(text) + " is not between ";
+    std::string range = fmt::format("--set {}: {} is not between ", printable(name), in_quotes(text));
     append_number(range, parameter.low);
     range += " and ";
     append_number(range, parameter.high);
@@ -146,7 +146,7 @@ Expected<EvolutionIndex> select_evolution(const std::string& id) {
   if (const auto found = find_evolution(id)) return *found;
   std::vector<std::string_view> ids;
   for (const Evolution& evolution : evolutions()) ids.push_back(evolution.descriptor.id);
-  return usage_error("unknown evolution " + in_quotes(id) + "; it is one of " + one_of(ids));
+  return usage_error(fmt::format("unknown evolution {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
 Expected<ComputationSettings> settings_of(const Source& source) {

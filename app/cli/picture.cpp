@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/picture.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,8 +68,7 @@ Expected<PictureSize> parse_size(const std::string& text) {
                            side(std::string_view(text).substr(cross + 1))};
     if (size.width != 0 && size.height != 0) return size;
   }
-  return usage_error("--size expects WxH, each from 1 to " + std::to_string(kLongestSide) + ", not " +
-                     in_quotes(text));
+  return usage_error(fmt::format("--size expects WxH, each from 1 to {}, not {}", kLongestSide, in_quotes(text)));
 }
 
 Expected<std::optional<Box2>> parse_view(const std::string& text) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina play`: a session's timeline, step by step.
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/input.h"
@@ -13,12 +12,6 @@
 
 namespace mes::cli {
 namespace {
-
-std::string hexadecimal(std::uint64_t value) {
-  std::array<char, 20> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-  return text.data();
-}
 
 Expected<std::shared_ptr<const Session>> read(const std::string& file) {
   auto loaded = read_input(file, {});
@@ -50,7 +43,7 @@ Expected<void> run_play(const PlayRequest& request, Interruption& interruption) 
     }
     nlohmann::ordered_json line = {{"frame", i + 1}, {"what", step.what}};
     if (const std::string failure = player.complete(); !failure.empty()) line["failed"] = failure;
-    line["document"] = hexadecimal(player.document().digest());
+    line["document"] = fmt::format("{:016x}", player.document().digest());
     LayerDigest whole;
     nlohmann::ordered_json digests = nlohmann::ordered_json::object();
     for (const LayerIndex layer : player.layers().visible_layers()) {

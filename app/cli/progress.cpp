@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/progress.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,17 +15,13 @@ double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::
   return std::chrono::duration<double>(to - from).count();
 }
 
-std::string two_digits(long long value) {
-  return value < 10 ? '0' + std::to_string(value) : std::to_string(value);
-}
-
 }  // namespace
 
 std::string duration_text(double seconds) {
   const long long whole = std::llround(std::clamp(seconds, 0.0, 1e9));
-  if (whole < 60) return std::to_string(whole) + " s";
-  if (whole < 3600) return std::to_string(whole / 60) + " min " + two_digits(whole % 60) + " s";
-  return std::to_string(whole / 3600) + " h " + two_digits(whole % 3600 / 60) + " min";
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
 Progress::Progress() : is_terminal_(::isatty(STDERR_FILENO) != 0), last_(started_) {}
@@ -42,10 +39,9 @@ void Progress::show(std::string_view task, double fraction) {
   if (elapsed < kGlance || (is_shown_ && seconds_between(last_, now) < kBetween)) return;
   // Never backwards: the parts of the work are not known to the last when it begins.
   shown_fraction_ = std::max(shown_fraction_, std::clamp(fraction, 0.0, 1.0));
-  std::string line = "\rmesecina: " + std::string(task) + ' ' +
-                     std::to_string(static_cast<int>(std::floor(100.0 * shown_fraction_))) + " %";
+  std::string line = fmt::format("\rmesecina: {} {:.0f} %", task, std::floor(100.0 * shown_fraction_));
   if (shown_fraction_ > 0.01)
-    line += ", " + duration_text(elapsed * (1.0 - shown_fraction_) / shown_fraction_) + " left";
+    line += fmt::format(", {} left", duration_text(elapsed * (1.0 - shown_fraction_) / shown_fraction_));
   line += "\x1b[K";
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);

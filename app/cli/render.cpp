@@ -2,6 +2,7 @@
 // `mesecina render`: a picture of layers without a display.
 #include "render/egl_context.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -79,11 +80,11 @@ Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
     if (std::filesystem::exists(image.file, error))
       picture.image = image;
     else
-      say("bundle " + in_quotes(bundle->name) + ": the picture " + image.file + " is not there");
+      say(fmt::format("bundle {}: the picture {} is not there", in_quotes(bundle->name), image.file));
   }
   if (unknown != 0)
-    say("bundle " + in_quotes(bundle->name) + ": " + std::to_string(unknown) +
-        (unknown == 1 ? " layer is" : " layers are") + " not available here");
+    say(fmt::format("bundle {}: {} {} not available here", in_quotes(bundle->name), unknown,
+                    unknown == 1 ? "layer is" : "layers are"));
   return {};
 }
 

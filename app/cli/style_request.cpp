@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/style_request.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -33,13 +34,13 @@ class Setting {
     if (key_ == "flat") return flag(style.flat);
     if (key_ == "color-map") return color_map(layer, style);
     if (key_ == "range") return range(style);
-    return usage_error("unknown style key " + in_quotes(key_) + "; did you mean " +
-                       one_of(nearest_names(key_, kKeys)) + '?');
+    return usage_error(
+        fmt::format("unknown style key {}; did you mean {}?", in_quotes(key_), one_of(nearest_names(key_, kKeys))));
   }
 
  private:
   std::unexpected<Error> fail(const std::string& expected) const {
-    return usage_error(std::string(key_) + " expects " + expected + ", not " + in_quotes(value_));
+    return usage_error(fmt::format("{} expects {}, not {}", key_, expected, in_quotes(value_)));
   }
   Expected<void> color(LayerStyle& style) const {
     const auto value = parse_rgb(value_);
@@ -66,11 +67,11 @@ class Setting {
   }
   Expected<void> color_map(const LayerDescriptor& layer, LayerStyle& style) const {
     if (value_ != "none" && layer.scalar.empty())
-      return usage_error("layer " + std::string(layer.id) + " has no scalar that a colour map could show");
+      return usage_error(fmt::format("layer {} has no scalar that a colour map could show", layer.id));
     if (value_ != "none" && std::ranges::find(maps_, value_) == maps_.end()) {
       const std::vector<std::string_view> names(maps_.begin(), maps_.end());
-      return usage_error("unknown colour map " + in_quotes(value_) + "; did you mean " +
-                         one_of(nearest_names(value_, names)) + '?');
+      return usage_error(fmt::format("unknown colour map {}; did you mean {}?", in_quotes(value_),
+                                     one_of(nearest_names(value_, names))));
     }
     style.color_map = value_ == "none" ? std::string() : std::string(value_);
     return {};
@@ -113,7 +114,7 @@ Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
     if (!layer) return std::unexpected(layer.error());
     const LayerDescriptor& descriptor = layer_descriptors()[*layer];
     if (std::ranges::find(drawn, *layer) == drawn.end())
-      return usage_error("--set-style is given for " + std::string(descriptor.id) + ", which is not drawn");
+      return usage_error(fmt::format("--set-style is given for {}, which is not drawn", descriptor.id));
     std::string_view rest = std::string_view(request).substr(colon + 1);
     while (true) {
       const std::string_view setting = rest.substr(0, rest.find(','));
