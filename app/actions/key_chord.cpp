@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/key_chord.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <utility>
 
@@ -76,7 +77,7 @@ std::string to_string(const KeyChord& chord) {
   if (chord.modifiers.shift) out += "Shift+";
   for (const auto& [name, symbol] : kNamedKeys)
     if (symbol == chord.symbol) return out + std::string(name);
-  if (chord.symbol >= key::f1) return out + 'F' + std::to_string(static_cast<unsigned>(chord.symbol - key::f1) + 1);
+  if (chord.symbol >= key::f1) return fmt::format("{}F{}", out, static_cast<unsigned>(chord.symbol - key::f1) + 1);
   return out + static_cast<char>(chord.symbol);
 }
 

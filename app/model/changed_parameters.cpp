@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/changed_parameters.h"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdio>
 #include <cstdlib>
 
 namespace mes {
@@ -19,12 +18,11 @@ std::string title_of(const ParameterDescriptor& descriptor) {
 std::string value_text(const ParameterDescriptor& descriptor, double value) {
   if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";
   // As few digits as tell it from the default, which it may be very near.
-  std::array<char, 32> number{};
+  std::string out;
   for (int digits = 4; digits <= 17; ++digits) {
-    std::snprintf(number.data(), number.size(), "%.*g", digits, value);
-    if (value == descriptor.default_value || std::strtod(number.data(), nullptr) != descriptor.default_value) break;
+    out = fmt::format("{:.{}g}", value, digits);
+    if (value == descriptor.default_value || std::strtod(out.c_str(), nullptr) != descriptor.default_value) break;
   }
-  std::string out = number.data();
   if (descriptor.id.ends_with("-scale")) return out + " \u00d7";
   if (descriptor.unit == "degrees") return out + "\u00b0";
   return descriptor.unit.empty() ? out : out + ' ' + std::string(descriptor.unit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/demo.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
@@ -216,7 +217,7 @@ Expected<void> smooth_noise(Script& script) {
   script.say(noisy, 4.0);
   const EvolutionChoice smooth{.evolution = *find_evolution("smooth")};
   auto done = script.evolve(smooth, kSmoothings, [](std::uint64_t k) {
-    return "Laplacian smoothing, step " + std::to_string(k) + ": the hairs go, what is essential stays";
+    return fmt::format("Laplacian smoothing, step {}: the hairs go, what is essential stays", k);
   });
   if (!done) return done;
   script.say("Mesecina: sample-based geometry, live", 4.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/layer_step_name.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 
 namespace mes {
@@ -54,7 +55,7 @@ std::string name_of_entries(const LayerStack& layers, const LayersChanged& befor
       std::ranges::all_of(after.changed, [&](const Entry& entry) { return entry.visible == first.visible; })) {
     const std::string verb = first.visible ? "Show " : "Hide ";
     return verb + (after.changed.size() == 1 ? name_of(layers, first.layer)
-                                             : std::to_string(after.changed.size()) + " layers");
+                                             : fmt::format("{} layers", after.changed.size()));
   }
   const auto old = old_of(first);
   if (after.changed.size() == 1 && old != before.changed.end() && old->visible == first.visible)

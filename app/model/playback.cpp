@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/playback.h"
 
+#include <fmt/core.h>
 #include <utility>
 
 namespace mes {
@@ -60,7 +61,7 @@ Expected<void> Playback::perform(const PlayStep& step, Stage& stage) {
   for (std::size_t i = step.first_entry; i < step.end_entry; ++i) {
     auto done = perform(entries_[i], stage);
     if (!done) {
-      done.error().text = "entry " + std::to_string(i + 1) + " of the timeline: " + done.error().text;
+      done.error().text = fmt::format("entry {} of the timeline: {}", i + 1, done.error().text);
       return done;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/record_settings.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -40,16 +41,15 @@ fs::path pictures_by_desktop(const fs::path& file) {
 
 Expected<void> check(const RecordSettings& settings) {
   const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
-  const std::string size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+  const std::string size = fmt::format("{}x{}", settings.width, settings.height);
   const bool is_window = settings.width == 0 && settings.height == 0;
   if (!is_window && (settings.width < 1 || settings.height < 1))
-    return refuse("a frame of " + size + " pixels cannot be: each side needs at least 1");
-  const std::string most = std::to_string(kLargestFrameSide);
+    return refuse(fmt::format("a frame of {} pixels cannot be: each side needs at least 1", size));
   if (std::max(settings.width, settings.height) > kLargestFrameSide)
-    return refuse("a frame of " + size + " pixels is too large: a side has at most " + most);
+    return refuse(fmt::format("a frame of {} pixels is too large: a side has at most {}", size, kLargestFrameSide));
   if (static_cast<long long>(settings.width) * settings.height > kMostFramePixels)
-    return refuse("a frame of " + size + " pixels is too large: it has at most " +
-                  std::to_string(kMostFramePixels >> 20) + " million pixels");
+    return refuse(fmt::format("a frame of {} pixels is too large: it has at most {} million pixels", size,
+                              kMostFramePixels >> 20));
   if (settings.supersampling != 1 && settings.supersampling != 2 && settings.supersampling != 4)
     return refuse("supersampling is by 1, 2 or 4");
   if (!(settings.fps >= 1.0 && settings.fps <= 120.0)) return refuse("frames per second are from 1 to 120");

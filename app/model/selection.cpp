@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/selection.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 
 namespace mes {
@@ -72,7 +73,7 @@ void Selection::follow(const DocumentDelta& delta) {
 
 std::string counted(std::size_t samples, std::size_t balls) {
   const auto some = [](std::size_t count, const char* noun) {
-    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
   };
   if (samples == 0 && balls == 0) return "nothing";
   if (balls == 0) return some(samples, "sample");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/settings.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -121,8 +122,9 @@ std::string set_aside(const fs::path& path, const std::string& why) {
   broken += ".broken";
   std::error_code error;
   fs::rename(path, broken, error);
-  if (error) return "the settings in " + path.string() + " cannot be used (" + why + "); started with the defaults";
-  return "the settings could not be read (" + why + "); they were set aside as " + broken.string();
+  if (error)
+    return fmt::format("the settings in {} cannot be used ({}); started with the defaults", path.string(), why);
+  return fmt::format("the settings could not be read ({}); they were set aside as {}", why, broken.string());
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/statistics_text.h"
 
-#include <array>
+#include <fmt/core.h>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace mes {
@@ -20,10 +19,7 @@ std::string to_text(const StatValue& value) {
   if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* real = std::get_if<double>(&value)) {
-    if (!std::isfinite(*real)) return "-";
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", *real);
-    return text.data();
+    return std::isfinite(*real) ? fmt::format("{:.6g}", *real) : "-";
   }
   std::string out;
   for (const std::int64_t number : std::get<std::vector<std::int64_t>>(value)) {
@@ -45,7 +41,7 @@ std::string statistics_as_tsv(std::span<const NodeReport> nodes) {
   for (const NodeReport& node : nodes) {
     if (node.state == NodeState::inactive) continue;
     const auto line = [&](const std::string& key, const std::string& value) {
-      out += node.structure + '\t' + key + '\t' + value + '\n';
+      out += fmt::format("{}\t{}\t{}\n", node.structure, key, value);
     };
     line("ms", exactly(node.update_ms));
     line("touched", exactly(static_cast<std::int64_t>(node.touched)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/ask_conflict.h"
 
+#include <fmt/core.h>
 #include <string>
 #include <utility>
 
@@ -59,7 +60,7 @@ void draw_counts(const Gui& gui, const Holdings& mine, const Holdings& theirs) {
 std::string shared_text(std::size_t shared) {
   if (shared == 0) return "No edit is the same in both.";
   return shared == 1 ? "The first edit is the same in both."
-                     : "The first " + std::to_string(shared) + " edits are the same in both.";
+                     : fmt::format("The first {} edits are the same in both.", shared);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/ask_recover.h"
 
+#include <fmt/core.h>
+
 namespace mes {
 
 LeftWork AskRecover::take() {
@@ -38,8 +40,8 @@ AskRecover::Pressed AskRecover::draw_question(const Gui& gui) const {
       ImGui::TextUnformatted("Work was left unsaved when Mesecina ended");
       ImGui::PopFont();
       ImGui::Dummy({1, 2 * unit});
-      ImGui::TextUnformatted((title + ", " + std::to_string(work.edits()) +
-                              (work.edits() == 1 ? " change, at " : " changes, the last at ") + work.when())
+      ImGui::TextUnformatted(fmt::format("{}, {} {} at {}", title, work.edits(),
+                                         work.edits() == 1 ? "change," : "changes, the last", work.when())
                                  .c_str());
       if (works_.size() > 1) ImGui::TextDisabled("%zu more after this one", works_.size() - 1);
       ImGui::Dummy({1, 6 * unit});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/bundles_panel.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
 
@@ -203,7 +204,7 @@ void BundlesPanel::draw_row(std::size_t index) {
   const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, end.x - at.x), height});
   const bool hovered = ImGui::IsItemHovered();
   std::string explanation = name;
-  if (index < kDigits) explanation += " (" + std::to_string(index + 1) + ")";
+  if (index < kDigits) explanation += fmt::format(" ({})", index + 1);
   if (!description.empty()) explanation += "\n" + description;
   if (is_changed) explanation += "\n\nThe layers were changed since; click to have them back as saved";
   tooltip(uses_.gui, explanation + "\n\nDrag to reorder, right click for more");

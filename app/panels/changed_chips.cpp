@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/changed_chips.h"
 
+#include <fmt/core.h>
+
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -38,7 +40,7 @@ float ChangedChips::text_width(const std::string& text) const {
 }
 
 std::string ChangedChips::rest_text(std::size_t shown) const {
-  return "+" + std::to_string(changed_.size() - shown);
+  return fmt::format("+{}", changed_.size() - shown);
 }
 
 float ChangedChips::row_width(std::size_t shown) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/evolution_strip.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -73,11 +73,7 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
   row.next(width + 86 * unit);
   ImGui::SetNextItemWidth(width);
   std::string format = "step %llu";
-  if (const auto scale = player.parameter_value()) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), ": \u00D7 %.4g", *scale);
-    format += text.data();
-  }
+  if (const auto scale = player.parameter_value()) format += fmt::format(": \u00D7 {:.4g}", *scale);
   if (ImGui::SliderScalar("##step", ImGuiDataType_U64, &k, &kFirst, &end, format.c_str(),
                           ImGuiSliderFlags_AlwaysClamp) &&
       k != player.target())
@@ -98,8 +94,7 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
 void speed(const EvolutionStrip& strip) {
   constexpr std::array<double, 6> kSpeeds{1, 2, 5, 10, 30, EvolutionPlayer::kFastest};
   const auto label = [](double value) {
-    return value >= EvolutionPlayer::kFastest ? std::string("fastest")
-                                              : std::to_string(static_cast<int>(value)) + " a second";
+    return value >= EvolutionPlayer::kFastest ? "fastest" : fmt::format("{} a second", static_cast<int>(value));
   };
   EvolutionPlayer& player = strip.evolution;
   ImGui::SetNextItemWidth(100 * strip.gui.unit());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/layers_panel.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "app/ui/icons.h"
@@ -67,9 +67,7 @@ void draw_color_choice(float unit, LayerStyle& style) {
 }
 
 std::string milliseconds(double ms) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), ms < 10.0 ? "%.2f ms" : "%.0f ms", ms);
-  return text.data();
+  return fmt::format("{:.{}f} ms", ms, ms < 10.0 ? 2 : 0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/log_panel.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <ctime>
 
@@ -20,7 +21,7 @@ std::string clock_text(std::chrono::system_clock::time_point when) {
 }
 
 std::string line_of(const Messages::Entry& entry) {
-  return entry.times == 1 ? entry.text : entry.text + " (" + std::to_string(entry.times) + " times)";
+  return entry.times == 1 ? entry.text : fmt::format("{} ({} times)", entry.text, entry.times);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/menu_bar.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
@@ -110,7 +111,7 @@ void view_menu(const MenuBar& menu) {
     constexpr std::array<int, 6> kPercents{75, 100, 125, 150, 175, 200};
     for (const int percent : kPercents) {
       const bool is_now = std::abs(menu.settings.interface_scale - percent / 100.0) < 0.01;
-      if (ImGui::MenuItem((std::to_string(percent) + " %").c_str(), nullptr, is_now))
+      if (ImGui::MenuItem(fmt::format("{} %", percent).c_str(), nullptr, is_now))
         menu.settings.interface_scale = percent / 100.0;
     }
     ImGui::EndMenu();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/parameters_panel.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 
 #include "app/model/changed_parameters.h"
@@ -19,11 +20,9 @@ bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
 }
 
 std::string explanation(const ParameterDescriptor& descriptor) {
-  std::array<char, 160> range{};
-  std::snprintf(range.data(), range.size(), "\n\n%.6g to %.6g%s%.*s, %.6g by default. On the command line: --set ",
-                descriptor.low, descriptor.high, descriptor.unit.empty() ? "" : " ",
-                static_cast<int>(descriptor.unit.size()), descriptor.unit.data(), descriptor.default_value);
-  return std::string(descriptor.explanation) + range.data() + std::string(descriptor.id) + "=VALUE";
+  return fmt::format("{}\n\n{:.6g} to {:.6g}{}{}, {:.6g} by default. On the command line: --set {}=VALUE",
+                     descriptor.explanation, descriptor.low, descriptor.high, descriptor.unit.empty() ? "" : " ",
+                     descriptor.unit, descriptor.default_value, descriptor.id);
 }
 
 }  // namespace

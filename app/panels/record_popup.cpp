@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/record_popup.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,7 +53,7 @@ void draw_size(const Gui& gui, RecordSettings& record, float column) {
 void draw_supersampling(const Gui& gui, RecordSettings& record, float column) {
   title("Supersampling", column);
   for (const int factor : {1, 2, 4}) {
-    if (choice_button((std::to_string(factor) + "x").c_str(), record.supersampling == factor))
+    if (choice_button(fmt::format("{}x", factor).c_str(), record.supersampling == factor))
       record.supersampling = factor;
     tooltip(gui, factor == 1 ? "As on screen; edges are smooth already"
                              : "Drawn larger and averaged: finer edges, slower");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/statistics_panel.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 
 #include "app/model/statistics_text.h"
 #include "app/ui/theme.h"
@@ -31,11 +30,9 @@ ImU32 state_color(const ThemeColors& colors, NodeState state) {
 
 std::string work_text(const NodeReport& node) {
   if (node.update_ms == 0.0 && !node.rebuilt && node.touched == 0) return {};
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), node.update_ms < 10 ? "%.2f ms" : "%.0f ms", node.update_ms);
-  std::string out = text.data();
-  out += node.rebuilt ? ", rebuilt" : ", " + std::to_string(node.touched) + " touched";
-  return out;
+  const int decimals = node.update_ms < 10 ? 2 : 0;
+  if (node.rebuilt) return fmt::format("{:.{}f} ms, rebuilt", node.update_ms, decimals);
+  return fmt::format("{:.{}f} ms, {} touched", node.update_ms, decimals, node.touched);
 }
 
 void draw_node(const Gui& gui, const NodeReport& node) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/status_bar.h"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/model/statistics_text.h"
 #include "app/panels/changed_chips.h"
@@ -18,17 +17,14 @@ constexpr float kLeastRemark = 120.0F;
 
 // As many digits as one pixel of the view can tell apart.
 std::string coordinate(double value, double units_per_px) {
-  std::array<char, 64> text{};
   const double magnitude = std::max(std::abs(value), units_per_px);
   const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(magnitude / units_per_px))) + 1, 3, 17);
   const bool plain = magnitude < 1e7 && units_per_px > 1e-7;
   if (plain) {
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(units_per_px))), 0, 12);
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  } else {
-    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    return fmt::format("{:.{}f}", value, decimals);
   }
-  return text.data();
+  return fmt::format("{:.{}g}", value, digits);
 }
 
 std::string counts(const Editor& editor, double units_per_px) {

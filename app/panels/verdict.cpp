@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/verdict.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,7 +95,7 @@ void draw_reasons(const Verdict& verdict) {
                                                   4 * unit, look_of(verdict.gui.colors(), light).color);
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextUnformatted((std::to_string(finding.count) + " " + finding.text).c_str());
+      ImGui::TextUnformatted(fmt::format("{} {}", finding.count, finding.text).c_str());
       ImGui::PopTextWrapPos();
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       constexpr std::size_t kShown = 8;

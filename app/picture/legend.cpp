@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/legend.h"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -35,9 +34,7 @@ constexpr Colors kOnLight{{0xff, 0xff, 0xff}, {0xd0, 0xd4, 0xd9}, {0x1f, 0x23, 0
 constexpr Colors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf4, 0xf6}, {0xb4, 0xbc, 0xc4}};
 
 std::string shortest(double value, int digits) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return text.data();
+  return fmt::format("{:.{}g}", value, digits);
 }
 
 // Logarithms of round numbers may come out just below whole ones.
@@ -264,8 +261,7 @@ LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureT
     layout = std::move(with);
     ++shown;
   }
-  if (shown < entries.size())
-    layout.text("and " + std::to_string(entries.size() - shown) + " more", false, colors.quiet);
+  if (shown < entries.size()) layout.text(fmt::format("and {} more", entries.size() - shown), false, colors.quiet);
   LegendDrawing out = std::move(layout.drawing());
   out.width = kWidth;
   out.height = layout.y() + kPadding - 4.0;

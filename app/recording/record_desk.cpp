@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/record_desk.h"
 
+#include <fmt/core.h>
 #include <chrono>
 #include <string_view>
 #include <system_error>
@@ -19,7 +20,7 @@ bool is_ready(const std::future<T>& future) {
 }
 
 std::string counted_frames(std::size_t n) {
-  return std::to_string(n) + (n == 1 ? " frame" : " frames");
+  return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
 }
 
 Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder) {
@@ -42,7 +43,7 @@ fs::path video_name(const fs::path& take) {
   std::error_code error;
   fs::path out = take.string() + ".mp4";
   for (int twin = 2; fs::exists(fs::symlink_status(out, error)); ++twin)
-    out = take.string() + "-" + std::to_string(twin) + ".mp4";
+    out = fmt::format("{}-{}.mp4", take.string(), twin);
   return out;
 }
 

@@ -2,11 +2,11 @@
 #include "app/recording/take.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -37,13 +37,11 @@ std::unexpected<Error> cannot_make(const fs::path& path, const std::string& why)
 }
 
 std::string twin_suffix(int twin) {
-  return twin == 1 ? "" : "-" + std::to_string(twin);
+  return twin == 1 ? "" : fmt::format("-{}", twin);
 }
 
 std::string hex(std::uint64_t value) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-  return text.data();
+  return fmt::format("{:016x}", value);
 }
 
 std::uint64_t unhex(const std::string& text) {
@@ -121,10 +119,7 @@ Expected<fs::path> claim_file(const fs::path& folder, const std::string& stem, c
 }
 
 std::string frame_name(std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  constexpr std::size_t kDigits = 5;
-  if (digits.size() < kDigits) digits.insert(0, kDigits - digits.size(), '0');
-  return digits + ".png";
+  return fmt::format("{:05}.png", number);
 }
 
 std::string manifest_text(const Manifest& manifest) {

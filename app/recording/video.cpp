@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/video.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -22,11 +21,9 @@ std::unexpected<Error> failed(std::string text, const fs::path& file) {
 
 // `part` is where the bytes go; the kind of video is by the name of `output`.
 std::vector<std::string> arguments(double fps, std::size_t frames, const fs::path& output, const fs::path& part) {
-  std::array<char, 32> rate{};
-  std::snprintf(rate.data(), rate.size(), "%g", fps);
   const bool is_webm = output.extension() == ".webm";
   std::vector<std::string> out{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y", "-framerate",
-                               rate.data(), "-start_number", "1", "-i", "%05d.png",
+                               fmt::format("{:g}", fps), "-start_number", "1", "-i", "%05d.png",
                                // Players want even sides; without the ground, what is transparent would be black.
                                "-filter_complex",
                                "[0]format=rgba,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white@0,split[a][b];"

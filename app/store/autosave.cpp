@@ -2,6 +2,7 @@
 #include "app/store/autosave.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -36,7 +37,7 @@ std::string local_time(std::time_t when, const char* format) {
 /// Under a name that was free: nothing that was set aside before is lost. Empty: it stays where it is.
 fs::path set_aside(const fs::path& file) {
   for (int twin = 1;; ++twin) {
-    fs::path aside = file.string() + ".broken" + (twin == 1 ? "" : '-' + std::to_string(twin));
+    fs::path aside = file.string() + (twin == 1 ? ".broken" : fmt::format(".broken-{}", twin));
     if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, aside.c_str(), RENAME_NOREPLACE) == 0) return aside;
     // Some file systems cannot do that in one step.
     if (errno == EINVAL && ::access(aside.c_str(), F_OK) != 0 && ::rename(file.c_str(), aside.c_str()) == 0)
@@ -49,10 +50,9 @@ fs::path set_aside(const fs::path& file) {
 /// A new file that is locked. What cannot be locked would be taken by another program as left behind, so there is
 /// none then. Error: errno.
 std::expected<int, int> create_journal(const fs::path& folder, fs::path& file) {
-  const std::string stem =
-      local_time(std::time(nullptr), "%Y%m%d-%H%M%S") + '-' + std::to_string(static_cast<long>(::getpid()));
+  const std::string stem = fmt::format("{}-{}", local_time(std::time(nullptr), "%Y%m%d-%H%M%S"), ::getpid());
   for (int attempt = 0;; ++attempt) {
-    file = folder / (stem + (attempt == 0 ? "" : '-' + std::to_string(attempt)) + kExtension);
+    file = folder / (stem + (attempt == 0 ? "" : fmt::format("-{}", attempt)) + kExtension);
     const auto created = create_locked(file, 0600);
     if (!created && created.error() == EEXIST) continue;
     if (!created) return std::unexpected(created.error());
@@ -234,7 +234,8 @@ void Autosave::write_on(const std::stop_token& stop) {
     if (error == 0) {
       has_complained = false;
     } else if (!std::exchange(has_complained, true)) {
-      problem_ = "unsaved work is not protected against a crash: " + folder_.string() + ": " + std::strerror(error);
+      problem_ = fmt::format("unsaved work is not protected against a crash: {}: {}", folder_.string(),
+                             std::strerror(error));
       if (wake_) wake_();
     }
     condition_.notify_all();
@@ -306,8 +307,8 @@ FoundWork find_left_work(const fs::path& folder) {
     auto journal = read_journal(*text, file.string());
     if (!journal && !text->empty()) {
       const fs::path aside = set_aside(file);
-      out.message = "work that was left unsaved cannot be read (" + journal.error().text + "); it is kept as " +
-                    (aside.empty() ? file : aside).string();
+      out.message = fmt::format("work that was left unsaved cannot be read ({}); it is kept as {}",
+                                journal.error().text, (aside.empty() ? file : aside).string());
     } else if (!journal || journal->unsaved_edits == 0) {
       ::unlink(file.c_str());
     } else {

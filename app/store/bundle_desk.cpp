@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/bundle_desk.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 
 #include "core/io/atomic_file.h"
@@ -80,8 +81,8 @@ Expected<std::string> BundleDesk::import(const fs::path& file) {
   if (const Bundle* first = list_.find(names.front())) current_.choose(*first, layers_);
   if (!written) return std::unexpected(written.error());
   if (!loaded->warnings.empty()) return loaded->warnings.front();
-  return names.size() == 1 ? "Imported the bundle " + in_quotes(names.front())
-                           : "Imported " + std::to_string(names.size()) + " bundles";
+  return names.size() == 1 ? fmt::format("Imported the bundle {}", in_quotes(names.front()))
+                           : fmt::format("Imported {} bundles", names.size());
 }
 
 Expected<void> BundleDesk::add_starting_set() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bundles on disk.
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -50,7 +51,7 @@ std::string bytes_of(const fs::path& path) {
 fs::path free_name(const fs::path& path, const std::string& ending) {
   fs::path out = path.string() + ending;
   std::error_code error;
-  for (int number = 2; fs::exists(out, error); ++number) out = path.string() + ending + "-" + std::to_string(number);
+  for (int number = 2; fs::exists(out, error); ++number) out = fmt::format("{}{}-{}", path.string(), ending, number);
   return out;
 }
 

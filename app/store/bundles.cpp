@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/bundles.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 
 #include "core/base/assert.h"
@@ -22,7 +23,7 @@ const Bundle* find_in(std::span<const Bundle> bundles, std::string_view name) {
 template <class IsTaken>
 std::string free_name(const std::string& name, const IsTaken& is_taken) {
   std::string out = name;
-  for (int number = 2; is_taken(out); ++number) out = name + " (" + std::to_string(number) + ")";
+  for (int number = 2; is_taken(out); ++number) out = fmt::format("{} ({})", name, number);
   return out;
 }
 
@@ -102,8 +103,8 @@ std::vector<std::string> BundleList::import(std::span<const Bundle> bundles) {
     if (!is_here) fresh.push_back(std::move(bundle));
   }
   if (fresh.empty()) return names;
-  begin_step("Imported " +
-             (fresh.size() == 1 ? in_quotes(fresh.front().name) : std::to_string(fresh.size()) + " bundles"));
+  begin_step(fresh.size() == 1 ? fmt::format("Imported {}", in_quotes(fresh.front().name))
+                               : fmt::format("Imported {} bundles", fresh.size()));
   bundles_.insert(bundles_.end(), fresh.begin(), fresh.end());
   return names;
 }

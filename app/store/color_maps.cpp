@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/color_maps.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -42,7 +43,7 @@ void add(LoadedColorMaps& out, Expected<render::ColorMap> map, const fs::path& f
     out.problems.push_back({ErrorCode::bad_input, "there is another colour map of this name", file.string()});
   } else if (out.maps.size() == kMostMaps) {
     out.problems.push_back(
-        {ErrorCode::bad_input, "there are " + std::to_string(kMostMaps) + " colour maps before it", file.string()});
+        {ErrorCode::bad_input, fmt::format("there are {} colour maps before it", kMostMaps), file.string()});
   } else {
     out.maps.push_back(std::move(*map));
   }
@@ -66,15 +67,14 @@ Expected<render::ColorMap> parse_color_map(std::string_view bytes, std::string n
       return fail("red, green and blue are numbers from 0 to 1, not " + in_quotes(scanner.token()));
     if (numbers % 3 == 0) {
       if (map.colors.size() == kMostColors)
-        return fail("a colour map has at most " + std::to_string(kMostColors) + " colours");
+        return fail(fmt::format("a colour map has at most {} colours", kMostColors));
       map.colors.emplace_back();
     }
     map.colors.back()[static_cast<glm::length_t>(numbers % 3)] = static_cast<float>(*value);
     ++numbers;
   }
-  if (numbers % 3 != 0) return fail("the last colour has " + std::to_string(numbers % 3) + " of three numbers");
-  if (map.colors.size() < 2)
-    return fail("a colour map needs two colours, found " + std::to_string(map.colors.size()));
+  if (numbers % 3 != 0) return fail(fmt::format("the last colour has {} of three numbers", numbers % 3));
+  if (map.colors.size() < 2) return fail(fmt::format("a colour map needs two colours, found {}", map.colors.size()));
   return map;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ui/file_browser.h"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
@@ -25,15 +24,10 @@ bool is_known(const std::string& name) {
 }
 
 std::string size_text(std::uintmax_t bytes) {
-  std::array<char, 32> text{};
   const auto value = static_cast<double>(bytes);
-  if (bytes < 1000)
-    std::snprintf(text.data(), text.size(), "%.0f B", value);
-  else if (bytes < 1'000'000)
-    std::snprintf(text.data(), text.size(), "%.1f kB", value / 1e3);
-  else
-    std::snprintf(text.data(), text.size(), "%.1f MB", value / 1e6);
-  return text.data();
+  if (bytes < 1000) return fmt::format("{} B", bytes);
+  if (bytes < 1'000'000) return fmt::format("{:.1f} kB", value / 1e3);
+  return fmt::format("{:.1f} MB", value / 1e6);
 }
 
 fs::path home() {

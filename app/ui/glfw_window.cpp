@@ -3,6 +3,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +73,9 @@ std::string last_glfw_error() {
 
 Expected<std::unique_ptr<GlfwWindow>> GlfwWindow::create(const Options& options) {
   const auto refuse = [](const std::string& what) {
-    return std::unexpected(Error{ErrorCode::no_display, what + ": " + last_glfw_error() +
-                                                            "; mesecina render draws pictures without a display"});
+    return std::unexpected(
+        Error{ErrorCode::no_display,
+              fmt::format("{}: {}; mesecina render draws pictures without a display", what, last_glfw_error())});
   };
   if (glfwInit() != GLFW_TRUE) return refuse("cannot open a window");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);

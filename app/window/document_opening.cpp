@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is read, dropped or recovered becomes the document of the window.
+#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
 
@@ -106,12 +107,12 @@ void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
     for (const fs::path& file : outcome.files) remember_file(uses_.settings, file);
   if (outcome.left_out != 0) {
     const std::size_t opened = outcome.files.size();
-    uses_.messages.remark("Opened " + (opened == 1 ? "the first" : std::to_string(opened)) + " of " +
-                          std::to_string(opened + outcome.left_out) + " files");
+    uses_.messages.remark(fmt::format("Opened {} of {} files", opened == 1 ? "the first" : std::to_string(opened),
+                                      opened + outcome.left_out));
   }
   if (outcome.warnings.empty()) return;
   std::string text = outcome.warnings.front();
-  if (outcome.warnings.size() > 1) text += " (and " + std::to_string(outcome.warnings.size() - 1) + " more remarks)";
+  if (outcome.warnings.size() > 1) text += fmt::format(" (and {} more remarks)", outcome.warnings.size() - 1);
   uses_.messages.problem(text);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the table do to the document, its layers and its computation.
+#include <fmt/core.h>
+
 #include "app/window/workspace.h"
 #include "core/io/text_numbers.h"
 
@@ -96,7 +98,7 @@ void Workspace::bind_bundles(ActionBindings& actions) {
                  {[this, index] {
                     const std::string name = bundles_.bundles()[index].name;
                     editor_.change_layers("Bundle " + in_quotes(name), [&] { bundles_.choose(index); });
-                    messages_.remark("Bundle " + std::to_string(index + 1) + ": " + name);
+                    messages_.remark(fmt::format("Bundle {}: {}", index + 1, name));
                   },
                   [this, index] { return index < bundles_.bundles().size(); },
                   [this, index] { return bundles_.current() == index; }});

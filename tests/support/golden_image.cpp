@@ -4,6 +4,7 @@
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
+#include <fmt/core.h>
 #include <stb_image.h>
 
 #include <algorithm>
@@ -88,8 +89,8 @@ std::string compare_with_golden(const render::Image& image, const std::string& n
   write_png(image, actual_path);
   const std::string difference_path = output_path(name + ".difference.png");
   write_png(difference, difference_path);
-  return name + ": " + std::to_string(outliers) + " pixels differ, by up to " + std::to_string(largest) + "; see " +
-         actual_path + " and " + difference_path;
+  return fmt::format("{}: {} pixels differ, by up to {}; see {} and {}", name, outliers, largest, actual_path,
+                     difference_path);
 }
 
 }  // namespace mes::test

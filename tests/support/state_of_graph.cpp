@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/state_of_graph.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -90,8 +91,7 @@ template <class List>
 bool differ(const char* what, const List& a, const List& b, std::string& out) {
   if (a == b) return false;
   const auto at = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
-  out = std::string(what) + " differ: " + std::to_string(a.size()) + " against " + std::to_string(b.size()) +
-        ", first at " + std::to_string(at);
+  out = fmt::format("{} differ: {} against {}, first at {}", what, a.size(), b.size(), at);
   return true;
 }
 
@@ -162,17 +162,16 @@ GeometryState state_of(const Graph& graph) {
 
 std::string difference(const GeometryState& a, const GeometryState& b) {
   std::string out;
-  if (a.dimension != b.dimension)
-    return "dimension " + std::to_string(a.dimension) + " " + std::to_string(b.dimension);
+  if (a.dimension != b.dimension) return fmt::format("dimension {} {}", a.dimension, b.dimension);
   if (differ("sites", a.sites, b.sites, out)) return out;
   if (differ("edges", a.edges, b.edges, out)) {
     for (std::size_t i = 0; i < std::min(a.edges.size(), b.edges.size()); ++i) {
       if (a.edges[i] == b.edges[i]) continue;
       const auto say = [](const EdgeState& e) {
-        return text(e.a) + text(e.b) + " crust " + std::to_string(e.crust) + " conflict " +
-               std::to_string(e.conflict) + " in " + std::to_string(e.inside_left) + std::to_string(e.inside_right);
+        return fmt::format("{}{} crust {:d} conflict {:d} in {:d}{:d}", text(e.a), text(e.b), e.crust, e.conflict,
+                           e.inside_left, e.inside_right);
       };
-      return out + ": " + say(a.edges[i]) + " / " + say(b.edges[i]);
+      return fmt::format("{}: {} / {}", out, say(a.edges[i]), say(b.edges[i]));
     }
     return out;
   }
@@ -180,9 +179,8 @@ std::string difference(const GeometryState& a, const GeometryState& b) {
       differ("normals", a.normals, b.normals, out) || differ("balls", a.balls, b.balls, out) ||
       differ("poles", a.poles, b.poles, out))
     return out;
-  if (a.odd != b.odd) return "odd samples " + std::to_string(a.odd) + " " + std::to_string(b.odd);
-  if (a.conflicts != b.conflicts)
-    return "conflict counts " + std::to_string(a.conflicts) + " " + std::to_string(b.conflicts);
+  if (a.odd != b.odd) return fmt::format("odd samples {} {}", a.odd, b.odd);
+  if (a.conflicts != b.conflicts) return fmt::format("conflict counts {} {}", a.conflicts, b.conflicts);
   return {};
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -77,8 +78,8 @@ struct Window {
     REQUIRE(eventually([&] { return popup().bottom - popup().top > scaled(17 * kRow, scale_now); }));
     const Screenshot open = screen.settled();
     const PixelBox menu = popup();
-    screen.xdotool("mousemove " + std::to_string(menu.middle()[0]) + " " +
-                   std::to_string(menu.bottom - scaled(kToFirstRow + kRow, scale_now)));
+    screen.xdotool(
+        fmt::format("mousemove {} {}", menu.middle()[0], menu.bottom - scaled(kToFirstRow + kRow, scale_now)));
     const auto submenu = [&] {
       return screen.shoot().box_of_changes({menu.right + 2, 0, all.right, all.bottom}, open);
     };
@@ -86,9 +87,8 @@ struct Window {
     static_cast<void>(screen.settled());
     const PixelBox sizes = submenu();
     // All before the next frame: a click counts where it happened, not where the pointer is by then.
-    screen.xdotool("mousemove " + std::to_string(sizes.middle()[0]) + " " +
-                   std::to_string(sizes.top + scaled(kToFirstRow + row * kRow, scale_now)) +
-                   " click 1 mousemove 1200 6");
+    screen.xdotool(fmt::format("mousemove {} {} click 1 mousemove 1200 6", sizes.middle()[0],
+                               sizes.top + scaled(kToFirstRow + row * kRow, scale_now)));
   }
 };
 

@@ -2,6 +2,7 @@
 #include "tests/window/window_driver.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -228,7 +229,7 @@ std::string VirtualScreen::xdotool(const std::string& arguments) const {
 
 void VirtualScreen::drag(std::array<int, 2> from, std::array<int, 2> to, int steps) const {
   const auto move = [this](int x, int y, const std::string& then) {
-    xdotool("mousemove " + std::to_string(x) + " " + std::to_string(y) + then);
+    xdotool(fmt::format("mousemove {} {}{}", x, y, then));
   };
   move(from[0], from[1], " mousedown 1");
   for (int i = 1; i <= steps; ++i)
@@ -236,7 +237,7 @@ void VirtualScreen::drag(std::array<int, 2> from, std::array<int, 2> to, int ste
 }
 
 void VirtualScreen::click(std::array<int, 2> at) const {
-  xdotool("mousemove " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " click 1");
+  xdotool(fmt::format("mousemove {} {} click 1", at[0], at[1]));
 }
 
 bool eventually(const std::function<bool()>& condition) {
