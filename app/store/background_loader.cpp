@@ -2,6 +2,7 @@
 #include "app/store/background_loader.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "core/base/coordinate_range.h"
@@ -9,37 +10,32 @@
 
 namespace mes {
 
-BackgroundLoader::BackgroundLoader(std::function<void()> wake) : wake_(std::move(wake)) {}
+BackgroundLoader::BackgroundLoader(std::function<void()> wake) : reading_(std::move(wake)) {}
 
 bool BackgroundLoader::follow(const std::string& file) {
   if (file == file_) return false;
   file_ = file;
-  if (reading_) given_up_.push_back(std::move(reading_));
-  std::erase_if(given_up_, [](const auto& reading) { return reading->is_done.load(); });
-  if (file.empty()) return true;
-  reading_ = std::make_unique<Reading>();
-  reading_->file = file;
-  reading_->thread = std::jthread([reading = reading_.get(), wake = wake_] {
-    reading->result = read_background(reading->file);
-    reading->is_done = true;
-    if (wake) wake();
-  });
+  if (file.empty())
+    reading_.give_up();
+  else  // A reader cannot be stopped, only not waited for.
+    reading_.begin([file](const std::stop_token&) { return read_background(file); });
   return true;
 }
 
 std::optional<BackgroundLoader::Outcome> BackgroundLoader::poll() {
-  if (!reading_ || !reading_->is_done) return std::nullopt;
-  const std::unique_ptr<Reading> reading = std::move(reading_);
-  reading->thread.join();
-  return Outcome{reading->file, std::move(*reading->result)};
+  auto image = reading_.poll();
+  if (!image) return std::nullopt;
+  return Outcome{file_, std::move(*image)};
 }
 
-Expected<render::Image> read_background(const std::string& file) {
+Expected<render::Image> read_background(const std::string& file) try {
   // More is not seen, and would keep the window from its frames while it goes to the graphics card.
   constexpr int kLongestSide = 8192;
   auto image = render::read_picture(file);
   if (!image) return image;
   return render::reduced(std::move(*image), kLongestSide);
+} catch (const std::bad_alloc&) {
+  return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file});
 }
 
 BackgroundImage placed_in(const Box2& box, const std::string& file, double height_by_width) {

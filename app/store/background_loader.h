@@ -2,15 +2,12 @@
 // Reads the picture to trace on a thread of its own.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <thread>
-#include <vector>
 
+#include "app/system/background_job.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
@@ -30,7 +27,7 @@ class BackgroundLoader {
   /// Begins to read if this is another file than before, which is returned; an empty name gives up what is being
   /// read.
   bool follow(const std::string& file);
-  bool is_reading() const { return reading_ != nullptr; }
+  bool is_reading() const { return reading_.is_under_way(); }
 
   struct Outcome {
     std::string file;
@@ -39,17 +36,8 @@ class BackgroundLoader {
   std::optional<Outcome> poll();
 
  private:
-  struct Reading {
-    std::string file;
-    std::atomic<bool> is_done = false;
-    std::optional<Expected<render::Image>> result;
-    std::jthread thread;  // last: it ends before what it writes to
-  };
-
-  std::function<void()> wake_;
   std::string file_;
-  std::unique_ptr<Reading> reading_;
-  std::vector<std::unique_ptr<Reading>> given_up_;  // a reader cannot be stopped, only not waited for
+  BackgroundJob<Expected<render::Image>> reading_;
 };
 
 /// The picture of a file, reduced to what the eye and a graphics card need for tracing. Any thread.

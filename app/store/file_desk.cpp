@@ -33,66 +33,58 @@ fs::path key_of(const fs::path& file) {
 }  // namespace
 
 FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake)
-    : editor_(editor), session_now_(std::move(session_now)), wake_(std::move(wake)) {
+    : editor_(editor), session_now_(std::move(session_now)), reading_(wake), writing_(std::move(wake)) {
   note_all_as_saved();
 }
 FileDesk::~FileDesk() = default;
 
-void FileDesk::read(Reading& reading, const std::stop_token& stop) {
-  for (const fs::path& file : reading.files) {
+FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, const std::stop_token& stop) {
+  LoadedFiles out;
+  for (const fs::path& file : files) {
     try {
-      reading.results.push_back(read_sample_file(file, {}, stop));
+      out.push_back(read_sample_file(file, {}, stop));
     } catch (const std::bad_alloc&) {
-      reading.results.push_back(
+      out.push_back(
           std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()}));
     } catch (const std::exception& error) {
-      reading.results.push_back(std::unexpected(Error{ErrorCode::bad_input, error.what(), file.string()}));
+      out.push_back(std::unexpected(Error{ErrorCode::bad_input, error.what(), file.string()}));
     }
-    if (!reading.results.back()) return;
+    if (!out.back()) break;
   }
+  return out;
 }
 
-void FileDesk::begin(const std::vector<fs::path>& files, const std::string& shape_title) {
-  cancel_reading();
-  std::erase_if(given_up_, [](const auto& reading) { return reading->is_done.load(); });
-  reading_ = std::make_unique<Reading>();
-  reading_->files = files;
-  reading_->title = shape_title;
-  reading_->thread = std::jthread([reading = reading_.get(), wake = wake_](const std::stop_token& stop) {
-    read(*reading, stop);
-    reading->is_done = true;
-    if (wake) wake();
-  });
+void FileDesk::begin(Asked asked) {
+  asked_ = std::move(asked);
+  reading_.begin([files = asked_.files](const std::stop_token& stop) { return read(files, stop); });
 }
 
 void FileDesk::open(const std::vector<fs::path>& files) {
-  if (!files.empty()) begin(files, {});
+  if (!files.empty()) begin({files, {}});
 }
 
 void FileDesk::open_shape(const fs::path& file, const std::string& title) {
-  begin({file}, title);
+  begin({{file}, title});
 }
 
 void FileDesk::cancel_reading() {
-  if (!reading_) return;
-  reading_->thread.request_stop();
-  given_up_.push_back(std::move(reading_));
+  reading_.give_up();
 }
 
 std::string FileDesk::reading_name() const {
-  if (!reading_) return {};
-  return reading_->title.empty() ? reading_->files.front().filename().string() : reading_->title;
+  if (!is_reading()) return {};
+  return asked_.title.empty() ? asked_.files.front().filename().string() : asked_.title;
 }
 
 std::optional<FileDesk::Outcome> FileDesk::poll() {
-  if (!reading_ || !reading_->is_done) return std::nullopt;
-  const std::unique_ptr<Reading> reading = std::move(reading_);
-  reading->thread.join();
+  auto results = reading_.poll();
+  if (!results) return std::nullopt;
+  const Asked asked = std::exchange(asked_, {});
   Outcome out;
-  out.is_shape = !reading->title.empty();
-  out.file = reading->files[reading->results.size() - 1];
-  if (!reading->results.back()) {
-    out.error = reading->results.back().error();
+  out.is_shape = !asked.title.empty();
+  out.file = asked.files[results->size() - 1];
+  if (!results->back()) {
+    out.error = results->back().error();
     return out;
   }
 
@@ -102,13 +94,13 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     out.error->file = out.file.string();
     return true;
   };
-  if (LoadedFile& first = *reading->results.front(); first.session) {
-    out.file = reading->files.front();
+  if (const LoadedFile& first = *results->front(); first.session) {
+    out.file = asked.files.front();
     if (blame(take_over(*first.session, out.file.string()))) return out;
     out.session = first.session;
     out.format = first.format;
     out.files = {out.file};
-    out.left_out = reading->files.size() - 1;
+    out.left_out = asked.files.size() - 1;
     out.samples = editor_.document().sample_count();
     out.balls = editor_.document().ball_count();
     forget_files();
@@ -122,15 +114,15 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   SampleData data;
   fs::path sample_file;
   fs::path ball_file;
-  for (std::size_t i = 0; i < reading->results.size(); ++i) {
-    LoadedFile& loaded = *reading->results[i];
+  for (std::size_t i = 0; i < results->size(); ++i) {
+    LoadedFile& loaded = *(*results)[i];
     const bool brings_known = (!loaded.data.positions.empty() && !data.positions.empty()) ||
                               (!loaded.data.balls.empty() && !data.balls.empty());
     if (i != 0 && (brings_known || (loaded.data.positions.empty() && loaded.data.balls.empty()))) {
       ++out.left_out;
       continue;
     }
-    out.files.push_back(reading->files[i]);
+    out.files.push_back(asked.files[i]);
     if (!loaded.data.positions.empty()) {
       data.positions = std::move(loaded.data.positions);
       data.contours = std::move(loaded.data.contours);
@@ -138,21 +130,21 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
     std::ranges::move(loaded.warnings, std::back_inserter(out.warnings));
     // Other formats are read only: saving them means choosing a POFF file beside them.
-    if (loaded.format == "poff") sample_file = reading->files[i];
-    if (loaded.format == "wpoff") ball_file = reading->files[i];
+    if (loaded.format == "poff") sample_file = asked.files[i];
+    if (loaded.format == "wpoff") ball_file = asked.files[i];
   }
   out.file = out.files.front();
   if (blame(editor_.load(data))) return out;
-  out.format = reading->results.front()->format;
+  out.format = results->front()->format;
   out.samples = data.positions.size();
   out.balls = data.balls.size();
   forget_files();
   held_.sample_file = out.is_shape ? fs::path() : sample_file;
   held_.ball_file = out.is_shape ? fs::path() : ball_file;
-  for (const auto& loaded : reading->results) note_known(loaded->sources);
+  for (const auto& loaded : *results) note_known(loaded->sources);
   held_.file = held_.sample_file.empty() ? held_.ball_file : held_.sample_file;
   note_all_as_saved();
-  held_.title = out.is_shape ? reading->title : out.file.filename().string();
+  held_.title = out.is_shape ? asked.title : out.file.filename().string();
   return out;
 }
 
@@ -236,8 +228,7 @@ void FileDesk::overwrite(const FileConflict& conflict) {
 void FileDesk::begin_saving(Held after) {
   finish_saving();
   contested_.reset();
-  saving_ = std::make_unique<Saving>();
-  Saving& saving = *saving_;
+  Saving saving;
   const Document& now = editor_.document();
   saving.of = editor_.timeline().data();
   saving.revision = now.revision();
@@ -268,68 +259,70 @@ void FileDesk::begin_saving(Held after) {
     saving.is_whole = after.samples == now.sample_digest() && after.balls == now.ball_digest();
   }
   saving.after = std::move(after);
-  saving.thread = std::jthread([&saving, wake = wake_] {
-    write(saving);
-    saving.is_done = true;
-    if (wake) wake();
-  });
+  saving_ = std::make_shared<const Saving>(std::move(saving));
+  // Complete whatever happens meanwhile: it does not look at its stop token.
+  writing_.begin([what = saving_](const std::stop_token&) { return write(*what); });
 }
 
-// False: there is an error or a conflict.
-bool FileDesk::write_part(Saving& saving, const Part& part) {
+void FileDesk::write_part(const Saving& saving, const Part& part, Written& out) {
   const std::string text = part.text();
   if (part.expected) {
     const auto written = replace_file(part.file, text, *part.expected);
-    if (!written) saving.error = written.error();
-    if (written == Replaced::changed) saving.conflict = look_into(part.file, *saving.document, saving.session.get());
+    if (!written) out.error = written.error();
+    if (written == Replaced::changed) out.conflict = look_into(part.file, *saving.document, saving.session.get());
   } else if (const auto written = write_file_atomically(part.file, text); !written) {
-    saving.error = written.error();
+    out.error = written.error();
   }
-  if (saving.error || saving.conflict) return false;
   // What went into a pipe is not there to be compared with.
   std::error_code error;
-  if (fs::is_regular_file(part.file, error)) saving.written.push_back({part.file, fingerprint_of(text)});
-  return true;
+  if (out.is_good() && fs::is_regular_file(part.file, error)) out.files.push_back({part.file, fingerprint_of(text)});
 }
 
-void FileDesk::write(Saving& saving) {
+FileDesk::Written FileDesk::write(const Saving& saving) {
+  Written out;
   const fs::path* at = nullptr;
   try {
     // Of two files none is written while there is a question about the other.
     for (const Part& part : saving.parts) {
       at = &part.file;
       if (!part.expected || is_as_expected(part.file, *part.expected)) continue;
-      saving.conflict = look_into(part.file, *saving.document, saving.session.get());
-      return;
+      out.conflict = look_into(part.file, *saving.document, saving.session.get());
+      return out;
     }
     for (const Part& part : saving.parts) {
       at = &part.file;
-      if (!write_part(saving, part)) return;
+      write_part(saving, part, out);
+      if (!out.is_good()) break;
     }
   } catch (const std::bad_alloc&) {
-    saving.error = Error{ErrorCode::out_of_memory, "there is not enough memory to write it", at->string()};
+    out.error = Error{ErrorCode::out_of_memory, "there is not enough memory to write it", at->string()};
   }
+  return out;
 }
 
 std::string FileDesk::saving_name() const {
-  return saving_ ? saving_->after.file.filename().string() : std::string();
+  return is_saving() ? saving_->after.file.filename().string() : std::string();
 }
 
 std::optional<FileDesk::Saved> FileDesk::poll_saved() {
-  return saving_ && saving_->is_done ? finish_saving() : std::nullopt;
+  auto written = writing_.poll();
+  return written ? std::optional(saved(std::move(*written))) : std::nullopt;
 }
 
 std::optional<FileDesk::Saved> FileDesk::finish_saving() {
-  if (!saving_) return std::nullopt;
-  const std::unique_ptr<Saving> saving = std::move(saving_);
-  saving->thread.join();
-  Saved out{{}, std::move(saving->error), std::move(saving->conflict)};
+  auto written = writing_.finish();
+  return written ? std::optional(saved(std::move(*written))) : std::nullopt;
+}
+
+FileDesk::Saved FileDesk::saved(Written written) {
+  const std::shared_ptr<const Saving> saving = std::move(saving_);
+  Saved out{{}, std::move(written.error), std::move(written.conflict)};
   for (const Part& part : saving->parts) out.files.push_back(part.file);
   // Something else may have been opened meanwhile.
   if (saving->of != editor_.timeline().data()) return out;
-  if (out.conflict) contested_ = std::move(saving->after);
-  if (!out.error && !out.conflict) held_ = std::move(saving->after);
-  note_known(saving->written);
+  if (out.conflict) contested_ = saving->after;
+  if (!out.error && !out.conflict) held_ = saving->after;
+  note_known(written.files);
   if (out.error || out.conflict) return out;
   if (saving->is_whole) editor_.mark_saved(saving->revision);
   editor_.set_saved_layers(saving->session ? std::optional(saving->session->layers) : std::nullopt);

@@ -2,20 +2,19 @@
 // Which file the document belongs to; reading and writing it.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
-#include <thread>
+#include <vector>
 
 #include "app/model/editor.h"
 #include "app/store/file_conflict.h"
+#include "app/system/background_job.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
 
@@ -50,7 +49,7 @@ class FileDesk {
   /// The same for a built-in shape: it has a title, but saving asks for a file.
   void open_shape(const std::filesystem::path& file, const std::string& title);
   void cancel_reading();
-  bool is_reading() const { return reading_ != nullptr; }
+  bool is_reading() const { return reading_.is_under_way(); }
   std::string reading_name() const;
 
   struct Outcome {
@@ -79,7 +78,7 @@ class FileDesk {
   /// Begins once more the saving that ended with this conflict. What is in the file now is given up, and nothing
   /// else: if the file changes again there is another conflict.
   void overwrite(const FileConflict& conflict);
-  bool is_saving() const { return saving_ != nullptr; }
+  bool is_saving() const { return writing_.is_under_way(); }
   std::string saving_name() const;
   struct Saved {
     std::vector<std::filesystem::path> files;
@@ -106,15 +105,14 @@ class FileDesk {
   const std::string& title() const { return held_.title; }
 
  private:
-  struct Reading {
+  /// What is asked for by `open`.
+  struct Asked {
     std::vector<std::filesystem::path> files;
     std::string title;  // of a shape
-    std::atomic<bool> is_done = false;
-    std::vector<Expected<LoadedFile>> results;  // up to the first that failed
-    std::jthread thread;                        // last: it ends before what it writes to
   };
-  void begin(const std::vector<std::filesystem::path>& files, const std::string& shape_title);
-  static void read(Reading& reading, const std::stop_token& stop);
+  using LoadedFiles = std::vector<Expected<LoadedFile>>;  // up to the first that failed
+  void begin(Asked asked);
+  static LoadedFiles read(std::span<const std::filesystem::path> files, const std::stop_token& stop);
   /// Which files hold what.
   struct Held {
     std::filesystem::path file{};
@@ -132,6 +130,7 @@ class FileDesk {
     std::function<std::string()> text;
     std::optional<FileFingerprint> expected;
   };
+  /// What is to be written, and what is true once it is.
   struct Saving {
     std::vector<Part> parts;
     Held after;
@@ -140,28 +139,30 @@ class FileDesk {
     std::shared_ptr<const SampleData> of;  // what was loaded
     std::shared_ptr<const Document> document;
     std::shared_ptr<const Session> session;  // null: not saved as one
-    std::vector<SourceFile> written;
+  };
+  struct Written {
+    std::vector<SourceFile> files;
     std::optional<Error> error;
     std::optional<FileConflict> conflict;
-    std::atomic<bool> is_done = false;
-    std::jthread thread;  // last, as above
+    bool is_good() const { return !error && !conflict; }
   };
   void note_all_as_saved();
   void forget_files();
   void note_known(std::span<const SourceFile> files);
   void begin_saving(Held after);
-  static void write(Saving& saving);
-  static bool write_part(Saving& saving, const Part& part);
+  static Written write(const Saving& saving);
+  Saved saved(Written written);
+  static void write_part(const Saving& saving, const Part& part, Written& out);
   Expected<void> take_over(const Session& session, const std::string& name);
 
   Editor& editor_;
   std::function<Session()> session_now_;
-  std::function<void()> wake_;
   Held held_;
-  std::optional<Held> contested_;  // what a saving that ended with a conflict would have led to
-  std::unique_ptr<Saving> saving_;
-  std::unique_ptr<Reading> reading_;
-  std::vector<std::unique_ptr<Reading>> given_up_;  // they wait for nothing, but may take long to end
+  std::optional<Held> contested_;         // what a saving that ended with a conflict would have led to
+  Asked asked_;                           // while it is read
+  std::shared_ptr<const Saving> saving_;  // while it is written
+  BackgroundJob<LoadedFiles> reading_;
+  BackgroundJob<Written> writing_;
 };
 
 }  // namespace mes
