@@ -209,7 +209,7 @@ void Scene::set_picture(LayerIndex layer, const Image& image) {
 void Scene::clear_picture() {
   if (picture_ != TextureId{}) device_.destroy_texture(picture_);
   picture_ = {};
-  picture_layer_ = kNoSlot;
+  picture_layer_ = kNoLayer;
 }
 
 void Scene::set_overlay(std::uint32_t slot, const Overlay& overlay) {

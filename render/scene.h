@@ -161,7 +161,7 @@ class Scene {
   std::vector<ColorMap> maps_ = builtin_color_maps();
   TextureId map_texture_{};
   TextureId picture_{};
-  LayerIndex picture_layer_ = kNoSlot;
+  LayerIndex picture_layer_ = kNoLayer;
   double picture_aspect_ = 1.0;  // height by width
   PicturePlace picture_place_;
   std::array<GroupTarget, 2> groups_;  // by TargetFormat

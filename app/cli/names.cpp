@@ -82,7 +82,7 @@ std::string one_of(std::span<const std::string_view> names) {
 
 Expected<LayerIndex> select_layer(const std::string& id) {
   const LayerIndex layer = find_layer(id);
-  if (layer != kNoSlot) return layer;
+  if (layer != kNoLayer) return layer;
   return usage_error(unknown("layer", id, layer_ids()) + " (mesecina list layers)");
 }
 

@@ -67,7 +67,7 @@ Expected<void> take_bundle(const std::string& name_or_file, Picture& picture) {
   std::size_t unknown = 0;
   for (const LayerConfiguration::Entry& entry : bundle->layers.layers) {
     const LayerIndex layer = find_layer(entry.layer);
-    if (layer == kNoSlot) {
+    if (layer == kNoLayer) {
       ++unknown;
       continue;
     }

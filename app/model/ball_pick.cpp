@@ -9,7 +9,7 @@ namespace mes {
 BallPick nearest_ball(const Document& document, Vec2 p, double radius) {
   BallPick best{kNoSlot, radius};
   if (!is_finite(p) || !(radius >= 0.0)) return best;
-  for (Slot slot = 0; slot < document.ball_slot_count(); ++slot) {
+  for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count())) {
     if (!document.is_ball_alive(slot)) continue;
     const Disk& disk = document.disk(slot);
     // Nearly all are nowhere near, which is found out without a root. The factor makes up for rounding.
@@ -22,9 +22,9 @@ BallPick nearest_ball(const Document& document, Vec2 p, double radius) {
   return best;
 }
 
-std::vector<Slot> balls_in_box(const Document& document, const Box2& box) {
-  std::vector<Slot> out;
-  for (Slot slot = 0; slot < document.ball_slot_count(); ++slot)
+std::vector<BallSlot> balls_in_box(const Document& document, const Box2& box) {
+  std::vector<BallSlot> out;
+  for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))
     if (document.is_ball_alive(slot) && box.contains(document.disk(slot).center)) out.push_back(slot);
   return out;
 }

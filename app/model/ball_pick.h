@@ -11,7 +11,7 @@
 namespace mes {
 
 struct BallPick {
-  Slot slot = kNoSlot;
+  BallSlot slot;
   double distance = 0.0;  ///< to the centre or the circle, whichever is nearer
 };
 
@@ -20,6 +20,6 @@ struct BallPick {
 BallPick nearest_ball(const Document& document, Vec2 p, double radius);
 
 /// Rows of the balls with their centre in the closed box, increasing. O(balls).
-std::vector<Slot> balls_in_box(const Document& document, const Box2& box);
+std::vector<BallSlot> balls_in_box(const Document& document, const Box2& box);
 
 }  // namespace mes

@@ -35,12 +35,12 @@ class Script {
   void show(std::initializer_list<std::string_view> ids) {
     LayerStack layers = layers_;
     for (const LayerIndex layer : layers_.order()) layers.set_visible(layer, false);
-    LayerIndex below = kNoSlot;
+    LayerIndex below = kNoLayer;
     for (const std::string_view id : ids) {
       const LayerIndex layer = find_layer(id);
-      if (layer == kNoSlot) continue;
+      if (layer == kNoLayer) continue;
       layers.set_visible(layer, true);
-      if (below != kNoSlot) layers.move(layer, below, true);
+      if (below != kNoLayer) layers.move(layer, below, true);
       below = layer;
     }
     change(std::move(layers));
@@ -50,7 +50,7 @@ class Script {
   void style(std::string_view id, Change with) {
     LayerStack layers = layers_;
     const LayerIndex layer = find_layer(id);
-    if (layer == kNoSlot) return;
+    if (layer == kNoLayer) return;
     LayerStyle style = layers.style(layer);
     with(style);
     layers.set_style(layer, style);

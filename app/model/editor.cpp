@@ -142,20 +142,20 @@ void Editor::record(const DocumentDelta& delta, const std::string& name, bool co
   tell(change);
 }
 
-Expected<std::vector<Slot>> Editor::insert(std::span<const Vec2> positions, const std::string& name) {
+Expected<std::vector<SampleSlot>> Editor::insert(std::span<const Vec2> positions, const std::string& name) {
   auto delta = insert_samples(document_, placed(document_, positions));
   if (!delta) return std::unexpected(delta.error());
-  std::vector<Slot> slots;
+  std::vector<SampleSlot> slots;
   slots.reserve(delta->edits.size());
   for (const SampleEdit& edit : delta->edits) slots.push_back(edit.slot);
   record(*delta, name);
   return slots;
 }
 
-Expected<std::vector<Slot>> Editor::insert_balls(std::span<const Disk> disks, const std::string& name) {
+Expected<std::vector<BallSlot>> Editor::insert_balls(std::span<const Disk> disks, const std::string& name) {
   auto delta = mes::insert_balls(document_, placed(document_, disks));
   if (!delta) return std::unexpected(delta.error());
-  std::vector<Slot> slots;
+  std::vector<BallSlot> slots;
   slots.reserve(delta->ball_edits.size());
   for (const BallEdit& edit : delta->ball_edits) slots.push_back(edit.slot);
   record(*delta, name);
@@ -182,18 +182,18 @@ Expected<void> Editor::remove(std::span<const SampleId> samples, std::span<const
 
 Expected<void> Editor::remove_selection() {
   std::vector<SampleId> samples;
-  for (const Slot slot : selection_.slots()) samples.push_back(document_.id(slot));
+  for (const SampleSlot slot : selection_.slots()) samples.push_back(document_.id(slot));
   std::vector<BallId> balls;
-  for (const Slot slot : selection_.ball_slots()) balls.push_back(document_.ball_id(slot));
+  for (const BallSlot slot : selection_.ball_slots()) balls.push_back(document_.ball_id(slot));
   return remove(samples, balls, "Delete " + noun_of(selection_));
 }
 
 Expected<void> Editor::nudge_selection(Vec2 offset) {
   std::vector<std::pair<SampleId, Vec2>> samples;
-  for (const Slot slot : selection_.slots())
+  for (const SampleSlot slot : selection_.slots())
     samples.emplace_back(document_.id(slot), document_.position(slot) + offset);
   std::vector<std::pair<BallId, Disk>> balls;
-  for (const Slot slot : selection_.ball_slots()) {
+  for (const BallSlot slot : selection_.ball_slots()) {
     const Disk& disk = document_.disk(slot);
     balls.emplace_back(document_.ball_id(slot), Disk{disk.center + offset, disk.radius});
   }
@@ -202,7 +202,7 @@ Expected<void> Editor::nudge_selection(Vec2 offset) {
 
 Expected<void> Editor::scale_selected_balls(double factor, double least, bool continues) {
   std::vector<std::pair<BallId, Disk>> balls;
-  for (const Slot slot : selection_.ball_slots()) {
+  for (const BallSlot slot : selection_.ball_slots()) {
     const Disk& disk = document_.disk(slot);
     const double radius = disk.radius == 0.0 && factor > 1.0 ? least : disk.radius;
     balls.emplace_back(document_.ball_id(slot), Disk{disk.center, radius * factor});

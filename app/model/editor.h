@@ -82,8 +82,8 @@ class Editor {
   /// For what happens beside the document: views, layers, settings.
   void note(const TimelineEntry& entry) { timeline_.note(entry); }
   /// Rows of the new samples.
-  Expected<std::vector<Slot>> insert(std::span<const Vec2> positions, const std::string& name);
-  Expected<std::vector<Slot>> insert_balls(std::span<const Disk> disks, const std::string& name);
+  Expected<std::vector<SampleSlot>> insert(std::span<const Vec2> positions, const std::string& name);
+  Expected<std::vector<BallSlot>> insert_balls(std::span<const Disk> disks, const std::string& name);
   /// Samples and balls that go together are one change.
   Expected<void> move(std::span<const std::pair<SampleId, Vec2>> targets, const std::string& name) {
     return move(targets, {}, name);

@@ -21,7 +21,7 @@ void LayerStack::reset() {
     visible_.push_back(descriptors_[layer].visible_at_start);
     styles_.push_back(descriptors_[layer].style);
   }
-  solo_ = kNoSlot;
+  solo_ = kNoLayer;
   image_ = {};
   ++revision_;
   ++demand_revision_;
@@ -57,7 +57,7 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   }
   order.insert(order.end(), named.begin(), named.end());
   order_ = std::move(order);
-  solo_ = kNoSlot;
+  solo_ = kNoLayer;
   image_ = configuration.image;
   ++revision_;
   if (visible_layers() != before) ++demand_revision_;
@@ -65,13 +65,13 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
 
 LayerIndex LayerStack::find(std::string_view id) const {
   const auto found = std::ranges::find(descriptors_, id, &LayerDescriptor::id);
-  return found == descriptors_.end() ? kNoSlot : static_cast<LayerIndex>(found - descriptors_.begin());
+  return found == descriptors_.end() ? kNoLayer : static_cast<LayerIndex>(found - descriptors_.begin());
 }
 
 void LayerStack::apply(const LayersChanged& change) {
   for (const LayerConfiguration::Entry& entry : change.changed) {
     const LayerIndex layer = find(entry.layer);
-    if (layer == kNoSlot) continue;
+    if (layer == kNoLayer) continue;
     if (visible_[layer] != entry.visible) set_visible(layer, entry.visible);
     set_style(layer, entry.style);
   }
@@ -84,7 +84,7 @@ void LayerStack::restack(std::span<const std::string> order) {
   std::vector<LayerIndex> rest = order_;
   std::vector<LayerIndex> named;
   for (const std::string& id : order)
-    if (const LayerIndex layer = find(id); layer != kNoSlot && std::erase(rest, layer) == 1) named.push_back(layer);
+    if (const LayerIndex layer = find(id); layer != kNoLayer && std::erase(rest, layer) == 1) named.push_back(layer);
   rest.insert(rest.end(), named.begin(), named.end());
   if (rest == order_) return;
   order_ = std::move(rest);
@@ -99,8 +99,8 @@ std::vector<LayerIndex> LayerStack::visible_layers() const {
 }
 
 void LayerStack::set_visible(LayerIndex layer, bool visible) {
-  if (solo_ == kNoSlot && visible_[layer] == visible) return;
-  solo_ = kNoSlot;
+  if (solo_ == kNoLayer && visible_[layer] == visible) return;
+  solo_ = kNoLayer;
   visible_[layer] = visible;
   ++revision_;
   ++demand_revision_;
@@ -113,8 +113,8 @@ void LayerStack::solo(LayerIndex layer) {
 }
 
 void LayerStack::end_solo() {
-  if (solo_ == kNoSlot) return;
-  solo_ = kNoSlot;
+  if (solo_ == kNoLayer) return;
+  solo_ = kNoLayer;
   ++demand_revision_;
 }
 

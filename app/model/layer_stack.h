@@ -21,11 +21,11 @@ class LayerStack {
 
   std::size_t size() const { return order_.size(); }
   const LayerDescriptor& descriptor(LayerIndex layer) const { return descriptors_[layer]; }
-  /// kNoSlot when there is none of this id.
+  /// kNoLayer when there is none of this id.
   LayerIndex find(std::string_view id) const;
   /// Bottom first.
   std::span<const LayerIndex> order() const { return order_; }
-  bool is_visible(LayerIndex layer) const { return solo_ == kNoSlot ? visible_[layer] : solo_ == layer; }
+  bool is_visible(LayerIndex layer) const { return solo_ == kNoLayer ? visible_[layer] : solo_ == layer; }
   /// Visible ones, bottom first.
   std::vector<LayerIndex> visible_layers() const;
   std::uint64_t demand_revision() const { return demand_revision_; }
@@ -67,7 +67,7 @@ class LayerStack {
   std::vector<LayerIndex> order_;
   std::vector<bool> visible_;
   std::vector<LayerStyle> styles_;
-  LayerIndex solo_ = kNoSlot;
+  LayerIndex solo_ = kNoLayer;
   BackgroundImage image_;
   std::uint64_t demand_revision_ = 0;
   std::uint64_t revision_ = 0;

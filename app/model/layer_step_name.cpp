@@ -11,7 +11,7 @@ using Entry = LayerConfiguration::Entry;
 
 std::string name_of(const LayerStack& layers, const std::string& id) {
   const LayerIndex layer = layers.find(id);
-  return layer == kNoSlot ? id : std::string(layers.descriptor(layer).name);
+  return layer == kNoLayer ? id : std::string(layers.descriptor(layer).name);
 }
 
 // The one layer without which both orders are the same; empty: there is none.
@@ -68,7 +68,7 @@ std::string name_of_entries(const LayerStack& layers, const LayersChanged& befor
 std::string name_of_change(const LayerStack& layers, const LayersChanged& before, const LayersChanged& after) {
   const bool is_of_picture = std::ranges::all_of(after.changed, [&](const Entry& entry) {
     const LayerIndex layer = layers.find(entry.layer);
-    return layer != kNoSlot && layers.descriptor(layer).kinds.empty();
+    return layer != kNoLayer && layers.descriptor(layer).kinds.empty();
   });
   if (before.image && after.image && after.order.empty() && is_of_picture)
     return name_of_picture_change(*before.image, *after.image);

@@ -8,7 +8,7 @@ namespace {
 
 // Layers of a later version cannot be shown, and would only make each change of the others longer.
 LayerFold known_layers(LayerConfiguration configuration) {
-  return LayerFold(std::move(configuration), [](std::string_view layer) { return find_layer(layer) != kNoSlot; });
+  return LayerFold(std::move(configuration), [](std::string_view layer) { return find_layer(layer) != kNoLayer; });
 }
 
 }  // namespace

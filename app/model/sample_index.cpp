@@ -73,9 +73,10 @@ double SampleIndex::chosen_cell_size() const {
   const std::size_t rows = document_.slot_count();
   const std::size_t step = std::max<std::size_t>(1, rows / 4096);
   for (std::size_t row = 0; row < rows; row += step) {
-    if (!document_.is_alive(static_cast<Slot>(row))) continue;
-    xs.push_back(document_.position(static_cast<Slot>(row)).x);
-    ys.push_back(document_.position(static_cast<Slot>(row)).y);
+    const SampleSlot slot(row);
+    if (!document_.is_alive(slot)) continue;
+    xs.push_back(document_.position(slot).x);
+    ys.push_back(document_.position(slot).y);
   }
   if (xs.size() < 2) return 1.0;
   const double width = std::max(robust_width(xs), robust_width(ys));
@@ -91,7 +92,7 @@ void SampleIndex::rebuild() {
   size_ = 0;
   cell_size_ = chosen_cell_size();
   origin_ = {};
-  for (Slot slot = 0; slot < document_.slot_count(); ++slot) {
+  for (const SampleSlot slot : slots_below<SampleSlot>(document_.slot_count())) {
     if (!document_.is_alive(slot)) continue;
     if (size_ == 0) origin_ = document_.position(slot);
     add(slot, document_.position(slot));
@@ -99,10 +100,10 @@ void SampleIndex::rebuild() {
   size_at_rebuild_ = size_;
 }
 
-void SampleIndex::add(Slot slot, Vec2 p) {
-  if (slot >= next_.size()) {
-    next_.resize(slot + 1, kNoSlot);
-    previous_.resize(slot + 1, kNoSlot);
+void SampleIndex::add(SampleSlot slot, Vec2 p) {
+  if (!next_.has(slot)) {
+    next_.resize(slot.index() + std::size_t{1}, kNoSlot);
+    previous_.resize(slot.index() + std::size_t{1}, kNoSlot);
   }
   ++size_;
   Cell cell = cell_of(p, cell_size_);
@@ -120,7 +121,7 @@ void SampleIndex::add(Slot slot, Vec2 p) {
   }
 }
 
-void SampleIndex::remove(Slot slot, Vec2 p) {
+void SampleIndex::remove(SampleSlot slot, Vec2 p) {
   --size_;
   Cell cell = cell_of(p, cell_size_);
   if (next_[slot] != kNoSlot) previous_[next_[slot]] = previous_[slot];
@@ -211,16 +212,16 @@ void SampleIndex::visit_cells(const Box2& box, const Visit& visit) const {
     for (std::int64_t x = low.x; x <= high.x; ++x) descend({x, y}, level, box, visit);
 }
 
-Slot SampleIndex::nearest(Vec2 p, double radius) const {
+SampleSlot SampleIndex::nearest(Vec2 p, double radius) const {
   if (!is_finite(p) || !(radius >= 0.0)) return kNoSlot;
   Best best{kNoSlot, radius};
-  const auto look_at = [&](Slot slot) {
+  const auto look_at = [&](SampleSlot slot) {
     const double d = distance(document_.position(slot), p);
     if (d > best.distance || (d == best.distance && best.slot != kNoSlot && slot < best.slot)) return;
     best = {slot, d};
   };
   if (is_lost_) {
-    for (Slot slot = 0; slot < document_.slot_count(); ++slot)
+    for (const SampleSlot slot : slots_below<SampleSlot>(document_.slot_count()))
       if (document_.is_alive(slot)) look_at(slot);
     return best.slot;
   }
@@ -228,9 +229,9 @@ Slot SampleIndex::nearest(Vec2 p, double radius) const {
   double reach = std::min(radius, cell_size_);
   for (;;) {
     const Box2 box{{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
-    visit_cells(box, [&](Cell cell, Slot first) {
+    visit_cells(box, [&](Cell cell, SampleSlot first) {
       if (best.slot != kNoSlot && squared_distance_to(box_of(cell, 0), p) > best.distance * best.distance) return;
-      for (Slot slot = first; slot != kNoSlot; slot = next_[slot]) look_at(slot);
+      for (SampleSlot slot = first; slot != kNoSlot; slot = next_[slot]) look_at(slot);
     });
     // Within the box everything was seen, so a sample at most `reach` away cannot be beaten from outside it.
     if ((best.slot != kNoSlot && best.distance <= reach) || reach >= radius) return best.slot;
@@ -238,16 +239,16 @@ Slot SampleIndex::nearest(Vec2 p, double radius) const {
   }
 }
 
-std::vector<Slot> SampleIndex::in_box(const Box2& box) const {
-  std::vector<Slot> out;
+std::vector<SampleSlot> SampleIndex::in_box(const Box2& box) const {
+  std::vector<SampleSlot> out;
   if (box.is_empty()) return out;
   if (is_lost_) {
-    for (Slot slot = 0; slot < document_.slot_count(); ++slot)
+    for (const SampleSlot slot : slots_below<SampleSlot>(document_.slot_count()))
       if (document_.is_alive(slot) && box.contains(document_.position(slot))) out.push_back(slot);
     return out;
   }
-  visit_cells(box, [&](Cell, Slot first) {
-    for (Slot slot = first; slot != kNoSlot; slot = next_[slot])
+  visit_cells(box, [&](Cell, SampleSlot first) {
+    for (SampleSlot slot = first; slot != kNoSlot; slot = next_[slot])
       if (box.contains(document_.position(slot))) out.push_back(slot);
   });
   std::ranges::sort(out);

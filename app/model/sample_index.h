@@ -18,7 +18,7 @@ namespace mes {
 /// Smallest use:
 ///     SampleIndex index(document);
 ///     document.apply(delta); index.follow(delta);
-///     Slot slot = index.nearest(cursor_world, 8 * units_per_px);
+///     SampleSlot slot = index.nearest(cursor_world, 8 * units_per_px);
 ///
 /// Cost: `follow` O(edits) with a rebuild whenever the number of samples has changed fourfold; `nearest` looks at the
 /// cells of a few rings (some microseconds at 10^6 samples); `in_box` O(cells of the box + answer).
@@ -35,9 +35,9 @@ class SampleIndex {
   /// wrong.
   void follow(const DocumentDelta& delta);
   /// Row of the sample nearest to `p` at a distance of at most `radius`, or kNoSlot.
-  Slot nearest(Vec2 p, double radius) const;
+  SampleSlot nearest(Vec2 p, double radius) const;
   /// Rows of the samples in the closed box, increasing.
-  std::vector<Slot> in_box(const Box2& box) const;
+  std::vector<SampleSlot> in_box(const Box2& box) const;
   std::size_t size() const { return is_lost_ ? document_.sample_count() : size_; }
 
  private:
@@ -50,7 +50,7 @@ class SampleIndex {
     std::size_t operator()(const Cell& cell) const noexcept;
   };
   struct Best {
-    Slot slot = kNoSlot;
+    SampleSlot slot;
     double distance = 0.0;
   };
   static constexpr std::int64_t kFanout = 4;
@@ -60,8 +60,8 @@ class SampleIndex {
   void follow_closely(const DocumentDelta& delta);
   double chosen_cell_size() const;
   Cell cell_of(Vec2 p, double size) const;
-  void add(Slot slot, Vec2 p);
-  void remove(Slot slot, Vec2 p);
+  void add(SampleSlot slot, Vec2 p);
+  void remove(SampleSlot slot, Vec2 p);
   static Cell parent_of(Cell cell);
   Box2 box_of(Cell cell, std::size_t level) const;
   template <class Visit>
@@ -75,10 +75,10 @@ class SampleIndex {
   std::size_t size_ = 0;
   std::size_t size_at_rebuild_ = 0;
   bool is_lost_ = false;  // memory ran out: it looks at every sample until there is room to begin anew
-  std::unordered_map<Cell, Slot, CellHash> head_;  // level 0: first sample of the cell
+  std::unordered_map<Cell, SampleSlot, CellHash> head_;  // level 0: first sample of the cell
   std::vector<std::unordered_map<Cell, std::uint32_t, CellHash>> occupied_children_;  // levels 1, 2, ...
-  std::vector<Slot> next_;
-  std::vector<Slot> previous_;
+  Table<SampleSlot, SampleSlot> next_;
+  Table<SampleSlot, SampleSlot> previous_;
 };
 
 }  // namespace mes

@@ -6,33 +6,42 @@
 
 namespace mes {
 
-bool Selection::Mask::add(Slot slot) {
-  if (slot >= bits.size()) bits.resize(slot + 1, 0);
+template <class Row>
+bool Selection::Mask<Row>::add(Row slot) {
+  if (!bits.has(slot)) bits.resize(slot.index() + std::size_t{1}, 0);
   if (bits[slot] != 0) return false;
   bits[slot] = 1;
   ++count;
   return true;
 }
 
-bool Selection::Mask::remove(Slot slot) {
+template <class Row>
+bool Selection::Mask<Row>::remove(Row slot) {
   if (!contains(slot)) return false;
   bits[slot] = 0;
   --count;
   return true;
 }
 
-void Selection::Mask::clear() {
+template <class Row>
+void Selection::Mask<Row>::clear() {
   if (count != 0) std::ranges::fill(bits, std::uint8_t{0});
   count = 0;
 }
 
-std::vector<Slot> Selection::Mask::slots() const {
-  std::vector<Slot> out;
+template <class Row>
+std::vector<Row> Selection::Mask<Row>::slots() const {
+  std::vector<Row> out;
   out.reserve(count);
-  for (Slot slot = 0; slot < bits.size() && out.size() < count; ++slot)
+  for (const Row slot : bits.rows()) {
+    if (out.size() == count) break;
     if (bits[slot] != 0) out.push_back(slot);
+  }
   return out;
 }
+
+template struct Selection::Mask<SampleSlot>;
+template struct Selection::Mask<BallSlot>;
 
 void Selection::clear() {
   if (is_empty()) return;
@@ -42,20 +51,20 @@ void Selection::clear() {
 }
 
 void Selection::select_all(const Document& document) {
-  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
     if (document.is_alive(slot)) samples_.add(slot);
-  for (Slot slot = 0; slot < document.ball_slot_count(); ++slot)
+  for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))
     if (document.is_ball_alive(slot)) balls_.add(slot);
   ++revision_;
 }
 
 void Selection::invert(const Document& document) {
-  const auto turn = [](Mask& mask, Slot slot) {
+  const auto turn = [](auto& mask, auto slot) {
     if (!mask.remove(slot)) mask.add(slot);
   };
-  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
     if (document.is_alive(slot)) turn(samples_, slot);
-  for (Slot slot = 0; slot < document.ball_slot_count(); ++slot)
+  for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))
     if (document.is_ball_alive(slot)) turn(balls_, slot);
   ++revision_;
 }

@@ -22,19 +22,19 @@ class Selection {
   std::uint64_t revision() const { return revision_; }
 
   /// Samples, by row.
-  bool contains(Slot slot) const { return samples_.contains(slot); }
-  void add(Slot slot) { note(samples_.add(slot)); }
-  void remove(Slot slot) { note(samples_.remove(slot)); }
+  bool contains(SampleSlot slot) const { return samples_.contains(slot); }
+  void add(SampleSlot slot) { note(samples_.add(slot)); }
+  void remove(SampleSlot slot) { note(samples_.remove(slot)); }
   std::size_t sample_count() const { return samples_.count; }
   /// Increasing. O(rows).
-  std::vector<Slot> slots() const { return samples_.slots(); }
+  std::vector<SampleSlot> slots() const { return samples_.slots(); }
 
   /// Balls, by row.
-  bool contains_ball(Slot slot) const { return balls_.contains(slot); }
-  void add_ball(Slot slot) { note(balls_.add(slot)); }
-  void remove_ball(Slot slot) { note(balls_.remove(slot)); }
+  bool contains_ball(BallSlot slot) const { return balls_.contains(slot); }
+  void add_ball(BallSlot slot) { note(balls_.add(slot)); }
+  void remove_ball(BallSlot slot) { note(balls_.remove(slot)); }
   std::size_t ball_count() const { return balls_.count; }
-  std::vector<Slot> ball_slots() const { return balls_.slots(); }
+  std::vector<BallSlot> ball_slots() const { return balls_.slots(); }
 
   void clear();
   void select_all(const Document& document);
@@ -44,20 +44,21 @@ class Selection {
   void follow(const DocumentDelta& delta);
 
  private:
+  template <class Row>
   struct Mask {
-    std::vector<std::uint8_t> bits;
+    Table<Row, std::uint8_t> bits;
     std::size_t count = 0;
 
-    bool contains(Slot slot) const { return slot < bits.size() && bits[slot] != 0; }
-    bool add(Slot slot);
-    bool remove(Slot slot);
+    bool contains(Row slot) const { return bits.has(slot) && bits[slot] != 0; }
+    bool add(Row slot);
+    bool remove(Row slot);
     void clear();
-    std::vector<Slot> slots() const;
+    std::vector<Row> slots() const;
   };
   void note(bool changed) { revision_ += changed ? 1U : 0U; }
 
-  Mask samples_;
-  Mask balls_;
+  Mask<SampleSlot> samples_;
+  Mask<BallSlot> balls_;
   std::uint64_t revision_ = 0;
 };
 

@@ -106,7 +106,7 @@ void LayersPanel::draw_head() {
   ImGui::SameLine();
   ImGui::Checkbox("Only visible", &only_visible_);
   tooltip(gui_, "List only the layers that are shown");
-  if (layers_.soloed() != kNoSlot) {
+  if (layers_.soloed() != kNoLayer) {
     if (ImGui::SmallButton("End solo")) layers_.end_solo();
     tooltip(gui_, "Show the other layers again");
   }

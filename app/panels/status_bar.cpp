@@ -38,7 +38,7 @@ std::string counts(const Editor& editor, double units_per_px) {
   const Selection& selection = editor.selection();
   if (!selection.is_empty()) out += ", " + grouped(selection.size()) + " selected";
   // Of one ball its radius is what one wants to know while it is being changed.
-  Slot ball = kNoSlot;
+  BallSlot ball;
   if (selection.size() == 1 && selection.ball_count() == 1) ball = selection.ball_slots().front();
   if (ball != kNoSlot) out += ", radius " + coordinate(document.disk(ball).radius, units_per_px);
   return out;

@@ -136,17 +136,17 @@ void Picture::mark_selection(const Editor& editor) {
   style.line_width_px = 2.5;
   const Document& document = editor.document();
   mark_data_.clear();
-  for (const Slot slot : editor.selection().slots()) {
+  for (const SampleSlot slot : editor.selection().slots()) {
     const Vec2 p = document.position(slot);
     mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
   }
-  for (const Slot slot : editor.selection().ball_slots()) {
+  for (const BallSlot slot : editor.selection().ball_slots()) {
     const Vec2 p = document.disk(slot).center;
     mark_data_.insert(mark_data_.end(), {p.x, p.y, 0.0});
   }
   set_mark(kSelectionMark, PrimitiveKind::point, style);
   mark_data_.clear();
-  for (const Slot slot : editor.selection().ball_slots()) {
+  for (const BallSlot slot : editor.selection().ball_slots()) {
     const Disk& disk = document.disk(slot);
     if (disk.radius > 0.0) mark_data_.insert(mark_data_.end(), {disk.center.x, disk.center.y, disk.radius, 0.0});
   }

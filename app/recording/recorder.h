@@ -33,7 +33,7 @@ struct ShownState {
   std::uint64_t document = 0;  ///< revisions
   std::uint64_t selection = 0;
   std::uint64_t layers = 0;
-  Slot solo = kNoSlot;
+  LayerIndex solo = kNoLayer;
   ComputationSettings settings{};
   render::Camera view{};
   bool legend = false;

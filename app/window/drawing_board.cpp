@@ -70,8 +70,8 @@ void DrawingBoard::nudge(Vec2 px) {
 void DrawingBoard::fit_selection() {
   const Document& document = work_.document();
   Box2 box;
-  for (const Slot slot : work_.editor().selection().slots()) box.add(document.position(slot));
-  for (const Slot slot : work_.editor().selection().ball_slots()) box.add(bounding_box_of(document.disk(slot)));
+  for (const SampleSlot slot : work_.editor().selection().slots()) box.add(document.position(slot));
+  for (const BallSlot slot : work_.editor().selection().ball_slots()) box.add(bounding_box_of(document.disk(slot)));
   view().fit(box, ViewFitter::kMargin * canvas_.content_scale());
 }
 

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "core/base/slot.h"
+#include "core/base/table.h"
 
 namespace mes {
 
-/// `touched` rows are alive now and may differ from before (or are new); `removed` rows were alive and are not any
-/// more. Neither list names a row twice. Consumers do work for these rows only.
+/// Rows of one table: `touched` ones are alive now and may differ from before (or are new); `removed` ones were alive
+/// and are not any more. Neither list names a row twice. Consumers do work for these rows only.
+template <class Row>
 struct ChangeSet {
-  std::vector<Slot> touched;
-  std::vector<Slot> removed;
+  std::vector<Row> touched;
+  std::vector<Row> removed;
 
   bool is_empty() const { return touched.empty() && removed.empty(); }
   std::size_t size() const { return touched.size() + removed.size(); }
@@ -23,7 +25,15 @@ struct ChangeSet {
   }
 };
 
+/// Of a table of which every row is new after a rebuild, and which never changes otherwise.
+template <class Row>
+const ChangeSet<Row>& no_changes() {
+  static const ChangeSet<Row> none;
+  return none;
+}
+
 /// A set of slots with O(1) insertion and O(1) clearing, for work lists that must not name a row twice.
+template <class Row>
 class SlotMarks {
  public:
   /// Forgets all marks and makes room for slots below `count`.
@@ -38,21 +48,22 @@ class SlotMarks {
   void grow(std::size_t count) {
     if (stamp_.size() < count) stamp_.resize(count + count / 4, 0);
   }
-  bool contains(Slot slot) const { return slot < stamp_.size() && stamp_[slot] == epoch_; }
+  bool contains(Row slot) const { return stamp_.has(slot) && stamp_[slot] == epoch_; }
   /// True when the slot was not marked before.
-  bool insert(Slot slot) {
+  bool insert(Row slot) {
     if (stamp_[slot] == epoch_) return false;
     stamp_[slot] = epoch_;
     return true;
   }
-  void erase(Slot slot) { stamp_[slot] = 0; }
+  void erase(Row slot) { stamp_[slot] = 0; }
 
  private:
-  std::vector<std::uint32_t> stamp_;
+  Table<Row, std::uint32_t> stamp_;
   std::uint32_t epoch_ = 0;
 };
 
 /// Collects touched rows during an update and sorts them into a `ChangeSet` at its end.
+template <class Row>
 class ChangeRecorder {
  public:
   void begin(std::size_t rows) {
@@ -60,13 +71,13 @@ class ChangeRecorder {
     noted_.clear();
   }
   /// Notes that the row changed, was born or died. `was_alive` counts at the first note of a run only.
-  void note(Slot slot, bool was_alive) {
-    marks_.grow(slot + std::size_t{1});
+  void note(Row slot, bool was_alive) {
+    marks_.grow(slot.index() + std::size_t{1});
     if (marks_.insert(slot)) noted_.push_back({slot, was_alive});
   }
   /// `is_alive(slot)` tells the state after the run. Rows born and gone within it are not mentioned.
   template <class IsAlive>
-  void finish(ChangeSet& out, IsAlive is_alive) {
+  void finish(ChangeSet<Row>& out, IsAlive is_alive) {
     out.clear();
     for (const Note& note : noted_) {
       if (is_alive(note.slot)) {
@@ -79,10 +90,10 @@ class ChangeRecorder {
 
  private:
   struct Note {
-    Slot slot;
+    Row slot;
     bool was_alive;
   };
-  SlotMarks marks_;
+  SlotMarks<Row> marks_;
   std::vector<Note> noted_;
 };
 

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/base/table.h"
 
 namespace mes {
 
@@ -35,6 +36,10 @@ class TableWriter {
   void operator()(const std::vector<T>& table) {
     (*this)(table.size());
     append(table.data(), table.size() * sizeof(T));
+  }
+  template <class Row, class T>
+  void operator()(const Table<Row, T>& table) {
+    (*this)(table.values());
   }
   template <class T>
   requires std::is_trivially_copyable_v<T>
@@ -61,6 +66,10 @@ class TableReader {
     if (count > (bytes_.size() - at_) / sizeof(T)) throw GeometryError("an isolated computation gave broken data");
     table.resize(count);
     take(table.data(), count * sizeof(T));
+  }
+  template <class Row, class T>
+  void operator()(Table<Row, T>& table) {
+    (*this)(table.values());
   }
   template <class T>
   requires std::is_trivially_copyable_v<T>

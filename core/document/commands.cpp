@@ -62,16 +62,16 @@ bool has_room(std::uint32_t next_id, std::size_t wanted) {
   return wanted < std::numeric_limits<std::uint32_t>::max() - next_id;
 }
 
-template <class SomeId>
-Expected<Slot> live_slot(Slot slot, SomeId id, std::string_view kind, std::unordered_set<SomeId>& seen) {
+template <class Tag>
+Expected<Slot<Tag>> live_slot(Slot<Tag> slot, Id<Tag> id, std::string_view kind, std::unordered_set<Id<Tag>>& seen) {
   if (slot == kNoSlot) return refuse(fmt::format("{} {} does not exist", kind, id.value));
   if (!seen.insert(id).second) return refuse(fmt::format("{} {} is named twice", kind, id.value));
   return slot;
 }
-Expected<Slot> live_slot(const Document& document, SampleId id, std::unordered_set<SampleId>& seen) {
+Expected<SampleSlot> live_slot(const Document& document, SampleId id, std::unordered_set<SampleId>& seen) {
   return live_slot(document.slot_of(id), id, "sample", seen);
 }
-Expected<Slot> live_slot(const Document& document, BallId id, std::unordered_set<BallId>& seen) {
+Expected<BallSlot> live_slot(const Document& document, BallId id, std::unordered_set<BallId>& seen) {
   return live_slot(document.ball_slot_of(id), id, "ball", seen);
 }
 
@@ -101,8 +101,8 @@ struct Samples {
   static constexpr auto kChange = SampleEdit::Kind::move;
   static constexpr std::string_view kKind = "samples";
   static std::uint32_t next_id(const Document& document) { return document.next_id().value; }
-  static Slot slot_for_new(const Document& document, std::size_t i) { return document.slot_for_new_sample(i); }
-  static Vec2 value(const Document& document, Slot slot) { return document.position(slot); }
+  static SampleSlot slot_for_new(const Document& document, std::size_t i) { return document.slot_for_new_sample(i); }
+  static Vec2 value(const Document& document, SampleSlot slot) { return document.position(slot); }
 };
 struct Balls {
   using SomeId = BallId;
@@ -110,8 +110,8 @@ struct Balls {
   static constexpr auto kChange = BallEdit::Kind::change;
   static constexpr std::string_view kKind = "balls";
   static std::uint32_t next_id(const Document& document) { return document.next_ball_id().value; }
-  static Slot slot_for_new(const Document& document, std::size_t i) { return document.slot_for_new_ball(i); }
-  static Disk value(const Document& document, Slot slot) { return document.disk(slot); }
+  static BallSlot slot_for_new(const Document& document, std::size_t i) { return document.slot_for_new_ball(i); }
+  static Disk value(const Document& document, BallSlot slot) { return document.disk(slot); }
 };
 
 /// Appends the edits.
@@ -167,7 +167,7 @@ Expected<DocumentDelta> arrange_samples(const Document& document, std::span<cons
   ids.reserve(positions.size());
   std::vector<std::pair<SampleId, Vec2>> targets;
   targets.reserve(document.sample_count());
-  for (const Slot slot : document.slots_in_input_order()) {
+  for (const SampleSlot slot : document.slots_in_input_order()) {
     targets.emplace_back(document.id(slot), positions[targets.size()]);
     ids.push_back(document.id(slot));
   }
@@ -192,10 +192,13 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
   DocumentDelta delta = delta_from(document);
   auto after = std::make_shared<SampleSnapshot>();
   const std::uint32_t first = document.next_id().value;
-  if (auto done = number(std::span(data.positions), document.next_id(), "samples", after->position, after->id); !done)
+  if (auto done = number(std::span(data.positions), document.next_id(), "samples", after->position.values(),
+                         after->id.values());
+      !done)
     return std::unexpected(done.error());
   auto balls_after = std::make_shared<BallSnapshot>();
-  if (auto done = number(std::span(data.balls), document.next_ball_id(), "balls", balls_after->disk, balls_after->id);
+  if (auto done = number(std::span(data.balls), document.next_ball_id(), "balls", balls_after->disk.values(),
+                         balls_after->id.values());
       !done)
     return std::unexpected(done.error());
   auto curve = std::make_shared<CurveOrder>();

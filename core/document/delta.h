@@ -9,6 +9,7 @@
 
 #include "core/base/disk.h"
 #include "core/base/slot.h"
+#include "core/base/table.h"
 #include "core/base/vec2.h"
 
 namespace mes {
@@ -29,16 +30,16 @@ struct SampleEdit {
   enum class Kind : std::uint8_t { insert, remove, move };
   Kind kind = Kind::insert;
   SampleId id;
-  Slot slot = kNoSlot;  ///< row of the sample; rows of removed samples are used again
-  Vec2 from;            ///< before (remove, move)
-  Vec2 to;              ///< after (insert, move)
+  SampleSlot slot;  ///< row of the sample; rows of removed samples are used again
+  Vec2 from;        ///< before (remove, move)
+  Vec2 to;          ///< after (insert, move)
 };
 
-/// A whole set of samples at once, by slot. Shared, never modified after it is made.
+/// A whole set of samples at once. Shared, never modified after it is made.
 struct SampleSnapshot {
-  std::vector<Vec2> position;  ///< by slot; dead rows hold (0, 0)
-  std::vector<SampleId> id;    ///< by slot; invalid in dead rows
-  std::vector<Slot> free_slots;
+  Table<SampleSlot, Vec2> position;  ///< dead rows hold (0, 0)
+  Table<SampleSlot, SampleId> id;    ///< invalid in dead rows
+  std::vector<SampleSlot> free_slots;
   SampleId first{0};  ///< that the first of the data had, alive or not
 };
 
@@ -47,16 +48,16 @@ struct BallEdit {
   enum class Kind : std::uint8_t { insert, remove, change };
   Kind kind = Kind::insert;
   BallId id;
-  Slot slot = kNoSlot;  ///< row of the ball; rows of removed balls are used again
-  Disk from;            ///< before (remove, change)
-  Disk to;              ///< after (insert, change)
+  BallSlot slot;  ///< row of the ball; rows of removed balls are used again
+  Disk from;      ///< before (remove, change)
+  Disk to;        ///< after (insert, change)
 };
 
 /// As `SampleSnapshot`, for balls.
 struct BallSnapshot {
-  std::vector<Disk> disk;  ///< by slot; dead rows hold a zero disk
-  std::vector<BallId> id;  ///< by slot; invalid in dead rows
-  std::vector<Slot> free_slots;
+  Table<BallSlot, Disk> disk;  ///< dead rows hold a zero disk
+  Table<BallSlot, BallId> id;  ///< invalid in dead rows
+  std::vector<BallSlot> free_slots;
   BallId first{0};
 };
 

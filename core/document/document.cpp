@@ -74,19 +74,19 @@ Document Document::successor() const {
 
 Box2 Document::bounding_box() const {
   Box2 box;
-  for (Slot slot = 0; slot < slot_count(); ++slot)
+  for (const SampleSlot slot : slots_below<SampleSlot>(slot_count()))
     if (is_alive(slot)) box.add(position(slot));
-  for (Slot slot = 0; slot < ball_slot_count(); ++slot)
+  for (const BallSlot slot : slots_below<BallSlot>(ball_slot_count()))
     if (is_ball_alive(slot)) box.add(bounding_box_of(disk(slot)));
   return box;
 }
 
-std::uint64_t Document::digest_of_sample(Slot slot) const {
+std::uint64_t Document::digest_of_sample(SampleSlot slot) const {
   const std::uint64_t x = mix(bits_of(position(slot).x) + (id(slot).value - first_id().value));
   return mix(x ^ bits_of(position(slot).y));
 }
 
-std::uint64_t Document::digest_of_ball(Slot slot) const {
+std::uint64_t Document::digest_of_ball(BallSlot slot) const {
   constexpr std::uint64_t kOtherThanSamples = 0x9e3779b97f4a7c15ULL;
   const std::uint64_t x =
       mix(bits_of(disk(slot).center.x) + kOtherThanSamples + (ball_id(slot).value - first_ball_id().value));
@@ -136,9 +136,9 @@ void Document::replace_all(const DocumentDelta& delta) {
   samples_ = std::move(samples);
   magnitudes_ = std::move(magnitudes);
   sample_sum_ = ball_sum_ = 0;
-  for (Slot slot = 0; slot < slot_count(); ++slot)
+  for (const SampleSlot slot : slots_below<SampleSlot>(slot_count()))
     if (is_alive(slot)) sample_sum_ += digest_of_sample(slot);
-  for (Slot slot = 0; slot < ball_slot_count(); ++slot)
+  for (const BallSlot slot : slots_below<BallSlot>(ball_slot_count()))
     if (is_ball_alive(slot)) ball_sum_ += digest_of_ball(slot);
 }
 

@@ -40,15 +40,15 @@ class Document {
   std::size_t sample_count() const { return samples_.count(); }
   /// Rows in use or free; `is_alive` tells which.
   std::size_t slot_count() const { return samples_.row_count(); }
-  bool is_alive(Slot slot) const { return samples_.is_alive(slot); }
-  Vec2 position(Slot slot) const { return samples_.value(slot); }
-  SampleId id(Slot slot) const { return samples_.id(slot); }
-  std::span<const Vec2> positions() const { return samples_.values(); }
-  std::span<const SampleId> ids() const { return samples_.ids(); }
+  bool is_alive(SampleSlot slot) const { return samples_.is_alive(slot); }
+  Vec2 position(SampleSlot slot) const { return samples_.value(slot); }
+  SampleId id(SampleSlot slot) const { return samples_.id(slot); }
+  const Table<SampleSlot, Vec2>& positions() const { return samples_.values(); }
+  const Table<SampleSlot, SampleId>& ids() const { return samples_.ids(); }
   /// Row of a live sample, or kNoSlot.
-  Slot slot_of(SampleId id) const { return samples_.slot_of(id); }
+  SampleSlot slot_of(SampleId id) const { return samples_.slot_of(id); }
   /// Live slots by increasing id, which is input order. O(n log n).
-  std::vector<Slot> slots_in_input_order() const { return samples_.by_age(); }
+  std::vector<SampleSlot> slots_in_input_order() const { return samples_.by_age(); }
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
 
   /// Id that the first sample had since everything was last replaced: what counts from it is the same however often
@@ -59,11 +59,11 @@ class Document {
   /// The same of balls, which have rows of their own.
   std::size_t ball_count() const { return balls_.count(); }
   std::size_t ball_slot_count() const { return balls_.row_count(); }
-  bool is_ball_alive(Slot slot) const { return balls_.is_alive(slot); }
-  const Disk& disk(Slot slot) const { return balls_.value(slot); }
-  BallId ball_id(Slot slot) const { return balls_.id(slot); }
-  Slot ball_slot_of(BallId id) const { return balls_.slot_of(id); }
-  std::vector<Slot> ball_slots_in_input_order() const { return balls_.by_age(); }
+  bool is_ball_alive(BallSlot slot) const { return balls_.is_alive(slot); }
+  const Disk& disk(BallSlot slot) const { return balls_.value(slot); }
+  BallId ball_id(BallSlot slot) const { return balls_.id(slot); }
+  BallSlot ball_slot_of(BallId id) const { return balls_.slot_of(id); }
+  std::vector<BallSlot> ball_slots_in_input_order() const { return balls_.by_age(); }
 
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
   /// Bounding box of samples and balls; finite. O(n).
@@ -90,15 +90,15 @@ class Document {
   // For commands.
   SampleId next_id() const { return SampleId{samples_.next_id()}; }
   BallId next_ball_id() const { return BallId{balls_.next_id()}; }
-  Slot slot_for_new_sample(std::size_t i) const { return samples_.slot_for_new(i); }
-  Slot slot_for_new_ball(std::size_t i) const { return balls_.slot_for_new(i); }
+  SampleSlot slot_for_new_sample(std::size_t i) const { return samples_.slot_for_new(i); }
+  BallSlot slot_for_new_ball(std::size_t i) const { return balls_.slot_for_new(i); }
   std::uint64_t next_revision() const { return highest_revision_ + 1; }
   std::shared_ptr<const SampleSnapshot> snapshot() const;
   std::shared_ptr<const BallSnapshot> ball_snapshot() const;
 
  private:
-  std::uint64_t digest_of_sample(Slot slot) const;
-  std::uint64_t digest_of_ball(Slot slot) const;
+  std::uint64_t digest_of_sample(SampleSlot slot) const;
+  std::uint64_t digest_of_ball(BallSlot slot) const;
   void replace_all(const DocumentDelta& delta);
   void apply(const SampleEdit& edit);
   void apply(const BallEdit& edit);

@@ -10,6 +10,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/slot.h"
+#include "core/base/table.h"
 
 namespace mes {
 
@@ -23,17 +24,18 @@ template <class Value, class Tag>
 class Rows {
  public:
   using ThingId = Id<Tag>;
+  using Row = Slot<Tag>;
 
   std::size_t count() const { return alive_; }
   /// Rows in use or free.
   std::size_t row_count() const { return id_.size(); }
-  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
-  const Value& value(Slot slot) const { return value_[slot]; }
-  ThingId id(Slot slot) const { return id_[slot]; }
+  bool is_alive(Row slot) const { return id_.has(slot) && id_[slot].is_valid(); }
+  const Value& value(Row slot) const { return value_[slot]; }
+  ThingId id(Row slot) const { return id_[slot]; }
   /// Dead rows hold a default value and an invalid id.
-  const std::vector<Value>& values() const { return value_; }
-  const std::vector<ThingId>& ids() const { return id_; }
-  const std::vector<Slot>& free_slots() const { return free_; }
+  const Table<Row, Value>& values() const { return value_; }
+  const Table<Row, ThingId>& ids() const { return id_; }
+  const std::vector<Row>& free_slots() const { return free_; }
   std::uint32_t next_id() const { return next_id_; }
   /// The id that the first thing after the last replacement has or will have.
   std::uint32_t first_id() const { return first_id_; }
@@ -43,20 +45,20 @@ class Rows {
     first_id_ = next_id_ = id;
   }
   /// The row that the i-th of several insertions takes.
-  Slot slot_for_new(std::size_t i) const {
-    return i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<Slot>(id_.size() + i - free_.size());
+  Row slot_for_new(std::size_t i) const {
+    return i < free_.size() ? free_[free_.size() - 1 - i] : Row(id_.size() + i - free_.size());
   }
-  Slot slot_of(ThingId id) const {
+  Row slot_of(ThingId id) const {
     const std::uint32_t number = id.value - first_id_;
     return id.value >= first_id_ && number < slot_of_.size() ? slot_of_[number] : kNoSlot;
   }
   /// Live rows by increasing id. O(n log n).
-  std::vector<Slot> by_age() const {
-    std::vector<Slot> slots;
+  std::vector<Row> by_age() const {
+    std::vector<Row> slots;
     slots.reserve(alive_);
-    for (Slot slot = 0; slot < id_.size(); ++slot)
+    for (const Row slot : id_.rows())
       if (id_[slot].is_valid()) slots.push_back(slot);
-    std::ranges::sort(slots, {}, [this](Slot slot) { return id_[slot]; });
+    std::ranges::sort(slots, {}, [this](Row slot) { return id_[slot]; });
     return slots;
   }
 
@@ -72,11 +74,11 @@ class Rows {
     }
     grow(free_, free_.size() + removed);
   }
-  void insert(Slot slot, ThingId id, const Value& value) {
+  void insert(Row slot, ThingId id, const Value& value) {
     if (!free_.empty() && free_.back() == slot) {
       free_.pop_back();
     } else {
-      MES_ASSERT(slot == id_.size());
+      MES_ASSERT(slot == id_.next());
       value_.emplace_back();
       id_.emplace_back();
     }
@@ -86,7 +88,7 @@ class Rows {
     next_id_ = std::max(next_id_, id.value + 1);
     ++alive_;
   }
-  void remove(Slot slot, ThingId id) {
+  void remove(Row slot, ThingId id) {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
     set_slot(id, kNoSlot);
     id_[slot] = ThingId{};
@@ -94,12 +96,12 @@ class Rows {
     free_.push_back(slot);
     --alive_;
   }
-  void set(Slot slot, ThingId id, const Value& value) {
+  void set(Row slot, ThingId id, const Value& value) {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
     value_[slot] = value;
   }
   /// Other rows, with ids that go on from these.
-  Rows replaced_by(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots,
+  Rows replaced_by(Table<Row, Value> values, Table<Row, ThingId> ids, std::vector<Row> free_slots,
                    ThingId first) const {
     Rows out;
     out.next_id_ = next_id_;
@@ -108,31 +110,31 @@ class Rows {
   }
 
  private:
-  void take(std::vector<Value> values, std::vector<ThingId> ids, std::vector<Slot> free_slots, ThingId first) {
+  void take(Table<Row, Value> values, Table<Row, ThingId> ids, std::vector<Row> free_slots, ThingId first) {
     MES_ASSERT(values.size() == ids.size());
     first_id_ = first.value;
     value_ = std::move(values);
     id_ = std::move(ids);
     free_ = std::move(free_slots);
     next_id_ = std::max(next_id_, first_id_);
-    for (Slot slot = 0; slot < id_.size(); ++slot) {
+    for (const Row slot : id_.rows()) {
       if (!id_[slot].is_valid()) continue;
       set_slot(id_[slot], slot);
       next_id_ = std::max(next_id_, id_[slot].value + 1);
       ++alive_;
     }
   }
-  void set_slot(ThingId id, Slot slot) {
+  void set_slot(ThingId id, Row slot) {
     MES_ASSERT(id.value >= first_id_);
     const std::size_t number = id.value - first_id_;
     if (number >= slot_of_.size()) slot_of_.resize(number + 1, kNoSlot);
     slot_of_[number] = slot;
   }
 
-  std::vector<Value> value_;
-  std::vector<ThingId> id_;
-  std::vector<Slot> free_;
-  std::vector<Slot> slot_of_;  // by the number of an id, counted from the first
+  Table<Row, Value> value_;
+  Table<Row, ThingId> id_;
+  std::vector<Row> free_;
+  std::vector<Row> slot_of_;  // by the number of an id, counted from the first
   std::size_t alive_ = 0;
   std::uint32_t first_id_ = 0;
   std::uint32_t next_id_ = 0;

@@ -45,7 +45,7 @@ struct LayerDescriptor {
 /// Every layer, in default stacking order: first = bottom.
 std::span<const LayerDescriptor> layer_descriptors();
 
-/// Registry position of a public id, or kNoSlot.
+/// Registry position of a public id, or kNoLayer.
 LayerIndex find_layer(std::string_view id);
 
 }  // namespace mes

@@ -42,7 +42,7 @@ struct ElementType {
 
 struct Element {
   ElementType type;
-  Slot row = kNoSlot;
+  RowNumber row = 0xffffffffU;
 };
 
 /// What lies at a place, nearest in the topmost layer that has something within reach.

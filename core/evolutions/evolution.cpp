@@ -56,7 +56,8 @@ std::size_t EvolutionState::bytes_beside(const EvolutionState& first) const {
   std::size_t size = sizeof *this + positions.capacity() * sizeof(Vec2);
   if (numbers != first.numbers) size += numbers->capacity() * sizeof(std::uint32_t);
   if (!curve || curve == first.curve) return size;
-  for (const MovingCurve::Chain& chain : curve->chains) size += sizeof chain + chain.points.size() * sizeof(Slot);
+  for (const MovingCurve::Chain& chain : curve->chains)
+    size += sizeof chain + chain.points.size() * sizeof(std::uint32_t);
   return size;
 }
 
@@ -86,8 +87,9 @@ std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution) {
 EvolutionState state_of(const Document& document) {
   EvolutionState out;
   std::vector<std::uint32_t> numbers;
-  std::vector<std::uint32_t> place(document.next_id().value - document.first_id().value, kNoSlot);
-  for (const Slot slot : document.slots_in_input_order()) {
+  constexpr std::uint32_t kNoPlace = 0xffffffffU;
+  std::vector<std::uint32_t> place(document.next_id().value - document.first_id().value, kNoPlace);
+  for (const SampleSlot slot : document.slots_in_input_order()) {
     const std::uint32_t number = document.id(slot).value - document.first_id().value;
     place[number] = static_cast<std::uint32_t>(numbers.size());
     numbers.push_back(number);
@@ -98,7 +100,7 @@ EvolutionState state_of(const Document& document) {
   for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
     MovingCurve::Chain chain{contour.closed, {}};
     for (const SampleId id : contour.samples)
-      if (const std::uint32_t at = place[id.value - document.first_id().value]; at != kNoSlot)
+      if (const std::uint32_t at = place[id.value - document.first_id().value]; at != kNoPlace)
         chain.points.push_back(at);
     if (!chain.points.empty()) chains.push_back(std::move(chain));
   }

@@ -54,10 +54,11 @@ MovingCurve crust_curve(const std::vector<Vec2>& positions, JobControl& job) {
 
   MovingCurve out;
   // Of samples at one place the first stands for all.
-  std::vector<std::uint32_t> first(delaunay.site_rows(), kNoSlot);
+  constexpr std::uint32_t kNone = 0xffffffffU;
+  Table<SiteSlot, std::uint32_t> first(delaunay.site_rows(), kNone);
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    std::uint32_t& leader = first[delaunay.site_of_sample(i)];
-    if (leader == kNoSlot)
+    std::uint32_t& leader = first[delaunay.site_of_sample(SampleSlot(i))];
+    if (leader == kNone)
       leader = i;
     else
       out.followers.emplace_back(i, leader);
@@ -66,7 +67,7 @@ MovingCurve crust_curve(const std::vector<Vec2>& positions, JobControl& job) {
     if (chain.sites.empty()) continue;
     MovingCurve::Chain& to = out.chains.emplace_back(MovingCurve::Chain{chain.closed, {}});
     to.points.reserve(chain.sites.size());
-    for (const Slot site : chain.sites) to.points.push_back(first[site]);
+    for (const SiteSlot site : chain.sites) to.points.push_back(first[site]);
   }
   // Rows of the structures have an order of their own.
   std::ranges::sort(out.chains, {}, &MovingCurve::Chain::points);

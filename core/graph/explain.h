@@ -47,7 +47,10 @@ class Explanation {
   /// Lets the owner of the row speak; where there is none, every structure that is up to date, inputs first: each
   /// adds what it knows of the row.
   void about(const Element& element);
-  void about(ElementKind kind, Slot row) { about(Element{{kind, nullptr}, row}); }
+  template <class Tag>
+  void about(ElementKind kind, Slot<Tag> row) {
+    about(Element{{kind, nullptr}, row.index()});
+  }
 
   /// Null when it is not up to date.
   template <class T>

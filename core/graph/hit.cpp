@@ -18,7 +18,7 @@ double distance_to_line(Vec2 p, Vec2 a, Vec2 d, double low, double high) {
 
 }  // namespace
 
-void HitSearch::look_at(PrimitiveKind kind, const double* v, ElementType type, Slot row) {
+void HitSearch::look_at(PrimitiveKind kind, const double* v, ElementType type, RowNumber row) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const Vec2 a{v[0], v[1]};
   int rank = 1;

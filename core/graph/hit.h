@@ -15,7 +15,7 @@ class HitSearch {
  public:
   HitSearch(Vec2 at, double reach) : at_(at), reach_(reach) {}
   /// `values` as in core/draw/primitives.h.
-  void look_at(PrimitiveKind kind, const double* values, ElementType type, Slot row);
+  void look_at(PrimitiveKind kind, const double* values, ElementType type, RowNumber row);
 
   struct Hit {
     Element element;

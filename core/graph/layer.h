@@ -7,7 +7,7 @@
 // business.
 //
 // Smallest use:
-//     const auto emit = [&](Slot edge, Instance& out) {
+//     const auto emit = [&](EdgeSlot edge, Instance& out) {
 //       if (crust.is_crust(edge)) emit_edge(delaunay, edge, out);
 //     };
 //     return make_layer({.id = "curve", .kinds = {PrimitiveKind::segment}}, {&delaunay, &crust},
@@ -106,7 +106,7 @@ class InstancePlaces {
     row_at_[index_of(main_kind)].reserve(rows);
   }
   /// Bulk emission: the row's instance is the next of its kind.
-  void append(Slot row, const Instance& instance, LayerPatch& patch) {
+  void append(RowNumber row, const Instance& instance, LayerPatch& patch) {
     auto& rows = row_at_[index_of(instance.kind())];
     place_[row] = encode(instance.kind(), static_cast<std::uint32_t>(rows.size()));
     rows.push_back(row);
@@ -115,18 +115,18 @@ class InstancePlaces {
   void grow(std::size_t rows) {
     if (place_.size() < rows) place_.resize(rows, kNoPlace);
   }
-  void expect(Slot row) const { prefetch(place_.data() + row); }
+  void expect(RowNumber row) const { prefetch(place_.data() + row); }
   /// The row draws nothing any more.
-  void withdraw(Slot row) {
+  void withdraw(RowNumber row) {
     const std::uint32_t place = place_[row];
     if (place == kNoPlace) return;
     const std::size_t kind = place >> kIndexBits;
     const std::uint32_t index = place & kIndexMask;
-    row_at_[kind][index] = kNoSlot;
+    row_at_[kind][index] = kNoRow;
     holes_[kind].push_back(index);
     place_[row] = kNoPlace;
   }
-  void put(Slot row, const Instance& instance, LayerPatch& patch) {
+  void put(RowNumber row, const Instance& instance, LayerPatch& patch) {
     const std::size_t kind = index_of(instance.kind());
     if (place_[row] != kNoPlace && place_[row] >> kIndexBits != kind) withdraw(row);
     if (place_[row] == kNoPlace) {
@@ -150,14 +150,14 @@ class InstancePlaces {
       auto& holes = holes_[index_of(kind)];
       auto& rows = row_at_[index_of(kind)];
       const auto drop_tail = [&rows] {
-        while (!rows.empty() && rows.back() == kNoSlot) rows.pop_back();
+        while (!rows.empty() && rows.back() == kNoRow) rows.pop_back();
       };
       while (!holes.empty()) {
         drop_tail();
         const std::uint32_t hole = holes.back();
         holes.pop_back();
         if (hole >= rows.size()) continue;
-        const Slot row = rows.back();
+        const RowNumber row = rows.back();
         rows.pop_back();
         rows[hole] = row;
         place_[row] = encode(kind, hole);
@@ -176,6 +176,7 @@ class InstancePlaces {
 
  private:
   static constexpr std::uint32_t kNoPlace = 0xffffffffU;
+  static constexpr RowNumber kNoRow = 0xffffffffU;
   static constexpr unsigned kIndexBits = 29;
   static constexpr std::uint32_t kIndexMask = (1U << kIndexBits) - 1U;
   static_assert(kPrimitiveKinds <= std::size_t{1} << (32U - kIndexBits));
@@ -193,15 +194,16 @@ class InstancePlaces {
   }
 
   std::vector<std::uint32_t> place_;  // by row: kind and index
-  std::array<std::vector<Slot>, kPrimitiveKinds> row_at_;
+  std::array<std::vector<RowNumber>, kPrimitiveKinds> row_at_;
   std::array<std::vector<std::uint32_t>, kPrimitiveKinds> holes_;
 };
 
 /// `RowCount()` gives the number of rows, `Emit(row, instance)` looks at one, dead or alive.
-template <class RowCount, class Emit>
+template <class Row, class RowCount, class Emit>
 class TablePart final : public LayerPart {
  public:
-  TablePart(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes, Emit emit, ElementType element)
+  TablePart(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes, Emit emit,
+            ElementType element)
       : kinds_(std::move(kinds)), rows_(rows), changes_(changes), emit_(emit), element_(element) {}
 
   void reset(LayerPatch& patch) override {
@@ -215,35 +217,35 @@ class TablePart final : public LayerPart {
     patch[kinds_.front()].data.reserve(rows * stride_of(kinds_.front()));
     Instance instance;
     lost_.clear();
-    for (std::size_t row = 0; row < rows; ++row) {
+    for (RowNumber row = 0; row < rows; ++row) {
       instance.clear();
-      emit_(static_cast<Slot>(row), instance);
-      if (instance.is_set()) places_.append(static_cast<Slot>(row), instance, patch);
-      if (instance.is_lost()) lost_.insert(static_cast<Slot>(row));
+      emit_(Row(row), instance);
+      if (instance.is_set()) places_.append(row, instance, patch);
+      if (instance.is_lost()) lost_.insert(row);
     }
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
   }
 
   void update(LayerPatch& patch) override {
     places_.grow(rows_());
-    for (const Slot row : changes_.touched) places_.expect(row);
+    for (const Row row : changes_.touched) places_.expect(row.index());
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
-    for (const Slot row : changes_.removed) places_.withdraw(row);
+    for (const Row row : changes_.removed) places_.withdraw(row.index());
     if (!lost_.empty())
       for (const auto* rows : {&changes_.removed, &changes_.touched})
-        for (const Slot row : *rows) lost_.erase(row);
+        for (const Row row : *rows) lost_.erase(row.index());
     Instance instance;
-    for (const Slot row : changes_.touched) {
+    for (const Row row : changes_.touched) {
       instance.clear();
       emit_(row, instance);
-      if (instance.is_lost()) lost_.insert(row);
+      if (instance.is_lost()) lost_.insert(row.index());
       if (instance.is_set()) {
-        places_.put(row, instance, patch);
+        places_.put(row.index(), instance, patch);
       } else {
-        places_.withdraw(row);
+        places_.withdraw(row.index());
       }
     }
-    places_.close_holes(kinds_, patch, emit_);
+    places_.close_holes(kinds_, patch, [this](RowNumber row, Instance& out) { emit_(Row(row), out); });
   }
 
   std::size_t lost() const override { return lost_.size(); }
@@ -251,29 +253,29 @@ class TablePart final : public LayerPart {
   void look_for(HitSearch& search) const override {
     const std::size_t rows = rows_();
     Instance instance;
-    for (std::size_t row = 0; row < rows; ++row) {
+    for (RowNumber row = 0; row < rows; ++row) {
       instance.clear();
-      emit_(static_cast<Slot>(row), instance);
-      if (instance.is_set()) search.look_at(instance.kind(), instance.begin(), element_, static_cast<Slot>(row));
+      emit_(Row(row), instance);
+      if (instance.is_set()) search.look_at(instance.kind(), instance.begin(), element_, row);
     }
   }
 
  private:
   std::vector<PrimitiveKind> kinds_;
   RowCount rows_;
-  const ChangeSet& changes_;
+  const ChangeSet<Row>& changes_;
   Emit emit_;
   ElementType element_;
   InstancePlaces places_;
-  std::unordered_set<Slot> lost_;  // few, or none
+  std::unordered_set<RowNumber> lost_;  // few, or none
 };
 
-/// Part of a layer over one table. Each kind of a layer belongs to one part. `element` says what the rows are, for
-/// those who point at one.
-template <class RowCount, class Emit>
-std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet& changes,
+/// Part of a layer over one table, whose rows are of the kind of the change set. Each kind of primitive of a layer
+/// belongs to one part. `element` says what the rows are when one of them is pointed at.
+template <class Row, class RowCount, class Emit>
+std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes,
                                       Emit emit, ElementType element = {}) {
-  return std::make_unique<TablePart<RowCount, Emit>>(std::move(kinds), rows, changes, emit, element);
+  return std::make_unique<TablePart<Row, RowCount, Emit>>(std::move(kinds), rows, changes, emit, element);
 }
 
 struct Layer {

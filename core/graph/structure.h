@@ -58,8 +58,9 @@ class Structure {
   /// A judge without findings has proved the theorem for this input.
   virtual bool has_verdict() const { return is_judge(); }
   /// Adds what it knows of a row to the explanation; nothing when the row is dead. Called while the structure is up
-  /// to date: for rows of its own, and for rows that have no owner (core/graph/explain.h).
-  virtual void explain(ElementKind /*kind*/, Slot /*row*/, Explanation& /*out*/) const {}
+  /// to date: for rows of its own, and for rows that have no owner (core/graph/explain.h). The kind says which slot
+  /// the number is.
+  virtual void explain(ElementKind /*kind*/, RowNumber /*row*/, Explanation& /*out*/) const {}
 
  private:
   std::string_view id_;

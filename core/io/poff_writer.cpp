@@ -9,14 +9,14 @@
 namespace mes {
 
 std::string write_poff(const Document& document) {
-  const std::vector<Slot> slots = document.slots_in_input_order();
+  const std::vector<SampleSlot> slots = document.slots_in_input_order();
   constexpr std::size_t kTypicalLine = 40;
   std::string out = fmt::format("POFF {} 0 0\n", slots.size());
   out.reserve(out.size() + slots.size() * kTypicalLine);
-  // By slot: its number in the file.
-  std::vector<std::uint32_t> number(document.slot_count(), 0);
+  // In the file.
+  Table<SampleSlot, std::uint32_t> number(document.slot_count(), 0);
   std::uint32_t next = 0;
-  for (const Slot slot : slots) {
+  for (const SampleSlot slot : slots) {
     const Vec2 p = document.position(slot);
     append_number(out, p.x);
     out += ' ';
@@ -29,7 +29,7 @@ std::string write_poff(const Document& document) {
     out += contour.closed ? "# loop closed" : "# loop open";
     bool has_samples = false;
     for (const SampleId id : contour.samples) {
-      const Slot slot = document.slot_of(id);
+      const SampleSlot slot = document.slot_of(id);
       if (slot == kNoSlot) continue;
       out += ' ';
       out += std::to_string(number[slot]);

@@ -15,7 +15,7 @@ Match match(std::string_view bytes) {
 SampleData data_of(const Document& document) {
   SampleData out;
   std::unordered_map<SampleId, std::uint32_t> number;
-  for (const Slot slot : document.slots_in_input_order()) {
+  for (const SampleSlot slot : document.slots_in_input_order()) {
     number.emplace(document.id(slot), static_cast<std::uint32_t>(out.positions.size()));
     out.positions.push_back(document.position(slot));
   }
@@ -25,7 +25,7 @@ SampleData data_of(const Document& document) {
       if (const auto found = number.find(id); found != number.end()) to.points.push_back(found->second);
     if (!to.points.empty()) out.contours.push_back(std::move(to));
   }
-  for (const Slot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
+  for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
   return out;
 }
 

@@ -79,7 +79,7 @@ std::string write_wpoff(std::span<const Disk> balls) {
 std::string write_wpoff(const Document& document) {
   std::vector<Disk> balls;
   balls.reserve(document.ball_count());
-  for (const Slot slot : document.ball_slots_in_input_order()) balls.push_back(document.disk(slot));
+  for (const BallSlot slot : document.ball_slots_in_input_order()) balls.push_back(document.disk(slot));
   return write_wpoff(balls);
 }
 

@@ -16,7 +16,7 @@ Layer make_all_medial_axis_layer(const StructureSet& set) {
                      .kinds = {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}},
                     {&delaunay, &crust},
                     edges_part({PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}, delaunay,
-                               delaunay.edge_changes(), [&](Slot edge, Instance& out) {
+                               delaunay.edge_changes(), [&](EdgeSlot edge, Instance& out) {
                                  if (!crust.is_crust(edge))
                                    emit_dual(delaunay, crust, edge, out, contact_spread(delaunay, edge));
                                }));

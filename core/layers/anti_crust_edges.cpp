@@ -18,7 +18,7 @@ Layer make_anti_crust_edges_layer(const StructureSet& set) {
       {&crust, &diagram},
       table_part(
           {PrimitiveKind::segment}, [&diagram] { return diagram.edges().size(); }, crust.changes(),
-          [&](Slot row, Instance& out) {
+          [&](PowerEdgeSlot row, Instance& out) {
             const PowerEdge& edge = diagram.edges()[row];
             if (crust.is_crust(row) || diagram.is_at_infinity(edge.ball[0]) || diagram.is_at_infinity(edge.ball[1]))
               return;

@@ -17,7 +17,7 @@ Layer make_axis_difference_layer(const StructureSet& set) {
       {&difference},
       table_part(
           {PrimitiveKind::segment}, [&difference] { return difference.pieces().size(); }, difference.changes(),
-          [&difference](Slot row, Instance& out) {
+          [&difference](AxisDifference::PieceSlot row, Instance& out) {
             const AxisDifference::Piece& piece = difference.pieces()[row];
             out.segment(piece.a, piece.b, piece.only_one_step ? 1.0 : 2.0);
           }));

@@ -16,7 +16,7 @@ Layer make_axis_nodes_layer(const StructureSet& set) {
                      .style = {.color = palette::vermilion, .point_size_px = 6},
                      .kinds = {PrimitiveKind::point}},
                     {&delaunay, &axis, &nodes},
-                    faces_part({PrimitiveKind::point}, delaunay, nodes.changes(), [&](Slot face, Instance& out) {
+                    faces_part({PrimitiveKind::point}, delaunay, nodes.changes(), [&](FaceSlot face, Instance& out) {
                       if (axis.is_node(face) && axis.node_degree(face) != 2)
                         out.point(delaunay.circumcenter(face), axis.node_degree(face));
                     }));

@@ -18,7 +18,7 @@ Layer make_b_inner_centers_layer(const StructureSet& set) {
       {&balls},
       table_part(
           {PrimitiveKind::point}, [&balls] { return balls.row_count(); }, balls.changes(),
-          [&balls](Slot row, Instance& out) {
+          [&balls](BallSlot row, Instance& out) {
             if (!balls.is_alive(row)) return;
             const Disk disk = balls.disk(row);
             out.point(disk.center, disk.radius);

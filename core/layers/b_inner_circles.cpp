@@ -17,7 +17,7 @@ Layer make_b_inner_circles_layer(const StructureSet& set) {
                     {&balls},
                     table_part(
                         {PrimitiveKind::circle}, [&balls] { return balls.row_count(); }, balls.changes(),
-                        [&balls](Slot row, Instance& out) {
+                        [&balls](BallSlot row, Instance& out) {
                           if (!balls.is_alive(row)) return;
                           const Disk disk = balls.disk(row);
                           if (disk.radius > 0.0) out.circle(disk.center, disk.radius, disk.radius);

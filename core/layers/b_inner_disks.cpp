@@ -17,7 +17,7 @@ Layer make_b_inner_disks_layer(const StructureSet& set) {
                     {&balls},
                     table_part(
                         {PrimitiveKind::disk}, [&balls] { return balls.row_count(); }, balls.changes(),
-                        [&balls](Slot row, Instance& out) {
+                        [&balls](BallSlot row, Instance& out) {
                           if (!balls.is_alive(row)) return;
                           const Disk disk = balls.disk(row);
                           if (disk.radius > 0.0) out.disk(disk.center, disk.radius, disk.radius);

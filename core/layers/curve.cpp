@@ -16,7 +16,7 @@ Layer make_curve_layer(const StructureSet& set) {
        .style = {.color = palette::blue, .line_width_px = 2},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &crust},
-      edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), [&](Slot edge, Instance& out) {
+      edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), [&](EdgeSlot edge, Instance& out) {
         if (crust.is_crust(edge)) emit_edge(delaunay, edge, out, crust.confidence(edge));
       }));
 }

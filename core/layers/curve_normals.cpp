@@ -16,7 +16,7 @@ Layer make_curve_normals_layer(const StructureSet& set) {
        .style = {.color = palette::blue, .opacity = 0.6},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &curve},
-      sites_part({PrimitiveKind::segment}, delaunay, curve.site_changes(), [&](Slot site, Instance& out) {
+      sites_part({PrimitiveKind::segment}, delaunay, curve.site_changes(), [&](SiteSlot site, Instance& out) {
         if (!curve.has_normal(site)) return;
         const Vec2 p = delaunay.site_position(site);
         out.segment(p, p + 2.0 * curve.spacing(site) * curve.normal(site));

@@ -14,7 +14,7 @@ Layer make_delaunay_layer(const StructureSet& set) {
                      .kinds = {PrimitiveKind::segment}},
                     {&delaunay},
                     edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(),
-                               [&delaunay](Slot edge, Instance& out) { emit_edge(delaunay, edge, out); }));
+                               [&delaunay](EdgeSlot edge, Instance& out) { emit_edge(delaunay, edge, out); }));
 }
 
 }  // namespace mes

@@ -17,7 +17,7 @@ Layer make_label_conflicts_layer(const StructureSet& set) {
        .style = {.color = palette::vermilion, .line_width_px = 4, .dashed = true},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &crust, &labels},
-      edges_part({PrimitiveKind::segment}, delaunay, labels.edge_changes(), [&](Slot edge, Instance& out) {
+      edges_part({PrimitiveKind::segment}, delaunay, labels.edge_changes(), [&](EdgeSlot edge, Instance& out) {
         if (labels.is_conflict(edge)) emit_edge(delaunay, edge, out, crust.confidence(edge));
       }));
 }

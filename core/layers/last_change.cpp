@@ -17,13 +17,13 @@ Layer make_last_change_layer(const StructureSet& set) {
        .kinds = {PrimitiveKind::triangle, PrimitiveKind::segment}},
       {&delaunay, &last},
       faces_part({PrimitiveKind::triangle}, delaunay, last.face_changes(),
-                 [&](Slot face, Instance& out) {
+                 [&](FaceSlot face, Instance& out) {
                    if (!last.is_touched_face(face)) return;
                    const FaceRow& row = delaunay.face(face);
                    out.triangle(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1]),
                                 delaunay.site_position(row.v[2]));
                  }),
-      edges_part({PrimitiveKind::segment}, delaunay, last.edge_changes(), [&](Slot edge, Instance& out) {
+      edges_part({PrimitiveKind::segment}, delaunay, last.edge_changes(), [&](EdgeSlot edge, Instance& out) {
         if (last.is_touched_edge(edge)) emit_edge(delaunay, edge, out);
       }));
 }

@@ -20,7 +20,7 @@ LayerIndex find_layer(std::string_view id) {
   const auto descriptors = layer_descriptors();
   for (LayerIndex index = 0; index < descriptors.size(); ++index)
     if (descriptors[index].id == id) return index;
-  return kNoSlot;
+  return kNoLayer;
 }
 
 std::string_view title_of(LayerGroup group) {

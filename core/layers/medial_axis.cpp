@@ -19,7 +19,7 @@ Layer make_medial_axis_layer(const StructureSet& set) {
        .style = {.color = palette::vermilion, .line_width_px = 2.5},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &crust, &axis},
-      edges_part({PrimitiveKind::segment}, delaunay, axis.edge_changes(), [&](Slot edge, Instance& out) {
+      edges_part({PrimitiveKind::segment}, delaunay, axis.edge_changes(), [&](EdgeSlot edge, Instance& out) {
         if (axis.is_axis_edge(edge)) emit_dual(delaunay, crust, edge, out, contact_spread(delaunay, edge));
       }));
 }

@@ -19,7 +19,7 @@ Layer make_points_layer(const StructureSet& set) {
                     {&samples},
                     table_part(
                         {PrimitiveKind::point}, [&samples] { return samples.row_count(); }, samples.changes(),
-                        [&samples](Slot row, Instance& out) {
+                        [&samples](SampleSlot row, Instance& out) {
                           if (samples.is_alive(row)) out.point(samples.position(row), samples.id(row).value);
                         },
                         ElementType{ElementKind::sample}));

@@ -18,7 +18,7 @@ Layer make_power_crust_layer(const StructureSet& set) {
                     table_part(
                         {PrimitiveKind::line, PrimitiveKind::ray, PrimitiveKind::segment},
                         [&diagram] { return diagram.edges().size(); }, crust.changes(),
-                        [&](Slot edge, Instance& out) {
+                        [&](PowerEdgeSlot edge, Instance& out) {
                           if (crust.is_crust(edge)) emit_power_edge(diagram.edges()[edge], out);
                         },
                         ElementType{ElementKind::power_edge, &diagram}));

@@ -5,13 +5,16 @@
 namespace mes {
 namespace {
 
-void emit_face(const PrecisionDifference& difference, Slot row, Instance& out) {
+// Those of A, then those of B: a layer has one part of a kind.
+using DifferenceSlot = Slot<struct DifferenceTag>;
+
+void emit_face(const PrecisionDifference& difference, std::size_t row, Instance& out) {
   const PrecisionDifference::Face& face = difference.faces()[row];
   const BallFamily& family = difference.balls().family();
   out.triangle(family.disk(face.ball[0]).center, family.disk(face.ball[1]).center, family.disk(face.ball[2]).center,
                face.is_exact ? 1.0 : 2.0);
 }
-void emit_edge(const PrecisionDifference& difference, Slot row, Instance& out) {
+void emit_edge(const PrecisionDifference& difference, std::size_t row, Instance& out) {
   const PrecisionDifference::Edge& edge = difference.edges()[row];
   const BallFamily& family = difference.balls().family();
   out.segment(family.disk(edge.ball[0]).center, family.disk(edge.ball[1]).center,
@@ -23,7 +26,6 @@ void emit_edge(const PrecisionDifference& difference, Slot row, Instance& out) {
 Layer make_precision_difference_layer(const StructureSet& set) {
   const auto& a = set.get<APrecisionDifference>();
   const auto& b = set.get<BPrecisionDifference>();
-  // A layer has one part of a kind: the rows of B follow those of A.
   return make_layer(
       {.id = "precision-difference",
        .name = "Precision difference",
@@ -35,16 +37,17 @@ Layer make_precision_difference_layer(const StructureSet& set) {
        .kinds = {PrimitiveKind::triangle, PrimitiveKind::segment}},
       {&a, &b},
       table_part(
-          {PrimitiveKind::triangle}, [&] { return a.faces().size() + b.faces().size(); }, a.changes(),
-          [&](Slot row, Instance& out) {
-            const Slot of_a = static_cast<Slot>(a.faces().size());
-            row < of_a ? emit_face(a, row, out) : emit_face(b, row - of_a, out);
+          {PrimitiveKind::triangle}, [&] { return a.faces().size() + b.faces().size(); },
+          no_changes<DifferenceSlot>(),
+          [&](DifferenceSlot row, Instance& out) {
+            const std::size_t of_a = a.faces().size();
+            row.index() < of_a ? emit_face(a, row.index(), out) : emit_face(b, row.index() - of_a, out);
           }),
       table_part(
-          {PrimitiveKind::segment}, [&] { return a.edges().size() + b.edges().size(); }, a.changes(),
-          [&](Slot row, Instance& out) {
-            const Slot of_a = static_cast<Slot>(a.edges().size());
-            row < of_a ? emit_edge(a, row, out) : emit_edge(b, row - of_a, out);
+          {PrimitiveKind::segment}, [&] { return a.edges().size() + b.edges().size(); }, no_changes<DifferenceSlot>(),
+          [&](DifferenceSlot row, Instance& out) {
+            const std::size_t of_a = a.edges().size();
+            row.index() < of_a ? emit_edge(a, row.index(), out) : emit_edge(b, row.index() - of_a, out);
           }));
 }
 

@@ -114,19 +114,19 @@ Layer with_balls(BallSet balls, const StructureSet& set, const Use& use) {
   const auto& poles = set.get<Poles>();
   const auto& pole_labels = set.get<PoleLabels>();
   switch (balls) {
-    case BallSet::voronoi: return use({&delaunay}, delaunay.face_changes(), [](Slot) { return true; });
+    case BallSet::voronoi: return use({&delaunay}, delaunay.face_changes(), [](FaceSlot) { return true; });
     case BallSet::exterior_voronoi:
-      return use({&delaunay, &labels}, labels.face_changes(), [&](Slot face) { return !labels.is_inside(face); });
+      return use({&delaunay, &labels}, labels.face_changes(), [&](FaceSlot face) { return !labels.is_inside(face); });
     case BallSet::interior_voronoi:
-      return use({&delaunay, &inner}, inner.changes(), [&](Slot face) { return inner.is_ball(face); });
+      return use({&delaunay, &inner}, inner.changes(), [&](FaceSlot face) { return inner.is_ball(face); });
     case BallSet::exterior_polar:
       return use({&delaunay, &poles, &pole_labels}, pole_labels.changes(),
-                 [&](Slot face) { return poles.is_pole(face) && !pole_labels.is_inside(face); });
+                 [&](FaceSlot face) { return poles.is_pole(face) && !pole_labels.is_inside(face); });
     case BallSet::polar:
-      return use({&delaunay, &poles}, poles.face_changes(), [&](Slot face) { return poles.is_pole(face); });
+      return use({&delaunay, &poles}, poles.face_changes(), [&](FaceSlot face) { return poles.is_pole(face); });
     case BallSet::interior_polar:
       return use({&delaunay, &pole_labels}, pole_labels.changes(),
-                 [&](Slot face) { return pole_labels.is_inside_pole(face); });
+                 [&](FaceSlot face) { return pole_labels.is_inside_pole(face); });
   }
   assertion_failed("every set of balls has its layers", __FILE_NAME__, __LINE__);
 }
@@ -138,10 +138,10 @@ std::vector<Layer> ball_layers(std::span<const BallLayer> layers, PrimitiveKind 
   const auto& delaunay = set.get<Delaunay>();
   std::vector<Layer> out;
   for (const BallLayer& layer : layers) {
-    const auto make = [&](std::vector<const Structure*> structures, const ChangeSet& changes, auto holds) {
+    const auto make = [&](std::vector<const Structure*> structures, const ChangeSet<FaceSlot>& changes, auto holds) {
       return make_layer(
           descriptor_of(layer, kind), std::move(structures),
-          faces_part({kind}, delaunay, changes, [&delaunay, holds, draw](Slot face, Instance& instance) {
+          faces_part({kind}, delaunay, changes, [&delaunay, holds, draw](FaceSlot face, Instance& instance) {
             if (holds(face)) draw(instance, delaunay.circumcenter(face), delaunay.circumradius(face));
           }));
     };

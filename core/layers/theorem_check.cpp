@@ -17,10 +17,10 @@ Layer make_theorem_check_layer(const StructureSet& set) {
        .kinds = {PrimitiveKind::segment, PrimitiveKind::point}},
       {&delaunay, &certificate},
       edges_part({PrimitiveKind::segment}, delaunay, certificate.edge_changes(),
-                 [&](Slot edge, Instance& out) {
+                 [&](EdgeSlot edge, Instance& out) {
                    if (certificate.is_bad_edge(edge)) emit_edge(delaunay, edge, out);
                  }),
-      sites_part({PrimitiveKind::point}, delaunay, certificate.site_changes(), [&](Slot site, Instance& out) {
+      sites_part({PrimitiveKind::point}, delaunay, certificate.site_changes(), [&](SiteSlot site, Instance& out) {
         if (certificate.is_bad_site(site)) out.point(delaunay.site_position(site));
       }));
 }

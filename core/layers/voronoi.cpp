@@ -17,7 +17,7 @@ Layer make_voronoi_layer(const StructureSet& set) {
        .kinds = {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}},
       {&delaunay, &crust},
       edges_part({PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line}, delaunay, delaunay.edge_changes(),
-                 [&](Slot edge, Instance& out) { emit_dual(delaunay, crust, edge, out); }));
+                 [&](EdgeSlot edge, Instance& out) { emit_dual(delaunay, crust, edge, out); }));
 }
 
 }  // namespace mes

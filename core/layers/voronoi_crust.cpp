@@ -16,7 +16,7 @@ Layer make_voronoi_crust_layer(const StructureSet& set) {
        .style = {.color = palette::blue, .opacity = 0.8, .line_width_px = 2},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &labels},
-      edges_part({PrimitiveKind::segment}, delaunay, labels.edge_changes(), [&](Slot edge, Instance& out) {
+      edges_part({PrimitiveKind::segment}, delaunay, labels.edge_changes(), [&](EdgeSlot edge, Instance& out) {
         const EdgeRow& row = delaunay.edge(edge);
         if (row.f[0] == kNoSlot) return;
         if (labels.is_inside(row.f[0]) != labels.is_inside(row.f[1])) emit_edge(delaunay, edge, out);

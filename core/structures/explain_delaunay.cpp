@@ -17,7 +17,7 @@ namespace mes {
 namespace {
 
 // The Voronoi edge; one that leads to infinity as a ray.
-void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, Slot edge) {
+void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, EdgeSlot edge) {
   const EdgeRow& row = delaunay.edge(edge);
   const Vec2 a = delaunay.site_position(row.v[0]);
   const Vec2 b = delaunay.site_position(row.v[1]);
@@ -28,20 +28,20 @@ void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, Slot edge) {
   if (left) return shapes.ray(delaunay.circumcenter(row.f[0]), -perpendicular(b - a));
   shapes.ray(delaunay.circumcenter(row.f[1]), perpendicular(b - a));
 }
-void add_triangle(ProvenanceShapes& shapes, const Delaunay& delaunay, Slot face) {
+void add_triangle(ProvenanceShapes& shapes, const Delaunay& delaunay, FaceSlot face) {
   const auto& v = delaunay.face(face).v;
   shapes.triangle(delaunay.site_position(v[0]), delaunay.site_position(v[1]), delaunay.site_position(v[2]));
 }
-Disk disk_of(const Delaunay& delaunay, Slot face) {
+Disk disk_of(const Delaunay& delaunay, FaceSlot face) {
   return {delaunay.circumcenter(face), delaunay.circumradius(face)};
 }
 
-void explain_site(const Delaunay& delaunay, Slot site, Explanation& out) {
+void explain_site(const Delaunay& delaunay, SiteSlot site, Explanation& out) {
   if (!delaunay.is_site(site)) return;
   ProvenanceShapes shapes;
   shapes.point(delaunay.site_position(site));
   std::size_t copies = 0;
-  for (Slot s = delaunay.site_sample(site); s != kNoSlot; s = delaunay.next_duplicate(s)) ++copies;
+  for (SampleSlot s = delaunay.site_sample(site); s != kNoSlot; s = delaunay.next_duplicate(s)) ++copies;
   out.say(ProvenanceRole::itself,
           "Sample at " + place_text(delaunay.site_position(site)) +
               (copies > 1 ? ", " + std::to_string(copies) + " times" : ""),
@@ -49,8 +49,8 @@ void explain_site(const Delaunay& delaunay, Slot site, Explanation& out) {
   ProvenanceShapes cell, curve, balls;
   const auto* crust = out.current<OneStepCrust>();
   const auto* inner = out.current<InnerBalls>();
-  std::vector<Slot> seen;
-  delaunay.for_each_edge_at(site, [&](Slot edge, Slot other, Slot left) {
+  std::vector<FaceSlot> seen;
+  delaunay.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot left) {
     add_dual(cell, delaunay, edge);
     if (crust != nullptr && crust->is_crust(edge))
       curve.segment(delaunay.site_position(site), delaunay.site_position(other));
@@ -64,10 +64,10 @@ void explain_site(const Delaunay& delaunay, Slot site, Explanation& out) {
   out.say_any(ProvenanceRole::product, "inner Voronoi ball touches it", "inner Voronoi balls touch it", balls);
 }
 
-void explain_voronoi_vertex(const Delaunay& delaunay, Slot face, Explanation& out) {
+void explain_voronoi_vertex(const Delaunay& delaunay, FaceSlot face, Explanation& out) {
   if (!delaunay.is_finite_face(face)) return;
   const auto* vertices = out.current<VoronoiVertices>();
-  const Slot vertex = vertices != nullptr ? vertices->vertex(face) : face;
+  const FaceSlot vertex = vertices != nullptr ? vertices->vertex(face) : face;
   const Disk disk = disk_of(delaunay, vertex);
   const auto* labels = out.current<Labels>();
   const bool is_inside = labels != nullptr && labels->is_inside(face);
@@ -79,21 +79,21 @@ void explain_voronoi_vertex(const Delaunay& delaunay, Slot face, Explanation& ou
       std::string(labels == nullptr ? "Voronoi vertex" : (is_inside ? "Inner Voronoi ball" : "Outer Voronoi ball")) +
           " at " + place_text(disk.center) + ", radius " + number_text(disk.radius),
       itself);
-  std::vector<Slot> sites;
-  std::vector<Slot> faces{face};
+  std::vector<SiteSlot> sites;
+  std::vector<FaceSlot> faces{face};
   if (vertices != nullptr) {
     vertices->append_sites(face, sites);
     if (const auto* group = vertices->group(face)) faces = *group;
   } else {
     sites.assign(std::begin(delaunay.face(face).v), std::end(delaunay.face(face).v));
   }
-  for (const Slot site : sites) samples.point(delaunay.site_position(site));
+  for (const SiteSlot site : sites) samples.point(delaunay.site_position(site));
   out.say(ProvenanceRole::origin, "touches " + count_text(sites.size(), "sample", "samples"), samples);
   const auto* crust = out.current<OneStepCrust>();
   const auto* medial = out.current<MedialAxis>();
-  for (const Slot f : faces) {
+  for (const FaceSlot f : faces) {
     add_triangle(triangles, delaunay, f);
-    for (const Slot edge : delaunay.face(f).e) {
+    for (const EdgeSlot edge : delaunay.face(f).e) {
       if (edge == kNoSlot || (crust != nullptr && crust->is_cocircular(edge))) continue;
       add_dual(medial != nullptr && medial->is_axis_edge(edge) ? axis : edges, delaunay, edge);
     }
@@ -103,7 +103,7 @@ void explain_voronoi_vertex(const Delaunay& delaunay, Slot face, Explanation& ou
   out.say_any(ProvenanceRole::product, "other Voronoi edge", "other Voronoi edges", edges);
 }
 
-void explain_edge(const Delaunay& delaunay, Slot edge, Explanation& out) {
+void explain_edge(const Delaunay& delaunay, EdgeSlot edge, Explanation& out) {
   if (!delaunay.edge(edge).is_alive()) return;
   const EdgeRow& row = delaunay.edge(edge);
   const Vec2 a = delaunay.site_position(row.v[0]);
@@ -121,7 +121,7 @@ void explain_edge(const Delaunay& delaunay, Slot edge, Explanation& out) {
   samples.point(a);
   samples.point(b);
   out.say(ProvenanceRole::origin, "2 samples, both at equal distance all along the Voronoi edge", samples);
-  for (const Slot face : row.f) {
+  for (const FaceSlot face : row.f) {
     if (face == kNoSlot || !delaunay.is_finite_face(face)) continue;
     add_triangle(triangles, delaunay, face);
     balls.circle(disk_of(delaunay, face));
@@ -132,14 +132,14 @@ void explain_edge(const Delaunay& delaunay, Slot edge, Explanation& out) {
 
 }  // namespace
 
-void Delaunay::explain(ElementKind kind, Slot row, Explanation& out) const {
+void Delaunay::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   switch (kind) {
     case ElementKind::sample:
-      if (const Slot site = site_of_sample(row); site != kNoSlot) out.about(ElementKind::site, site);
+      if (const SiteSlot site = site_of_sample(SampleSlot(row)); site != kNoSlot) out.about(ElementKind::site, site);
       return;
-    case ElementKind::site: return explain_site(*this, row, out);
-    case ElementKind::voronoi_vertex: return explain_voronoi_vertex(*this, row, out);
-    case ElementKind::delaunay_edge: return explain_edge(*this, row, out);
+    case ElementKind::site: return explain_site(*this, SiteSlot(row), out);
+    case ElementKind::voronoi_vertex: return explain_voronoi_vertex(*this, FaceSlot(row), out);
+    case ElementKind::delaunay_edge: return explain_edge(*this, EdgeSlot(row), out);
     default: return;
   }
 }

@@ -53,7 +53,7 @@ void upload(benchmark::State& state, RatioTable& table, std::size_t n) {
   Rng rng(3);
   std::vector<double> bytes;
   for (auto _ : state) {
-    const auto slot = static_cast<Slot>(rng.below(n));
+    const SampleSlot slot(rng.below(n));
     const Vec2 to = document.position(slot) + Vec2{1e-3 * rng.uniform(), 1e-3 * rng.uniform()};
     const auto delta = move_samples(document, std::vector{std::pair{document.id(slot), to}});
     bytes.push_back(step(std::make_shared<const DocumentDelta>(*delta)));

@@ -34,7 +34,7 @@ struct Track {
     document.apply(*delta);
     graph.post(delta);
     graph.run(patch, job);
-    for (Slot slot = 0; slot < points.size(); ++slot) ids.push_back(document.id(slot));
+    for (const SampleSlot slot : slots_below<SampleSlot>(points.size())) ids.push_back(document.id(slot));
     ids.emplace_back();  // of the extra sample that `insert` takes
     raw.insert_range_and_index(points);
   }
@@ -158,7 +158,7 @@ void hand_over(benchmark::State& state, RatioTable& table) {
   Rng rng(7);
   std::vector<double> times;
   for (auto _ : state) {
-    const Slot slot = static_cast<Slot>(rng.below(10000));
+    const SampleSlot slot(rng.below(10000));
     const Vec2 p = document.position(slot) + Vec2{1e-3 * rng.uniform(), 1e-3 * rng.uniform()};
     const auto delta =
         std::make_shared<const DocumentDelta>(*move_samples(document, std::vector{std::pair{document.id(slot), p}}));

@@ -117,7 +117,7 @@ void drag(benchmark::State& state, RatioTable& table, std::size_t n) {
   RawDelaunay raw;
   raw.insert_range_and_index(points);
   std::vector<SampleId> ids;
-  for (Slot slot = 0; slot < points.size(); ++slot) ids.push_back(bed.document.id(slot));
+  for (const SampleSlot slot : slots_below<SampleSlot>(points.size())) ids.push_back(bed.document.id(slot));
   Rng rng(42);
   std::vector<double> ours, theirs;
   for (auto _ : state) {

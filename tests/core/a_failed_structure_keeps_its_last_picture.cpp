@@ -22,7 +22,7 @@ class Shaky final : public Structure {
  public:
   explicit Shaky(Samples& samples) : Structure("shaky", {&samples}), samples_(samples) {}
   const Samples& samples() const { return samples_; }
-  const ChangeSet& changes() const { return samples_.changes(); }
+  const ChangeSet<SampleSlot>& changes() const { return samples_.changes(); }
 
   void rebuild(JobControl&) override { attempt(); }
   bool update(JobControl&) override {
@@ -36,7 +36,7 @@ class Shaky final : public Structure {
  private:
   void attempt() {
     ++attempts_;
-    for (Slot slot = 0; slot < samples_.row_count(); ++slot) {
+    for (const SampleSlot slot : slots_below<SampleSlot>(samples_.row_count())) {
       if (!samples_.is_alive(slot)) continue;
       const double y = samples_.position(slot).y;
       if (y == -1.0) throw GeometryError("a sample lies at -1", {samples_.id(slot)});
@@ -69,7 +69,7 @@ Layer points_of(std::string_view id, const Structure& structure, const Samples& 
   layer.structures = {&structure};
   layer.parts.push_back(table_part(
       {PrimitiveKind::point}, [&samples] { return samples.row_count(); }, samples.changes(),
-      [&samples](Slot slot, Instance& out) {
+      [&samples](SampleSlot slot, Instance& out) {
         if (samples.is_alive(slot)) out.point(samples.position(slot));
       }));
   return layer;
@@ -228,7 +228,7 @@ TEST_CASE("a structure that fails from the beginning has no picture, and recover
   CHECK(bench.contents.count(kShaky, kPoint) == 0);
   bench.insert({1, 1});
   CHECK(bench.contents.count(kShaky, kPoint) == 0);
-  bench.post(move_samples(bench.document, std::vector{std::pair{bench.document.id(0), Vec2{0, 5}}}));
+  bench.post(move_samples(bench.document, std::vector{std::pair{bench.document.id(SampleSlot(0)), Vec2{0, 5}}}));
   CHECK(bench.report("shaky").state == NodeState::up_to_date);
   CHECK(bench.contents.count(kShaky, kPoint) == 2);
 }
@@ -335,7 +335,7 @@ TEST_CASE("the engine outlives failures") {
   insert({2, 0});
   CHECK(contents.count(kShaky, kPoint) == 1);
   CHECK(contents.count(kSteady, kPoint) == 3);
-  const auto delta = remove_samples(document, std::vector{document.id(1)});
+  const auto delta = remove_samples(document, std::vector{document.id(SampleSlot(1))});
   document.apply(*delta);
   engine.post(std::make_shared<const DocumentDelta>(*delta));
   insert({3, 0});

@@ -73,7 +73,7 @@ class Script {
         // All samples at once, far away now and then: the pictures are then drawn in another frame.
         const double far = rng_.below(3) == 0 ? 0x1p30 : 0.0;
         std::vector<Vec2> positions;
-        for (const Slot slot : slots) positions.push_back(0.99 * document_.position(slot) + Vec2{far, 0.0});
+        for (const SampleSlot slot : slots) positions.push_back(0.99 * document_.position(slot) + Vec2{far, 0.0});
         apply(arrange_samples(document_, positions, {}));
         break;
       }
@@ -99,8 +99,8 @@ class Script {
     fresh.graph.post_settings(settings_);
     fresh.graph.set_demand(shown_);
     SampleData data;
-    for (const Slot slot : document_.slots_in_input_order()) data.positions.push_back(document_.position(slot));
-    for (const Slot slot : document_.ball_slots_in_input_order()) data.balls.push_back(document_.disk(slot));
+    for (const SampleSlot slot : document_.slots_in_input_order()) data.positions.push_back(document_.position(slot));
+    for (const BallSlot slot : document_.ball_slots_in_input_order()) data.balls.push_back(document_.disk(slot));
     Document document;
     fresh.graph.post(std::make_shared<const DocumentDelta>(*replace_all(document, data)));
     REQUIRE(fresh.run(kNever));

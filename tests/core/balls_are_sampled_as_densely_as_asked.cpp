@@ -55,7 +55,7 @@ class Sampled {
 
 std::vector<Disk> disks_of(const SampledBalls& balls) {
   std::vector<Disk> out;
-  for (Slot row = 0; row < balls.rows(); ++row)
+  for (const SampledSlot row : slots_below<SampledSlot>(balls.rows()))
     if (balls.is_alive(row)) out.push_back(balls.disk(row));
   return out;
 }
@@ -69,7 +69,7 @@ SampleData some_balls(std::size_t count, std::uint64_t seed) {
 }
 
 bool is_in_union(const BallUnion& balls, Vec2 p) {
-  for (Slot row = 0; row < balls.tables().balls.size(); ++row) {
+  for (const FamilySlot row : balls.tables().balls.rows()) {
     if (balls.tables().balls[row] == BallState::none) continue;
     const Disk disk = balls.family().disk(row);
     if (distance(p, disk.center) <= disk.radius + 1e-9) return true;

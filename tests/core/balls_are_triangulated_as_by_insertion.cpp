@@ -44,7 +44,7 @@ TEST_CASE("balls are triangulated as by insertion one by one") {
     Rng rng(static_cast<std::uint64_t>(run) + 1);
     const int kind = run % 5;
     const std::size_t count = 3 + rng.below(run % 50 == 2 ? 3000 : 60);
-    std::vector<Ball> balls;
+    Table<InputSlot, Ball> balls;
     while (balls.size() < count) {
       balls.push_back(ball_of(kind, count, rng));
       if (rng.below(10) == 0) balls.push_back({balls.back().x, balls.back().y, balls.back().w * 0.9});

@@ -101,7 +101,7 @@ constexpr std::array kTops{-400, -250, 0, 180, 350, 499};
 void require_exact_decisions(const Workbench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& crust = bench.get<OneStepCrust>();
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
     if (!delaunay.edge(edge).is_alive() || delaunay.dimension() < 2) continue;
     const EdgeCorners corners = crust.corners(edge);
     const ExactEdge exact = exact_edge(corners);
@@ -135,14 +135,14 @@ void require_nothing_missing(const Workbench& bench, const std::vector<Disk>& ba
   std::size_t faces = 0;
   std::size_t inner = 0;
   std::size_t edges = 0;
-  for (Slot face = 0; face < delaunay.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay.face_slots()) {
     if (!delaunay.face(face).is_alive() || !delaunay.is_finite_face(face)) continue;
     ++faces;
     inner += bench.get<InnerBalls>().is_ball(face) ? 1U : 0U;
     const double radius = delaunay.circumradius(face);
     if (!(is_finite(delaunay.circumcenter(face)) && std::isnormal(radius))) FAIL("a circumcircle is none");
   }
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) edges += delaunay.edge(edge).is_alive() ? 1U : 0U;
+  for (const EdgeSlot edge : delaunay.edge_slots()) edges += delaunay.edge(edge).is_alive() ? 1U : 0U;
   const auto count = [&](std::string_view layer, PrimitiveKind kind) {
     return bench.contents().count(find_layer(layer), kind);
   };

@@ -98,7 +98,7 @@ TEST_CASE("a drag of a thousand moves is one step with one delta") {
   Document document;
   History history;
   do_step(document, history, insert_samples(document, std::vector<Vec2>{{1, 2}}));
-  const SampleId id = document.id(0);
+  const SampleId id = document.id(SampleSlot(0));
   history.begin_gesture("drag");
   for (int i = 0; i < 1000; ++i)
     do_step(document, history, move_samples(document, std::vector<std::pair<SampleId, Vec2>>{{id, {0.5 * i, 3}}}));
@@ -108,7 +108,7 @@ TEST_CASE("a drag of a thousand moves is one step with one delta") {
   REQUIRE(deltas.size() == 1);
   REQUIRE(deltas[0].edits.size() == 1);
   document.apply(deltas[0]);
-  REQUIRE(document.position(0) == Vec2{1, 2});
+  REQUIRE(document.position(SampleSlot(0)) == Vec2{1, 2});
 }
 
 TEST_CASE("a long drag of samples and balls is one step with one delta") {
@@ -118,25 +118,25 @@ TEST_CASE("a long drag of samples and balls is one step with one delta") {
   do_step(document, history, insert_balls(document, std::vector<Disk>{{{5, 6}, 7}, {{8, 9}, 0}}));
   history.begin_gesture("drag");
   for (int i = 1; i <= 1000; ++i) {
-    const std::vector<std::pair<SampleId, Vec2>> moves{{document.id(0), {0.5 * i, 3}}};
-    const std::vector<std::pair<BallId, Disk>> changes{{document.ball_id(1), {{0.25 * i, 1}, 2.0}},
-                                                       {document.ball_id(0), {{5, 6}, 0.125 * i}}};
+    const std::vector<std::pair<SampleId, Vec2>> moves{{document.id(SampleSlot(0)), {0.5 * i, 3}}};
+    const std::vector<std::pair<BallId, Disk>> changes{{document.ball_id(BallSlot(1)), {{0.25 * i, 1}, 2.0}},
+                                                       {document.ball_id(BallSlot(0)), {{5, 6}, 0.125 * i}}};
     do_step(document, history, change_document(document, {.moved = moves, .changed_balls = changes}));
   }
   // Another ball than before begins a delta of its own.
   do_step(document, history,
-          change_balls(document, std::vector<std::pair<BallId, Disk>>{{document.ball_id(0), {{5, 6}, 1}}}));
+          change_balls(document, std::vector<std::pair<BallId, Disk>>{{document.ball_id(BallSlot(0)), {{5, 6}, 1}}}));
   history.end_gesture();
   REQUIRE(history.step_count() == 3);
-  REQUIRE(document.disk(0) == Disk{{5, 6}, 1});
+  REQUIRE(document.disk(BallSlot(0)) == Disk{{5, 6}, 1});
   const auto deltas = history.undo();
   REQUIRE(deltas.size() == 2);
   REQUIRE(deltas[1].edits.size() == 1);
   REQUIRE(deltas[1].ball_edits.size() == 2);
   for (const auto& delta : deltas) document.apply(delta);
-  REQUIRE(document.position(0) == Vec2{1, 2});
-  REQUIRE(document.disk(0) == Disk{{5, 6}, 7});
-  REQUIRE(document.disk(1) == Disk{{8, 9}, 0});
+  REQUIRE(document.position(SampleSlot(0)) == Vec2{1, 2});
+  REQUIRE(document.disk(BallSlot(0)) == Disk{{5, 6}, 7});
+  REQUIRE(document.disk(BallSlot(1)) == Disk{{8, 9}, 0});
 }
 
 TEST_CASE("the digest sees every number of a ball, and which ball has it") {
@@ -179,9 +179,9 @@ TEST_CASE("commands of balls refuse what cannot be and change nothing") {
 
   document.apply(insert_balls(document, std::vector{Disk{{-0.0, 1}, -0.0}, Disk{{1, 1}, 2}}).value());
   REQUIRE(document.ball_count() == 2);
-  CHECK_FALSE(std::signbit(document.disk(0).center.x));
-  CHECK_FALSE(std::signbit(document.disk(0).radius));
-  const BallId id = document.ball_id(0);
+  CHECK_FALSE(std::signbit(document.disk(BallSlot(0)).center.x));
+  CHECK_FALSE(std::signbit(document.disk(BallSlot(0)).radius));
+  const BallId id = document.ball_id(BallSlot(0));
   CHECK_THAT(says(remove_balls(document, std::vector{BallId{99}})), Catch::Contains("ball 99 does not exist"));
   CHECK_THAT(says(remove_balls(document, std::vector{id, id})), Catch::Contains("named twice"));
   using Target = std::pair<BallId, Disk>;
@@ -189,7 +189,7 @@ TEST_CASE("commands of balls refuse what cannot be and change nothing") {
   CHECK_THAT(says(change_balls(document, std::vector<Target>{{id, {}}, {id, {}}})), Catch::Contains("named twice"));
   CHECK_THAT(says(change_balls(document, std::vector<Target>{{id, {{0, 0}, -2}}})), Catch::Contains("negative"));
   CHECK_THAT(says(change_balls(document, std::vector<Target>{{id, {{0, inf}, 2}}})), Catch::Contains("finite"));
-  CHECK(document.disk(0) == Disk{{0, 1}, 0});
+  CHECK(document.disk(BallSlot(0)) == Disk{{0, 1}, 0});
   CHECK(change_balls(document, std::vector<Target>{{id, {{0, 1}, 0}}}).value().is_empty());
 }
 
@@ -206,8 +206,8 @@ TEST_CASE("commands refuse what cannot be and change nothing") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   REQUIRE_FALSE(insert_samples(document, std::vector<Vec2>{{0, nan}}).has_value());
   document.apply(*insert_samples(document, std::vector<Vec2>{{-0.0, 1}}));
-  REQUIRE_FALSE(std::signbit(document.position(0).x));
-  const SampleId id = document.id(0);
+  REQUIRE_FALSE(std::signbit(document.position(SampleSlot(0)).x));
+  const SampleId id = document.id(SampleSlot(0));
   REQUIRE_FALSE(remove_samples(document, std::vector{SampleId{99}}).has_value());
   REQUIRE_FALSE(remove_samples(document, std::vector{id, id}).has_value());
   const double inf = std::numeric_limits<double>::infinity();
@@ -219,18 +219,18 @@ TEST_CASE("commands refuse what cannot be and change nothing") {
 TEST_CASE("ids are never given twice, even when rows are used again") {
   Document document;
   document.apply(*insert_samples(document, std::vector<Vec2>{{0, 0}, {1, 0}}));
-  const SampleId first = document.id(0);
+  const SampleId first = document.id(SampleSlot(0));
   document.apply(*remove_samples(document, std::vector{first}));
   document.apply(*insert_samples(document, std::vector<Vec2>{{2, 0}}));
   REQUIRE(document.slot_count() == 2);
-  REQUIRE(document.id(0) != first);
+  REQUIRE(document.id(SampleSlot(0)) != first);
   REQUIRE(document.slot_of(first) == kNoSlot);
 
   document.apply(*insert_balls(document, std::vector{Disk{}, Disk{{1, 1}, 1}}));
-  const BallId ball = document.ball_id(0);
+  const BallId ball = document.ball_id(BallSlot(0));
   document.apply(*remove_balls(document, std::vector{ball}));
   document.apply(*insert_balls(document, std::vector{Disk{{2, 2}, 2}}));
   REQUIRE(document.ball_slot_count() == 2);
-  REQUIRE(document.ball_id(0) != ball);
+  REQUIRE(document.ball_id(BallSlot(0)) != ball);
   REQUIRE(document.ball_slot_of(ball) == kNoSlot);
 }

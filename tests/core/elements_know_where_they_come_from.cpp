@@ -33,7 +33,7 @@ TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and uni
   const auto& delaunay = bench.get<Delaunay>();
   const auto& axis = bench.get<MedialAxis>();
   std::size_t seen = 0;
-  for (Slot face = 0; face < delaunay.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay.face_slots()) {
     if (!delaunay.is_finite_face(face) || !bench.get<InnerBalls>().is_ball(face) || axis.node_degree(face) != 2)
       continue;
     ++seen;
@@ -54,7 +54,7 @@ TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and uni
 TEST_CASE("an axis edge comes from two samples and ends in two balls") {
   Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   const auto& delaunay = bench.get<Delaunay>();
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(edge);
     if (!row.is_alive() || !bench.get<MedialAxis>().is_axis_edge(edge)) continue;
     const Vec2 middle = 0.5 * (delaunay.circumcenter(row.f[0]) + delaunay.circumcenter(row.f[1]));

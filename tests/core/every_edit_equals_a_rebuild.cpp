@@ -78,10 +78,10 @@ struct Bench {
     SampleData data;
     auto slots = document.slots_in_input_order();
     std::ranges::reverse(slots);
-    for (const Slot slot : slots) data.positions.push_back(document.position(slot));
+    for (const SampleSlot slot : slots) data.positions.push_back(document.position(slot));
     auto ball_slots = document.ball_slots_in_input_order();
     std::ranges::reverse(ball_slots);
-    for (const Slot slot : ball_slots) data.balls.push_back(document.disk(slot));
+    for (const BallSlot slot : ball_slots) data.balls.push_back(document.disk(slot));
     fresh.apply(replace_all(fresh.document, data));
     fresh.run();
     REQUIRE(difference(state_of(graph), state_of(fresh.graph)) == "");

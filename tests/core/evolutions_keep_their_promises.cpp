@@ -259,7 +259,7 @@ TEST_CASE("noise stays within its bound, and another seed, step or sample gives 
   }
   // Whoever leaves takes no noise away from the others.
   Document document = document_of(data);
-  const auto gone = remove_samples(document, std::vector{document.id(50)});
+  const auto gone = remove_samples(document, std::vector{document.id(SampleSlot(50))});
   REQUIRE(gone);
   document.apply(*gone);
   JobControl job;

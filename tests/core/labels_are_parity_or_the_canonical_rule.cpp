@@ -109,11 +109,13 @@ std::vector<Input> inputs() {
 }
 
 // All sites as integers of one scale.
-std::vector<ExactPoint> exact_sites(const Delaunay& delaunay) {
-  std::vector<Vec2> positions = delaunay.site_positions();
-  for (Slot site = 0; site < delaunay.site_rows(); ++site)
+Table<SiteSlot, ExactPoint> exact_sites(const Delaunay& delaunay) {
+  Table<SiteSlot, Vec2> positions = delaunay.site_positions();
+  for (const SiteSlot site : delaunay.site_slots())
     if (!delaunay.is_site(site)) positions[site] = Vec2{};
-  return as_integers(positions);
+  Table<SiteSlot, ExactPoint> out;
+  out.values() = as_integers(positions.values());
+  return out;
 }
 
 // A point with the common denominator `w` > 0.
@@ -150,7 +152,7 @@ Place place_of(const Homogeneous& c, const std::vector<std::pair<ExactPoint, Exa
 }
 
 struct RankedEdge {
-  Slot edge;
+  EdgeSlot edge;
   bool mends;
   mpz_class squared_length;
   ExactCot certainty;
@@ -158,14 +160,16 @@ struct RankedEdge {
 };
 
 struct OddPair {
-  Slot a, b;
+  SiteSlot a, b;
   std::size_t component;
 };
 
+// The other end and the edge, by site.
+using Tree = Table<SiteSlot, std::vector<std::pair<SiteSlot, EdgeSlot>>>;
 // By depth first search.
-std::vector<Slot> way_in_tree(const std::vector<std::vector<std::pair<Slot, Slot>>>& tree, Slot a, Slot b) {
-  std::vector<Slot> way;
-  const std::function<bool(Slot, Slot)> reaches = [&](Slot site, Slot from) {
+std::vector<EdgeSlot> way_in_tree(const Tree& tree, SiteSlot a, SiteSlot b) {
+  std::vector<EdgeSlot> way;
+  const std::function<bool(SiteSlot, SiteSlot)> reaches = [&](SiteSlot site, SiteSlot from) {
     if (site == b) return true;
     for (const auto& [other, edge] : tree[site]) {
       if (other == from) continue;
@@ -181,18 +185,18 @@ std::vector<Slot> way_in_tree(const std::vector<std::vector<std::pair<Slot, Slot
 
 // The edges of the connected part of the curve that holds both sites, if it is a path from one to the other: a
 // connected graph with two sites of degree one and all others of degree two.
-std::vector<Slot> open_stroke(const Delaunay& delaunay, const std::set<Slot>& curve, Slot a, Slot b) {
-  std::map<Slot, std::vector<std::pair<Slot, Slot>>> at;
-  for (const Slot edge : curve) {
-    const Slot* v = delaunay.edge(edge).v;
+std::vector<EdgeSlot> open_stroke(const Delaunay& delaunay, const std::set<EdgeSlot>& curve, SiteSlot a, SiteSlot b) {
+  std::map<SiteSlot, std::vector<std::pair<SiteSlot, EdgeSlot>>> at;
+  for (const EdgeSlot edge : curve) {
+    const SiteSlot* v = delaunay.edge(edge).v;
     at[v[0]].push_back({v[1], edge});
     at[v[1]].push_back({v[0], edge});
   }
-  std::set<Slot> part{a};
-  std::set<Slot> edges;
-  std::vector<Slot> todo{a};
+  std::set<SiteSlot> part{a};
+  std::set<EdgeSlot> edges;
+  std::vector<SiteSlot> todo{a};
   while (!todo.empty()) {
-    const Slot site = todo.back();
+    const SiteSlot site = todo.back();
     todo.pop_back();
     if (at[site].size() != (site == a || site == b ? 1U : 2U)) return {};
     for (const auto& [other, edge] : at[site]) {
@@ -209,15 +213,15 @@ std::vector<Slot> open_stroke(const Delaunay& delaunay, const std::set<Slot>& cu
 std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& crust = bench.get<OneStepCrust>();
-  std::vector<int> degree(delaunay.site_rows(), 0);
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge)
+  Table<SiteSlot, int> degree(delaunay.site_rows(), 0);
+  for (const EdgeSlot edge : delaunay.edge_slots())
     if (delaunay.edge(edge).is_alive() && crust.is_crust(edge))
-      for (const Slot site : delaunay.edge(edge).v) ++degree[site];
-  const auto is_odd = [&](Slot site) { return degree[site] % 2 == 1; };
-  const std::vector<ExactPoint> exact = exact_sites(delaunay);
+      for (const SiteSlot site : delaunay.edge(edge).v) ++degree[site];
+  const auto is_odd = [&](SiteSlot site) { return degree[site] % 2 == 1; };
+  const Table<SiteSlot, ExactPoint> exact = exact_sites(delaunay);
 
   std::vector<RankedEdge> edges;
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(edge);
     if (!row.is_alive()) continue;
     RankedEdge ranked{edge, false, {}, exact_edge(crust.corners(edge)).certainty(), {}, {}};
@@ -242,25 +246,25 @@ std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
   });
 
   // Components as plain sets; in each the odd site that is left over.
-  std::vector<std::vector<Slot>> members(delaunay.site_rows());
-  std::vector<Slot> component(delaunay.site_rows());
-  std::vector<std::optional<Slot>> left_over(delaunay.site_rows());
-  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+  Table<SiteSlot, std::vector<SiteSlot>> members(delaunay.site_rows());
+  Table<SiteSlot, SiteSlot> component(delaunay.site_rows());
+  Table<SiteSlot, std::optional<SiteSlot>> left_over(delaunay.site_rows());
+  for (const SiteSlot site : delaunay.site_slots()) {
     members[site] = {site};
     component[site] = site;
     if (is_odd(site)) left_over[site] = site;
   }
-  std::vector<std::vector<std::pair<Slot, Slot>>> tree(delaunay.site_rows());
+  Tree tree(delaunay.site_rows());
   std::vector<OddPair> pairs;
   for (const RankedEdge& ranked : edges) {
-    const Slot a = delaunay.edge(ranked.edge).v[0];
-    const Slot b = delaunay.edge(ranked.edge).v[1];
-    const Slot kept = component[a];
-    const Slot gone = component[b];
+    const SiteSlot a = delaunay.edge(ranked.edge).v[0];
+    const SiteSlot b = delaunay.edge(ranked.edge).v[1];
+    const SiteSlot kept = component[a];
+    const SiteSlot gone = component[b];
     if (kept == gone) continue;
     tree[a].push_back({b, ranked.edge});
     tree[b].push_back({a, ranked.edge});
-    for (const Slot site : members[gone]) component[site] = kept;
+    for (const SiteSlot site : members[gone]) component[site] = kept;
     members[kept].insert(members[kept].end(), members[gone].begin(), members[gone].end());
     if (left_over[kept] && left_over[gone]) {
       pairs.push_back({*left_over[kept], *left_over[gone], members[kept].size()});
@@ -270,25 +274,25 @@ std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
     }
   }
 
-  std::set<Slot> curve;
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge)
+  std::set<EdgeSlot> curve;
+  for (const EdgeSlot edge : delaunay.edge_slots())
     if (delaunay.edge(edge).is_alive() && crust.is_crust(edge)) curve.insert(edge);
-  const std::set<Slot> all_crust = curve;
-  const auto toggle = [](std::set<Slot>& set, Slot edge) {
+  const std::set<EdgeSlot> all_crust = curve;
+  const auto toggle = [](std::set<EdgeSlot>& set, EdgeSlot edge) {
     if (set.erase(edge) == 0) set.insert(edge);
   };
   for (const bool near : {true, false}) {
-    const std::set<Slot> before = curve;
+    const std::set<EdgeSlot> before = curve;
     for (const OddPair& pair : pairs) {
       if ((pair.component <= 16) != near) continue;
-      const std::vector<Slot> way = way_in_tree(tree, pair.a, pair.b);
-      const std::vector<Slot> stroke = open_stroke(delaunay, before, pair.a, pair.b);
+      const std::vector<EdgeSlot> way = way_in_tree(tree, pair.a, pair.b);
+      const std::vector<EdgeSlot> stroke = open_stroke(delaunay, before, pair.a, pair.b);
       const bool is_stroke = way.size() > 2 && !stroke.empty() && stroke.size() + 1 < 16 * pair.component;
-      for (const Slot edge : is_stroke ? stroke : way) toggle(curve, edge);
+      for (const EdgeSlot edge : is_stroke ? stroke : way) toggle(curve, edge);
     }
   }
   std::set<PlaceEdge> conflicts;
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge)
+  for (const EdgeSlot edge : delaunay.edge_slots())
     if (curve.contains(edge) != all_crust.contains(edge))
       conflicts.insert(place_edge(delaunay.site_position(delaunay.edge(edge).v[0]),
                                   delaunay.site_position(delaunay.edge(edge).v[1])));
@@ -299,7 +303,7 @@ std::set<PlaceEdge> conflicts_of(const Workbench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& labels = bench.get<Labels>();
   std::set<PlaceEdge> out;
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(edge);
     if (row.is_alive() && labels.is_conflict(edge))
       out.insert(place_edge(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1])));
@@ -323,13 +327,13 @@ TEST_CASE("without odd samples a face is inside exactly if its circumcentre is i
     CHECK(labels.conflict_count() == 0);
     // Outside at infinity and right across every edge: there is only one such labelling.
     CHECK(broken_row(bench.graph()) == "");
-    const std::vector<ExactPoint> exact = exact_sites(delaunay);
+    const Table<SiteSlot, ExactPoint> exact = exact_sites(delaunay);
     std::vector<std::pair<ExactPoint, ExactPoint>> curve;
-    for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+    for (const EdgeSlot edge : delaunay.edge_slots()) {
       const EdgeRow& row = delaunay.edge(edge);
       if (row.is_alive() && crust.is_crust(edge)) curve.emplace_back(exact[row.v[0]], exact[row.v[1]]);
     }
-    for (Slot face = 0; face < delaunay.face_rows(); ++face) {
+    for (const FaceSlot face : delaunay.face_slots()) {
       if (!delaunay.is_finite_face(face)) continue;
       const FaceRow& row = delaunay.face(face);
       const Place place = place_of(circumcenter(exact[row.v[0]], exact[row.v[1]], exact[row.v[2]]), curve);
@@ -364,7 +368,7 @@ TEST_CASE("an open stroke has no inside") {
     const auto& delaunay = bench.get<Delaunay>();
     CHECK(bench.get<OneStepCrust>().odd_count() >= 2);
     int inside = 0;
-    for (Slot face = 0; face < delaunay.face_rows(); ++face)
+    for (const FaceSlot face : delaunay.face_slots())
       if (delaunay.is_finite_face(face) && bench.get<Labels>().is_inside(face)) ++inside;
     CHECK(inside == 0);
   }
@@ -375,7 +379,7 @@ TEST_CASE("beside an open stroke a closed curve keeps its inside, and a gap is c
     const Workbench bench(positions);
     const auto& delaunay = bench.get<Delaunay>();
     std::set<Vec2, bool (*)(Vec2, Vec2)> out(lexicographically_less);
-    for (Slot face = 0; face < delaunay.face_rows(); ++face)
+    for (const FaceSlot face : delaunay.face_slots())
       if (delaunay.is_finite_face(face) && bench.get<Labels>().is_inside(face))
         out.insert(delaunay.circumcenter(face));
     return out;

@@ -54,17 +54,17 @@ void check_poles(const Workbench& bench) {
   const auto& vertices = bench.get<VoronoiVertices>();
   const auto& poles = bench.get<Poles>();
   REQUIRE(delaunay.dimension() == 2);
-  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+  for (const SiteSlot site : delaunay.site_slots()) {
     if (!delaunay.is_site(site)) continue;
     const Point p = exact(delaunay.site_position(site));
     struct Vertex {
-      Slot face;
+      FaceSlot face;
       Point to;  // from p
     };
     std::vector<Vertex> cell;
-    Slot before = kNoSlot;
-    Slot after = kNoSlot;
-    for (Slot face = 0; face < delaunay.face_rows(); ++face) {
+    SiteSlot before;
+    SiteSlot after;
+    for (const FaceSlot face : delaunay.face_slots()) {
       const FaceRow& row = delaunay.face(face);
       if (!row.is_alive() || std::ranges::find(row.v, site) == std::end(row.v)) continue;
       if (!row.is_infinite()) {
@@ -84,7 +84,7 @@ void check_poles(const Workbench& bench) {
       if (da != db) return da > db;
       return a.to.x != b.to.x ? a.to.x < b.to.x : a.to.y < b.to.y;
     };
-    Slot plus = kInfinitePole;
+    FaceSlot plus = kInfinitePole;
     std::function<bool(const Vertex&)> is_opposite;
     if (before == kNoSlot) {
       const Vertex farthest = *std::ranges::min_element(cell, comes_before);
@@ -100,8 +100,9 @@ void check_poles(const Workbench& bench) {
       };
     }
     std::erase_if(cell, [&](const Vertex& v) { return !is_opposite(v); });
-    const Slot minus = cell.empty() ? kNoSlot : std::ranges::min_element(cell, comes_before)->face;
-    INFO("site " << site << " at " << delaunay.site_position(site).x << ' ' << delaunay.site_position(site).y);
+    const FaceSlot minus = cell.empty() ? FaceSlot() : std::ranges::min_element(cell, comes_before)->face;
+    INFO("site " << site.index() << " at " << delaunay.site_position(site).x << ' '
+                 << delaunay.site_position(site).y);
     REQUIRE(poles.plus(site) == plus);
     REQUIRE(poles.minus(site) == minus);
   }
@@ -203,7 +204,7 @@ TEST_CASE("on dense samples of smooth curves the power crust is the curve") {
     CHECK(bench.measure("power-crust", "length") <= length * 1.02);
     for (const Vec2 p : shape.data.positions) {
       double nearest = 1e99;
-      for (Slot edge = 0; edge < diagram.edges().size(); ++edge)
+      for (const PowerEdgeSlot edge : diagram.edges().rows())
         if (crust.is_crust(edge)) nearest = std::min(nearest, distance_to(p, diagram.edges()[edge]));
       REQUIRE(nearest < 1e-12);
     }

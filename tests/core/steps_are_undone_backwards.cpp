@@ -13,22 +13,23 @@ namespace {
 // What can be seen of a document: what lives in which row, and which rows come next. A free row behind all others is
 // as good as none.
 struct State {
-  std::vector<std::pair<Slot, std::pair<SampleId, Vec2>>> samples;
-  std::vector<std::pair<Slot, std::pair<BallId, Disk>>> balls;
-  std::vector<Slot> next_rows;
+  std::vector<std::pair<SampleSlot, std::pair<SampleId, Vec2>>> samples;
+  std::vector<std::pair<BallSlot, std::pair<BallId, Disk>>> balls;
+  std::vector<SampleSlot> next_rows;
+  std::vector<BallSlot> next_ball_rows;
   CurveOrder curve;
   friend bool operator==(const State&, const State&) = default;
 };
 
 State state_of(const Document& document) {
   State out;
-  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
     if (document.is_alive(slot)) out.samples.push_back({slot, {document.id(slot), document.position(slot)}});
-  for (Slot slot = 0; slot < document.ball_slot_count(); ++slot)
+  for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))
     if (document.is_ball_alive(slot)) out.balls.push_back({slot, {document.ball_id(slot), document.disk(slot)}});
   for (std::size_t i = 0; i < 50; ++i) {
     out.next_rows.push_back(document.slot_for_new_sample(i));
-    out.next_rows.push_back(document.slot_for_new_ball(i));
+    out.next_ball_rows.push_back(document.slot_for_new_ball(i));
   }
   out.curve = *document.curve_order();
   return out;
@@ -66,9 +67,9 @@ struct Desk {
 void some_change(Desk& desk, Rng& random) {
   const auto place = [&] { return Vec2{1.0 * static_cast<double>(random.below(9)), 0.5}; };
   std::vector<SampleId> samples;
-  for (const Slot slot : desk.document.slots_in_input_order()) samples.push_back(desk.document.id(slot));
+  for (const SampleSlot slot : desk.document.slots_in_input_order()) samples.push_back(desk.document.id(slot));
   std::vector<BallId> balls;
-  for (const Slot slot : desk.document.ball_slots_in_input_order()) balls.push_back(desk.document.ball_id(slot));
+  for (const BallSlot slot : desk.document.ball_slots_in_input_order()) balls.push_back(desk.document.ball_id(slot));
   const std::size_t some = samples.empty() ? 0 : random.below(samples.size());
   const std::size_t some_balls = balls.empty() ? 0 : random.below(balls.size());
   switch (random.below(6)) {
@@ -124,9 +125,10 @@ TEST_CASE("several deltas undone as one are undone from the last to the first") 
   const State before = state_of(desk.document);
   desk.history.begin_gesture("step");
   desk.perform(insert_samples(desk.document, std::vector<Vec2>{{2, 0}, {3, 0}, {4, 0}}));
-  desk.perform(remove_samples(desk.document, std::vector{desk.document.id(0), desk.document.id(3)}));
+  desk.perform(
+      remove_samples(desk.document, std::vector{desk.document.id(SampleSlot(0)), desk.document.id(SampleSlot(3))}));
   desk.perform(insert_samples(desk.document, std::vector<Vec2>{{5, 0}}));
-  desk.perform(move_samples(desk.document, std::vector{std::pair{desk.document.id(1), Vec2{9, 9}}}));
+  desk.perform(move_samples(desk.document, std::vector{std::pair{desk.document.id(SampleSlot(1)), Vec2{9, 9}}}));
   desk.history.end_gesture();
   const State after = state_of(desk.document);
   const std::vector<DocumentDelta> back = desk.history.undo();

@@ -28,7 +28,7 @@ bool has_border_on_conflict(const Workbench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& certificate = bench.get<AxisCertificate>();
   const auto& labels = bench.get<Labels>();
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge)
+  for (const EdgeSlot edge : delaunay.edge_slots())
     if (delaunay.edge(edge).is_alive() && certificate.is_border(edge) && labels.is_conflict(edge)) return true;
   return false;
 }

@@ -245,10 +245,10 @@ TEST_CASE("crust edges are Gabriel edges and cross their duals") {
     for (std::size_t i = 0; i < points.size(); ++i) index[{points[i].x, points[i].y}] = i;
     const auto& delaunay = bench.get<Delaunay>();
     const auto& crust = bench.get<OneStepCrust>();
-    for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+    for (const EdgeSlot edge : delaunay.edge_slots()) {
       const EdgeRow& row = delaunay.edge(edge);
       if (!row.is_alive() || !crust.is_crust(edge)) continue;
-      const auto index_of = [&](Slot site) {
+      const auto index_of = [&](SiteSlot site) {
         const Vec2 p = delaunay.site_position(site);
         return index.at({p.x, p.y});
       };
@@ -260,8 +260,8 @@ TEST_CASE("crust edges are Gabriel edges and cross their duals") {
       // Both ends of the dual on different sides of the edge: no apex sees it under more than 90 degrees, and an
       // apex that sees it under 90 has nothing opposite.
       const bool on_hull = delaunay.face(row.f[0]).is_infinite() || delaunay.face(row.f[1]).is_infinite();
-      for (const Slot face : row.f) {
-        const Slot apex = delaunay.apex(face, edge);
+      for (const FaceSlot face : row.f) {
+        const SiteSlot apex = delaunay.apex(face, edge);
         if (apex == kInfiniteSite) continue;
         if (sign.dot(q, r, index_of(apex)) < (on_hull ? 0 : 1)) FAIL("a crust edge does not cross its dual");
       }

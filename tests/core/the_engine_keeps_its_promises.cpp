@@ -103,12 +103,12 @@ class Client {
   }
   std::vector<Vec2> positions() const {
     std::vector<Vec2> out;
-    for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
+    for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
     return out;
   }
   std::vector<SampleId> ids() const {
     std::vector<SampleId> out;
-    for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
+    for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
     return out;
   }
   /// The layers that the last patch brings something for.

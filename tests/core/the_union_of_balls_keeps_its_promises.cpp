@@ -98,15 +98,15 @@ SampleData points_of(const std::vector<std::pair<int, int>>& points) {
 }
 
 /// The samples that are v-points; kNoSlot stands for all others.
-std::set<Slot> v_points_of(const BallUnion& balls) {
-  std::set<Slot> out;
+std::set<SiteSlot> v_points_of(const BallUnion& balls) {
+  std::set<SiteSlot> out;
   for (const VPoint& v : balls.tables().v_points)
     if (v.is_alive()) out.insert(v.site);
   return out;
 }
 /// A ball by its samples: the same whatever number type made its centre.
-std::set<std::pair<Slot, Slot>> axis_between_balls(const BallUnion& balls) {
-  std::set<std::pair<Slot, Slot>> out;
+std::set<std::pair<AxisNodeSlot, AxisNodeSlot>> axis_between_balls(const BallUnion& balls) {
+  std::set<std::pair<AxisNodeSlot, AxisNodeSlot>> out;
   for (const AxisPiece& piece : balls.tables().axis) {
     if (!piece.is_alive() || piece.is_zero != 0) continue;
     out.insert(std::minmax(piece.node[0], piece.node[1]));
@@ -246,14 +246,14 @@ TEST_CASE("on dense glyphs, corners and all, the two axes are one") {
       CHECK(analysis.measure("a-union", "length") ==
             Approx(analysis.measure("medial-axis", "length")).epsilon(1e-12));
       // The v-points are the samples that two balls or more touch.
-      std::map<Slot, int> touching;
+      std::map<SiteSlot, int> touching;
       std::vector<TouchedSample> samples;
-      for (Slot row = 0; row < balls.family().rows(); ++row) {
+      for (const FamilySlot row : slots_below<FamilySlot>(balls.family().rows())) {
         samples.clear();
         if (balls.family().is_ball(row)) balls.family().touched_samples(row, samples);
         for (const TouchedSample& sample : samples) ++touching[sample.site];
       }
-      std::set<Slot> several;
+      std::set<SiteSlot> several;
       for (const auto& [site, count] : touching)
         if (count >= 2) several.insert(site);
       CHECK(v_points_of(balls) == several);

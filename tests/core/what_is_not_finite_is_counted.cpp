@@ -45,35 +45,37 @@ TEST_CASE("crossings that are collinear for products of doubles have finite circ
 }
 
 TEST_CASE("a layer counts the primitives it cannot draw, through updates as after a reset") {
-  std::vector<double> radius{1.0, kInfinity, 2.0, kNothing, -1.0};
-  ChangeSet changes;
+  using Row = Slot<struct RowTag>;
+  Table<Row, double> radius;
+  for (const double r : {1.0, kInfinity, 2.0, kNothing, -1.0}) radius.push_back(r);
+  ChangeSet<Row> changes;
   // A negative radius stands for a row without primitive.
   const auto part = table_part(
       {PrimitiveKind::disk}, [&radius] { return radius.size(); }, changes,
-      [&radius](Slot row, Instance& out) {
+      [&radius](Row row, Instance& out) {
         if (!(radius[row] < 0.0)) out.disk({}, radius[row]);
       });
   LayerPatch patch;
   part->reset(patch);
   CHECK(patch[PrimitiveKind::disk].count == 2);
   CHECK(part->lost() == 2);
-  const auto change = [&](Slot row, double value) {
+  const auto change = [&](Row row, double value) {
     radius[row] = value;
     changes.clear();
     changes.touched.push_back(row);
     for (const PrimitiveKind kind : kAllPrimitiveKinds) patch[kind].clear();
     part->update(patch);
   };
-  change(1, 3.0);
+  change(Row(1), 3.0);
   CHECK(part->lost() == 1);
-  change(0, kInfinity);
+  change(Row(0), kInfinity);
   CHECK(part->lost() == 2);
   CHECK(patch[PrimitiveKind::disk].count == 2);
-  change(3, -1.0);
+  change(Row(3), -1.0);
   CHECK(part->lost() == 1);
   changes.clear();
   changes.removed.push_back(0);
-  radius[0] = -1.0;
+  radius[Row(0)] = -1.0;
   part->update(patch);
   CHECK(part->lost() == 0);
 }

@@ -21,7 +21,7 @@ struct Desk {
     history.record(*delta, name);
   }
   void insert(Vec2 p) { perform(insert_samples(document, std::array{p})); }
-  DocumentDelta moved(Slot slot, Vec2 to) const {
+  DocumentDelta moved(SampleSlot slot, Vec2 to) const {
     return move_samples(document, std::array{std::pair{document.id(slot), to}}).value();
   }
   bool extend(const DocumentDelta& delta, const std::string& name) {
@@ -83,36 +83,36 @@ TEST_CASE("a step is extended by a motion of the same things under the same name
   Desk desk;
   desk.insert({0, 0});
   desk.insert({5, 5});
-  desk.perform(desk.moved(0, {1, 0}), "Nudge");
-  CHECK(desk.extend(desk.moved(0, {2, 0}), "Nudge"));
-  const DocumentDelta onwards = desk.moved(0, {3, 0});
+  desk.perform(desk.moved(SampleSlot(0), {1, 0}), "Nudge");
+  CHECK(desk.extend(desk.moved(SampleSlot(0), {2, 0}), "Nudge"));
+  const DocumentDelta onwards = desk.moved(SampleSlot(0), {3, 0});
   CHECK_FALSE(desk.history.extend(onwards, "Move"));
-  CHECK_FALSE(desk.history.extend(desk.moved(1, {6, 5}), "Nudge"));
+  CHECK_FALSE(desk.history.extend(desk.moved(SampleSlot(1), {6, 5}), "Nudge"));
   desk.undo();
-  CHECK(desk.document.position(0) == Vec2{0, 0});
+  CHECK(desk.document.position(SampleSlot(0)) == Vec2{0, 0});
   // It starts where the document is, but the step it would extend is undone.
-  CHECK_FALSE(desk.history.extend(desk.moved(0, {4, 0}), "Nudge"));
+  CHECK_FALSE(desk.history.extend(desk.moved(SampleSlot(0), {4, 0}), "Nudge"));
   desk.redo();
-  CHECK(desk.document.position(0) == Vec2{2, 0});
+  CHECK(desk.document.position(SampleSlot(0)) == Vec2{2, 0});
 }
 
 TEST_CASE("moves with a change of the curve between them stay apart, and the curve comes back") {
   Desk desk;
   desk.perform(insert_samples(desk.document, std::array{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}));
   desk.history.begin_gesture("Arrange");
-  desk.perform(desk.moved(0, {0.5, 0}));
+  desk.perform(desk.moved(SampleSlot(0), {0.5, 0}));
   const std::array<Vec2, 3> places{Vec2{0.25, 0}, Vec2{1, 0}, Vec2{0, 1}};
   const std::array<SampleData::Contour, 1> loop{SampleData::Contour{true, {0, 1, 2}}};
   desk.perform(arrange_samples(desk.document, places, loop));
-  desk.perform(desk.moved(0, {0.125, 0}));
+  desk.perform(desk.moved(SampleSlot(0), {0.125, 0}));
   desk.history.end_gesture();
   CHECK(desk.document.curve_order()->contours.size() == 1);
   desk.undo();
   CHECK(desk.document.curve_order()->contours.empty());
-  CHECK(desk.document.position(0) == Vec2{0, 0});
+  CHECK(desk.document.position(SampleSlot(0)) == Vec2{0, 0});
   desk.redo();
   CHECK(desk.document.curve_order()->contours.size() == 1);
-  CHECK(desk.document.position(0) == Vec2{0.125, 0});
+  CHECK(desk.document.position(SampleSlot(0)) == Vec2{0.125, 0});
 }
 
 TEST_CASE("layers that were changed twice in a step come back in reverse, and redo goes forward") {
@@ -150,11 +150,11 @@ TEST_CASE("a number limits others only while it is in the document") {
   const std::array small{Vec2{0x1p380, 0}};
   document.apply(insert_samples(document, std::array{Vec2{0x1p499, 0}, Vec2{0x1p450, 0}}).value());
   REQUIRE_FALSE(insert_samples(document, small).has_value());
-  document.apply(move_samples(document, std::array{std::pair{document.id(0), Vec2{0x1p440, 0}}}).value());
+  document.apply(move_samples(document, std::array{std::pair{document.id(SampleSlot(0)), Vec2{0x1p440, 0}}}).value());
   CHECK(insert_samples(document, small).has_value());
   document.apply(insert_samples(document, large).value());
   REQUIRE_FALSE(insert_samples(document, small).has_value());
-  document.apply(remove_samples(document, std::array{document.id(2)}).value());
+  document.apply(remove_samples(document, std::array{document.id(SampleSlot(2))}).value());
   CHECK(insert_samples(document, small).has_value());
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("the digest of a document does not depend on what was open before") {
   Document later;
   later.apply(replace_all(later, {{{9, 9}, {8, 8}, {7, 7}}, {}, {{{0, 0}, 1}, {{1, 1}, 1}}}).value());
   later.apply(replace_all(later, data).value());
-  REQUIRE(later.id(0) != fresh.id(0));
+  REQUIRE(later.id(SampleSlot(0)) != fresh.id(SampleSlot(0)));
   CHECK(later.digest() == fresh.digest());
 }
 
@@ -189,7 +189,7 @@ struct NotedDesk {
   }
   std::vector<std::pair<SampleId, Vec2>> all_moved(double x) const {
     std::vector<std::pair<SampleId, Vec2>> out;
-    for (const Slot slot : document.slots_in_input_order())
+    for (const SampleSlot slot : document.slots_in_input_order())
       out.emplace_back(document.id(slot), document.position(slot) + Vec2{x, 0});
     return out;
   }
@@ -212,14 +212,14 @@ SampleData many_samples() {
 
 TEST_CASE("in a large drag, moves of the same samples and balls are one entry, moves of others are not") {
   NotedDesk desk(many_samples());
-  const auto ball = [&](Slot slot, double radius) {
+  const auto ball = [&](BallSlot slot, double radius) {
     return std::vector{std::pair{desk.document.ball_id(slot), Disk{{1, 1}, radius}}};
   };
   desk.timeline.note_gesture_begun("Drag");
-  desk.change({.moved = desk.all_moved(1.0), .changed_balls = ball(0, 2.0)});
-  desk.change({.moved = desk.all_moved(1.0), .changed_balls = ball(0, 3.0)});
+  desk.change({.moved = desk.all_moved(1.0), .changed_balls = ball(BallSlot(0), 2.0)});
+  desk.change({.moved = desk.all_moved(1.0), .changed_balls = ball(BallSlot(0), 3.0)});
   CHECK(desk.timeline.entries().size() == 2);
-  desk.change({.moved = desk.all_moved(1.0), .changed_balls = ball(1, 4.0)});
+  desk.change({.moved = desk.all_moved(1.0), .changed_balls = ball(BallSlot(1), 4.0)});
   CHECK(desk.timeline.entries().size() == 3);
   desk.timeline.note_gesture_ended();
   CHECK(desk.replayed().document().digest() == desk.document.digest());
@@ -256,5 +256,5 @@ TEST_CASE("the curve of an edit may name the samples that the edit inserts, and 
   REQUIRE(replay.begin({{{0, 0}, {1, 0}}, {}, {}}));
   CHECK_FALSE(replay.apply(TimelineEdit{.inserted = {{0, 1}}, .curve = {{{true, {0, 1, 3}}}}}));
   REQUIRE(replay.apply(TimelineEdit{.inserted = {{0, 1}}, .curve = {{{true, {0, 1, 2}}}}}));
-  CHECK(replay.document().curve_order()->contours.front().samples.back() == replay.document().id(2));
+  CHECK(replay.document().curve_order()->contours.front().samples.back() == replay.document().id(SampleSlot(2)));
 }

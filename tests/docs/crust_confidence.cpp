@@ -15,7 +15,7 @@ Layer make_crust_confidence_layer(const StructureSet& set) {
        .style = {.color = palette::green, .line_width_px = 4.0},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &crust},
-      edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), [&](Slot edge, Instance& out) {
+      edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), [&](EdgeSlot edge, Instance& out) {
         if (crust.is_crust(edge)) emit_edge(delaunay, edge, out, crust.confidence(edge));
       }));
 }

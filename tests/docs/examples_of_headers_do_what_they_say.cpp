@@ -73,7 +73,7 @@ Layer curve_layer(const StructureSet& set) {
   const auto& delaunay = set.get<Delaunay>();
   const auto& crust = set.get<OneStepCrust>();
   // core/graph/layer.h
-  const auto emit = [&](Slot edge, Instance& out) {
+  const auto emit = [&](EdgeSlot edge, Instance& out) {
     if (crust.is_crust(edge)) emit_edge(delaunay, edge, out);
   };
   return make_layer({.id = "curve", .kinds = {PrimitiveKind::segment}}, {&delaunay, &crust},
@@ -83,13 +83,31 @@ Layer curve_layer(const StructureSet& set) {
 }  // namespace
 
 TEST_CASE("core/base/disjoint_sets.h") {
-  DisjointSets sets(3);
-  sets.join(sets.root(0), sets.root(2));
-  const bool are_together = sets.root(0) == sets.root(2);
+  const std::size_t count = 3;
+  const FaceSlot a(0), b(2);
+  DisjointSets<FaceSlot> sets(count);
+  sets.join(sets.root(a), sets.root(b));
+  const bool are_together = sets.root(a) == sets.root(b);
   CHECK(are_together);
-  CHECK(sets.root(1) != sets.root(0));
+  CHECK(sets.root(FaceSlot(1)) != sets.root(a));
   sets.grow(5);
-  CHECK(sets.root(4) == 4);
+  CHECK(sets.root(FaceSlot(4)) == FaceSlot(4));
+}
+
+TEST_CASE("core/base/slot.h") {
+  const std::size_t count = 3;
+  using CornerSlot = Slot<struct CornerTag>;
+  Table<CornerSlot, double> angle(count);
+  for (const CornerSlot corner : angle.rows()) angle[corner] = 60.0;
+  CHECK(angle.values() == std::vector<double>(count, 60.0));
+}
+
+TEST_CASE("core/base/table.h") {
+  Table<EdgeSlot, double> length;
+  const EdgeSlot edge = length.next();
+  length.push_back(1.0);
+  length[edge] *= 2.0;
+  CHECK(length.values() == std::vector{2.0});
 }
 
 TEST_CASE("core/base/task_queue.h") {
@@ -127,8 +145,8 @@ TEST_CASE("core/document/document.h") {
 
 TEST_CASE("core/document/history.h") {
   Document document = ring_document();
-  const auto before = document.position(0);
-  const std::vector<std::pair<SampleId, Vec2>> targets{{document.id(0), Vec2{2.0, 0.5}}};
+  const auto before = document.position(SampleSlot(0));
+  const std::vector<std::pair<SampleId, Vec2>> targets{{document.id(SampleSlot(0)), Vec2{2.0, 0.5}}};
   const DocumentDelta moved = *move_samples(document, targets);
   History history;
   history.begin_gesture("Move samples");
@@ -136,7 +154,7 @@ TEST_CASE("core/document/history.h") {
   history.record(moved);
   history.end_gesture();
   for (const DocumentDelta& delta : history.undo()) document.apply(delta);
-  CHECK(document.position(0) == before);
+  CHECK(document.position(SampleSlot(0)) == before);
 }
 
 TEST_CASE("core/document/layer_fold.h") {

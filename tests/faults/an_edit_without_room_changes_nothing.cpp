@@ -84,7 +84,7 @@ class Edits {
     }
     if (kind == 8 && !editor.in_gesture()) {
       std::vector<Vec2> places;
-      for (const Slot slot : samples) places.push_back(0.5 * (document.position(slot) + p));
+      for (const SampleSlot slot : samples) places.push_back(0.5 * (document.position(slot) + p));
       return [places](Editor& e) { require(e.evolve(places, {}, "Evolve")); };
     }
     if (kind == 9) return [](Editor& e) { e.in_gesture() ? e.end_gesture() : e.begin_gesture("Drag"); };

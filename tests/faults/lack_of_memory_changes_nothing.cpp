@@ -32,8 +32,8 @@ std::vector<Vec2> some_places(std::size_t count, std::uint64_t seed) {
 std::uint64_t digest_from_scratch(const Document& document) {
   Document copy;
   SampleData data;
-  for (const Slot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
-  for (const Slot slot : document.ball_slots_in_input_order()) data.balls.push_back(document.disk(slot));
+  for (const SampleSlot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
+  for (const BallSlot slot : document.ball_slots_in_input_order()) data.balls.push_back(document.disk(slot));
   copy.apply(replace_all(copy, data).value());
   return copy.digest();
 }
@@ -62,7 +62,8 @@ TEST_CASE("a delta for which there is no room leaves the document as it was") {
   };
   int failures = apply_all(insert_samples(document, some_places(20, 2)));
   failures += apply_all(insert_balls(document, std::vector<Disk>(20, {{5, 5}, 1})));
-  failures += apply_all(remove_samples(document, std::vector{document.id(3), document.id(5), document.id(20)}));
+  failures += apply_all(remove_samples(
+      document, std::vector{document.id(SampleSlot(3)), document.id(SampleSlot(5)), document.id(SampleSlot(20))}));
   failures += apply_all(insert_samples(document, some_places(5, 3)));
   CHECK(document.sample_count() == 29);
   CHECK(document.ball_count() == 22);
@@ -204,7 +205,7 @@ TEST_CASE("whichever allocation of a computation fails, the next edit brings the
     fresh.set_demand(layers);
     Document copy;
     SampleData data;
-    for (const Slot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
+    for (const SampleSlot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
     const DocumentDelta whole = replace_all(copy, data).value();
     fresh.post(std::make_shared<const DocumentDelta>(whole));
     REQUIRE(fresh.run(patch, job));

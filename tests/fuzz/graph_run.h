@@ -132,8 +132,8 @@ class GraphRun {
 /// The document as data, samples and balls in input order or against it.
 inline SampleData data_of(const Document& document, bool is_reversed) {
   SampleData out;
-  for (const Slot slot : document.slots_in_input_order()) out.positions.push_back(document.position(slot));
-  for (const Slot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
+  for (const SampleSlot slot : document.slots_in_input_order()) out.positions.push_back(document.position(slot));
+  for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
   if (is_reversed) {
     std::ranges::reverse(out.positions);
     std::ranges::reverse(out.balls);

@@ -84,14 +84,14 @@ TEST_CASE("loops leave out samples that are gone, and follow the numbering of wh
   for (int i = 0; i < 6; ++i) data.positions.push_back({1.0 * i, 2.0 * i});
   data.contours = {{true, {0, 1, 2, 3}}, {false, {4}}};
   Document document = document_of(data);
-  const std::vector<SampleId> gone{document.id(1), document.id(4)};
+  const std::vector<SampleId> gone{document.id(SampleSlot(1)), document.id(SampleSlot(4))};
   document.apply(remove_samples(document, gone).value());
   CHECK(write_poff(document) == "POFF 4 0 0\n0 0\n2 4\n3 6\n5 10\n# loop closed 0 1 2\n");
 }
 
 TEST_CASE("samples are written in input order, although rows are used again") {
   Document document = document_of({.positions = {{1, 1}, {2, 2}, {3, 3}}, .contours = {}});
-  const std::vector<SampleId> first{document.id(0)};
+  const std::vector<SampleId> first{document.id(SampleSlot(0))};
   document.apply(remove_samples(document, first).value());
   const std::vector<Vec2> added{{4, 4}};
   document.apply(insert_samples(document, added).value());

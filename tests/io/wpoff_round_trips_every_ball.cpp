@@ -106,7 +106,7 @@ TEST_CASE("balls are known by their content, whatever the name, and written in i
   CHECK(write_wpoff(Document()) == "WPOFF 0 0 0\n");
 
   Document document = document_of({.balls = {{{1, 1}, 1}, {{2, 2}, 2}}});
-  document.apply(remove_balls(document, std::vector{document.ball_id(0)}).value());
+  document.apply(remove_balls(document, std::vector{document.ball_id(BallSlot(0))}).value());
   document.apply(insert_balls(document, std::vector{Disk{{3, 3}, 3}}).value());
   CHECK(write_wpoff(document) == "WPOFF 2 0 0\n2 2 2\n3 3 3\n");
 }

@@ -26,7 +26,7 @@ SampleData wavy_loop(bool known) {
 
 std::vector<Vec2> places(const Document& document) {
   std::vector<Vec2> out;
-  for (const Slot slot : document.slots_in_input_order()) out.push_back(document.position(slot));
+  for (const SampleSlot slot : document.slots_in_input_order()) out.push_back(document.position(slot));
   return out;
 }
 

@@ -33,11 +33,17 @@ struct Bench {
     REQUIRE(editor.load(data));
   }
   const Document& document() const { return editor.document(); }
-  std::vector<Slot> samples() const { return editor.selection().slots(); }
-  std::vector<Slot> balls() const { return editor.selection().ball_slots(); }
+  std::vector<SampleSlot> samples() const { return editor.selection().slots(); }
+  std::vector<BallSlot> balls() const { return editor.selection().ball_slots(); }
 };
 
-using Slots = std::vector<Slot>;
+// Rows by their numbers.
+template <class Row>
+std::vector<Row> rows(std::initializer_list<std::size_t> numbers) {
+  std::vector<Row> out;
+  for (const std::size_t number : numbers) out.emplace_back(number);
+  return out;
+}
 
 void click(Tool& tool, const Pointer& pointer) {
   tool.hover(pointer);
@@ -64,19 +70,19 @@ TEST_CASE("the ball tool draws a ball from its centre to the pointer, in one ste
   CHECK(bench.document().ball_count() == 3);
   tool.drag(at(30, 300));
   REQUIRE(bench.document().ball_count() == 4);
-  CHECK(bench.document().disk(3) == Disk{at(10, 300).world, 10.0});
+  CHECK(bench.document().disk(BallSlot(3)) == Disk{at(10, 300).world, 10.0});
   REQUIRE(tool.feedback().ball);
   CHECK(*tool.feedback().ball == Disk{at(10, 300).world, 10.0});
   tool.drag(at(40, 340));
   tool.release(at(40, 340));
-  CHECK(bench.document().disk(3) == Disk{at(10, 300).world, 25.0});
+  CHECK(bench.document().disk(BallSlot(3)) == Disk{at(10, 300).world, 25.0});
   CHECK_FALSE(tool.feedback().ball);
   CHECK(bench.editor.undo_name() == "Insert ball");
   bench.editor.undo();
   CHECK(bench.document().ball_count() == 3);
   CHECK_FALSE(bench.editor.can_undo());
   bench.editor.redo();
-  CHECK(bench.document().disk(3).radius == 25.0);
+  CHECK(bench.document().disk(BallSlot(3)).radius == 25.0);
 }
 
 TEST_CASE("a click of the ball tool makes nothing, nor does a drag that comes back or is cancelled") {
@@ -117,20 +123,20 @@ TEST_CASE("a ball is taken at its centre and at its circle, but not in between")
   Bench bench;
   SelectTool tool(bench.context);
   click(tool, at(104, 97));
-  CHECK(bench.balls() == Slots{0});
+  CHECK(bench.balls() == rows<BallSlot>({0}));
   click(tool, at(120, 100));
   CHECK(bench.balls().empty());
   click(tool, at(300, 143));
-  CHECK(bench.balls() == Slots{1});
+  CHECK(bench.balls() == rows<BallSlot>({1}));
   click(tool, at(457, 100, kShift));
-  CHECK(bench.balls() == Slots{1, 2});
+  CHECK(bench.balls() == rows<BallSlot>({1, 2}));
   click(tool, at(200, 100, kShift));
-  CHECK(bench.samples() == Slots{0});
+  CHECK(bench.samples() == rows<SampleSlot>({0}));
   CHECK(bench.editor.selection().size() == 3);
   click(tool, at(300, 60, kCtrlShift));
-  CHECK(bench.balls() == Slots{2});
+  CHECK(bench.balls() == rows<BallSlot>({2}));
   click(tool, at(200, 100));
-  CHECK(bench.samples() == Slots{0});
+  CHECK(bench.samples() == rows<SampleSlot>({0}));
   CHECK(bench.balls().empty());
 }
 
@@ -140,39 +146,39 @@ TEST_CASE("of a sample and a ball the nearer one is taken, and the sample when b
   // On the circle of the first ball.
   REQUIRE(bench.editor.insert(std::vector{at(140, 100).world}, "sample"));
   click(tool, at(143, 100));
-  CHECK(bench.samples() == Slots{2});
+  CHECK(bench.samples() == rows<SampleSlot>({2}));
   CHECK(bench.balls().empty());
   // Six pixels along the circle from the sample, right on it.
   const double t = 6.0 / 40.0;
   click(tool, at(100 + 40 * std::cos(t), 100 + 40 * std::sin(t)));
   CHECK(bench.samples().empty());
-  CHECK(bench.balls() == Slots{0});
+  CHECK(bench.balls() == rows<BallSlot>({0}));
 }
 
 TEST_CASE("a box selects the balls whose centre it holds") {
   Bench bench;
   SelectTool tool(bench.context);
   drag(tool, at(150, 60), at(320, 120));
-  CHECK(bench.balls() == Slots{1});
-  CHECK(bench.samples() == Slots{0});
+  CHECK(bench.balls() == rows<BallSlot>({1}));
+  CHECK(bench.samples() == rows<SampleSlot>({0}));
   drag(tool, at(400, 0, kShift), at(600, 200, kShift));
-  CHECK(bench.balls() == Slots{1, 2});
+  CHECK(bench.balls() == rows<BallSlot>({1, 2}));
   drag(tool, at(290, 80, kCtrlShift), at(600, 200, kCtrlShift));
   CHECK(bench.balls().empty());
-  CHECK(bench.samples() == Slots{0});
+  CHECK(bench.samples() == rows<SampleSlot>({0}));
 }
 
 TEST_CASE("dragging moves the whole selection, samples and balls, in one step") {
   Bench bench;
   const auto digest = bench.document().digest();
   SelectTool tool(bench.context);
-  bench.editor.selection().add(1);
-  bench.editor.selection().add_ball(0);
+  bench.editor.selection().add(SampleSlot(1));
+  bench.editor.selection().add_ball(BallSlot(0));
   drag(tool, at(60, 100), at(90, 140));
-  CHECK(bench.document().disk(0) == Disk{at(130, 140).world, 20.0});
-  CHECK(bench.document().disk(1) == Disk{at(300, 100).world, 20.0});
-  CHECK(bench.document().position(1) == at(430, 140).world);
-  CHECK(bench.document().position(0) == at(200, 100).world);
+  CHECK(bench.document().disk(BallSlot(0)) == Disk{at(130, 140).world, 20.0});
+  CHECK(bench.document().disk(BallSlot(1)) == Disk{at(300, 100).world, 20.0});
+  CHECK(bench.document().position(SampleSlot(1)) == at(430, 140).world);
+  CHECK(bench.document().position(SampleSlot(0)) == at(200, 100).world);
   CHECK(bench.editor.undo_name() == "Move sample and ball");
   bench.editor.undo();
   CHECK(bench.document().digest() == digest);
@@ -186,16 +192,16 @@ TEST_CASE("the wheel on a selected ball changes its radius, one step until the p
   CHECK_FALSE(tool.wheel(at(100, 140), 1));  // not selected: the view zooms
   click(tool, at(100, 140));
   for (int i = 0; i < 5; ++i) CHECK(tool.wheel(at(100, 140), 1));
-  CHECK(bench.document().disk(0).radius == Approx(20.0 * std::pow(1.1, 5)));
-  CHECK(bench.document().disk(0).center == at(100, 100).world);
-  CHECK(bench.document().disk(1).radius == 20.0);
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0 * std::pow(1.1, 5)));
+  CHECK(bench.document().disk(BallSlot(0)).center == at(100, 100).world);
+  CHECK(bench.document().disk(BallSlot(1)).radius == 20.0);
   tool.hover(at(100, 141));
   CHECK(tool.wheel(at(100, 141), -5));
-  CHECK(bench.document().disk(0).radius == Approx(20.0));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0));
   CHECK(tool.wheel(at(100, 141), -1));
   CHECK(bench.editor.undo_name() == "Change radius");
   bench.editor.undo();
-  CHECK(bench.document().disk(0).radius == 20.0);
+  CHECK(bench.document().disk(BallSlot(0)).radius == 20.0);
   CHECK_FALSE(bench.editor.can_undo());
 
   // The pointer moved on and came back: a step of its own.
@@ -204,11 +210,11 @@ TEST_CASE("the wheel on a selected ball changes its radius, one step until the p
   CHECK_FALSE(tool.wheel(at(100, 200), 1));
   tool.hover(at(100, 100));
   CHECK(tool.wheel(at(100, 100), 1));
-  CHECK(bench.document().disk(0).radius == Approx(20.0 * 1.1 * 1.1));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0 * 1.1 * 1.1));
   bench.editor.undo();
-  CHECK(bench.document().disk(0).radius == Approx(20.0 * 1.1));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0 * 1.1));
   bench.editor.undo();
-  CHECK(bench.document().disk(0).radius == 20.0);
+  CHECK(bench.document().disk(BallSlot(0)).radius == 20.0);
   CHECK_FALSE(bench.editor.can_undo());
 }
 
@@ -218,8 +224,8 @@ TEST_CASE("the wheel changes all selected balls, a step between two turns parts 
   SelectTool tool(bench.context);
   bench.editor.selection().select_all(bench.document());
   CHECK(tool.wheel(at(100, 300), 1));
-  CHECK(bench.document().disk(3).radius == Approx(0.5 * 1.1));
-  CHECK(bench.document().disk(0).radius == Approx(22.0));
+  CHECK(bench.document().disk(BallSlot(3)).radius == Approx(0.5 * 1.1));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(22.0));
   CHECK(bench.editor.undo_name() == "Change radii");
   REQUIRE(bench.editor.nudge_selection({1, 0}));
   CHECK(tool.wheel(at(100, 300), 1));
@@ -228,7 +234,7 @@ TEST_CASE("the wheel changes all selected balls, a step between two turns parts 
   // After an undo the turning begins a new step, and what was undone is gone.
   CHECK(tool.wheel(at(100, 300), 1));
   CHECK_FALSE(bench.editor.can_redo());
-  CHECK(bench.document().disk(0).radius == Approx(24.2));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(24.2));
   // Deleted balls take no turns.
   REQUIRE(bench.editor.remove_selection());
   CHECK_FALSE(tool.wheel(at(100, 300), 1));
@@ -248,14 +254,14 @@ TEST_CASE("the canvas zooms unless the wheel is on a selected ball") {
   const double before = scale();
   canvas.press(PointerButton::left, on_circle, {});
   canvas.release(PointerButton::left, on_circle, {});
-  REQUIRE(bench.balls() == Slots{0});
+  REQUIRE(bench.balls() == rows<BallSlot>({0}));
   canvas.wheel(on_circle, 1);
   CHECK(scale() == before);
-  CHECK(bench.document().disk(0).radius == Approx(22.0));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(22.0));
   canvas.choose_tool(ToolId::ball);
   canvas.wheel(on_circle, 1);
   CHECK(scale() < before);
-  CHECK(bench.document().disk(0).radius == Approx(22.0));
+  CHECK(bench.document().disk(BallSlot(0)).radius == Approx(22.0));
 }
 
 TEST_CASE("deleting, nudging, selecting all and inverting take balls and samples alike") {
@@ -265,16 +271,16 @@ TEST_CASE("deleting, nudging, selecting all and inverting take balls and samples
   CHECK(editor.selection().sample_count() == 2);
   CHECK(editor.selection().ball_count() == 3);
   REQUIRE(editor.nudge_selection({1, 2}));
-  CHECK(bench.document().disk(1) == Disk{at(300, 100).world + Vec2{1, 2}, 20.0});
-  CHECK(bench.document().position(0) == at(200, 100).world + Vec2{1, 2});
+  CHECK(bench.document().disk(BallSlot(1)) == Disk{at(300, 100).world + Vec2{1, 2}, 20.0});
+  CHECK(bench.document().position(SampleSlot(0)) == at(200, 100).world + Vec2{1, 2});
   editor.undo();
-  CHECK(bench.document().disk(1).center == at(300, 100).world);
-  CHECK(bench.document().position(0) == at(200, 100).world);
-  editor.selection().remove_ball(1);
-  editor.selection().remove(0);
+  CHECK(bench.document().disk(BallSlot(1)).center == at(300, 100).world);
+  CHECK(bench.document().position(SampleSlot(0)) == at(200, 100).world);
+  editor.selection().remove_ball(BallSlot(1));
+  editor.selection().remove(SampleSlot(0));
   editor.selection().invert(bench.document());
-  CHECK(bench.balls() == Slots{1});
-  CHECK(bench.samples() == Slots{0});
+  CHECK(bench.balls() == rows<BallSlot>({1}));
+  CHECK(bench.samples() == rows<SampleSlot>({0}));
   REQUIRE(editor.remove_selection());
   CHECK(editor.undo_name() == "Delete sample and ball");
   CHECK(bench.document().ball_count() == 2);
@@ -304,12 +310,12 @@ TEST_CASE("picking balls agrees with looking at every ball from every place") {
   for (Disk& disk : disks) disk = {{coordinate(random), coordinate(random)}, std::abs(coordinate(random)) / 3};
   disks.push_back(disks.back());
   document.apply(insert_balls(document, disks).value());
-  document.apply(remove_balls(document, std::vector{document.ball_id(7)}).value());
+  document.apply(remove_balls(document, std::vector{document.ball_id(BallSlot(7))}).value());
   for (int i = 0; i < 2000; ++i) {
     const Vec2 p{coordinate(random), coordinate(random)};
     const BallPick pick = nearest_ball(document, p, 0.3);
     double best = 0.3;
-    for (Slot slot = 0; slot < disks.size(); ++slot) {
+    for (std::size_t slot = 0; slot < disks.size(); ++slot) {
       const double d = distance(disks[slot].center, p);
       if (slot != 7) best = std::min({best, d, std::abs(d - disks[slot].radius)});
     }
@@ -317,8 +323,8 @@ TEST_CASE("picking balls agrees with looking at every ball from every place") {
       CHECK(best == 0.3);
       continue;
     }
-    CHECK(pick.slot != 7);
-    CHECK(pick.slot != 59);  // lies under its double
+    CHECK(pick.slot != BallSlot(7));
+    CHECK(pick.slot != BallSlot(59));  // lies under its double
     CHECK(pick.distance == best);
   }
   CHECK(nearest_ball(document, {std::numeric_limits<double>::quiet_NaN(), 0}, 1.0).slot == kNoSlot);

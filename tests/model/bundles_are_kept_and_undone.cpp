@@ -251,7 +251,7 @@ TEST_CASE("the starting bundles name layers that exist") {
     CHECK_FALSE(bundle.description.empty());
     for (const LayerConfiguration::Entry& entry : bundle.layers.layers) {
       INFO(entry.layer);
-      CHECK(find_layer(entry.layer) != kNoSlot);
+      CHECK(find_layer(entry.layer) != kNoLayer);
     }
   }
 }

@@ -211,7 +211,7 @@ TEST_CASE("states of an evolution take each other's place below changes of layer
   desk.layers.set_visible(kVoronoi, true);
   evolve(0.2);
   evolve(0.3);
-  CHECK(desk.editor.document().position(0).x == 0.3);
+  CHECK(desk.editor.document().position(SampleSlot(0)).x == 0.3);
   desk.editor.undo();
   CHECK(desk.editor.document().digest() == beginning);
   CHECK(desk.layers.is_visible(kVoronoi));
@@ -288,7 +288,7 @@ TEST_CASE("solo stays while styles are undone, and ends where a visibility is") 
   desk.editor.undo();
   CHECK(desk.layers.soloed() == kCurve);
   desk.editor.undo();
-  CHECK(desk.layers.soloed() == kNoSlot);
+  CHECK(desk.layers.soloed() == kNoLayer);
 }
 
 TEST_CASE("a session brings changes of layers back with edits, for any order of them") {

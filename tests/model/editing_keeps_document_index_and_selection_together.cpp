@@ -18,7 +18,7 @@ TEST_CASE("the listener hears every change once and can rebuild the document fro
   Editor editor([&copy](const std::shared_ptr<const DocumentDelta>& delta) { copy.apply(*delta); });
   REQUIRE(editor.load({{kThree.begin(), kThree.end()}, {}}));
   REQUIRE(editor.insert(std::array{Vec2{5, 5}, Vec2{6, 6}}, "insert"));
-  editor.selection().add(0);
+  editor.selection().add(SampleSlot(0));
   REQUIRE(editor.nudge_selection({1, 0}));
   REQUIRE(editor.remove_selection());
   editor.undo();
@@ -62,13 +62,13 @@ TEST_CASE("a removed sample leaves the selection") {
   REQUIRE(editor.load({{kThree.begin(), kThree.end()}, {}}));
   editor.selection().select_all(editor.document());
   CHECK(editor.selection().size() == 3);
-  REQUIRE(editor.remove(std::array{editor.document().id(1)}, "remove"));
+  REQUIRE(editor.remove(std::array{editor.document().id(SampleSlot(1))}, "remove"));
   CHECK(editor.selection().size() == 2);
   editor.undo();
   CHECK(editor.document().sample_count() == 3);
   CHECK(editor.selection().size() == 2);
   editor.selection().invert(editor.document());
-  CHECK(editor.selection().slots() == std::vector<Slot>{1});
+  CHECK(editor.selection().slots() == std::vector{SampleSlot(1)});
   REQUIRE(editor.load({{kThree.begin(), kThree.end()}, {}}));
   CHECK(editor.selection().is_empty());
 }

@@ -92,7 +92,7 @@ TEST_CASE("solo shows one layer and gives the others back") {
   CHECK(stack.visible_layers() == std::vector<LayerIndex>{0, 1});
   stack.solo(3);
   stack.set_visible(2, true);
-  CHECK(stack.soloed() == kNoSlot);
+  CHECK(stack.soloed() == kNoLayer);
   CHECK(stack.visible_layers() == std::vector<LayerIndex>{0, 1, 2});
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("a configuration brings everything back, whatever the order and names 
   CHECK(stack.image().file.empty());
   stack.solo(1);
   stack.set_configuration(kept);
-  CHECK(stack.soloed() == kNoSlot);
+  CHECK(stack.soloed() == kNoLayer);
   CHECK(stack.configuration() == kept);
 
   const std::uint64_t demand = stack.demand_revision();

@@ -50,8 +50,8 @@ class RandomEditing {
         if (!editor.in_gesture()) evolve(editor);
         break;
       default:
-        if (document.slot_count() > 0 && document.is_alive(0))
-          static_cast<void>(editor.move(std::array{std::pair{document.id(0), place()}}, "Move"));
+        if (document.slot_count() > 0 && document.is_alive(SampleSlot(0)))
+          static_cast<void>(editor.move(std::array{std::pair{document.id(SampleSlot(0)), place()}}, "Move"));
     }
   }
 
@@ -59,7 +59,7 @@ class RandomEditing {
   Vec2 place() { return {random_.uniform(), random_.uniform()}; }
   void evolve(Editor& editor) {
     std::vector<Vec2> positions;
-    for (const Slot slot : editor.document().slots_in_input_order())
+    for (const SampleSlot slot : editor.document().slots_in_input_order())
       positions.push_back(editor.document().position(slot) + 0.1 * place());
     std::vector<SampleData::Contour> contours;
     // New samples in a curve.
@@ -74,11 +74,11 @@ class RandomEditing {
     editor.selection().clear();
     const Document& document = editor.document();
     for (int i = 0; i < 2 && document.slot_count() > 0; ++i) {
-      const auto slot = static_cast<Slot>(random_.below(document.slot_count()));
+      const SampleSlot slot(random_.below(document.slot_count()));
       if (document.is_alive(slot)) editor.selection().add(slot);
     }
     if (document.ball_slot_count() == 0) return;
-    const auto ball = static_cast<Slot>(random_.below(document.ball_slot_count()));
+    const BallSlot ball(random_.below(document.ball_slot_count()));
     if (document.is_ball_alive(ball)) editor.selection().add_ball(ball);
   }
 

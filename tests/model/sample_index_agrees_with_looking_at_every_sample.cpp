@@ -12,14 +12,14 @@ namespace {
 
 double nearest_distance(const Document& document, Vec2 p) {
   double best = std::numeric_limits<double>::infinity();
-  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
     if (document.is_alive(slot)) best = std::min(best, distance(document.position(slot), p));
   return best;
 }
 
-std::vector<Slot> rows_in(const Document& document, const Box2& box) {
-  std::vector<Slot> out;
-  for (Slot slot = 0; slot < document.slot_count(); ++slot)
+std::vector<SampleSlot> rows_in(const Document& document, const Box2& box) {
+  std::vector<SampleSlot> out;
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
     if (document.is_alive(slot) && box.contains(document.position(slot))) out.push_back(slot);
   return out;
 }
@@ -31,7 +31,7 @@ void compare(const Editor& editor, Rng& random, double extent) {
     const Vec2 p{random.uniform(-1.5, 1.5) * extent, random.uniform(-1.5, 1.5) * extent};
     const double radius = extent * std::pow(10.0, random.uniform(-6.0, 2.0));
     const double expected = nearest_distance(document, p);
-    const Slot found = editor.index().nearest(p, radius);
+    const SampleSlot found = editor.index().nearest(p, radius);
     if (expected > radius) {
       REQUIRE(found == kNoSlot);
     } else {
@@ -69,7 +69,7 @@ TEST_CASE("random edits, undo and redo: every answer is that of a search through
       for (int step = 0; step < 150; ++step) {
         const Document& document = editor.document();
         const auto choice = random.below(10);
-        const auto row = document.slot_count() == 0 ? 0 : static_cast<Slot>(random.below(document.slot_count()));
+        const SampleSlot row(document.slot_count() == 0 ? 0 : random.below(document.slot_count()));
         if (choice < 5 || document.sample_count() == 0) {
           std::vector<Vec2> points(random.below(30) + 1);
           for (Vec2& p : points) p = random_point(random, kind, extent);
@@ -79,7 +79,7 @@ TEST_CASE("random edits, undo and redo: every answer is that of a search through
           REQUIRE(editor.move(target, "move"));
         } else if (choice < 8) {
           std::vector<SampleId> ids;
-          for (Slot slot = 0; slot < document.slot_count(); ++slot)
+          for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
             if (document.is_alive(slot) && random.below(4) != 0) ids.push_back(document.id(slot));
           REQUIRE(editor.remove(ids, "remove"));
         } else if (choice == 8) {
@@ -100,6 +100,6 @@ TEST_CASE("an empty document and a nonsense question have no answer") {
   REQUIRE(editor.insert(std::array{Vec2{1, 1}}, "insert"));
   CHECK(editor.index().nearest({std::nan(""), 0}, 1e300) == kNoSlot);
   CHECK(editor.index().nearest({0, 0}, -1.0) == kNoSlot);
-  CHECK(editor.index().nearest({1, 1}, 0.0) == 0);
+  CHECK(editor.index().nearest({1, 1}, 0.0) == SampleSlot(0));
   CHECK(editor.index().in_box(Box2{}).empty());
 }

@@ -167,7 +167,7 @@ TEST_CASE("a file of samples and one of balls are one document again") {
   const auto outcome = bench.open({samples, others, balls});
   CHECK(outcome.files == std::vector{samples, balls});
   CHECK(outcome.left_out == 1);
-  CHECK(bench.editor.document().position(0) == Vec2{5, 6});
+  CHECK(bench.editor.document().position(SampleSlot(0)) == Vec2{5, 6});
   bench.add_sample();
   bench.add_ball();
   REQUIRE(bench.save());

@@ -24,9 +24,9 @@ std::vector<std::vector<Vec2>> reachable(Editor& editor) {
   std::vector<std::vector<Vec2>> out;
   const auto look = [&] {
     auto& state = out.emplace_back();
-    for (const Slot slot : editor.document().slots_in_input_order())
+    for (const SampleSlot slot : editor.document().slots_in_input_order())
       state.push_back(editor.document().position(slot));
-    for (const Slot slot : editor.document().ball_slots_in_input_order()) {
+    for (const BallSlot slot : editor.document().ball_slots_in_input_order()) {
       const Disk& disk = editor.document().disk(slot);
       state.push_back(disk.center);
       state.push_back({disk.radius, 0});
@@ -114,9 +114,9 @@ TEST_CASE("a gesture that did nothing, or was taken back, leaves the timeline ab
   editor.end_gesture();
   CHECK(editor.timeline().entries().empty());
   editor.begin_gesture("Drag");
-  REQUIRE(editor.move(std::array{std::pair{editor.document().id(0), Vec2{5, 5}}}, "Drag"));
+  REQUIRE(editor.move(std::array{std::pair{editor.document().id(SampleSlot(0)), Vec2{5, 5}}}, "Drag"));
   editor.cancel_gesture();
-  CHECK(replayed(editor.timeline()).document().position(0) == Vec2{0, 0});
+  CHECK(replayed(editor.timeline()).document().position(SampleSlot(0)) == Vec2{0, 0});
   CHECK(replayed(editor.timeline()).history().position() == 0);
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("dragging very many samples does not put each move of the pointer on r
   for (int i = 0; i < 10; ++i) REQUIRE(editor.nudge_selection({1, 0}));
   editor.end_gesture();
   CHECK(editor.timeline().entries().size() == 3);
-  CHECK(replayed(editor.timeline()).document().position(7) == editor.document().position(7));
+  CHECK(replayed(editor.timeline()).document().position(SampleSlot(7)) == editor.document().position(SampleSlot(7)));
 }
 
 TEST_CASE("entries that make no sense are refused and change nothing") {

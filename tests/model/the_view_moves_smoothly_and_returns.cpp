@@ -135,11 +135,11 @@ TEST_CASE("a view that moves under a held sample takes the sample along with the
   bench.canvas.move(at + Vec2{40, 0}, {});
   bench.canvas.wheel({0, 0}, 2);
   bench.settle();
-  const Vec2 now = bench.view.camera().to_screen(bench.editor.document().position(0));
+  const Vec2 now = bench.view.camera().to_screen(bench.editor.document().position(SampleSlot(0)));
   CHECK(distance(now, at + Vec2{40, 0}) < 1e-6);
   bench.canvas.release(PointerButton::left, at + Vec2{40, 0}, {});
   bench.editor.undo();
-  CHECK(bench.editor.document().position(0) == Vec2{0, 0});
+  CHECK(bench.editor.document().position(SampleSlot(0)) == Vec2{0, 0});
 }
 
 TEST_CASE("a second button during a gesture does not disturb it") {

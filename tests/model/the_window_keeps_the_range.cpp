@@ -39,12 +39,12 @@ TEST_CASE("a click that is nothing beside the drawing is a click on the axis") {
   tool.drag(at({-1e-31, 0x1p-99}));
   tool.release(at({-1e-31, 0x1p-99}));
   CHECK(bench.refused.empty());
-  CHECK(bench.document().position(2) == Vec2{0.0, 0x1p-99});
-  CHECK_FALSE(std::signbit(bench.document().position(2).x));
+  CHECK(bench.document().position(SampleSlot(2)) == Vec2{0.0, 0x1p-99});
+  CHECK_FALSE(std::signbit(bench.document().position(SampleSlot(2)).x));
   SprayTool spray(bench.context);
   spray.press(at({3.0, -1e-300}));
   spray.release(at({3.0, -1e-300}));
-  CHECK(bench.document().position(3) == Vec2{3.0, 0.0});
+  CHECK(bench.document().position(SampleSlot(3)) == Vec2{3.0, 0.0});
   CHECK(bench.refused.empty());
 }
 
@@ -53,10 +53,10 @@ TEST_CASE("among small things small clicks are what they are, and those below th
   InsertTool tool(bench.context);
   tool.press(at({1e-140, 3e-121}));
   tool.release(at({1e-140, 3e-121}));
-  CHECK(bench.document().position(1) == Vec2{1e-140, 3e-121});
+  CHECK(bench.document().position(SampleSlot(1)) == Vec2{1e-140, 3e-121});
   tool.press(at({5e-324, 1e-130}));
   tool.release(at({5e-324, 1e-130}));
-  CHECK(bench.document().position(2) == Vec2{0.0, 1e-130});
+  CHECK(bench.document().position(SampleSlot(2)) == Vec2{0.0, 1e-130});
   CHECK(bench.refused.empty());
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("a radius too small beside the drawing is refused, not made zero") {
   Bench bench;
   const std::uint64_t before = bench.document().digest();
   CHECK_FALSE(bench.editor.insert_balls(std::vector<Disk>{{{1, 1}, 1e-40}}, "Insert ball"));
-  bench.editor.selection().add_ball(0);
+  bench.editor.selection().add_ball(BallSlot(0));
   CHECK_FALSE(bench.editor.scale_selected_balls(1e-35, 1.0, false));
   CHECK_FALSE(bench.editor.scale_selected_balls(1e200, 1.0, false));
   CHECK(bench.document().digest() == before);
@@ -92,8 +92,9 @@ TEST_CASE("a radius too small beside the drawing is refused, not made zero") {
 TEST_CASE("a drag of everything to another size is judged as a whole") {
   Bench bench;
   const Document& document = bench.document();
-  const std::vector<std::pair<SampleId, Vec2>> samples{{document.id(0), {1e60, 0.0}}, {document.id(1), {0.0, 1e60}}};
-  const std::vector<std::pair<BallId, Disk>> balls{{document.ball_id(0), {{1e60, 1e60}, 1e40}}};
+  const std::vector<std::pair<SampleId, Vec2>> samples{{document.id(SampleSlot(0)), {1e60, 0.0}},
+                                                       {document.id(SampleSlot(1)), {0.0, 1e60}}};
+  const std::vector<std::pair<BallId, Disk>> balls{{document.ball_id(BallSlot(0)), {{1e60, 1e60}, 1e40}}};
   CHECK_FALSE(bench.editor.move(samples, "Move"));
   REQUIRE(bench.editor.move(samples, balls, "Move"));
   CHECK(document.magnitudes().most == exponent_of(1e60));
@@ -103,7 +104,7 @@ TEST_CASE("a drag of everything to another size is judged as a whole") {
   const std::uint64_t large = document.digest();
   bench.editor.undo();
   bench.editor.undo();
-  CHECK(document.position(0) == Vec2{1.0, 2.0});
+  CHECK(document.position(SampleSlot(0)) == Vec2{1.0, 2.0});
   CHECK(document.magnitudes().least == exponent_of(0.5));
   bench.editor.redo();
   bench.editor.redo();
@@ -115,24 +116,24 @@ TEST_CASE("taking the smallest away makes room for the largest") {
   const std::vector<Vec2> large{{4.0, 0.0}};
   const std::vector<Vec2> larger{{0x1p3, 0x1p3}};
   CHECK_FALSE(bench.editor.insert(large, "Insert"));
-  REQUIRE(bench.editor.remove(std::vector{bench.document().id(0)}, "Delete"));
+  REQUIRE(bench.editor.remove(std::vector{bench.document().id(SampleSlot(0))}, "Delete"));
   CHECK_FALSE(bench.editor.insert(large, "Insert"));
-  REQUIRE(bench.editor.remove(std::vector{bench.document().id(2)}, "Delete"));
+  REQUIRE(bench.editor.remove(std::vector{bench.document().id(SampleSlot(2))}, "Delete"));
   CHECK(bench.editor.insert(larger, "Insert"));
 }
 
 TEST_CASE("a nudge onto an axis ends on the axis, a nudge out of range where it began") {
   Bench bench(SampleData{.positions = {{0.3, 1.0}, {2.0, 5.0}}});
-  bench.editor.selection().add(0);
+  bench.editor.selection().add(SampleSlot(0));
   for (int i = 0; i < 3; ++i) REQUIRE(bench.editor.nudge_selection({-0.1, 0.0}));
   // What rounding leaves of 0.3 - 0.1 - 0.1 - 0.1 is a number among others.
-  const double rest = bench.document().position(0).x;
+  const double rest = bench.document().position(SampleSlot(0)).x;
   CHECK(rest != 0.0);
   CHECK(std::abs(rest) < 1e-15);
   REQUIRE(bench.editor.nudge_selection({-rest, 0.0}));
-  CHECK(bench.document().position(0).x == 0.0);
+  CHECK(bench.document().position(SampleSlot(0)).x == 0.0);
   REQUIRE(bench.editor.nudge_selection({1e-45, 0.0}));
-  CHECK(bench.document().position(0).x == 0.0);
+  CHECK(bench.document().position(SampleSlot(0)).x == 0.0);
   const std::uint64_t before = bench.document().digest();
   CHECK_FALSE(bench.editor.nudge_selection({kMost, 0.0}));
   CHECK(bench.document().digest() == before);
@@ -146,7 +147,7 @@ TEST_CASE("a state of an evolution out of range is refused, and the state before
   CHECK_FALSE(bench.editor.evolve(std::vector<Vec2>{{1e200, 0.0}, {2.0, 5.0}}, {}, "Smooth: step 2"));
   CHECK(bench.document().digest() == before);
   bench.editor.undo();
-  CHECK(bench.document().position(0) == Vec2{1.0, 0.0});
+  CHECK(bench.document().position(SampleSlot(0)) == Vec2{1.0, 0.0});
 }
 
 TEST_CASE("a timeline of edits in range replays, one of edits out of range does not") {

@@ -28,7 +28,7 @@ struct Bench {
     for (int i = 0; i < 5; ++i) data.positions.push_back(at(100.0 + 40.0 * i, 100).world);
     REQUIRE(editor.load(data));
   }
-  std::vector<Slot> selected() const { return editor.selection().slots(); }
+  std::vector<SampleSlot> selected() const { return editor.selection().slots(); }
 };
 
 void click(Tool& tool, const Pointer& pointer) {
@@ -52,7 +52,7 @@ TEST_CASE("insert adds a sample where the button is let go, in one step") {
   InsertTool tool(bench.context);
   drag(tool, at(10, 20), at(30, 40));
   REQUIRE(bench.editor.document().sample_count() == 6);
-  CHECK(bench.editor.document().position(5) == at(30, 40).world);
+  CHECK(bench.editor.document().position(SampleSlot(5)) == at(30, 40).world);
   bench.editor.undo();
   CHECK(bench.editor.document().sample_count() == 5);
   CHECK_FALSE(bench.editor.can_undo());
@@ -78,9 +78,9 @@ TEST_CASE("spray spaces samples evenly, whatever the pointer reports") {
     tool.release(at(205, 0));
     CAPTURE(reports);
     REQUIRE(bench.editor.document().sample_count() == 5 + 21);
-    for (Slot i = 0; i < 21; ++i) {
-      CHECK(bench.editor.document().position(5 + i).x == Approx(0.5 * 10.0 * i).margin(1e-9));
-      CHECK(bench.editor.document().position(5 + i).y == 0.0);
+    for (std::uint32_t i = 0; i < 21; ++i) {
+      CHECK(bench.editor.document().position(SampleSlot(5 + i)).x == Approx(0.5 * 10.0 * i).margin(1e-9));
+      CHECK(bench.editor.document().position(SampleSlot(5 + i)).y == 0.0);
     }
     bench.editor.undo();
     CHECK(bench.editor.document().sample_count() == 5);
@@ -92,15 +92,15 @@ TEST_CASE("a click selects, Shift adds, Ctrl+Shift removes, empty space deselect
   Bench bench;
   SelectTool tool(bench.context);
   click(tool, at(103, 102));
-  CHECK(bench.selected() == std::vector<Slot>{0});
+  CHECK(bench.selected() == std::vector{SampleSlot(0)});
   click(tool, at(140, 100));
-  CHECK(bench.selected() == std::vector<Slot>{1});
+  CHECK(bench.selected() == std::vector{SampleSlot(1)});
   click(tool, at(180, 100, kShift));
-  CHECK(bench.selected() == std::vector<Slot>{1, 2});
+  CHECK(bench.selected() == std::vector{SampleSlot(1), SampleSlot(2)});
   click(tool, at(140, 100, kCtrlShift));
-  CHECK(bench.selected() == std::vector<Slot>{2});
+  CHECK(bench.selected() == std::vector{SampleSlot(2)});
   click(tool, at(300, 300, kShift));
-  CHECK(bench.selected() == std::vector<Slot>{2});
+  CHECK(bench.selected() == std::vector{SampleSlot(2)});
   click(tool, at(300, 300));
   CHECK(bench.selected().empty());
   CHECK_FALSE(bench.editor.can_undo());
@@ -111,43 +111,43 @@ TEST_CASE("a click on one of several selected samples selects it alone") {
   SelectTool tool(bench.context);
   bench.editor.selection().select_all(bench.editor.document());
   click(tool, at(180, 100));
-  CHECK(bench.selected() == std::vector<Slot>{2});
+  CHECK(bench.selected() == std::vector{SampleSlot(2)});
 }
 
 TEST_CASE("a box selects, adds and removes") {
   Bench bench;
   SelectTool tool(bench.context);
   drag(tool, at(120, 80), at(200, 120));
-  CHECK(bench.selected() == std::vector<Slot>{1, 2});
+  CHECK(bench.selected() == std::vector{SampleSlot(1), SampleSlot(2)});
   drag(tool, at(280, 120, kShift), at(240, 90, kShift));
-  CHECK(bench.selected() == std::vector<Slot>{1, 2, 4});
+  CHECK(bench.selected() == std::vector{SampleSlot(1), SampleSlot(2), SampleSlot(4)});
   drag(tool, at(170, 80, kCtrlShift), at(400, 120, kCtrlShift));
-  CHECK(bench.selected() == std::vector<Slot>{1});
+  CHECK(bench.selected() == std::vector{SampleSlot(1)});
 }
 
 TEST_CASE("dragging a sample moves it exactly as far as the pointer, in one step") {
   Bench bench;
   SelectTool tool(bench.context);
-  const Vec2 before = bench.editor.document().position(1);
+  const Vec2 before = bench.editor.document().position(SampleSlot(1));
   drag(tool, at(143, 101), at(163, 141));
-  CHECK(bench.editor.document().position(1) == before + Vec2{10, -20});
+  CHECK(bench.editor.document().position(SampleSlot(1)) == before + Vec2{10, -20});
   CHECK(bench.editor.undo_name() == "Move sample");
   bench.editor.undo();
-  CHECK(bench.editor.document().position(1) == before);
+  CHECK(bench.editor.document().position(SampleSlot(1)) == before);
   CHECK_FALSE(bench.editor.can_undo());
 }
 
 TEST_CASE("dragging a selected sample moves the whole selection") {
   Bench bench;
   SelectTool tool(bench.context);
-  bench.editor.selection().add(0);
-  bench.editor.selection().add(2);
+  bench.editor.selection().add(SampleSlot(0));
+  bench.editor.selection().add(SampleSlot(2));
   drag(tool, at(180, 100), at(180, 120));
-  CHECK(bench.editor.document().position(0) == at(100, 120).world);
-  CHECK(bench.editor.document().position(1) == at(140, 100).world);
-  CHECK(bench.editor.document().position(2) == at(180, 120).world);
+  CHECK(bench.editor.document().position(SampleSlot(0)) == at(100, 120).world);
+  CHECK(bench.editor.document().position(SampleSlot(1)) == at(140, 100).world);
+  CHECK(bench.editor.document().position(SampleSlot(2)) == at(180, 120).world);
   bench.editor.undo();
-  CHECK(bench.editor.document().position(0) == at(100, 100).world);
+  CHECK(bench.editor.document().position(SampleSlot(0)) == at(100, 100).world);
   CHECK_FALSE(bench.editor.can_undo());
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("a trembling click moves nothing") {
   SelectTool tool(bench.context);
   drag(tool, at(140, 100), at(142, 101));
   CHECK_FALSE(bench.editor.can_undo());
-  CHECK(bench.selected() == std::vector<Slot>{1});
+  CHECK(bench.selected() == std::vector{SampleSlot(1)});
 }
 
 TEST_CASE("a cancelled move puts everything back") {
@@ -164,9 +164,9 @@ TEST_CASE("a cancelled move puts everything back") {
   SelectTool tool(bench.context);
   tool.press(at(140, 100));
   tool.drag(at(200, 150));
-  CHECK(bench.editor.document().position(1) == at(200, 150).world);
+  CHECK(bench.editor.document().position(SampleSlot(1)) == at(200, 150).world);
   tool.cancel();
-  CHECK(bench.editor.document().position(1) == at(140, 100).world);
+  CHECK(bench.editor.document().position(SampleSlot(1)) == at(140, 100).world);
   CHECK_FALSE(tool.is_active());
   CHECK_FALSE(bench.editor.can_undo());
 }

@@ -107,7 +107,7 @@ TEST_CASE("a gesture that is not finished waits; an unreadable journal is set as
     Autosave autosave(folder.path(), {}, milliseconds(0));
     REQUIRE(editor.insert(std::array{Vec2{1, 1}}, "Insert"));
     editor.begin_gesture("Drag");
-    REQUIRE(editor.move(std::array{std::pair{editor.document().id(0), Vec2{5, 5}}}, "Drag"));
+    REQUIRE(editor.move(std::array{std::pair{editor.document().id(SampleSlot(0)), Vec2{5, 5}}}, "Drag"));
     autosave.follow(editor, [&] { return head_of(editor); });
     autosave.flush();
   }

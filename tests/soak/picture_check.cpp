@@ -40,8 +40,8 @@ std::string difference_from_fresh(const Consumer& consumer, const Document& docu
   if (const std::string failure = failure_in(consumer.patch); !failure.empty()) return failure;
   if (consumer.patch.document_revision != document.revision()) return "the picture is of another document state";
   SampleData data;
-  for (const Slot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
-  for (const Slot slot : document.ball_slots_in_input_order()) data.balls.push_back(document.disk(slot));
+  for (const SampleSlot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
+  for (const BallSlot slot : document.ball_slots_in_input_order()) data.balls.push_back(document.disk(slot));
   Consumer fresh;
   fresh.graph.post_settings(settings);
   fresh.graph.set_demand(layers);

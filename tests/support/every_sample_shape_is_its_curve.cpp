@@ -23,7 +23,7 @@ nlohmann::json read_index() {
   return nlohmann::json::parse(stream);
 }
 
-using Edge = std::pair<Slot, Slot>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // of positions in the file, which are rows of a new document
 
 struct ExpectedEdges {
   std::set<Edge> curve;
@@ -70,10 +70,10 @@ TEST_CASE("the crust of every sample shape is its curve, but for gaps that it br
     const auto& delaunay = graph.structures().get<Delaunay>();
     const auto& crust = graph.structures().get<OneStepCrust>();
     std::set<Edge> found;
-    for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+    for (const EdgeSlot edge : delaunay.edge_slots()) {
       const EdgeRow& row = delaunay.edge(edge);
       if (!row.is_alive() || !crust.is_crust(edge)) continue;
-      found.insert(std::minmax(delaunay.site_sample(row.v[0]), delaunay.site_sample(row.v[1])));
+      found.insert(std::minmax(delaunay.site_sample(row.v[0]).index(), delaunay.site_sample(row.v[1]).index()));
     }
     const ExpectedEdges expected = expected_edges(loaded->data);
     std::size_t bridged = 0;

@@ -25,15 +25,15 @@ bool less_list(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 std::vector<NodeStateOf> nodes_of(const Delaunay& delaunay, const OneStepCrust& crust, const Labels& labels,
                                   const InnerBalls& balls, const MedialAxis& axis) {
   std::vector<NodeStateOf> nodes;
-  std::vector<bool> seen(delaunay.face_rows(), false);
-  for (Slot seed = 0; seed < delaunay.face_rows(); ++seed) {
+  Table<FaceSlot, bool> seen(delaunay.face_rows(), false);
+  for (const FaceSlot seed : delaunay.face_slots()) {
     if (!delaunay.is_finite_face(seed) || seen[seed]) continue;
     NodeStateOf node;
     node.inside = labels.is_inside(seed);
-    std::vector<Slot> stack{seed};
+    std::vector<FaceSlot> stack{seed};
     seen[seed] = true;
     while (!stack.empty()) {
-      const Slot face = stack.back();
+      const FaceSlot face = stack.back();
       stack.pop_back();
       const FaceRow& row = delaunay.face(face);
       if (axis.is_node(face)) node.degree += axis.node_degree(face);
@@ -58,12 +58,12 @@ std::vector<NodeStateOf> nodes_of(const Delaunay& delaunay, const OneStepCrust& 
 std::vector<std::vector<Vec2>> poles_of(const Delaunay& delaunay, const VoronoiVertices& vertices,
                                         const Poles& poles) {
   std::vector<std::vector<Vec2>> out;
-  std::vector<Slot> sites;
-  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+  std::vector<SiteSlot> sites;
+  for (const SiteSlot site : delaunay.site_slots()) {
     if (!delaunay.is_site(site)) continue;
     const Vec2 p = delaunay.site_position(site);
     out.push_back({p});
-    for (const Slot pole : {poles.plus(site), poles.minus(site)}) {
+    for (const FaceSlot pole : {poles.plus(site), poles.minus(site)}) {
       out.back().push_back(p);
       if (pole == kNoSlot || pole == kInfinitePole) continue;
       // What counts as a pole says so, and names the circle as the others do.
@@ -71,7 +71,7 @@ std::vector<std::vector<Vec2>> poles_of(const Delaunay& delaunay, const VoronoiV
       sites.clear();
       vertices.append_sites(pole, sites);
       std::vector<Vec2> circle;
-      for (const Slot other : sites) circle.push_back(delaunay.site_position(other));
+      for (const SiteSlot other : sites) circle.push_back(delaunay.site_position(other));
       std::ranges::sort(circle, less);
       out.back().insert(out.back().end(), circle.begin(), circle.end());
     }
@@ -112,13 +112,13 @@ GeometryState state_of(const Graph& graph) {
   GeometryState state;
   state.dimension = delaunay.dimension();
   const auto& own = graph.structures().get<UserBalls>();
-  for (Slot row = 0; row < own.row_count(); ++row)
+  for (const BallSlot row : slots_below<BallSlot>(own.row_count()))
     if (own.is_alive(row))
       state.balls.push_back({own.disk(row).center.x, own.disk(row).center.y, own.disk(row).radius});
   std::ranges::sort(state.balls);
   state.odd = crust.odd_count();
   state.conflicts = labels.conflict_count();
-  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+  for (const SiteSlot site : delaunay.site_slots()) {
     if (!delaunay.is_site(site)) continue;
     const Vec2 p = delaunay.site_position(site);
     state.sites.push_back(p);
@@ -126,7 +126,7 @@ GeometryState state_of(const Graph& graph) {
   }
   std::ranges::sort(state.sites, less);
   std::ranges::sort(state.normals);
-  for (Slot e = 0; e < delaunay.edge_rows(); ++e) {
+  for (const EdgeSlot e : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(e);
     if (!row.is_alive() || crust.is_cocircular(e)) continue;
     EdgeState edge{delaunay.site_position(row.v[0]),
@@ -152,7 +152,7 @@ GeometryState state_of(const Graph& graph) {
   for (const Curve::Chain& chain : curve.chains()) {
     if (chain.sites.empty()) continue;
     std::vector<Vec2> points;
-    for (const Slot site : chain.sites) points.push_back(delaunay.site_position(site));
+    for (const SiteSlot site : chain.sites) points.push_back(delaunay.site_position(site));
     if (chain.closed) points.push_back(points.front());
     state.chains.push_back(std::move(points));
   }
@@ -189,8 +189,8 @@ std::string broken_row(const Graph& graph) {
   const auto& samples = graph.structures().get<Samples>();
   const auto& crust = graph.structures().get<OneStepCrust>();
   const auto& labels = graph.structures().get<Labels>();
-  for (Slot sample = 0; sample < samples.row_count(); ++sample) {
-    const Slot site = delaunay.site_of_sample(sample);
+  for (const SampleSlot sample : slots_below<SampleSlot>(samples.row_count())) {
+    const SiteSlot site = delaunay.site_of_sample(sample);
     if (!samples.is_alive(sample)) {
       if (site != kNoSlot) return "a dead sample has a site";
       continue;
@@ -198,12 +198,12 @@ std::string broken_row(const Graph& graph) {
     if (site == kNoSlot || !delaunay.is_site(site)) return "a sample has no site";
     if (delaunay.site_position(site) != samples.position(sample)) return "a sample is not where its site is";
     bool listed = false;
-    for (Slot s = delaunay.site_sample(site); s != kNoSlot; s = delaunay.next_duplicate(s))
+    for (SampleSlot s = delaunay.site_sample(site); s != kNoSlot; s = delaunay.next_duplicate(s))
       listed = listed || s == sample;
     if (!listed) return "a site does not list its sample";
   }
   if (delaunay.dimension() != 2) return {};
-  for (Slot f = 0; f < delaunay.face_rows(); ++f) {
+  for (const FaceSlot f : delaunay.face_slots()) {
     const FaceRow& row = delaunay.face(f);
     if (!row.is_alive()) continue;
     for (int i = 0; i < 3; ++i) {
@@ -228,12 +228,12 @@ std::string broken_row(const Graph& graph) {
     }
     if (row.is_infinite() && labels.is_inside(f)) return "a face at infinity is inside";
   }
-  for (Slot e = 0; e < delaunay.edge_rows(); ++e) {
+  for (const EdgeSlot e : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(e);
     if (row.is_alive() && (delaunay.face(row.f[0]).e[delaunay.face(row.f[0]).index_of_edge(e)] != e))
       return "an edge row has no face";
   }
-  for (Slot site = 0; site < delaunay.site_rows(); ++site) {
+  for (const SiteSlot site : delaunay.site_slots()) {
     if (!delaunay.is_site(site)) continue;
     const FaceRow& row = delaunay.face(delaunay.site_face(site));
     if (!row.is_alive() || row.v[row.index_of_site(site)] != site) return "a site's face does not hold it";

@@ -121,25 +121,25 @@ Provenance Workbench::ask(Vec2 at, double reach, const std::vector<std::string_v
 
 std::vector<SampleId> Workbench::ids() const {
   std::vector<SampleId> out;
-  for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
+  for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
   return out;
 }
 
 std::vector<Vec2> Workbench::positions() const {
   std::vector<Vec2> out;
-  for (const Slot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
+  for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
   return out;
 }
 
 std::vector<BallId> Workbench::ball_ids() const {
   std::vector<BallId> out;
-  for (const Slot slot : document_.ball_slots_in_input_order()) out.push_back(document_.ball_id(slot));
+  for (const BallSlot slot : document_.ball_slots_in_input_order()) out.push_back(document_.ball_id(slot));
   return out;
 }
 
 std::vector<Disk> Workbench::balls() const {
   std::vector<Disk> out;
-  for (const Slot slot : document_.ball_slots_in_input_order()) out.push_back(document_.disk(slot));
+  for (const BallSlot slot : document_.ball_slots_in_input_order()) out.push_back(document_.disk(slot));
   return out;
 }
 
@@ -185,7 +185,7 @@ std::set<PlaceEdge> crust_edges(const Graph& graph) {
   const auto& delaunay = graph.structures().get<Delaunay>();
   const auto& crust = graph.structures().get<OneStepCrust>();
   std::set<PlaceEdge> out;
-  for (Slot edge = 0; edge < delaunay.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(edge);
     if (row.is_alive() && crust.is_crust(edge))
       out.insert(place_edge(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1])));

@@ -20,7 +20,7 @@ SelectTool::Mode SelectTool::mode_of(Modifiers modifiers) {
 SelectTool::Hit SelectTool::pick(const Pointer& pointer) const {
   const double reach = kPickRadiusPx * pointer.units_per_px;
   const Document& document = context_.editor.document();
-  const Slot sample = context_.editor.index().nearest(pointer.world, reach);
+  const SampleSlot sample = context_.editor.index().nearest(pointer.world, reach);
   if (sample == kNoSlot) return {kNoSlot, nearest_ball(document, pointer.world, reach).slot};
   // A ball must be nearer than the sample: samples lie on circles more often than beside them.
   const double to_sample = distance(document.position(sample), pointer.world);
@@ -67,9 +67,9 @@ void SelectTool::begin_move() {
   const Document& document = context_.editor.document();
   const Selection& selection = context_.editor.selection();
   from_.clear();
-  for (const Slot slot : selection.slots()) from_.emplace_back(document.id(slot), document.position(slot));
+  for (const SampleSlot slot : selection.slots()) from_.emplace_back(document.id(slot), document.position(slot));
   from_balls_.clear();
-  for (const Slot slot : selection.ball_slots())
+  for (const BallSlot slot : selection.ball_slots())
     from_balls_.emplace_back(document.ball_id(slot), document.disk(slot));
   context_.editor.begin_gesture("Move " + noun_of(selection));
   state_ = State::moving;
@@ -95,8 +95,8 @@ void SelectTool::select_box(const Pointer& pointer) {
   box.add(pointer.world);
   const Mode mode = mode_of(pointer.modifiers);
   if (mode == Mode::replace) context_.editor.selection().clear();
-  for (const Slot slot : context_.editor.index().in_box(box)) select({slot, kNoSlot}, mode);
-  for (const Slot slot : balls_in_box(context_.editor.document(), box)) select({kNoSlot, slot}, mode);
+  for (const SampleSlot slot : context_.editor.index().in_box(box)) select({slot, kNoSlot}, mode);
+  for (const BallSlot slot : balls_in_box(context_.editor.document(), box)) select({kNoSlot, slot}, mode);
 }
 
 void SelectTool::release(const Pointer& pointer) {

@@ -41,8 +41,8 @@ class SelectTool final : public Tool {
   static Mode mode_of(Modifiers modifiers);
   /// A sample, a ball, or nothing.
   struct Hit {
-    Slot sample = kNoSlot;
-    Slot ball = kNoSlot;
+    SampleSlot sample;
+    BallSlot ball;
     bool is_any() const { return sample != kNoSlot || ball != kNoSlot; }
   };
 

@@ -30,8 +30,8 @@ struct ToolContext {
 
 /// What the canvas shows of a tool besides the drawing.
 struct ToolFeedback {
-  Slot hovered = kNoSlot;         ///< the sample a press would take
-  Slot hovered_ball = kNoSlot;    ///< the ball it would take; never both
+  SampleSlot hovered;             ///< the sample a press would take
+  BallSlot hovered_ball;          ///< the ball it would take; never both
   std::optional<Disk> ball;       ///< a ball being drawn
   std::optional<Box2> box_px;     ///< the selection box being drawn
   std::optional<Vec2> marker_px;  ///< where a press would put a sample

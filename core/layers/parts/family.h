@@ -45,7 +45,7 @@ Layer union_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts..
   return layer;
 }
 
-template <class Table>
+template <class Value>
 constexpr ElementKind kElementOf = ElementKind::other;
 template <>
 inline constexpr ElementKind kElementOf<DualEdge> = ElementKind::dual_edge;
@@ -64,21 +64,24 @@ inline constexpr ElementKind kElementOf<VEdge> = ElementKind::v_edge;
 template <>
 inline constexpr ElementKind kElementOf<BoundaryArc> = ElementKind::boundary_arc;
 
-/// Part over a table of the union: `emit(row of the table, instance)`.
-template <class Table, class Emit>
-auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, std::vector<Table> UnionTables::*table,
-                const ChangeSet& changes, Emit emit) {
+/// Part over a table of the union: `emit(row of the table, instance)`. The change set is that of the table, or of the
+/// one whose rows are its rows (`UnionChanges`).
+template <class Row, class Value, class ChangedRow, class Emit>
+auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, Table<Row, Value> UnionTables::*table,
+                const ChangeSet<ChangedRow>& changes, Emit emit) {
   return table_part(
       std::move(kinds), [&balls, table] { return (balls.tables().*table).size(); }, changes,
-      [&balls, table, emit](Slot row, Instance& out) { emit((balls.tables().*table)[row], out); },
-      ElementType{kElementOf<Table>, &balls});
+      [&balls, table, emit](ChangedRow row, Instance& out) {
+        emit((balls.tables().*table)[same_row<Row>(row)], out);
+      },
+      ElementType{kElementOf<Value>, &balls});
 }
 
 template <class Emit>
 auto power_part(std::vector<PrimitiveKind> kinds, const PowerDiagram& diagram, Emit emit) {
   return table_part(
       std::move(kinds), [&diagram] { return diagram.edges().size(); }, diagram.changes(),
-      [&diagram, emit](Slot row, Instance& out) { emit(diagram.edges()[row], out); },
+      [&diagram, emit](PowerEdgeSlot row, Instance& out) { emit(diagram.edges()[row], out); },
       ElementType{ElementKind::power_edge, &diagram});
 }
 
@@ -95,13 +98,13 @@ inline void emit_centers(const PowerDiagram& diagram, const PowerEdge& edge, Ins
   out.segment(diagram.family().disk(edge.ball[0]).center, diagram.family().disk(edge.ball[1]).center);
 }
 
-template <class Table, class Emit>
-auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, std::vector<Table> UnionTables::*table,
+template <class Row, class Value, class Emit>
+auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, Table<Row, Value> UnionTables::*table,
             Emit emit) {
   return table_part(
-      std::move(kinds), [&diagram, table] { return (diagram.tables().*table).size(); }, diagram.changes(),
-      [&diagram, table, emit](Slot row, Instance& out) { emit((diagram.tables().*table)[row], out); },
-      ElementType{kElementOf<Table>, &diagram});
+      std::move(kinds), [&diagram, table] { return (diagram.tables().*table).size(); }, no_changes<Row>(),
+      [&diagram, table, emit](Row row, Instance& out) { emit((diagram.tables().*table)[row], out); },
+      ElementType{kElementOf<Value>, &diagram});
 }
 
 /// Part over sampled balls: `emit(disk, instance)`.
@@ -109,7 +112,7 @@ template <class Emit>
 auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, Emit emit) {
   return table_part(
       std::move(kinds), [&balls] { return balls.rows(); }, balls.changes(),
-      [&balls, emit](Slot row, Instance& out) {
+      [&balls, emit](SampledSlot row, Instance& out) {
         if (balls.is_alive(row)) emit(balls.disk(row), out);
       });
 }

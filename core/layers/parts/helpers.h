@@ -21,10 +21,11 @@ Layer make_layer(LayerDescriptor descriptor, std::vector<const Structure*> struc
 
 /// Part over live Delaunay edges.
 template <class Emit>
-auto edges_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet& changes, Emit emit) {
+auto edges_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet<EdgeSlot>& changes,
+                Emit emit) {
   return table_part(
       std::move(kinds), [&delaunay] { return delaunay.edge_rows(); }, changes,
-      [&delaunay, emit](Slot edge, Instance& out) {
+      [&delaunay, emit](EdgeSlot edge, Instance& out) {
         if (delaunay.edge(edge).is_alive()) emit(edge, out);
       },
       ElementType{ElementKind::delaunay_edge});
@@ -32,10 +33,11 @@ auto edges_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
 
 /// Part over live finite faces, which are the Voronoi vertices.
 template <class Emit>
-auto faces_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet& changes, Emit emit) {
+auto faces_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet<FaceSlot>& changes,
+                Emit emit) {
   return table_part(
       std::move(kinds), [&delaunay] { return delaunay.face_rows(); }, changes,
-      [&delaunay, emit](Slot face, Instance& out) {
+      [&delaunay, emit](FaceSlot face, Instance& out) {
         if (delaunay.is_finite_face(face)) emit(face, out);
       },
       ElementType{ElementKind::voronoi_vertex});
@@ -43,24 +45,25 @@ auto faces_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
 
 /// Part over live sites.
 template <class Emit>
-auto sites_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet& changes, Emit emit) {
+auto sites_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet<SiteSlot>& changes,
+                Emit emit) {
   return table_part(
       std::move(kinds), [&delaunay] { return delaunay.site_rows(); }, changes,
-      [&delaunay, emit](Slot site, Instance& out) {
+      [&delaunay, emit](SiteSlot site, Instance& out) {
         if (delaunay.is_site(site)) emit(site, out);
       },
       ElementType{ElementKind::site});
 }
 
 /// The Delaunay edge itself.
-inline void emit_edge(const Delaunay& delaunay, Slot edge, Instance& out, double scalar = 0.0) {
+inline void emit_edge(const Delaunay& delaunay, EdgeSlot edge, Instance& out, double scalar = 0.0) {
   const EdgeRow& row = delaunay.edge(edge);
   out.segment(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1]), scalar);
 }
 
 /// The Voronoi edge dual to a Delaunay edge: a segment, a ray for a hull edge, a line when all sites are collinear. A
 /// dual of length exactly zero comes out with equal ends.
-inline void emit_dual(const Delaunay& delaunay, const OneStepCrust& crust, Slot edge, Instance& out,
+inline void emit_dual(const Delaunay& delaunay, const OneStepCrust& crust, EdgeSlot edge, Instance& out,
                       double scalar = 0.0) {
   const EdgeRow& row = delaunay.edge(edge);
   const Vec2 a = delaunay.site_position(row.v[0]);
@@ -89,7 +92,7 @@ inline void emit_dual(const Delaunay& delaunay, const OneStepCrust& crust, Slot 
 }
 
 /// Radius of the Voronoi balls along the dual: half the edge, the contact spread of the axis there.
-inline double contact_spread(const Delaunay& delaunay, Slot edge) {
+inline double contact_spread(const Delaunay& delaunay, EdgeSlot edge) {
   const EdgeRow& row = delaunay.edge(edge);
   return 0.5 * distance(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1]));
 }

@@ -20,7 +20,7 @@ Layer make_union_ball_medial_axis_layer(const UnionFamily& family) {
                  }),
       table_part(
           {PrimitiveKind::point}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
-          [&balls](Slot row, Instance& out) {
+          [&balls](FamilySlot row, Instance& out) {
             if (balls.tables().balls[row] != BallState::isolated) return;
             const Disk disk = balls.family().disk(row);
             out.point(disk.center, disk.radius);

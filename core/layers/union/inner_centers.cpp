@@ -16,7 +16,7 @@ Layer make_union_inner_centers_layer(const UnionFamily& family) {
        .kinds = {PrimitiveKind::point}},
       table_part(
           {PrimitiveKind::point}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
-          [&balls](Slot row, Instance& out) {
+          [&balls](FamilySlot row, Instance& out) {
             if (balls.tables().balls[row] == BallState::none) return;
             const Disk disk = balls.family().disk(row);
             out.point(disk.center, disk.radius);

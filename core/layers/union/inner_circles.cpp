@@ -16,7 +16,7 @@ Layer make_union_inner_circles_layer(const UnionFamily& family) {
        .kinds = {PrimitiveKind::circle}},
       table_part(
           {PrimitiveKind::circle}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
-          [&balls](Slot row, Instance& out) {
+          [&balls](FamilySlot row, Instance& out) {
             if (balls.tables().balls[row] == BallState::none) return;
             const Disk disk = balls.family().disk(row);
             out.circle(disk.center, disk.radius, disk.radius);

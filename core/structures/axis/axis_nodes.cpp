@@ -15,18 +15,18 @@ void AxisNodes::rebuild(JobControl&) {
 
 bool AxisNodes::update(JobControl&) {
   recorder_.begin(delaunay_.face_rows());
-  for (const Slot face : balls_.changes().removed) recorder_.note(face, true);
-  for (const Slot face : balls_.changes().touched) {
+  for (const FaceSlot face : balls_.changes().removed) recorder_.note(face, true);
+  for (const FaceSlot face : balls_.changes().touched) {
     recorder_.note(face, true);
-    for (const Slot other : delaunay_.face(face).n) recorder_.note(balls_.ball(other), true);
+    for (const FaceSlot other : delaunay_.face(face).n) recorder_.note(balls_.ball(other), true);
   }
-  recorder_.finish(changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
+  recorder_.finish(changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
   return true;
 }
 
 StatList AxisNodes::statistics() const {
   std::vector<std::int64_t> histogram(4, 0);
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.face(face).is_alive() || !axis_.is_node(face)) continue;
     ++histogram[static_cast<std::size_t>(std::min(axis_.node_degree(face), 3))];
   }

@@ -15,7 +15,7 @@ class AxisNodes final : public Structure {
   AxisNodes(Delaunay& delaunay, InnerBalls& balls, MedialAxis& axis);
 
   /// Faces that may have become a node, ceased to be one, or have a new degree.
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -27,8 +27,8 @@ class AxisNodes final : public Structure {
   Delaunay& delaunay_;
   InnerBalls& balls_;
   MedialAxis& axis_;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
+  ChangeRecorder<FaceSlot> recorder_;
+  ChangeSet<FaceSlot> changes_;
 };
 
 }  // namespace mes

@@ -17,18 +17,18 @@ void InnerBalls::rebuild(JobControl&) {
 }
 
 bool InnerBalls::update(JobControl&) {
-  const ChangeSet& faces = labels_.face_changes();
-  const ChangeSet& vertices = vertices_.changes();
+  const ChangeSet<FaceSlot>& faces = labels_.face_changes();
+  const ChangeSet<FaceSlot>& vertices = vertices_.changes();
   if (vertices_.follows_faces()) {
     changes_ = faces;
     return true;
   }
   recorder_.begin(delaunay_.face_rows());
-  for (const ChangeSet* changes : {&faces, &vertices}) {
-    for (const Slot face : changes->removed) recorder_.note(face, true);
-    for (const Slot face : changes->touched) recorder_.note(face, true);
+  for (const ChangeSet<FaceSlot>* changes : {&faces, &vertices}) {
+    for (const FaceSlot face : changes->removed) recorder_.note(face, true);
+    for (const FaceSlot face : changes->touched) recorder_.note(face, true);
   }
-  recorder_.finish(changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
+  recorder_.finish(changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
   return true;
 }
 
@@ -37,7 +37,7 @@ StatList InnerBalls::statistics() const {
   std::int64_t distinct = 0;
   double smallest = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.face(face).is_alive() || !is_ball(face)) continue;
     ++balls;
     distinct += ball(face) == face ? 1 : 0;

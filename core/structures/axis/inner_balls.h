@@ -22,16 +22,16 @@ class InnerBalls final : public Structure {
  public:
   InnerBalls(Delaunay& delaunay, VoronoiVertices& vertices, Labels& labels);
 
-  bool is_ball(Slot face) const { return labels_.is_inside(face) && delaunay_.is_finite_face(face); }
+  bool is_ball(FaceSlot face) const { return labels_.is_inside(face) && delaunay_.is_finite_face(face); }
   /// The face that stands for all faces with this circumcircle.
-  Slot ball(Slot face) const { return vertices_.vertex(face); }
+  FaceSlot ball(FaceSlot face) const { return vertices_.vertex(face); }
   /// Faces with the same circumcircle, for a face for which there are several; otherwise null.
-  const std::vector<Slot>* group(Slot face) const { return vertices_.group(face); }
+  const std::vector<FaceSlot>* group(FaceSlot face) const { return vertices_.group(face); }
 
   const VoronoiVertices& vertices() const { return vertices_; }
 
   /// Faces that became, are still or stopped being balls, or whose group changed.
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -43,8 +43,8 @@ class InnerBalls final : public Structure {
   Delaunay& delaunay_;
   VoronoiVertices& vertices_;
   Labels& labels_;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
+  ChangeRecorder<FaceSlot> recorder_;
+  ChangeSet<FaceSlot> changes_;
 };
 
 }  // namespace mes

@@ -17,7 +17,7 @@ MedialAxis::MedialAxis(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, 
       labels_(labels),
       balls_(balls) {}
 
-int MedialAxis::axis_edges_at(Slot face) const {
+int MedialAxis::axis_edges_at(FaceSlot face) const {
   int count = 0;
   const FaceRow& row = delaunay_.face(face);
   for (int i = 0; i < 3; ++i) {
@@ -27,23 +27,23 @@ int MedialAxis::axis_edges_at(Slot face) const {
   return count;
 }
 
-int MedialAxis::node_degree(Slot face) const {
-  const std::vector<Slot>* group = balls_.group(face);
+int MedialAxis::node_degree(FaceSlot face) const {
+  const std::vector<FaceSlot>* group = balls_.group(face);
   if (group == nullptr) return axis_edges_at(face);
   int degree = 0;
-  for (const Slot member : *group) degree += axis_edges_at(member);
+  for (const FaceSlot member : *group) degree += axis_edges_at(member);
   return degree;
 }
 
 StatList MedialAxis::statistics() const {
-  DisjointSets joined(delaunay_.face_rows());
+  DisjointSets<FaceSlot> joined(delaunay_.face_rows());
   std::int64_t nodes = 0;
   std::int64_t leaves = 0;
   std::int64_t branch_points = 0;
   std::int64_t isolated = 0;
   double smallest = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.face(face).is_alive() || !is_node(face)) continue;
     ++nodes;
     const int degree = node_degree(face);
@@ -56,13 +56,13 @@ StatList MedialAxis::statistics() const {
   std::int64_t edges = 0;
   std::int64_t components = nodes;
   Sum length_sum;
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!delaunay_.edge(edge).is_alive() || !is_axis_edge(edge) || is_zero_length(edge)) continue;
     const EdgeRow& row = delaunay_.edge(edge);
     ++edges;
     length_sum.add(delaunay_.dual_length(edge));
-    const Slot a = joined.root(balls_.ball(row.f[0]));
-    const Slot b = joined.root(balls_.ball(row.f[1]));
+    const FaceSlot a = joined.root(balls_.ball(row.f[0]));
+    const FaceSlot b = joined.root(balls_.ball(row.f[1]));
     if (a == b) continue;
     joined.join(b, a);
     --components;

@@ -23,17 +23,17 @@ class MedialAxis final : public Structure {
   MedialAxis(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls);
 
   /// The dual of the Delaunay edge joins two inside faces (its length may be zero).
-  bool is_axis_edge(Slot edge) const {
+  bool is_axis_edge(EdgeSlot edge) const {
     const EdgeRow& row = delaunay_.edge(edge);
     return row.f[0] != kNoSlot && labels_.is_inside(row.f[0]) && labels_.is_inside(row.f[1]);
   }
-  bool is_zero_length(Slot edge) const { return crust_.is_cocircular(edge); }
+  bool is_zero_length(EdgeSlot edge) const { return crust_.is_cocircular(edge); }
   /// The face stands for a node of the axis.
-  bool is_node(Slot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }
+  bool is_node(FaceSlot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }
   /// Axis edges of positive length at a node. O(faces of the node), which is one unless samples are cocircular.
-  int node_degree(Slot face) const;
+  int node_degree(FaceSlot face) const;
 
-  const ChangeSet& edge_changes() const { return labels_.edge_changes(); }
+  const ChangeSet<EdgeSlot>& edge_changes() const { return labels_.edge_changes(); }
 
   // The axis has no rows of its own: it is a view of labels and balls, so there is nothing to follow.
   void rebuild(JobControl&) override {}
@@ -43,7 +43,7 @@ class MedialAxis final : public Structure {
   StatList statistics() const override;
 
  private:
-  int axis_edges_at(Slot face) const;
+  int axis_edges_at(FaceSlot face) const;
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;

@@ -19,18 +19,19 @@ AxisDifference::AxisDifference(Delaunay& delaunay, OneStepCrust& crust, InnerBal
 void AxisDifference::rebuild(JobControl& job) {
   pieces_.clear();
   if (union_.rung() == UnionRung::shortcut || delaunay_.dimension() < 2) return;
-  const auto key = [](Slot a, Slot b) { return std::pair(std::min(a, b), std::max(a, b)); };
-  std::set<std::pair<Slot, Slot>> one_step;
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+  const auto key = [](FaceSlot a, FaceSlot b) { return std::pair(std::min(a, b), std::max(a, b)); };
+  std::set<std::pair<FaceSlot, FaceSlot>> one_step;
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
     const EdgeRow& row = delaunay_.edge(edge);
     if (!row.is_alive() || !axis_.is_axis_edge(edge) || crust_.is_cocircular(edge)) continue;
     one_step.insert(key(balls_.ball(row.f[0]), balls_.ball(row.f[1])));
   }
   job.checkpoint();
-  std::set<std::pair<Slot, Slot>> common;
+  std::set<std::pair<FaceSlot, FaceSlot>> common;
   for (const AxisPiece& piece : union_.tables().axis) {
     if (!piece.is_alive() || piece.is_zero != 0) continue;
-    const auto pair = key(piece.node[0], piece.node[1]);
+    // Nodes that are not balls come after all faces, so no pair of the one-step axis is theirs.
+    const auto pair = key(same_row<FaceSlot>(piece.node[0]), same_row<FaceSlot>(piece.node[1]));
     if (one_step.contains(pair)) {
       common.insert(pair);
     } else {

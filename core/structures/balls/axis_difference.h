@@ -18,11 +18,11 @@ class AxisDifference final : public Structure {
     Vec2 a{}, b{};
     bool only_one_step = false;
   };
+  using PieceSlot = Slot<struct DifferencePieceTag>;
   AxisDifference(Delaunay& delaunay, OneStepCrust& crust, InnerBalls& balls, MedialAxis& axis, AUnion& a_union);
 
-  const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Always empty: every row is new after a rebuild.
-  const ChangeSet& changes() const { return changes_; }
+  const Table<PieceSlot, Piece>& pieces() const { return pieces_; }
+  const ChangeSet<PieceSlot>& changes() const { return no_changes<PieceSlot>(); }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -36,8 +36,7 @@ class AxisDifference final : public Structure {
   const InnerBalls& balls_;
   const MedialAxis& axis_;
   const AUnion& union_;
-  std::vector<Piece> pieces_;
-  ChangeSet changes_;
+  Table<PieceSlot, Piece> pieces_;
 };
 
 }  // namespace mes

@@ -38,7 +38,7 @@ void PowerDiagram::rebuild(JobControl& job) {
 }
 
 bool PowerDiagram::update(JobControl&) {
-  return made_with_ == settings_.precision() && family_->scale() == scale() && family_->changes().is_empty();
+  return made_with_ == settings_.precision() && family_->scale() == scale() && !family_->has_changed();
 }
 
 StatList PowerDiagram::statistics() const {
@@ -60,7 +60,7 @@ std::string_view PowerDiagram::kernel() const {
 VDiagram::VDiagram(std::string_view id, std::vector<Structure*> inputs, const BallUnion& balls)
     : Structure(id, std::move(inputs)), union_(balls) {}
 
-KnownVPoints VDiagram::known_v_points(const std::vector<PipelineBall>&) const {
+KnownVPoints VDiagram::known_v_points(const Table<InputSlot, PipelineBall>&) const {
   return {};
 }
 
@@ -111,44 +111,47 @@ AVDiagram::AVDiagram(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, In
 // The samples on the circle of a ball are the corners of its faces. Going around the outer edges of these faces, the
 // arc beyond a border edge is free and that beyond any other is covered; a sample that only this ball touches is no
 // v-point, and then lies between two border edges.
-KnownVPoints AVDiagram::known_v_points(const std::vector<PipelineBall>& balls) const {
+KnownVPoints AVDiagram::known_v_points(const Table<InputSlot, PipelineBall>& balls) const {
   KnownVPoints out;
   const UnionTables& t = union_.tables();
-  std::vector<Slot> v_of_site(delaunay_.site_rows(), kNoSlot);
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
-    if (!t.v_points[site].is_alive()) continue;
-    v_of_site[site] = static_cast<Slot>(out.points.size());
+  Table<SiteSlot, VPointSlot> v_of_site(delaunay_.site_rows());
+  for (const SiteSlot site : delaunay_.site_slots()) {
+    if (!t.v_points[same_row<VPointSlot>(site)].is_alive()) continue;
+    v_of_site[site] = out.points.next();
     out.points.push_back(delaunay_.site_position(site));
     out.sites.push_back(site);
   }
-  const auto arc_beyond = [&](Slot edge) {
+  const auto arc_beyond = [&](EdgeSlot edge) {
     const EdgeRow& row = delaunay_.edge(edge);
     if (labels_.is_inside(row.f[0]) != labels_.is_inside(row.f[1])) return CircleArc::free;
-    const bool is_singular = t.v_points[row.v[0]].multiplicity == 2 && t.v_points[row.v[1]].multiplicity == 2;
+    const auto touched_by_two = [&](SiteSlot site) {
+      return t.v_points[same_row<VPointSlot>(site)].multiplicity == 2;
+    };
+    const bool is_singular = touched_by_two(row.v[0]) && touched_by_two(row.v[1]);
     return is_singular ? CircleArc::singular : CircleArc::covered;
   };
   out.places.resize(balls.size());
-  for (std::size_t k = 0; k < balls.size(); ++k) {
+  for (const InputSlot k : balls.rows()) {
     // Walk from corner to corner; across a diagonal of cocircular samples the walk goes on in the next face.
-    Slot face = balls[k].row;
+    FaceSlot face = same_row<FaceSlot>(balls[k].row);
     int i = 0;
     while (is_diagonal(face, i)) {
-      const Slot next = delaunay_.face(face).n[i];
+      const FaceSlot next = delaunay_.face(face).n[i];
       i = next3(delaunay_.face(next).index_of_neighbour(face));
       face = next;
     }
-    const Slot first_face = face;
+    const FaceSlot first_face = face;
     const int first_i = i;
     std::vector<CirclePlace>& places = out.places[k];
     do {
       const FaceRow& row = delaunay_.face(face);
       // Edge i runs from corner next3(i) to corner prev3(i).
-      const Slot v = v_of_site[row.v[prev3(i)]];
+      const VPointSlot v = v_of_site[row.v[prev3(i)]];
       const CircleArc arc = arc_beyond(row.e[i]);
       if (v != kNoSlot) places.push_back({v, arc});
       int j = next3(i);
       while (is_diagonal(face, j)) {
-        const Slot next = delaunay_.face(face).n[j];
+        const FaceSlot next = delaunay_.face(face).n[j];
         j = next3(delaunay_.face(next).index_of_neighbour(face));
         face = next;
       }
@@ -158,8 +161,8 @@ KnownVPoints AVDiagram::known_v_points(const std::vector<PipelineBall>& balls) c
   return out;
 }
 
-bool AVDiagram::is_diagonal(Slot face, int i) const {
-  const Slot edge = delaunay_.face(face).e[i];
+bool AVDiagram::is_diagonal(FaceSlot face, int i) const {
+  const EdgeSlot edge = delaunay_.face(face).e[i];
   return edge != kNoSlot && crust_.is_cocircular(edge);
 }
 

@@ -14,10 +14,9 @@ namespace mes {
 /// settings; `exact_roots` needs no roots here. Hidden balls have no cell. No local update.
 class PowerDiagram : public Structure {
  public:
-  const std::vector<PowerEdge>& edges() const { return edges_; }
+  const Table<PowerEdgeSlot, PowerEdge>& edges() const { return edges_; }
   const BallFamily& family() const { return *family_; }
-  /// Always empty: every row is new after a rebuild.
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<PowerEdgeSlot>& changes() const { return no_changes<PowerEdgeSlot>(); }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -25,11 +24,11 @@ class PowerDiagram : public Structure {
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
   std::string_view kernel() const override;
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
   /// The cell of a ball.
-  void explain_cell(Slot ball, Explanation& out) const;
+  void explain_cell(FamilySlot ball, Explanation& out) const;
   /// Without `scale` the balls are taken as they are.
   PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                std::unique_ptr<BallFamily> family, std::optional<Parameter> scale = std::nullopt);
@@ -42,8 +41,7 @@ class PowerDiagram : public Structure {
   std::unique_ptr<BallFamily> family_;
   std::optional<Parameter> scale_;
   Precision made_with_ = Precision::fast;
-  std::vector<PowerEdge> edges_;
-  ChangeSet changes_;
+  Table<PowerEdgeSlot, PowerEdge> edges_;
 };
 
 /// Delaunay triangulation and Voronoi diagram of the v-points, with what of it belongs to the axis. The union's own
@@ -52,30 +50,28 @@ class VDiagram : public Structure {
  public:
   /// Holds `v_points`, `v_faces` and `v_edges`.
   const UnionTables& tables() const { return union_.rung() == UnionRung::shortcut ? own_ : union_.tables(); }
-  const ChangeSet& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
   VDiagram(std::string_view id, std::vector<Structure*> inputs, const BallUnion& balls);
   /// For the shortcut: how the v-points lie on the circles.
-  virtual KnownVPoints known_v_points(const std::vector<PipelineBall>& balls) const;
+  virtual KnownVPoints known_v_points(const Table<InputSlot, PipelineBall>& balls) const;
 
  private:
   const BallUnion& union_;
   UnionTables own_;
-  ChangeSet changes_;
 };
 
 class APowerDiagram final : public PowerDiagram {
  public:
   APowerDiagram(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls);
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 };
 
 /// Of all finite Voronoi balls, inside and outside.
@@ -87,7 +83,7 @@ class VoronoiBallDiagram final : public PowerDiagram {
 class BPowerDiagram final : public PowerDiagram {
  public:
   BPowerDiagram(SettingsSource& settings, UserBalls& balls);
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 };
 
 class BVDiagram final : public VDiagram {
@@ -100,8 +96,8 @@ class AVDiagram final : public VDiagram {
   AVDiagram(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls, AUnion& a_union);
 
  private:
-  KnownVPoints known_v_points(const std::vector<PipelineBall>& balls) const override;
-  bool is_diagonal(Slot face, int i) const;
+  KnownVPoints known_v_points(const Table<InputSlot, PipelineBall>& balls) const override;
+  bool is_diagonal(FaceSlot face, int i) const;
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
   const Labels& labels_;

@@ -6,15 +6,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/change_set.h"
 #include "core/base/disk.h"
 #include "core/base/vec2.h"
+#include "core/structures/delaunay/delaunay.h"
 
 namespace mes {
 
+/// Row of a ball in its family. Each family says which table's rows these are.
+using FamilySlot = Slot<struct FamilyTag>;
+
 /// A Delaunay site on the circle of a ball.
 struct TouchedSample {
-  Slot site = kNoSlot;
+  SiteSlot site;
   Vec2 position{};
 };
 
@@ -31,11 +34,11 @@ class BallFamily {
   virtual ~BallFamily() = default;
   virtual std::size_t rows() const = 0;
   /// Each real ball has one row of which this holds, or several that are equal as doubles.
-  virtual bool is_ball(Slot row) const = 0;
+  virtual bool is_ball(FamilySlot row) const = 0;
   /// Before scaling, rounded to doubles.
-  virtual Disk plain_disk(Slot row) const = 0;
+  virtual Disk plain_disk(FamilySlot row) const = 0;
   /// Scaled, rounded to doubles.
-  Disk disk(Slot row) const {
+  Disk disk(FamilySlot row) const {
     const Disk plain = plain_disk(row);
     return {plain.center, plain.radius * scale_};
   }
@@ -43,12 +46,15 @@ class BallFamily {
   /// Every ball touches samples: its circle and its crossings with others are to be had from them. Scaled balls do
   /// not.
   bool touch_samples() const { return is_from_samples() && scale_ == 1.0; }
-  virtual BallOrigin origin(Slot) const { return is_from_samples() ? BallOrigin::circumdisk : BallOrigin::disk; }
+  virtual BallOrigin origin(FamilySlot) const {
+    return is_from_samples() ? BallOrigin::circumdisk : BallOrigin::disk;
+  }
   /// The samples of a circumdisk, counter-clockwise.
-  virtual std::array<Vec2, 3> corners(Slot row) const = 0;
+  virtual std::array<Vec2, 3> corners(FamilySlot row) const = 0;
   /// Appends every sample on the circle before scaling: more than three when samples are cocircular.
-  virtual void touched_samples(Slot row, std::vector<TouchedSample>& out) const = 0;
-  virtual const ChangeSet& changes() const = 0;
+  virtual void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const = 0;
+  /// A ball came, changed or went in the last update of what the family is made of.
+  virtual bool has_changed() const = 0;
 
   /// What radii are multiplied by.
   double scale() const { return scale_; }

@@ -13,14 +13,15 @@ namespace {
 constexpr int kMostHalvings = 20;
 constexpr double kShortest = 1e-4;  // of the diameter
 constexpr double kThinnest = 0.1;   // of the smaller ball
-constexpr std::array kDead{kNoSlot, kNoSlot};
+constexpr std::array<AxisNodeSlot, 2> kDead{};
 
 // Owners of sampled balls: nodes have even numbers, links odd ones.
-Slot owner_of_node(Slot node) {
-  return 2 * node;
+OwnerSlot owner_of(AxisNodeSlot node) {
+  return OwnerSlot(std::size_t{2} * node.index());
 }
-Slot owner_of_link(Slot link) {
-  return 2 * link + 1;
+template <class Link>
+OwnerSlot owner_of_link(Link link) {
+  return OwnerSlot(std::size_t{2} * link.index() + 1);
 }
 
 Vec2 between(Vec2 a, Vec2 b, double u) {
@@ -36,10 +37,10 @@ void BallSampling::measure() {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   reach_.side.fill(kNone);
   reach_.ball.fill(kNoSlot);
-  for (Slot ball = 0; ball < union_.tables().balls.size(); ++ball) add_to_reach(ball);
+  for (const FamilySlot ball : union_.tables().balls.rows()) add_to_reach(ball);
 }
 
-void BallSampling::add_to_reach(Slot ball) {
+void BallSampling::add_to_reach(FamilySlot ball) {
   if (union_.tables().balls[ball] == BallState::none) return;
   const Box2 box = bounding_box_of(union_.family().disk(ball));
   const std::array side{box.high.x, box.high.y, -box.low.x, -box.low.y};
@@ -57,20 +58,22 @@ double BallSampling::shortest() const {
   return std::isnormal(length) ? std::ldexp(1.0, std::ilogb(length)) : 0.0;
 }
 
-void BallSampling::set_ends(Sampling& sampling, Slot link, const std::array<Slot, 2>& ends) {
-  if (sampling.ends.size() <= link) sampling.ends.resize(link + std::size_t{1}, kDead);
-  const auto note = [this](Slot node) {
+void BallSampling::set_ends(Sampling& sampling, LinkSlot link, const std::array<AxisNodeSlot, 2>& ends) {
+  if (!sampling.ends.has(link)) sampling.ends.resize(link.index() + std::size_t{1}, kDead);
+  const auto note = [this](AxisNodeSlot node) {
     if (!is_recording_) return;
-    marks_.grow(node + std::size_t{1});
-    if (marks_.insert(node)) touched_balls_.push_back(node);
+    // Updates know no faces of v-points.
+    const FamilySlot ball = ball_of(node);
+    marks_.grow(ball.index() + std::size_t{1});
+    if (marks_.insert(ball)) touched_balls_.push_back(ball);
   };
-  for (const Slot node : sampling.ends[link]) {
+  for (const AxisNodeSlot node : sampling.ends[link]) {
     if (node == kNoSlot) continue;
     --sampling.degree[node];
     note(node);
   }
   sampling.ends[link] = ends;
-  for (const Slot node : ends) {
+  for (const AxisNodeSlot node : ends) {
     if (node == kNoSlot) continue;
     ++sampling.degree[node];
     note(node);
@@ -89,7 +92,7 @@ bool BallSampling::is_near(const Disk& a, const Disk& b) const {
 
 // Parts are named by their place along the whole, which halving keeps exact: seen from either end they are the same.
 template <class At>
-void BallSampling::halve(SampledBalls& out, Slot owner, const At& at, double from, const Disk& first, double to,
+void BallSampling::halve(SampledBalls& out, OwnerSlot owner, const At& at, double from, const Disk& first, double to,
                          const Disk& last, int depth) const {
   if (depth == kMostHalvings || is_near(first, last)) return;
   const double middle = 0.5 * (from + to);
@@ -100,26 +103,27 @@ void BallSampling::halve(SampledBalls& out, Slot owner, const At& at, double fro
   halve(out, owner, at, middle, disk, to, last, depth + 1);
 }
 
-void BallSampling::remake_piece(Slot row) {
+void BallSampling::remake_piece(AxisPieceSlot row) {
   const UnionTables& t = union_.tables();
   const AxisPiece& piece = t.axis[row];
   medial_.balls.drop(owner_of_link(row));
-  set_ends(medial_, row, piece.is_alive() ? std::array{piece.node[0], piece.node[1]} : kDead);
+  set_ends(medial_, same_row<LinkSlot>(row), piece.is_alive() ? std::array{piece.node[0], piece.node[1]} : kDead);
   if (!piece.is_alive() || piece.is_zero != 0) return;
   const auto at = [&](double u) {
     Disk disk{between(piece.a, piece.b, u), std::numeric_limits<double>::infinity()};
-    for (const Slot v : piece.v)
+    for (const VPointSlot v : piece.v)
       if (v != kNoSlot) disk.radius = std::min(disk.radius, distance(disk.center, t.v_points[v].position));
     return disk;
   };
   halve(medial_.balls, owner_of_link(row), at, 0.0, {piece.a, piece.radius_a}, 1.0, {piece.b, piece.radius_b}, 0);
 }
 
-void BallSampling::remake_edge(Slot row) {
+void BallSampling::remake_edge(DualEdgeSlot row) {
   const DualEdge& edge = union_.tables().dual_edges[row];
   const bool is_boundary = edge.is_alive() && edge.kind != DualClass::interior;
   convex_.balls.drop(owner_of_link(row));
-  set_ends(convex_, row, is_boundary ? std::array{edge.ball[0], edge.ball[1]} : kDead);
+  set_ends(convex_, same_row<LinkSlot>(row),
+           is_boundary ? std::array{node_of(edge.ball[0]), node_of(edge.ball[1])} : kDead);
   if (!is_boundary) return;
   const Disk a = union_.family().disk(edge.ball[0]);
   const Disk b = union_.family().disk(edge.ball[1]);
@@ -134,12 +138,12 @@ void BallSampling::remake_edge(Slot row) {
   halve(convex_.balls, owner_of_link(row), at, 0.0, a, 1.0, b, 0);
 }
 
-void BallSampling::remake_ball(Slot ball) {
+void BallSampling::remake_ball(FamilySlot ball) {
   const bool is_isolated = union_.tables().balls[ball] == BallState::isolated;
   for (Sampling* sampling : {&medial_, &convex_}) {
-    sampling->balls.drop(owner_of_node(ball));
-    const bool is_node = sampling->degree[ball] != 0 || (is_isolated && sampling == &medial_);
-    if (is_node) sampling->balls.add(owner_of_node(ball), union_.family().disk(ball));
+    sampling->balls.drop(owner_of(node_of(ball)));
+    const bool is_node = sampling->degree[node_of(ball)] != 0 || (is_isolated && sampling == &medial_);
+    if (is_node) sampling->balls.add(owner_of(node_of(ball)), union_.family().disk(ball));
   }
 }
 
@@ -149,11 +153,11 @@ void BallSampling::add_vertices_of_axis() {
   const UnionTables& t = union_.tables();
   struct Node {
     Disk disk;
-    Slot node;
+    AxisNodeSlot node;
   };
   std::vector<Node> nodes;
-  for (Slot face = 0; face < t.v_faces.size(); ++face) {
-    const Slot node = static_cast<Slot>(t.balls.size()) + face;
+  for (const VFaceSlot face : t.v_faces.rows()) {
+    const AxisNodeSlot node = t.node_of(face);
     const Disk disk{t.v_faces[face].center, t.v_faces[face].radius};
     if (medial_.degree[node] != 0 && is_finite(disk)) nodes.push_back({disk, node});
   }
@@ -161,7 +165,7 @@ void BallSampling::add_vertices_of_axis() {
                     [](const Node& n) { return std::tuple(n.disk.center.x, n.disk.center.y, n.disk.radius); });
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (i == 0 || nodes[i].disk.center != nodes[i - 1].disk.center)
-      medial_.balls.add(owner_of_node(nodes[i].node), nodes[i].disk);
+      medial_.balls.add(owner_of(nodes[i].node), nodes[i].disk);
 }
 
 void BallSampling::rebuild(JobControl& job) {
@@ -174,17 +178,18 @@ void BallSampling::rebuild(JobControl& job) {
   for (Sampling* sampling : {&medial_, &convex_}) {
     sampling->balls.reset();
     sampling->ends.clear();
-    sampling->degree.assign(t.balls.size() + t.v_faces.size(), 0);
+    sampling->degree.assign(t.node_count(), 0);
   }
-  for (Slot piece = 0; piece < t.axis.size(); ++piece) {
-    if ((piece & 0x3ffU) == 0) job.checkpoint(piece, t.axis.size() + t.dual_edges.size());
+  for (const AxisPieceSlot piece : t.axis.rows()) {
+    if ((piece.index() & 0x3ffU) == 0) job.checkpoint(piece.index(), t.axis.size() + t.dual_edges.size());
     remake_piece(piece);
   }
-  for (Slot edge = 0; edge < t.dual_edges.size(); ++edge) {
-    if ((edge & 0x3ffU) == 0) job.checkpoint(t.axis.size() + edge, t.axis.size() + t.dual_edges.size());
+  for (const DualEdgeSlot edge : t.dual_edges.rows()) {
+    if ((edge.index() & 0x3ffU) == 0)
+      job.checkpoint(t.axis.size() + edge.index(), t.axis.size() + t.dual_edges.size());
     remake_edge(edge);
   }
-  for (Slot ball = 0; ball < t.balls.size(); ++ball) remake_ball(ball);
+  for (const FamilySlot ball : t.balls.rows()) remake_ball(ball);
   add_vertices_of_axis();
 }
 
@@ -199,12 +204,12 @@ bool BallSampling::update(JobControl&) {
 
   bool is_reach_lost = false;
   for (const auto* rows : {&changes.balls.touched, &changes.balls.removed})
-    for (const Slot ball : *rows)
+    for (const FamilySlot ball : *rows)
       is_reach_lost = is_reach_lost || std::ranges::find(reach_.ball, ball) != reach_.ball.end();
   if (is_reach_lost) {
     measure();
   } else {
-    for (const Slot ball : changes.balls.touched) add_to_reach(ball);
+    for (const FamilySlot ball : changes.balls.touched) add_to_reach(ball);
   }
   if (shortest() != shortest_) return false;
 
@@ -216,15 +221,15 @@ bool BallSampling::update(JobControl&) {
     sampling->degree.resize(t.balls.size(), 0);
   }
   for (const auto* rows : {&changes.balls.touched, &changes.balls.removed})
-    for (const Slot ball : *rows)
+    for (const FamilySlot ball : *rows)
       if (marks_.insert(ball)) touched_balls_.push_back(ball);
   for (const auto* rows : {&changes.dual_edges.touched, &changes.dual_edges.removed}) {
-    for (const Slot edge : *rows) {
-      remake_piece(edge);
+    for (const DualEdgeSlot edge : *rows) {
+      remake_piece(same_row<AxisPieceSlot>(edge));
       remake_edge(edge);
     }
   }
-  for (const Slot ball : touched_balls_) remake_ball(ball);
+  for (const FamilySlot ball : touched_balls_) remake_ball(ball);
   for (Sampling* sampling : {&medial_, &convex_}) sampling->balls.finish();
   return true;
 }

@@ -37,30 +37,32 @@ class BallSampling : public Structure {
   BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls);
 
  private:
+  /// A piece of the axis, or a dual edge.
+  using LinkSlot = Slot<struct LinkTag>;
   /// One of the two samplings: balls of nodes, and of the links between them.
   struct Sampling {
     SampledBalls balls;
-    std::vector<std::array<Slot, 2>> ends;  ///< nodes, by link; kNoSlot: the link is dead
-    std::vector<std::uint32_t> degree;      ///< links, by node
+    Table<LinkSlot, std::array<AxisNodeSlot, 2>> ends;  ///< kNoSlot: the link is dead
+    Table<AxisNodeSlot, std::uint32_t> degree;          ///< links at a node
   };
   /// Where the balls reach: each side of their box, and the ball there.
   struct Reach {
     std::array<double, 4> side{};
-    std::array<Slot, 4> ball{};
+    std::array<FamilySlot, 4> ball{};
   };
   double angle() const { return settings_.current()[Parameter::medial_sampling_angle]; }
   void measure();
-  void add_to_reach(Slot ball);
+  void add_to_reach(FamilySlot ball);
   double shortest() const;
-  void set_ends(Sampling& sampling, Slot link, const std::array<Slot, 2>& ends);
-  void remake_piece(Slot piece);
-  void remake_edge(Slot edge);
-  void remake_ball(Slot ball);
+  void set_ends(Sampling& sampling, LinkSlot link, const std::array<AxisNodeSlot, 2>& ends);
+  void remake_piece(AxisPieceSlot row);
+  void remake_edge(DualEdgeSlot row);
+  void remake_ball(FamilySlot ball);
   void add_vertices_of_axis();
   bool is_near(const Disk& a, const Disk& b) const;
   template <class At>
-  void halve(SampledBalls& out, Slot owner, const At& at, double from, const Disk& first, double to, const Disk& last,
-             int depth) const;
+  void halve(SampledBalls& out, OwnerSlot owner, const At& at, double from, const Disk& first, double to,
+             const Disk& last, int depth) const;
 
   const SettingsSource& settings_;
   const BallUnion& union_;
@@ -71,8 +73,8 @@ class BallSampling : public Structure {
   Sampling medial_;  // links: pieces of the axis; nodes: balls, after them faces of the v-points
   Sampling convex_;  // links: dual edges; nodes: balls
   bool is_recording_ = false;
-  SlotMarks marks_;
-  std::vector<Slot> touched_balls_;
+  SlotMarks<FamilySlot> marks_;
+  std::vector<FamilySlot> touched_balls_;
 };
 
 class ABallSampling final : public BallSampling {

@@ -54,24 +54,24 @@ class InnerVoronoiBalls final : public VoronoiBalls {
  public:
   InnerVoronoiBalls(const Delaunay& delaunay, const InnerBalls& balls)
       : VoronoiBalls(delaunay, balls.vertices()), balls_(balls) {}
-  bool is_ball(Slot row) const override { return balls_.is_ball(row) && VoronoiBalls::is_ball(row); }
-  const ChangeSet& changes() const override { return balls_.changes(); }
+  bool is_ball(FamilySlot row) const override { return balls_.is_ball(face_of(row)) && VoronoiBalls::is_ball(row); }
+  bool has_changed() const override { return !balls_.changes().is_empty(); }
 
  private:
   const InnerBalls& balls_;
 };
 
-/// The balls of the document.
+/// The balls of the document, row for row.
 class OwnBalls final : public BallFamily {
  public:
   explicit OwnBalls(const UserBalls& balls) : balls_(balls) {}
   std::size_t rows() const override { return balls_.row_count(); }
-  bool is_ball(Slot row) const override { return balls_.is_alive(row); }
-  Disk plain_disk(Slot row) const override { return balls_.disk(row); }
+  bool is_ball(FamilySlot row) const override { return balls_.is_alive(same_row<BallSlot>(row)); }
+  Disk plain_disk(FamilySlot row) const override { return balls_.disk(same_row<BallSlot>(row)); }
   bool is_from_samples() const override { return false; }
-  std::array<Vec2, 3> corners(Slot) const override { return {}; }
-  void touched_samples(Slot, std::vector<TouchedSample>&) const override {}
-  const ChangeSet& changes() const override { return balls_.changes(); }
+  std::array<Vec2, 3> corners(FamilySlot) const override { return {}; }
+  void touched_samples(FamilySlot, std::vector<TouchedSample>&) const override {}
+  bool has_changed() const override { return !balls_.changes().is_empty(); }
 
  private:
   const UserBalls& balls_;
@@ -101,26 +101,26 @@ struct AxisCounts {
 };
 AxisCounts count_axis(const UnionTables& t) {
   AxisCounts out;
-  const std::size_t nodes = t.balls.size() + t.v_faces.size();
-  DisjointSets joined(nodes);
-  std::vector<std::uint32_t> degree(nodes, 0);
+  const std::size_t nodes = t.node_count();
+  DisjointSets<AxisNodeSlot> joined(nodes);
+  Table<AxisNodeSlot, std::uint32_t> degree(nodes, 0);
   // Ends of pieces without length are one node.
   for (const AxisPiece& piece : t.axis)
     if (piece.is_alive() && piece.is_zero != 0) joined.join(joined.root(piece.node[1]), joined.root(piece.node[0]));
-  std::vector<Slot> merged(nodes);
-  for (Slot node = 0; node < nodes; ++node) merged[node] = joined.root(node);
-  std::vector<bool> is_node(nodes, false);
-  for (Slot ball = 0; ball < t.balls.size(); ++ball)
-    if (t.balls[ball] == BallState::isolated) is_node[ball] = true;
+  Table<AxisNodeSlot, AxisNodeSlot> merged(nodes);
+  for (const AxisNodeSlot node : merged.rows()) merged[node] = joined.root(node);
+  Table<AxisNodeSlot, bool> is_node(nodes, false);
+  for (const FamilySlot ball : t.balls.rows())
+    if (t.balls[ball] == BallState::isolated) is_node[node_of(ball)] = true;
   for (const AxisPiece& piece : t.axis) {
     if (!piece.is_alive()) continue;
-    for (const Slot node : piece.node) is_node[merged[node]] = true;
+    for (const AxisNodeSlot node : piece.node) is_node[merged[node]] = true;
     if (piece.is_zero != 0) continue;
     ++out.edges;
-    for (const Slot node : piece.node) ++degree[merged[node]];
+    for (const AxisNodeSlot node : piece.node) ++degree[merged[node]];
   }
   joined.reset(nodes);
-  for (Slot node = 0; node < nodes; ++node) {
+  for (const AxisNodeSlot node : merged.rows()) {
     if (!is_node[node] || merged[node] != node) continue;
     ++out.nodes;
     out.leaves += degree[node] == 1 ? 1 : 0;
@@ -129,8 +129,8 @@ AxisCounts count_axis(const UnionTables& t) {
   out.components = out.nodes;
   for (const AxisPiece& piece : t.axis) {
     if (!piece.is_alive() || piece.is_zero != 0) continue;
-    const Slot a = joined.root(merged[piece.node[0]]);
-    const Slot b = joined.root(merged[piece.node[1]]);
+    const AxisNodeSlot a = joined.root(merged[piece.node[0]]);
+    const AxisNodeSlot b = joined.root(merged[piece.node[1]]);
     if (a == b) continue;
     joined.join(b, a);
     --out.components;
@@ -237,7 +237,7 @@ UnionTables BallUnion::exact_dual_complex(JobControl& job) const {
 
 bool BallUnion::update(JobControl&) {
   changes_.clear();
-  const bool same_balls = family_->changes().is_empty() && (!certificate_ || certificate_->touched() == 0);
+  const bool same_balls = !family_->has_changed() && (!certificate_ || certificate_->touched() == 0);
   if (made_with_ == choice() && same_balls && rung_ != UnionRung::shortcut) return true;
   if (made_with_ != choice() || rung_ != UnionRung::shortcut || !is_shortcut_valid()) return false;
   shortcut_->update(tables_, changes_);

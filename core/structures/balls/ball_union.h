@@ -59,13 +59,13 @@ class BallUnion : public Structure {
   StatList statistics() const override;
   std::string_view kernel() const override;
   void find(std::vector<Finding>& out) const override;
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
   /// What the union makes of one of its balls.
-  void explain_place(Slot row, Explanation& out) const;
+  void explain_place(FamilySlot row, Explanation& out) const;
   /// Its radius, if balls are scaled.
-  void explain_scale(Slot row, Explanation& out) const;
+  void explain_scale(FamilySlot row, Explanation& out) const;
   /// `certificate` and `shortcut` only for the inner Voronoi balls.
   BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings, Parameter scale,
             std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
@@ -104,14 +104,14 @@ class AUnion final : public BallUnion {
  public:
   AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
          MedialAxis& axis, AxisCertificate& certificate);
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 };
 
 /// The user's balls. Rows: the document's ball slots.
 class BUnion final : public BallUnion {
  public:
   BUnion(SettingsSource& settings, UserBalls& balls);
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 };
 std::unique_ptr<BallFamily> user_ball_family(const UserBalls& balls);
 

@@ -15,8 +15,8 @@ void add_edge(ProvenanceShapes& shapes, const PowerEdge& edge) {
   }
 }
 
-void explain_v_face(const UnionTables& t, Slot row, Explanation& out) {
-  if (row >= t.v_faces.size()) return;
+void explain_v_face(const UnionTables& t, VFaceSlot row, Explanation& out) {
+  if (!t.v_faces.has(row)) return;
   const VFace& face = t.v_faces[row];
   ProvenanceShapes itself, points;
   itself.point(face.center);
@@ -25,12 +25,12 @@ void explain_v_face(const UnionTables& t, Slot row, Explanation& out) {
           std::string("Voronoi vertex of the v-points ") + (face.is_inside != 0 ? "inside" : "outside") +
               " the dual complex" + (face.ball != kNoSlot ? ", the centre of a ball" : ""),
           itself);
-  for (const Slot v : face.v) points.point(t.v_points[v].position);
+  for (const VPointSlot v : face.v) points.point(t.v_points[v].position);
   out.say(ProvenanceRole::origin, "3 v-points on its circle", points);
 }
 
-void explain_v_edge(const UnionTables& t, Slot row, Explanation& out) {
-  if (row >= t.v_edges.size()) return;
+void explain_v_edge(const UnionTables& t, VEdgeSlot row, Explanation& out) {
+  if (!t.v_edges.has(row)) return;
   const VEdge& edge = t.v_edges[row];
   ProvenanceShapes itself, points;
   itself.segment(t.v_points[edge.v[0]].position, t.v_points[edge.v[1]].position);
@@ -38,16 +38,17 @@ void explain_v_edge(const UnionTables& t, Slot row, Explanation& out) {
                                    "Voronoi edge of two v-points, through a ball's centre",
                                    "Voronoi edge of two v-points, along a singular dual edge"};
   out.say(ProvenanceRole::itself, kKind[static_cast<std::size_t>(edge.kind)], itself);
-  for (const Slot v : edge.v) points.point(t.v_points[v].position);
+  for (const VPointSlot v : edge.v) points.point(t.v_points[v].position);
   out.say(ProvenanceRole::origin, "2 v-points", points);
 }
 
 }  // namespace
 
-void PowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   if (kind != ElementKind::power_edge) return;
-  if (row >= edges().size()) return;
-  const PowerEdge& edge = edges()[row];
+  const PowerEdgeSlot own(row);
+  if (!edges().has(own)) return;
+  const PowerEdge& edge = edges()[own];
   ProvenanceShapes itself, circles;
   add_edge(itself, edge);
   const Disk a = family().disk(edge.ball[0]);
@@ -59,7 +60,7 @@ void PowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
   out.say(ProvenanceRole::origin, "2 balls of equal power along it", circles);
 }
 
-void PowerDiagram::explain_cell(Slot ball, Explanation& out) const {
+void PowerDiagram::explain_cell(FamilySlot ball, Explanation& out) const {
   ProvenanceShapes cell;
   for (const PowerEdge& edge : edges()) {
     if (edge.ball[0] != ball && edge.ball[1] != ball) continue;
@@ -68,20 +69,22 @@ void PowerDiagram::explain_cell(Slot ball, Explanation& out) const {
   out.say_any(ProvenanceRole::product, "side of its power cell", "sides of its power cell", cell);
 }
 
-void APowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+void APowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   if (kind != ElementKind::voronoi_vertex) return PowerDiagram::explain(kind, row, out);
-  if (const auto* inner = out.current<InnerBalls>(); inner != nullptr && inner->is_ball(row))
-    explain_cell(inner->ball(row), out);
+  const FaceSlot face(row);
+  if (const auto* inner = out.current<InnerBalls>(); inner != nullptr && inner->is_ball(face))
+    explain_cell(same_row<FamilySlot>(inner->ball(face)), out);
 }
 
-void BPowerDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
+void BPowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   if (kind != ElementKind::own_ball) return PowerDiagram::explain(kind, row, out);
-  if (family().is_ball(row)) explain_cell(row, out);
+  const auto ball = same_row<FamilySlot>(BallSlot(row));
+  if (family().is_ball(ball)) explain_cell(ball, out);
 }
 
-void VDiagram::explain(ElementKind kind, Slot row, Explanation& out) const {
-  if (kind == ElementKind::v_face) explain_v_face(tables(), row, out);
-  if (kind == ElementKind::v_edge) explain_v_edge(tables(), row, out);
+void VDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  if (kind == ElementKind::v_face) explain_v_face(tables(), VFaceSlot(row), out);
+  if (kind == ElementKind::v_edge) explain_v_edge(tables(), VEdgeSlot(row), out);
 }
 
 }  // namespace mes

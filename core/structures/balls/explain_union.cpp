@@ -9,9 +9,9 @@
 namespace mes {
 namespace {
 
-void explain_dual_edge(const BallUnion& balls, Slot row, Explanation& out) {
+void explain_dual_edge(const BallUnion& balls, DualEdgeSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
-  if (row >= t.dual_edges.size() || !t.dual_edges[row].is_alive()) return;
+  if (!t.dual_edges.has(row) || !t.dual_edges[row].is_alive()) return;
   const DualEdge& edge = t.dual_edges[row];
   const Disk a = balls.family().disk(edge.ball[0]);
   const Disk b = balls.family().disk(edge.ball[1]);
@@ -32,9 +32,9 @@ void explain_dual_edge(const BallUnion& balls, Slot row, Explanation& out) {
   out.say_any(ProvenanceRole::product, "v-point made by it", "v-points made by it", points);
 }
 
-void explain_dual_face(const BallUnion& balls, Slot row, Explanation& out) {
+void explain_dual_face(const BallUnion& balls, DualFaceSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
-  if (row >= t.dual_faces.size() || !t.dual_faces[row].is_alive()) return;
+  if (!t.dual_faces.has(row) || !t.dual_faces[row].is_alive()) return;
   const DualFace& face = t.dual_faces[row];
   ProvenanceShapes itself, circles, common;
   itself.triangle(balls.family().disk(face.ball[0]).center, balls.family().disk(face.ball[1]).center,
@@ -62,9 +62,9 @@ void explain_dual_face(const BallUnion& balls, Slot row, Explanation& out) {
   out.say_any(ProvenanceRole::origin, "sample that all three touch", "samples that all three touch", common);
 }
 
-void explain_v_point(const BallUnion& balls, Slot row, Explanation& out) {
+void explain_v_point(const BallUnion& balls, VPointSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
-  if (row >= t.v_points.size() || !t.v_points[row].is_alive()) return;
+  if (!t.v_points.has(row) || !t.v_points[row].is_alive()) return;
   const VPoint& v = t.v_points[row];
   ProvenanceShapes itself, edges, circles, pieces;
   itself.point(v.position);
@@ -73,8 +73,8 @@ void explain_v_point(const BallUnion& balls, Slot row, Explanation& out) {
       ProvenanceRole::itself,
       "V-point at " + place_text(v.position) + (v.site != kNoSlot ? ", a sample" : (is_foreign ? ", no sample" : "")),
       itself);
-  std::vector<Slot> touching;
-  const auto add_ball = [&](Slot ball) {
+  std::vector<FamilySlot> touching;
+  const auto add_ball = [&](FamilySlot ball) {
     if (std::ranges::find(touching, ball) != touching.end()) return;
     touching.push_back(ball);
     circles.circle(balls.family().disk(ball));
@@ -83,13 +83,13 @@ void explain_v_point(const BallUnion& balls, Slot row, Explanation& out) {
     if (!origin.is_alive() || origin.v != row) continue;
     const DualEdge& edge = t.dual_edges[origin.edge];
     edges.segment(balls.family().disk(edge.ball[0]).center, balls.family().disk(edge.ball[1]).center);
-    for (const Slot ball : edge.ball) add_ball(ball);
+    for (const FamilySlot ball : edge.ball) add_ball(ball);
   }
   for (const AxisPiece& piece : t.axis) {
     if (!piece.is_alive() || (piece.v[0] != row && piece.v[1] != row)) continue;
     pieces.segment(piece.a, piece.b);
-    for (const Slot node : piece.node)
-      if (node < t.balls.size()) add_ball(node);
+    for (const AxisNodeSlot node : piece.node)
+      if (t.is_ball(node)) add_ball(ball_of(node));
   }
   out.say_any(ProvenanceRole::origin, "ball whose circle passes through it", "balls whose circles cross here",
               circles);
@@ -98,14 +98,14 @@ void explain_v_point(const BallUnion& balls, Slot row, Explanation& out) {
               "pieces of the axis have it as a nearest boundary point", pieces);
 }
 
-void explain_v_origin(const BallUnion& balls, Slot row, Explanation& out) {
+void explain_v_origin(const BallUnion& balls, VOriginSlot row, Explanation& out) {
   const auto& origins = balls.tables().v_origins;
-  if (row < origins.size() && origins[row].is_alive()) explain_v_point(balls, origins[row].v, out);
+  if (origins.has(row) && origins[row].is_alive()) explain_v_point(balls, origins[row].v, out);
 }
 
-void explain_axis_piece(const BallUnion& balls, Slot row, Explanation& out) {
+void explain_axis_piece(const BallUnion& balls, AxisPieceSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
-  if (row >= t.axis.size() || !t.axis[row].is_alive()) return;
+  if (!t.axis.has(row) || !t.axis[row].is_alive()) return;
   const AxisPiece& piece = t.axis[row];
   ProvenanceShapes itself, points, circles;
   itself.segment(piece.a, piece.b);
@@ -114,17 +114,17 @@ void explain_axis_piece(const BallUnion& balls, Slot row, Explanation& out) {
                                              : "Piece of the axis on the Voronoi diagram of the v-points") +
               ", radius " + number_text(piece.radius_a) + " to " + number_text(piece.radius_b),
           itself);
-  for (const Slot v : piece.v)
-    if (v != kNoSlot && v < t.v_points.size() && t.v_points[v].is_alive()) points.point(t.v_points[v].position);
+  for (const VPointSlot v : piece.v)
+    if (t.v_points.has(v) && t.v_points[v].is_alive()) points.point(t.v_points[v].position);
   out.say_any(ProvenanceRole::origin, "v-point nearest to all of it", "v-points nearest to all of it", points);
   for (std::size_t i = 0; i < 2; ++i)
     circles.circle(i == 0 ? Disk{piece.a, piece.radius_a} : Disk{piece.b, piece.radius_b});
   out.say(ProvenanceRole::origin, "the maximal balls at its two ends", circles);
 }
 
-void explain_arc(const BallUnion& balls, Slot row, Explanation& out) {
+void explain_arc(const BallUnion& balls, ArcSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
-  if (row >= t.arcs.size() || !t.arcs[row].is_alive()) return;
+  if (!t.arcs.has(row) || !t.arcs[row].is_alive()) return;
   ProvenanceShapes itself, circle;
   if (const auto drawn = drawn_arc(t.arcs[row], balls.family().disk(t.arcs[row].ball)))
     itself.arc({drawn->center, drawn->radius}, drawn->from, drawn->to);
@@ -138,15 +138,12 @@ void explain_arc(const BallUnion& balls, Slot row, Explanation& out) {
 
 }  // namespace
 
-void BallUnion::explain_place(Slot row, Explanation& out) const {
+void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
   const UnionTables& t = tables();
-  if (row >= t.balls.size()) return;
+  if (!t.balls.has(row)) return;
   ProvenanceShapes edges, triangles, points, arcs;
-  std::vector<Slot> own_edges;
-  for (Slot e = 0; e < t.dual_edges.size(); ++e) {
-    const DualEdge& edge = t.dual_edges[e];
+  for (const DualEdge& edge : t.dual_edges) {
     if (!edge.is_alive() || (edge.ball[0] != row && edge.ball[1] != row)) continue;
-    own_edges.push_back(e);
     edges.segment(family().disk(edge.ball[0]).center, family().disk(edge.ball[1]).center);
   }
   for (const DualFace& face : t.dual_faces)
@@ -169,7 +166,7 @@ void BallUnion::explain_place(Slot row, Explanation& out) const {
               "ends of its " + count_text(free_arcs, "arc", "arcs") + " on the boundary of the union", points);
 }
 
-void BallUnion::explain_scale(Slot row, Explanation& out) const {
+void BallUnion::explain_scale(FamilySlot row, Explanation& out) const {
   if (family().scale() == 1.0) return;
   ProvenanceShapes circle;
   circle.circle(family().disk(row));
@@ -179,55 +176,59 @@ void BallUnion::explain_scale(Slot row, Explanation& out) const {
           circle);
 }
 
-void BallUnion::explain(ElementKind kind, Slot row, Explanation& out) const {
+void BallUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  const FamilySlot ball(row);
   switch (kind) {
     case ElementKind::ball:
-      if (!family().is_ball(row)) return;
-      out.about(ElementKind::voronoi_vertex, row);
-      explain_scale(row, out);
-      return explain_place(row, out);
-    case ElementKind::dual_edge: return explain_dual_edge(*this, row, out);
-    case ElementKind::dual_face: return explain_dual_face(*this, row, out);
-    case ElementKind::v_point: return explain_v_point(*this, row, out);
-    case ElementKind::v_origin: return explain_v_origin(*this, row, out);
-    case ElementKind::axis_piece: return explain_axis_piece(*this, row, out);
-    case ElementKind::boundary_arc: return explain_arc(*this, row, out);
+      if (!family().is_ball(ball)) return;
+      out.about(ElementKind::voronoi_vertex, same_row<FaceSlot>(ball));
+      explain_scale(ball, out);
+      return explain_place(ball, out);
+    case ElementKind::dual_edge: return explain_dual_edge(*this, DualEdgeSlot(row), out);
+    case ElementKind::dual_face: return explain_dual_face(*this, DualFaceSlot(row), out);
+    case ElementKind::v_point: return explain_v_point(*this, VPointSlot(row), out);
+    case ElementKind::v_origin: return explain_v_origin(*this, VOriginSlot(row), out);
+    case ElementKind::axis_piece: return explain_axis_piece(*this, AxisPieceSlot(row), out);
+    case ElementKind::boundary_arc: return explain_arc(*this, ArcSlot(row), out);
     default: return;
   }
 }
 
-void AUnion::explain(ElementKind kind, Slot row, Explanation& out) const {
+void AUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const auto* inner = out.current<InnerBalls>();
   const auto* delaunay = out.current<Delaunay>();
+  const SiteSlot site(row);
+  const FaceSlot face(row);
   switch (kind) {
     case ElementKind::site:
-      if (rung() == UnionRung::shortcut && delaunay != nullptr && delaunay->is_site(row) &&
-          tables().v_points[row].multiplicity >= 2) {
+      if (rung() == UnionRung::shortcut && delaunay != nullptr && delaunay->is_site(site) &&
+          tables().v_points[same_row<VPointSlot>(site)].multiplicity >= 2) {
         ProvenanceShapes shapes;
-        shapes.point(delaunay->site_position(row));
+        shapes.point(delaunay->site_position(site));
         out.say(ProvenanceRole::product, "it is a v-point of union A", shapes);
       }
       return;
     case ElementKind::voronoi_vertex:
-      if (inner != nullptr && inner->is_ball(row)) explain_place(inner->ball(row), out);
+      if (inner != nullptr && inner->is_ball(face)) explain_place(same_row<FamilySlot>(inner->ball(face)), out);
       return;
     case ElementKind::ball:
       // Its place in this union is part of what its Voronoi vertex is.
-      if (!family().is_ball(row)) return;
-      out.about(ElementKind::voronoi_vertex, row);
-      return explain_scale(row, out);
+      if (!family().is_ball(FamilySlot(row))) return;
+      out.about(ElementKind::voronoi_vertex, face);
+      return explain_scale(FamilySlot(row), out);
     default: return BallUnion::explain(kind, row, out);
   }
 }
 
-void BUnion::explain(ElementKind kind, Slot row, Explanation& out) const {
+void BUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  const FamilySlot ball(row);
   switch (kind) {
     case ElementKind::own_ball:
-      if (!family().is_ball(row)) return;
-      explain_scale(row, out);
-      return explain_place(row, out);
+      if (!family().is_ball(ball)) return;
+      explain_scale(ball, out);
+      return explain_place(ball, out);
     case ElementKind::ball:
-      if (family().is_ball(row)) out.about(ElementKind::own_ball, row);
+      if (family().is_ball(ball)) out.about(ElementKind::own_ball, same_row<BallSlot>(ball));
       return;
     default: return BallUnion::explain(kind, row, out);
   }

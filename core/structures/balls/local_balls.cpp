@@ -12,17 +12,16 @@ namespace mes {
 namespace {
 
 // Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
-std::vector<Slot> rows_by_place(const BallFamily& family) {
+std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
   struct Found {
-    std::vector<KeyedSlot> rows;
+    std::vector<Keyed<FamilySlot>> rows;
     std::vector<Vec2> centers;
     Box2 box;
   };
   std::vector<Found> parts(chunk_count(family.rows()));
   parallel_for(family.rows(), [&](std::size_t begin, std::size_t end, std::size_t part) {
     Found found;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto row = static_cast<Slot>(i);
+    for (const FamilySlot row : slots_between<FamilySlot>(begin, end)) {
       if (!family.is_ball(row)) continue;
       found.rows.push_back({0, row});
       found.centers.push_back(family.disk(row).center);
@@ -42,16 +41,17 @@ std::vector<Slot> rows_by_place(const BallFamily& family) {
     for (std::size_t i = 0; i < found.rows.size(); ++i)
       if (is_finite(found.centers[i])) found.rows[i].key = grid.key(found.centers[i]);
   });
-  std::vector<KeyedSlot> order;
+  std::vector<Keyed<FamilySlot>> order;
   order.reserve(family.rows());
   for (const Found& part : parts) order.insert(order.end(), part.rows.begin(), part.rows.end());
-  std::vector<KeyedSlot> scratch;
+  std::vector<Keyed<FamilySlot>> scratch;
   radix_sort(order, scratch, 32);
   // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
   for (auto begin = order.begin(); begin != order.end();) {
-    const auto end = std::find_if(begin, order.end(), [&](const KeyedSlot& item) { return item.key != begin->key; });
+    const auto end =
+        std::find_if(begin, order.end(), [&](const Keyed<FamilySlot>& item) { return item.key != begin->key; });
     if (end - begin > 1) {
-      std::ranges::sort(begin, end, [&family](const KeyedSlot& a, const KeyedSlot& b) {
+      std::ranges::sort(begin, end, [&family](const Keyed<FamilySlot>& a, const Keyed<FamilySlot>& b) {
         const Disk p = family.disk(a.slot);
         const Disk q = family.disk(b.slot);
         return p.center == q.center ? p.radius < q.radius : lexicographically_less(p.center, q.center);
@@ -59,8 +59,8 @@ std::vector<Slot> rows_by_place(const BallFamily& family) {
     }
     begin = end;
   }
-  std::vector<Slot> rows(order.size());
-  std::ranges::transform(order, rows.begin(), &KeyedSlot::slot);
+  std::vector<FamilySlot> rows(order.size());
+  std::ranges::transform(order, rows.begin(), &Keyed<FamilySlot>::slot);
   return rows;
 }
 
@@ -84,12 +84,12 @@ void add_to_extent(const PipelineBall& ball, FrameExtent& extent) {
   extent.add_derived(ball.drawn);
 }
 
-PlainBalls plain_balls(const BallFamily& family, std::span<const Slot> rows) {
+PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> rows) {
   PlainBalls out;
   out.balls.reserve(rows.size());
   out.first_sample.reserve(rows.size());
   if (family.touch_samples()) out.samples.reserve(3 * rows.size());
-  for (const Slot row : rows) {
+  for (const FamilySlot row : rows) {
     PipelineBall ball;
     ball.row = row;
     ball.disk = family.plain_disk(row);
@@ -130,7 +130,7 @@ void bring_into(const LocalFrame& frame, PipelineBall& ball) {
 }  // namespace
 
 LocalBalls local_balls(const BallFamily& family) {
-  const std::vector<Slot> rows = rows_by_place(family);
+  const std::vector<FamilySlot> rows = rows_by_place(family);
   std::vector<PlainBalls> parts(chunk_count(rows.size()));
   parallel_for(rows.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
     parts[part] = plain_balls(family, std::span(rows).subspan(begin, end - begin));
@@ -159,7 +159,7 @@ LocalBalls local_balls(const BallFamily& family) {
       PipelineBall& ball = part.balls[i];
       bring_into(out.frame, ball);
       ball.samples = here.subspan(part.first_sample[i], part.first_sample[i + 1] - part.first_sample[i]);
-      out.balls[first_ball[k] + i] = ball;
+      out.balls[InputSlot(first_ball[k] + i)] = ball;
     }
   });
   return out;

@@ -15,7 +15,7 @@ namespace mes {
 ///     where the balls lie or on the unit of length, but the rounding of what is computed, `disk` of a circumdisk
 ///     for one: that is done in the frame.
 struct LocalBalls {
-  std::vector<PipelineBall> balls;
+  Table<InputSlot, PipelineBall> balls;
   std::vector<TouchedSample> samples;  ///< what `PipelineBall::samples` points to
   std::size_t rows = 0;
   std::size_t ignored = 0;  ///< of radius zero, or beyond doubles

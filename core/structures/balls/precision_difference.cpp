@@ -7,8 +7,8 @@
 namespace mes {
 namespace {
 
-using Pair = std::array<Slot, 2>;
-using Triple = std::array<Slot, 3>;
+using Pair = std::array<FamilySlot, 2>;
+using Triple = std::array<FamilySlot, 3>;
 
 std::map<Pair, std::int8_t> edge_classes(const UnionTables& t) {
   std::map<Pair, std::int8_t> out;
@@ -62,12 +62,12 @@ void PrecisionDifference::compare_edges(const UnionTables& exact) {
 }
 
 // The least sample that all three touch; kNoSlot = none.
-Slot PrecisionDifference::common_sample_of(const Slot (&ball)[3]) const {
+SiteSlot PrecisionDifference::common_sample_of(const FamilySlot (&ball)[3]) const {
   if (!union_.family().touch_samples()) return kNoSlot;
   std::vector<TouchedSample> touched[3];
   for (std::size_t i = 0; i < 3; ++i) union_.family().touched_samples(ball[i], touched[i]);
-  Slot least = kNoSlot;
-  const auto holds = [](const std::vector<TouchedSample>& samples, Slot site) {
+  SiteSlot least;
+  const auto holds = [](const std::vector<TouchedSample>& samples, SiteSlot site) {
     return std::ranges::find(samples, site, &TouchedSample::site) != samples.end();
   };
   for (const TouchedSample& sample : touched[0])
@@ -90,8 +90,8 @@ void PrecisionDifference::compare_faces(const UnionTables& exact) {
   note_those_not_in(exact, chosen, true);
   note_those_not_in(union_.tables(), truth, false);
   // Around a sample only the surplus of one side over the other is a difference.
-  std::map<Slot, int> surplus;
-  std::vector<Slot> sample(found.size());
+  std::map<SiteSlot, int> surplus;
+  std::vector<SiteSlot> sample(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     sample[i] = common_sample_of(found[i].ball);
     if (sample[i] != kNoSlot) surplus[sample[i]] += found[i].is_exact ? 1 : -1;

@@ -18,18 +18,16 @@ namespace mes {
 class PrecisionDifference : public Structure {
  public:
   struct Edge {
-    Slot ball[2] = {kNoSlot, kNoSlot};
+    FamilySlot ball[2]{};
     std::int8_t chosen = -1, exact = -1;  ///< dual triangles at it; -1 = not in the dual complex
   };
   struct Face {
-    Slot ball[3] = {kNoSlot, kNoSlot, kNoSlot};
+    FamilySlot ball[3]{};
     bool is_exact = false;  ///< it belongs to the exact dual complex, and is missed; otherwise the other way round
   };
   const BallUnion& balls() const { return union_; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Face>& faces() const { return faces_; }
-  /// Always empty: every row is new after a rebuild.
-  const ChangeSet& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -43,12 +41,11 @@ class PrecisionDifference : public Structure {
  private:
   void compare_edges(const UnionTables& exact);
   void compare_faces(const UnionTables& exact);
-  Slot common_sample_of(const Slot (&ball)[3]) const;
+  SiteSlot common_sample_of(const FamilySlot (&ball)[3]) const;
 
   const BallUnion& union_;
   std::vector<Edge> edges_;
   std::vector<Face> faces_;
-  ChangeSet changes_;
 };
 
 class APrecisionDifference final : public PrecisionDifference {

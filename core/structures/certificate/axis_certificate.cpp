@@ -11,23 +11,23 @@ AxisCertificate::AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls&
       labels_(labels),
       balls_(balls) {}
 
-Corners AxisCertificate::corners_of(Slot face) const {
+Corners AxisCertificate::corners_of(FaceSlot face) const {
   const FaceRow& row = delaunay_.face(face);
   return {delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2])};
 }
 
-bool AxisCertificate::is_arc_free(Slot edge) {
+bool AxisCertificate::is_arc_free(EdgeSlot edge) {
   // More faces than this on one arc make it uncertified; a bound that no dense sample comes near.
   constexpr std::size_t kMostFaces = 4096;
   const EdgeRow& row = delaunay_.edge(edge);
-  const Slot inner = labels_.is_inside(row.f[0]) ? row.f[0] : row.f[1];
-  const Slot outer = row.f[0] == inner ? row.f[1] : row.f[0];
+  const FaceSlot inner = labels_.is_inside(row.f[0]) ? row.f[0] : row.f[1];
+  const FaceSlot outer = row.f[0] == inner ? row.f[1] : row.f[0];
   const FaceRow& own = delaunay_.face(inner);
   const int i = own.index_of_edge(edge);
-  const Slot p = own.v[next3(i)];
-  const Slot q = own.v[prev3(i)];
+  const SiteSlot p = own.v[next3(i)];
+  const SiteSlot q = own.v[prev3(i)];
   const OuterArc arc{delaunay_.site_position(own.v[i]), delaunay_.site_position(p), delaunay_.site_position(q)};
-  const Slot own_ball = balls_.ball(inner);
+  const FaceSlot own_ball = balls_.ball(inner);
 
   seen_.begin(delaunay_.face_rows());
   seen_.insert(inner);
@@ -35,14 +35,14 @@ bool AxisCertificate::is_arc_free(Slot edge) {
   queue_.assign(1, outer);
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     if (queue_.size() > kMostFaces) return false;
-    const Slot face = queue_[next];
+    const FaceSlot face = queue_[next];
     const FaceRow& at = delaunay_.face(face);
-    const auto touches = [&at](Slot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
+    const auto touches = [&at](SiteSlot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
     if (!touches(p) && !touches(q)) {
       far_faces_[edge].push_back(face);
       watchers_[face].push_back(edge);
     }
-    for (const Slot other : at.n) {
+    for (const FaceSlot other : at.n) {
       if (!seen_.insert(other)) continue;
       if (labels_.is_inside(other)) {
         if (balls_.ball(other) != own_ball && meets_arc(arc, corners_of(other))) return false;
@@ -60,13 +60,13 @@ bool AxisCertificate::is_arc_free(Slot edge) {
   return true;
 }
 
-void AxisCertificate::forget_edge(Slot edge) {
+void AxisCertificate::forget_edge(EdgeSlot edge) {
   if ((edge_[edge] & kBorder) != 0) --border_edges_;
   if ((edge_[edge] & kBad) != 0) --bad_edges_;
   edge_[edge] = 0;
   const auto far = far_faces_.find(edge);
   if (far == far_faces_.end()) return;
-  for (const Slot face : far->second) {
+  for (const FaceSlot face : far->second) {
     const auto watch = watchers_.find(face);
     if (watch == watchers_.end()) continue;
     std::erase(watch->second, edge);
@@ -75,7 +75,7 @@ void AxisCertificate::forget_edge(Slot edge) {
   far_faces_.erase(far);
 }
 
-void AxisCertificate::judge_edge(Slot edge) {
+void AxisCertificate::judge_edge(EdgeSlot edge) {
   forget_edge(edge);
   if (!delaunay_.edge(edge).is_alive() || !is_border(edge)) return;
   edge_[edge] = kBorder;
@@ -85,13 +85,13 @@ void AxisCertificate::judge_edge(Slot edge) {
   ++bad_edges_;
 }
 
-void AxisCertificate::judge_site(Slot site) {
+void AxisCertificate::judge_site(SiteSlot site) {
   if (bad_site_[site] != 0) --bad_sites_;
   bad_site_[site] = 0;
   if (!delaunay_.is_site(site) || delaunay_.dimension() < 2) return;
   int borders = 0;
   bool is_touched = false;
-  delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot face) {
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot face) {
     borders += is_border(edge) ? 1 : 0;
     is_touched = is_touched || labels_.is_inside(face);
   });
@@ -108,9 +108,9 @@ void AxisCertificate::rebuild(JobControl& job) {
   edge_.assign(delaunay_.edge_rows(), 0);
   bad_site_.assign(delaunay_.site_rows(), 0);
   if (delaunay_.dimension() < 2) return;
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site) judge_site(site);
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
-    if ((edge & 0x3ffU) == 0) job.checkpoint(edge, delaunay_.edge_rows());
+  for (const SiteSlot site : delaunay_.site_slots()) judge_site(site);
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
     judge_edge(edge);
   }
 }
@@ -122,53 +122,53 @@ bool AxisCertificate::update(JobControl& job) {
   site_recorder_.begin(delaunay_.site_rows());
   judged_sites_.begin(delaunay_.site_rows());
   judged_edges_.begin(delaunay_.edge_rows());
-  std::vector<Slot> edges;
-  const auto note_edge = [&](Slot edge) {
+  std::vector<EdgeSlot> edges;
+  const auto note_edge = [&](EdgeSlot edge) {
     if (judged_edges_.insert(edge)) edges.push_back(edge);
   };
-  const auto note_watchers = [&](Slot face) {
+  const auto note_watchers = [&](FaceSlot face) {
     if (watchers_.empty()) return;
     const auto found = watchers_.find(face);
     if (found == watchers_.end()) return;
-    for (const Slot edge : found->second) note_edge(edge);
+    for (const EdgeSlot edge : found->second) note_edge(edge);
   };
-  const auto note_site = [&](Slot site) {
+  const auto note_site = [&](SiteSlot site) {
     if (site == kInfiniteSite || !judged_sites_.insert(site)) return;
     judge_site(site);
     site_recorder_.note(site, true);
-    delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot) {
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) {
       if (is_border(edge) || edge_[edge] != 0) note_edge(edge);
     });
   };
-  const auto note_face = [&](Slot face) {
+  const auto note_face = [&](FaceSlot face) {
     note_watchers(face);
-    for (const Slot site : delaunay_.face(face).v) note_site(site);
+    for (const SiteSlot site : delaunay_.face(face).v) note_site(site);
   };
-  const auto note_around = [&](const ChangeSet& faces) {
-    for (const Slot face : faces.removed) note_watchers(face);
-    for (const Slot face : faces.touched) {
+  const auto note_around = [&](const ChangeSet<FaceSlot>& faces) {
+    for (const FaceSlot face : faces.removed) note_watchers(face);
+    for (const FaceSlot face : faces.touched) {
       note_face(face);
-      for (const Slot other : delaunay_.face(face).n) note_face(other);
+      for (const FaceSlot other : delaunay_.face(face).n) note_face(other);
     }
   };
   note_around(labels_.face_changes());
   // Groups of equal balls change with these.
   note_around(balls_.changes());
-  for (const Slot site : delaunay_.site_changes().removed) {
+  for (const SiteSlot site : delaunay_.site_changes().removed) {
     if (bad_site_[site] != 0) --bad_sites_;
     bad_site_[site] = 0;
     site_recorder_.note(site, true);
   }
-  for (const Slot edge : labels_.edge_changes().removed) note_edge(edge);
-  for (const Slot edge : labels_.edge_changes().touched)
+  for (const EdgeSlot edge : labels_.edge_changes().removed) note_edge(edge);
+  for (const EdgeSlot edge : labels_.edge_changes().touched)
     if (edge_[edge] != 0 || is_border(edge)) note_edge(edge);
   job.checkpoint();
-  for (const Slot edge : edges) {
+  for (const EdgeSlot edge : edges) {
     judge_edge(edge);
     edge_recorder_.note(edge, true);
   }
-  edge_recorder_.finish(edge_changes_, [this](Slot edge) { return delaunay_.edge(edge).is_alive(); });
-  site_recorder_.finish(site_changes_, [this](Slot site) { return delaunay_.is_site(site); });
+  edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
+  site_recorder_.finish(site_changes_, [this](SiteSlot site) { return delaunay_.is_site(site); });
   return true;
 }
 
@@ -184,7 +184,8 @@ void AxisCertificate::find(std::vector<Finding>& out) const {
     Finding& finding = out.emplace_back();
     finding.text = "curve edges beyond which another inner ball shows: the sample is not dense enough there";
     finding.count = static_cast<std::int64_t>(bad_edges_);
-    for (Slot edge = 0; edge < edge_.size() && finding.places.size() < kMostPlaces; ++edge) {
+    for (const EdgeSlot edge : edge_.rows()) {
+      if (finding.places.size() == kMostPlaces) break;
       if (!is_bad_edge(edge)) continue;
       const EdgeRow& row = delaunay_.edge(edge);
       finding.places.push_back(0.5 * (delaunay_.site_position(row.v[0]) + delaunay_.site_position(row.v[1])));
@@ -194,8 +195,10 @@ void AxisCertificate::find(std::vector<Finding>& out) const {
     Finding& finding = out.emplace_back();
     finding.text = "samples inside the shape or where its border meets itself";
     finding.count = static_cast<std::int64_t>(bad_sites_);
-    for (Slot site = 0; site < bad_site_.size() && finding.places.size() < kMostPlaces; ++site)
+    for (const SiteSlot site : bad_site_.rows()) {
+      if (finding.places.size() == kMostPlaces) break;
       if (is_bad_site(site)) finding.places.push_back(delaunay_.site_position(site));
+    }
   }
 }
 

@@ -35,19 +35,19 @@ class AxisCertificate final : public Structure {
 
   bool is_certified() const { return bad_edges_ == 0 && bad_sites_ == 0; }
   /// Another inner ball meets the arc of this border edge.
-  bool is_bad_edge(Slot edge) const { return edge < edge_.size() && (edge_[edge] & kBad) != 0; }
+  bool is_bad_edge(EdgeSlot edge) const { return edge_.has(edge) && (edge_[edge] & kBad) != 0; }
   /// Touches inner balls but has no border edge, or more than two.
-  bool is_bad_site(Slot site) const { return site < bad_site_.size() && bad_site_[site] != 0; }
+  bool is_bad_site(SiteSlot site) const { return bad_site_.has(site) && bad_site_[site] != 0; }
   std::size_t bad_edge_count() const { return bad_edges_; }
   std::size_t bad_site_count() const { return bad_sites_; }
 
-  bool is_border(Slot edge) const {
+  bool is_border(EdgeSlot edge) const {
     const EdgeRow& row = delaunay_.edge(edge);
     return row.f[0] != kNoSlot && labels_.is_inside(row.f[0]) != labels_.is_inside(row.f[1]);
   }
   /// Edges whose verdict was taken anew.
-  const ChangeSet& edge_changes() const { return edge_changes_; }
-  const ChangeSet& site_changes() const { return site_changes_; }
+  const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
+  const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -67,32 +67,32 @@ class AxisCertificate final : public Structure {
   static constexpr std::uint8_t kBorder = 1;
   static constexpr std::uint8_t kBad = 2;
 
-  void judge_edge(Slot edge);
-  void judge_site(Slot site);
-  void forget_edge(Slot edge);
-  bool is_arc_free(Slot edge);
-  Corners corners_of(Slot face) const;
+  void judge_edge(EdgeSlot edge);
+  void judge_site(SiteSlot site);
+  void forget_edge(EdgeSlot edge);
+  bool is_arc_free(EdgeSlot edge);
+  Corners corners_of(FaceSlot face) const;
 
   Delaunay& delaunay_;
   Labels& labels_;
   InnerBalls& balls_;
-  std::vector<std::uint8_t> edge_;
-  std::vector<std::uint8_t> bad_site_;
+  Table<EdgeSlot, std::uint8_t> edge_;
+  Table<SiteSlot, std::uint8_t> bad_site_;
   std::size_t border_edges_ = 0;
   std::size_t bad_edges_ = 0;
   std::size_t bad_sites_ = 0;
   // Searches that went beyond the faces at the ends of their edge, and the far faces they saw.
-  std::unordered_map<Slot, std::vector<Slot>> far_faces_;
-  std::unordered_map<Slot, std::vector<Slot>> watchers_;
-  ChangeRecorder edge_recorder_;
-  ChangeRecorder site_recorder_;
-  ChangeSet edge_changes_;
-  ChangeSet site_changes_;
+  std::unordered_map<EdgeSlot, std::vector<FaceSlot>> far_faces_;
+  std::unordered_map<FaceSlot, std::vector<EdgeSlot>> watchers_;
+  ChangeRecorder<EdgeSlot> edge_recorder_;
+  ChangeRecorder<SiteSlot> site_recorder_;
+  ChangeSet<EdgeSlot> edge_changes_;
+  ChangeSet<SiteSlot> site_changes_;
   // Work space.
-  SlotMarks seen_;
-  SlotMarks judged_sites_;
-  SlotMarks judged_edges_;
-  std::vector<Slot> queue_;
+  SlotMarks<FaceSlot> seen_;
+  SlotMarks<SiteSlot> judged_sites_;
+  SlotMarks<EdgeSlot> judged_edges_;
+  std::vector<FaceSlot> queue_;
 };
 
 }  // namespace mes

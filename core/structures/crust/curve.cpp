@@ -10,21 +10,21 @@ namespace mes {
 Curve::Curve(Delaunay& delaunay, OneStepCrust& crust, Labels& labels)
     : Structure("curve", {&delaunay, &crust, &labels}), delaunay_(delaunay), crust_(crust), labels_(labels) {}
 
-Slot Curve::other_crust_edge(Slot site, Slot edge) const {
-  Slot found = kNoSlot;
-  delaunay_.for_each_edge_at(site, [&](Slot candidate, Slot, Slot) {
+EdgeSlot Curve::other_crust_edge(SiteSlot site, EdgeSlot edge) const {
+  EdgeSlot found;
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot candidate, SiteSlot, FaceSlot) {
     if (candidate != edge && crust_.is_crust(candidate)) found = candidate;
   });
   return found;
 }
 
-void Curve::trace_from(Slot edge) {
+void Curve::trace_from(EdgeSlot edge) {
   Chain chain;
   // Backwards to an end, or once around.
-  Slot first_edge = edge;
-  Slot first_site = delaunay_.edge(edge).v[0];
+  EdgeSlot first_edge = edge;
+  SiteSlot first_site = delaunay_.edge(edge).v[0];
   while (crust_.degree(first_site) == 2) {
-    const Slot before = other_crust_edge(first_site, first_edge);
+    const EdgeSlot before = other_crust_edge(first_site, first_edge);
     if (before == edge) {
       chain.closed = true;
       break;
@@ -36,8 +36,8 @@ void Curve::trace_from(Slot edge) {
     first_edge = edge;
     first_site = delaunay_.edge(edge).v[0];
   }
-  Slot site = first_site;
-  Slot at = first_edge;
+  SiteSlot site = first_site;
+  EdgeSlot at = first_edge;
   for (;;) {
     chain.sites.push_back(site);
     chain.edges.push_back(at);
@@ -48,14 +48,14 @@ void Curve::trace_from(Slot edge) {
   if (!chain.closed) chain.sites.push_back(site);
   orient(chain);
 
-  Slot row = static_cast<Slot>(chains_.size());
+  ChainSlot row = chains_.next();
   if (free_chains_.empty()) {
     chains_.emplace_back();
   } else {
     row = free_chains_.back();
     free_chains_.pop_back();
   }
-  for (const Slot e : chain.edges) chain_of_edge_[e] = row;
+  for (const EdgeSlot e : chain.edges) chain_of_edge_[e] = row;
   set_normals(chain);
   chains_[row] = std::move(chain);
 }
@@ -73,7 +73,7 @@ void Curve::orient(Chain& chain) const {
     right += inside_right && !inside_left ? 1U : 0U;
   }
   chain.has_inside = left == chain.edges.size() || right == chain.edges.size();
-  const auto position = [this](Slot site) { return delaunay_.site_position(site); };
+  const auto position = [this](SiteSlot site) { return delaunay_.site_position(site); };
   bool turn = false;
   if (chain.has_inside) {
     turn = right != 0;
@@ -86,8 +86,8 @@ void Curve::orient(Chain& chain) const {
     const auto smallest =
         std::ranges::min_element(chain.sites, lexicographically_less, position) - chain.sites.begin();
     const auto n = static_cast<std::ptrdiff_t>(chain.sites.size());
-    const Slot before = chain.sites[static_cast<std::size_t>((smallest + n - 1) % n)];
-    const Slot after = chain.sites[static_cast<std::size_t>((smallest + 1) % n)];
+    const SiteSlot before = chain.sites[static_cast<std::size_t>((smallest + n - 1) % n)];
+    const SiteSlot after = chain.sites[static_cast<std::size_t>((smallest + 1) % n)];
     turn = lexicographically_less(position(before), position(after));
   }
   if (turn) {
@@ -107,7 +107,7 @@ void Curve::orient(Chain& chain) const {
 void Curve::set_normals(const Chain& chain) {
   const std::size_t n = chain.sites.size();
   // Right of the direction: outside, when the inside is on the left.
-  const auto unit_normal = [&](Slot from, Slot to) {
+  const auto unit_normal = [&](SiteSlot from, SiteSlot to) {
     Vec2 d = delaunay_.site_position(to) - delaunay_.site_position(from);
     // Near the largest doubles the difference or its length overflows.
     if (!std::isfinite(length(d))) d = 0.25 * delaunay_.site_position(to) - 0.25 * delaunay_.site_position(from);
@@ -115,11 +115,11 @@ void Curve::set_normals(const Chain& chain) {
     return size > 0.0 ? Vec2{d.y / size, -d.x / size} : Vec2{};
   };
   for (std::size_t i = 0; i < n; ++i) {
-    const Slot site = chain.sites[i];
+    const SiteSlot site = chain.sites[i];
     // The ends have none; they may be ends of other chains too.
     if (!chain.closed && (i == 0 || i + 1 == n)) continue;
-    const Slot before = chain.sites[i == 0 ? n - 1 : i - 1];
-    const Slot after = chain.sites[i + 1 == n ? 0 : i + 1];
+    const SiteSlot before = chain.sites[i == 0 ? n - 1 : i - 1];
+    const SiteSlot after = chain.sites[i + 1 == n ? 0 : i + 1];
     const Vec2 first = unit_normal(before, site);
     const Vec2 sum = first + unit_normal(site, after);
     const double size = length(sum);
@@ -132,16 +132,16 @@ void Curve::set_normals(const Chain& chain) {
 }
 
 // A long chain that is traced again keeps most of its normals.
-void Curve::set_normal(Slot site, Vec2 normal, double spacing) {
+void Curve::set_normal(SiteSlot site, Vec2 normal, double spacing) {
   if (normal_[site] != normal || spacing_[site] != spacing) recorder_.note(site, true);
   normal_[site] = normal;
   spacing_[site] = spacing;
 }
 
-void Curve::dissolve(Slot row) {
+void Curve::dissolve(ChainSlot row) {
   Chain& chain = chains_[row];
   if (chain.sites.empty()) return;
-  for (const Slot edge : chain.edges)
+  for (const EdgeSlot edge : chain.edges)
     if (chain_of_edge_[edge] == row) chain_of_edge_[edge] = kNoSlot;
   dissolved_.insert(dissolved_.end(), chain.sites.begin(), chain.sites.end());
   seeds_.insert(seeds_.end(), chain.edges.begin(), chain.edges.end());
@@ -158,8 +158,8 @@ void Curve::rebuild(JobControl& job) {
   spacing_.assign(delaunay_.site_rows(), 0.0);
   recorder_.begin(delaunay_.site_rows());
   has_new_normal_.begin(delaunay_.site_rows());
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
-    if ((edge & 0xffffU) == 0) job.checkpoint(edge, delaunay_.edge_rows());
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if ((edge.index() & 0xffffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
     if (delaunay_.edge(edge).is_alive() && crust_.is_crust(edge) && chain_of_edge_[edge] == kNoSlot) trace_from(edge);
   }
 }
@@ -172,28 +172,28 @@ bool Curve::update(JobControl&) {
   has_new_normal_.begin(delaunay_.site_rows());
   seeds_.clear();
   dissolved_.clear();
-  const auto touch = [this](Slot edge) {
+  const auto touch = [this](EdgeSlot edge) {
     if (chain_of_edge_[edge] != kNoSlot) dissolve(chain_of_edge_[edge]);
     chain_of_edge_[edge] = kNoSlot;
     seeds_.push_back(edge);
   };
-  for (const Slot edge : labels_.edge_changes().removed) touch(edge);
-  for (const Slot edge : labels_.edge_changes().touched) touch(edge);
+  for (const EdgeSlot edge : labels_.edge_changes().removed) touch(edge);
+  for (const EdgeSlot edge : labels_.edge_changes().touched) touch(edge);
   // A site whose degree changed ends or joins chains, also through edges that did not change themselves.
-  for (const Slot site : crust_.site_changes().touched) recorder_.note(site, true);
-  for (const Slot site : crust_.degree_changes()) {
-    delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot) {
+  for (const SiteSlot site : crust_.site_changes().touched) recorder_.note(site, true);
+  for (const SiteSlot site : crust_.degree_changes()) {
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) {
       if (crust_.is_crust(edge)) touch(edge);
     });
   }
-  for (const Slot site : crust_.site_changes().removed) recorder_.note(site, true);
+  for (const SiteSlot site : crust_.site_changes().removed) recorder_.note(site, true);
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
-    const Slot edge = seeds_[i];
+    const EdgeSlot edge = seeds_[i];
     if (delaunay_.edge(edge).is_alive() && crust_.is_crust(edge) && chain_of_edge_[edge] == kNoSlot) trace_from(edge);
   }
-  for (const Slot site : dissolved_)
+  for (const SiteSlot site : dissolved_)
     if (!has_new_normal_.contains(site)) set_normal(site, {}, 0.0);
-  recorder_.finish(site_changes_, [this](Slot site) { return delaunay_.is_site(site); });
+  recorder_.finish(site_changes_, [this](SiteSlot site) { return delaunay_.is_site(site); });
   return true;
 }
 
@@ -214,7 +214,7 @@ StatList Curve::statistics() const {
     }
   }
   std::int64_t isolated = 0;
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site)
+  for (const SiteSlot site : delaunay_.site_slots())
     if (delaunay_.is_site(site) && crust_.degree(site) == 0) ++isolated;
   return {{"loops", loops},
           {"open_chains", open},

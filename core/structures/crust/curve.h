@@ -10,6 +10,8 @@
 
 namespace mes {
 
+using ChainSlot = Slot<struct ChainTag>;
+
 /// What it guarantees:
 ///  1. Every crust edge is in exactly one chain. Chains end at sites of degree other than two; what remains are
 ///     loops.
@@ -25,24 +27,24 @@ class Curve final : public Structure {
  public:
   struct Chain {
     bool closed = false;
-    bool has_inside = false;  ///< the inside is on the left all along
-    std::vector<Slot> sites;  ///< in order; the first is not repeated when closed. Empty: the row is free
-    std::vector<Slot> edges;  ///< edges[i] joins sites[i] and the next
+    bool has_inside = false;      ///< the inside is on the left all along
+    std::vector<SiteSlot> sites;  ///< in order; the first is not repeated when closed. Empty: the row is free
+    std::vector<EdgeSlot> edges;  ///< edges[i] joins sites[i] and the next
   };
 
   Curve(Delaunay& delaunay, OneStepCrust& crust, Labels& labels);
 
-  const std::vector<Chain>& chains() const { return chains_; }
-  bool has_normal(Slot site) const {
-    return site < normal_.size() && (normal_[site].x != 0.0 || normal_[site].y != 0.0);
+  const Table<ChainSlot, Chain>& chains() const { return chains_; }
+  bool has_normal(SiteSlot site) const {
+    return normal_.has(site) && (normal_[site].x != 0.0 || normal_[site].y != 0.0);
   }
   /// Unit length; (0, 0) where there is none.
-  Vec2 normal(Slot site) const { return normal_[site]; }
+  Vec2 normal(SiteSlot site) const { return normal_[site]; }
   /// Mean length of the two curve edges at a site with a normal.
-  double spacing(Slot site) const { return spacing_[site]; }
+  double spacing(SiteSlot site) const { return spacing_[site]; }
 
   /// Sites that moved, came or went, and those whose normal or spacing is another one.
-  const ChangeSet& site_changes() const { return site_changes_; }
+  const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -51,31 +53,31 @@ class Curve final : public Structure {
   StatList statistics() const override;
 
  private:
-  void trace_from(Slot edge);
-  Slot other_crust_edge(Slot site, Slot edge) const;
-  Slot other_end(Slot edge, Slot site) const {
+  void trace_from(EdgeSlot edge);
+  EdgeSlot other_crust_edge(SiteSlot site, EdgeSlot edge) const;
+  SiteSlot other_end(EdgeSlot edge, SiteSlot site) const {
     const EdgeRow& row = delaunay_.edge(edge);
     return row.v[0] == site ? row.v[1] : row.v[0];
   }
   void orient(Chain& chain) const;
   void set_normals(const Chain& chain);
-  void set_normal(Slot site, Vec2 normal, double spacing);
-  void dissolve(Slot chain);
+  void set_normal(SiteSlot site, Vec2 normal, double spacing);
+  void dissolve(ChainSlot row);
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
   Labels& labels_;
-  std::vector<Chain> chains_;
-  std::vector<Slot> free_chains_;
-  std::vector<Slot> chain_of_edge_;
-  std::vector<Vec2> normal_;
-  std::vector<double> spacing_;
-  ChangeRecorder recorder_;
-  ChangeSet site_changes_;
-  std::vector<Slot> seeds_;
+  Table<ChainSlot, Chain> chains_;
+  std::vector<ChainSlot> free_chains_;
+  Table<EdgeSlot, ChainSlot> chain_of_edge_;
+  Table<SiteSlot, Vec2> normal_;
+  Table<SiteSlot, double> spacing_;
+  ChangeRecorder<SiteSlot> recorder_;
+  ChangeSet<SiteSlot> site_changes_;
+  std::vector<EdgeSlot> seeds_;
   // Of the present update:
-  std::vector<Slot> dissolved_;  ///< sites of chains that no longer exist
-  SlotMarks has_new_normal_;
+  std::vector<SiteSlot> dissolved_;  ///< sites of chains that no longer exist
+  SlotMarks<SiteSlot> has_new_normal_;
 };
 
 }  // namespace mes

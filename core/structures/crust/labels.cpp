@@ -20,18 +20,19 @@ void Labels::rebuild(JobControl& job) {
   inside_.assign(delaunay_.face_rows(), kUnknown);
   if (delaunay_.dimension() < 2) return;
   queue_.clear();
-  for (Slot face = 0; face < delaunay_.face_rows() && queue_.empty(); ++face) {
+  for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.face(face).is_alive() || !delaunay_.face(face).is_infinite()) continue;
     inside_[face] = 0;
     queue_.push_back(face);
+    break;
   }
   std::uint64_t done = 0;
   while (!queue_.empty()) {
-    const Slot face = queue_.back();
+    const FaceSlot face = queue_.back();
     queue_.pop_back();
     if ((++done & 0xffffU) == 0) job.checkpoint(done, delaunay_.face_rows());
     for (int i = 0; i < 3; ++i) {
-      const Slot other = delaunay_.face(face).n[i];
+      const FaceSlot other = delaunay_.face(face).n[i];
       if (inside_[other] != kUnknown) continue;
       inside_[other] = static_cast<std::uint8_t>(inside_[face] ^ (is_border(face, i) ? 1U : 0U));
       queue_.push_back(other);
@@ -41,30 +42,30 @@ void Labels::rebuild(JobControl& job) {
 
 void Labels::label_new_faces() {
   unlabelled_.begin(delaunay_.face_rows());
-  for (const Slot face : delaunay_.face_changes().touched) unlabelled_.insert(face);
+  for (const FaceSlot face : delaunay_.face_changes().touched) unlabelled_.insert(face);
   queue_.clear();
-  const auto settle = [this](Slot face, bool inside) {
+  const auto settle = [this](FaceSlot face, bool inside) {
     inside_[face] = inside ? 1 : 0;
     unlabelled_.erase(face);
     queue_.push_back(face);
   };
-  for (const Slot seed : delaunay_.face_changes().touched) {
+  for (const FaceSlot seed : delaunay_.face_changes().touched) {
     if (!unlabelled_.contains(seed)) continue;
     if (delaunay_.face(seed).is_infinite()) {
       settle(seed, false);
     } else {
       for (int i = 0; i < 3; ++i) {
-        const Slot other = delaunay_.face(seed).n[i];
+        const FaceSlot other = delaunay_.face(seed).n[i];
         if (unlabelled_.contains(other)) continue;
         settle(seed, is_inside(other) != is_border(seed, i));
         break;
       }
     }
     while (!queue_.empty()) {
-      const Slot face = queue_.back();
+      const FaceSlot face = queue_.back();
       queue_.pop_back();
       for (int i = 0; i < 3; ++i) {
-        const Slot other = delaunay_.face(face).n[i];
+        const FaceSlot other = delaunay_.face(face).n[i];
         if (!unlabelled_.contains(other)) continue;
         settle(other, !delaunay_.face(other).is_infinite() && is_inside(face) != is_border(face, i));
       }
@@ -75,27 +76,27 @@ void Labels::label_new_faces() {
 // Collects the edges that labels contradict, and turns over what must be.
 bool Labels::repair(JobControl& job) {
   violations_.clear();
-  for (const Slot face : delaunay_.face_changes().touched)
+  for (const FaceSlot face : delaunay_.face_changes().touched)
     for (int i = 0; i < 3; ++i)
       if (is_violated(face, i)) violations_.push_back({face, delaunay_.face(face).n[i]});
-  for (const Slot edge : conflict_edges_) {
+  for (const EdgeSlot edge : conflict_edges_) {
     const EdgeRow& row = delaunay_.edge(edge);
     if (is_violated(row.f[0], delaunay_.face(row.f[0]).index_of_edge(edge)))
       violations_.push_back({row.f[0], row.f[1]});
   }
   if (violations_.empty()) return true;
-  std::vector<std::pair<Slot, Slot>> pairs;
+  std::vector<std::pair<FaceSlot, FaceSlot>> pairs;
   pairs.reserve(violations_.size());
   for (const Violation& v : violations_) pairs.emplace_back(v.face, v.other);
   SideSearch search;
   return search.run(
       pairs,
-      [this](Slot face, auto visit) {
+      [this](FaceSlot face, auto visit) {
         for (int i = 0; i < 3; ++i)
           if (!is_violated(face, i)) visit(delaunay_.face(face).n[i]);
       },
-      [this](Slot face) { return delaunay_.face(face).is_infinite(); },
-      [this](Slot face) {
+      [this](FaceSlot face) { return delaunay_.face(face).is_infinite(); },
+      [this](FaceSlot face) {
         inside_[face] ^= 1U;
         turned_.push_back(face);
       },
@@ -117,25 +118,25 @@ bool Labels::update(JobControl& job) {
   }
   face_recorder_.begin(delaunay_.face_rows());
   edge_recorder_.begin(delaunay_.edge_rows());
-  for (const Slot face : delaunay_.face_changes().removed) face_recorder_.note(face, true);
-  for (const Slot face : delaunay_.face_changes().touched) face_recorder_.note(face, true);
-  for (const Slot edge : delaunay_.edge_changes().removed) edge_recorder_.note(edge, true);
-  for (const Slot edge : delaunay_.edge_changes().touched) edge_recorder_.note(edge, true);
-  for (const Slot edge : conflict_edges_) edge_recorder_.note(edge, true);
-  for (const Slot face : turned_) {
+  for (const FaceSlot face : delaunay_.face_changes().removed) face_recorder_.note(face, true);
+  for (const FaceSlot face : delaunay_.face_changes().touched) face_recorder_.note(face, true);
+  for (const EdgeSlot edge : delaunay_.edge_changes().removed) edge_recorder_.note(edge, true);
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched) edge_recorder_.note(edge, true);
+  for (const EdgeSlot edge : conflict_edges_) edge_recorder_.note(edge, true);
+  for (const FaceSlot face : turned_) {
     face_recorder_.note(face, true);
-    for (const Slot edge : delaunay_.face(face).e)
+    for (const EdgeSlot edge : delaunay_.face(face).e)
       if (edge != kNoSlot) edge_recorder_.note(edge, true);
   }
-  face_recorder_.finish(face_changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
-  edge_recorder_.finish(edge_changes_, [this](Slot edge) { return delaunay_.edge(edge).is_alive(); });
+  face_recorder_.finish(face_changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
+  edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
   return true;
 }
 
 StatList Labels::statistics() const {
   std::int64_t inside = 0;
   std::int64_t outside = 0;
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face)
+  for (const FaceSlot face : delaunay_.face_slots())
     if (delaunay_.is_finite_face(face)) (is_inside(face) ? inside : outside) += 1;
   return {{"inside", inside},
           {"outside", outside},
@@ -150,7 +151,8 @@ void Labels::find(std::vector<Finding>& out) const {
   Finding& finding = out.emplace_back();
   finding.text = "edges labelled against their crust test";
   finding.count = static_cast<std::int64_t>(conflict_count());
-  for (Slot edge = 0; edge < delaunay_.edge_rows() && finding.places.size() < kMostPlaces; ++edge) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if (finding.places.size() == kMostPlaces) break;
     const EdgeRow& row = delaunay_.edge(edge);
     if (row.is_alive() && is_conflict(edge))
       finding.places.push_back(0.5 * (delaunay_.site_position(row.v[0]) + delaunay_.site_position(row.v[1])));

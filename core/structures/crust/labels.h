@@ -28,14 +28,14 @@ class Labels final : public Structure {
  public:
   Labels(Delaunay& delaunay, OneStepCrust& crust);
 
-  bool is_inside(Slot face) const { return inside_[face] != 0; }
-  bool is_conflict(Slot edge) const { return join_.is_conflict(edge); }
+  bool is_inside(FaceSlot face) const { return inside_[face] != 0; }
+  bool is_conflict(EdgeSlot edge) const { return join_.is_conflict(edge); }
   std::size_t conflict_count() const { return join_.conflict_count(); }
 
   /// Faces that are new or have a new label.
-  const ChangeSet& face_changes() const { return face_changes_; }
+  const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
   /// Edges that changed, whose conflict bit changed, or whose faces have new labels.
-  const ChangeSet& edge_changes() const { return edge_changes_; }
+  const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -46,17 +46,17 @@ class Labels final : public Structure {
 
  private:
   /// The label must change across the face's edge i.
-  bool is_border(Slot face, int i) const {
+  bool is_border(FaceSlot face, int i) const {
     const unsigned bits = crust_.crust_bits_of_face(face);
     const bool crust = ((bits >> static_cast<unsigned>(i)) & 1U) != 0;
     return crust != (join_.conflict_count() != 0 && has_conflict(face, i));
   }
-  bool has_conflict(Slot face, int i) const {
-    const Slot edge = delaunay_.face(face).e[i];
+  bool has_conflict(FaceSlot face, int i) const {
+    const EdgeSlot edge = delaunay_.face(face).e[i];
     return edge != kNoSlot && join_.is_conflict(edge);
   }
-  bool is_violated(Slot face, int i) const {
-    const Slot other = delaunay_.face(face).n[i];
+  bool is_violated(FaceSlot face, int i) const {
+    const FaceSlot other = delaunay_.face(face).n[i];
     return (inside_[face] != inside_[other]) != is_border(face, i);
   }
   void label_new_faces();
@@ -65,22 +65,22 @@ class Labels final : public Structure {
   Delaunay& delaunay_;
   OneStepCrust& crust_;
   ConflictJoin join_;
-  std::vector<std::uint8_t> inside_;
+  Table<FaceSlot, std::uint8_t> inside_;
 
-  ChangeRecorder face_recorder_;
-  ChangeRecorder edge_recorder_;
-  ChangeSet face_changes_;
-  ChangeSet edge_changes_;
+  ChangeRecorder<FaceSlot> face_recorder_;
+  ChangeRecorder<EdgeSlot> edge_recorder_;
+  ChangeSet<FaceSlot> face_changes_;
+  ChangeSet<EdgeSlot> edge_changes_;
 
   // Work space.
   struct Violation {
-    Slot face;
-    Slot other;
+    FaceSlot face;
+    FaceSlot other;
   };
-  SlotMarks unlabelled_;
-  std::vector<Slot> queue_;
-  std::vector<Slot> conflict_edges_;
-  std::vector<Slot> turned_;
+  SlotMarks<FaceSlot> unlabelled_;
+  std::vector<FaceSlot> queue_;
+  std::vector<EdgeSlot> conflict_edges_;
+  std::vector<FaceSlot> turned_;
   std::vector<Violation> violations_;
 };
 

@@ -11,10 +11,10 @@ namespace mes {
 
 OneStepCrust::OneStepCrust(Delaunay& delaunay) : Structure("one-step-crust", {&delaunay}), delaunay_(delaunay) {}
 
-EdgeCorners OneStepCrust::corners(Slot edge) const {
+EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
-  const Slot left = delaunay_.apex(row.f[0], edge);
-  const Slot right = delaunay_.apex(row.f[1], edge);
+  const SiteSlot left = delaunay_.apex(row.f[0], edge);
+  const SiteSlot right = delaunay_.apex(row.f[1], edge);
   const Vec2 a = delaunay_.site_position(row.v[0]);
   const Vec2 b = delaunay_.site_position(row.v[1]);
   if (left == kInfiniteSite) return {delaunay_.site_position(right), b, a, {}};
@@ -23,21 +23,21 @@ EdgeCorners OneStepCrust::corners(Slot edge) const {
   return corners;
 }
 
-std::uint8_t OneStepCrust::flags_for(Slot edge, FilterCounts& counts) const {
+std::uint8_t OneStepCrust::flags_for(EdgeSlot edge, FilterCounts& counts) const {
   if (delaunay_.edge(edge).f[0] == kNoSlot) return kCrust;
   const EdgeClass result = classify_edge(corners(edge), counts);
   return static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U));
 }
 
-void OneStepCrust::classify(Slot edge) {
+void OneStepCrust::classify(EdgeSlot edge) {
   flags_[edge] = flags_for(edge, counts_);
-  for (const Slot face : delaunay_.edge(edge).f) {
+  for (const FaceSlot face : delaunay_.edge(edge).f) {
     const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
     face_bits_[face] = static_cast<std::uint8_t>(is_crust(edge) ? face_bits_[face] | bit : face_bits_[face] & ~bit);
   }
 }
 
-void OneStepCrust::add_to_degree(Slot site, int change) {
+void OneStepCrust::add_to_degree(SiteSlot site, int change) {
   odd_count_ -= is_odd(site) ? 1U : 0U;
   degree_[site] = static_cast<std::uint8_t>(degree_[site] + change);
   odd_count_ += is_odd(site) ? 1U : 0U;
@@ -61,14 +61,14 @@ void OneStepCrust::rebuild(JobControl& job) {
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     job.checkpoint();
     Tally own;  // not counted in place: the threads would take a cache line from each other all the time
-    for (auto edge = static_cast<Slot>(begin); edge < end; ++edge) {
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
       const EdgeRow& row = delaunay_.edge(edge);
       if (!row.is_alive()) continue;
       flags_[edge] = flags_for(edge, own.filter);
       own.cocircular += is_cocircular(edge) ? 1U : 0U;
       if (!is_crust(edge)) continue;
-      for (const Slot site : row.v) add(degree_[site], 1);
-      for (const Slot face : row.f)
+      for (const SiteSlot site : row.v) add(degree_[site], 1);
+      for (const FaceSlot face : row.f)
         if (face != kNoSlot)
           add(face_bits_[face], 1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
     }
@@ -80,7 +80,7 @@ void OneStepCrust::rebuild(JobControl& job) {
     cocircular_count_ += part.cocircular;
   }
   odd_count_ = 0;
-  for (Slot site = 0; site < degree_.size(); ++site) odd_count_ += is_odd(site) ? 1U : 0U;
+  for (const SiteSlot site : degree_.rows()) odd_count_ += is_odd(site) ? 1U : 0U;
 }
 
 bool OneStepCrust::update(JobControl&) {
@@ -89,22 +89,22 @@ bool OneStepCrust::update(JobControl&) {
   degree_.resize(delaunay_.site_rows());
   degrees_before_.clear();
   degree_marks_.begin(delaunay_.site_rows());
-  const auto change_degree = [this](Slot site, int change) {
+  const auto change_degree = [this](SiteSlot site, int change) {
     if (degree_marks_.insert(site)) degrees_before_.push_back({site, degree_[site]});
     add_to_degree(site, change);
   };
-  const auto forget = [&](Slot edge, const EdgeRow& before) {
+  const auto forget = [&](EdgeSlot edge, const EdgeRow& before) {
     cocircular_count_ -= is_cocircular(edge) ? 1U : 0U;
     if (!is_crust(edge)) return;
     change_degree(before.v[0], -1);
     change_degree(before.v[1], -1);
   };
-  const ChangeSet& edges = delaunay_.edge_changes();
-  for (const Slot edge : edges.touched) {
-    prefetch(flags_.data() + edge);
-    for (const Slot face : delaunay_.edge(edge).f) {
-      const Slot apex = delaunay_.apex(face, edge);
-      if (apex != kInfiniteSite) prefetch(delaunay_.site_positions().data() + apex);
+  const ChangeSet<EdgeSlot>& edges = delaunay_.edge_changes();
+  for (const EdgeSlot edge : edges.touched) {
+    prefetch(flags_.address(edge));
+    for (const FaceSlot face : delaunay_.edge(edge).f) {
+      const SiteSlot apex = delaunay_.apex(face, edge);
+      if (apex != kInfiniteSite) prefetch(delaunay_.site_positions().address(apex));
     }
   }
   for (std::size_t i = 0; i < edges.removed.size(); ++i) {
@@ -112,10 +112,10 @@ bool OneStepCrust::update(JobControl&) {
     flags_[edges.removed[i]] = 0;
   }
   // A row may now be another triangle; its edges are all among the changed ones and set their bits below.
-  for (const Slot face : delaunay_.face_changes().removed) face_bits_[face] = 0;
-  for (const Slot face : delaunay_.face_changes().touched) face_bits_[face] = 0;
+  for (const FaceSlot face : delaunay_.face_changes().removed) face_bits_[face] = 0;
+  for (const FaceSlot face : delaunay_.face_changes().touched) face_bits_[face] = 0;
   for (std::size_t i = 0; i < edges.touched.size(); ++i) {
-    const Slot edge = edges.touched[i];
+    const EdgeSlot edge = edges.touched[i];
     const EdgeRow& before = delaunay_.touched_edges_before()[i];
     const EdgeRow& now = delaunay_.edge(edge);
     const bool was_crust = is_crust(edge);
@@ -131,18 +131,18 @@ bool OneStepCrust::update(JobControl&) {
   }
   site_recorder_.begin(delaunay_.site_rows());
   degree_changes_.clear();
-  for (const Slot site : delaunay_.site_changes().removed) site_recorder_.note(site, true);
-  for (const Slot site : delaunay_.site_changes().touched) site_recorder_.note(site, true);
+  for (const SiteSlot site : delaunay_.site_changes().removed) site_recorder_.note(site, true);
+  for (const SiteSlot site : delaunay_.site_changes().touched) site_recorder_.note(site, true);
   for (const auto& [site, before] : degrees_before_) {
     if (degree_[site] == before) continue;
     site_recorder_.note(site, true);
     if (delaunay_.is_site(site)) degree_changes_.push_back(site);
   }
-  site_recorder_.finish(site_changes_, [this](Slot site) { return delaunay_.is_site(site); });
+  site_recorder_.finish(site_changes_, [this](SiteSlot site) { return delaunay_.is_site(site); });
   return true;
 }
 
-double OneStepCrust::confidence(Slot edge) const {
+double OneStepCrust::confidence(EdgeSlot edge) const {
   return delaunay_.edge(edge).f[0] == kNoSlot ? 1.0 : edge_confidence(corners(edge));
 }
 
@@ -150,13 +150,13 @@ StatList OneStepCrust::statistics() const {
   std::int64_t crust = 0;
   std::int64_t skeleton = 0;
   std::int64_t cocircular = 0;
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!delaunay_.edge(edge).is_alive()) continue;
     (is_crust(edge) ? crust : skeleton) += 1;
     cocircular += is_cocircular(edge) ? 1 : 0;
   }
   std::vector<std::int64_t> histogram(4, 0);
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site)
+  for (const SiteSlot site : delaunay_.site_slots())
     if (delaunay_.is_site(site)) ++histogram[static_cast<std::size_t>(std::min(degree(site), 3))];
   return {{"crust_edges", crust},
           {"skeleton_edges", skeleton},
@@ -173,8 +173,10 @@ void OneStepCrust::find(std::vector<Finding>& out) const {
   Finding& finding = out.emplace_back();
   finding.text = "samples with an odd number of curve edges: corners, noise, ends of strokes";
   finding.count = static_cast<std::int64_t>(odd_count_);
-  for (Slot site = 0; site < delaunay_.site_rows() && finding.places.size() < kMostPlaces; ++site)
+  for (const SiteSlot site : delaunay_.site_slots()) {
+    if (finding.places.size() == kMostPlaces) break;
     if (delaunay_.is_site(site) && is_odd(site)) finding.places.push_back(delaunay_.site_position(site));
+  }
 }
 
 }  // namespace mes

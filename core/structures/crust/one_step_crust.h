@@ -26,25 +26,25 @@ class OneStepCrust final : public Structure {
  public:
   explicit OneStepCrust(Delaunay& delaunay);
 
-  bool is_crust(Slot edge) const { return (flags_[edge] & kCrust) != 0; }
+  bool is_crust(EdgeSlot edge) const { return (flags_[edge] & kCrust) != 0; }
   /// The dual Voronoi edge has length exactly zero.
-  bool is_cocircular(Slot edge) const { return (flags_[edge] & kCocircular) != 0; }
+  bool is_cocircular(EdgeSlot edge) const { return (flags_[edge] & kCocircular) != 0; }
   /// Bit i: the face's edge i is crust. Edges to infinity never are.
-  std::uint8_t crust_bits_of_face(Slot face) const { return face_bits_[face]; }
+  std::uint8_t crust_bits_of_face(FaceSlot face) const { return face_bits_[face]; }
   /// Number of crust edges at a site.
-  int degree(Slot site) const { return degree_[site]; }
-  bool is_odd(Slot site) const { return (degree_[site] & 1U) != 0; }
+  int degree(SiteSlot site) const { return degree_[site]; }
+  bool is_odd(SiteSlot site) const { return (degree_[site] & 1U) != 0; }
   std::size_t odd_count() const { return odd_count_; }
   std::size_t cocircular_count() const { return cocircular_count_; }
   /// Corners for the predicates, in the orientation of the edge's row.
-  EdgeCorners corners(Slot edge) const;
+  EdgeCorners corners(EdgeSlot edge) const;
   /// cos(alpha + beta), in [-1, 1]; 1 for collinear sites.
-  double confidence(Slot edge) const;
+  double confidence(EdgeSlot edge) const;
 
   /// Live sites whose degree differs from before.
-  const std::vector<Slot>& degree_changes() const { return degree_changes_; }
+  const std::vector<SiteSlot>& degree_changes() const { return degree_changes_; }
   /// Sites that changed themselves or have a new degree.
-  const ChangeSet& site_changes() const { return site_changes_; }
+  const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -61,26 +61,26 @@ class OneStepCrust final : public Structure {
   static constexpr std::uint8_t kCrust = 1;
   static constexpr std::uint8_t kCocircular = 2;
 
-  std::uint8_t flags_for(Slot edge, FilterCounts& counts) const;
-  void classify(Slot edge);
-  void add_to_degree(Slot site, int change);
+  std::uint8_t flags_for(EdgeSlot edge, FilterCounts& counts) const;
+  void classify(EdgeSlot edge);
+  void add_to_degree(SiteSlot site, int change);
 
   Delaunay& delaunay_;
-  std::vector<std::uint8_t> flags_;
-  std::vector<std::uint8_t> face_bits_;
-  std::vector<std::uint8_t> degree_;
+  Table<EdgeSlot, std::uint8_t> flags_;
+  Table<FaceSlot, std::uint8_t> face_bits_;
+  Table<SiteSlot, std::uint8_t> degree_;
   std::size_t odd_count_ = 0;
   std::size_t cocircular_count_ = 0;
   FilterCounts counts_;
-  ChangeRecorder site_recorder_;
-  ChangeSet site_changes_;
-  std::vector<Slot> degree_changes_;
+  ChangeRecorder<SiteSlot> site_recorder_;
+  ChangeSet<SiteSlot> site_changes_;
+  std::vector<SiteSlot> degree_changes_;
   struct DegreeBefore {
-    Slot site;
+    SiteSlot site;
     std::uint8_t degree;
   };
   std::vector<DegreeBefore> degrees_before_;
-  SlotMarks degree_marks_;
+  SlotMarks<SiteSlot> degree_marks_;
 };
 
 }  // namespace mes

@@ -11,13 +11,13 @@ namespace mes {
 VoronoiVertices::VoronoiVertices(Delaunay& delaunay, OneStepCrust& crust)
     : Structure("voronoi-vertices", {&delaunay, &crust}), delaunay_(delaunay), crust_(crust) {}
 
-bool VoronoiVertices::has_cocircular_edge(Slot face) const {
-  for (const Slot edge : delaunay_.face(face).e)
+bool VoronoiVertices::has_cocircular_edge(FaceSlot face) const {
+  for (const EdgeSlot edge : delaunay_.face(face).e)
     if (edge != kNoSlot && crust_.is_cocircular(edge)) return true;
   return false;
 }
 
-std::array<Vec2, 3> VoronoiVertices::sorted_corners(Slot face) const {
+std::array<Vec2, 3> VoronoiVertices::sorted_corners(FaceSlot face) const {
   const auto& v = delaunay_.face(face).v;
   std::array<Vec2, 3> out{delaunay_.site_position(v[0]), delaunay_.site_position(v[1]),
                           delaunay_.site_position(v[2])};
@@ -25,9 +25,10 @@ std::array<Vec2, 3> VoronoiVertices::sorted_corners(Slot face) const {
   return out;
 }
 
-void VoronoiVertices::gather_group(Slot face) {
-  const Slot id = next_group_++;
-  std::vector<Slot> members{face};
+void VoronoiVertices::gather_group(FaceSlot face) {
+  const GroupId id = next_group_;
+  ++next_group_.value;
+  std::vector<FaceSlot> members{face};
   group_of_[face] = id;
   for (std::size_t next = 0; next < members.size(); ++next) {
     const FaceRow& row = delaunay_.face(members[next]);
@@ -38,7 +39,7 @@ void VoronoiVertices::gather_group(Slot face) {
   }
   // Each face of the group has the circle rounded in its own way, and other corners to make balls of. The first of
   // them stands for all.
-  const auto comes_before = [this](Slot x, Slot y) {
+  const auto comes_before = [this](FaceSlot x, FaceSlot y) {
     const FaceRow& a = delaunay_.face(x);
     const FaceRow& b = delaunay_.face(y);
     if (const auto order = std::strong_order(a.center.x, b.center.x); order != 0) return order < 0;
@@ -50,11 +51,11 @@ void VoronoiVertices::gather_group(Slot face) {
   groups_.emplace(id, std::move(members));
 }
 
-void VoronoiVertices::append_sites(Slot face, std::vector<Slot>& out) const {
+void VoronoiVertices::append_sites(FaceSlot face, std::vector<SiteSlot>& out) const {
   const auto first = static_cast<std::ptrdiff_t>(out.size());
-  const std::vector<Slot>* faces = group(face);
-  for (const Slot f : faces != nullptr ? std::span<const Slot>(*faces) : std::span<const Slot>(&face, 1))
-    for (const Slot site : delaunay_.face(f).v) out.push_back(site);
+  const std::vector<FaceSlot>* faces = group(face);
+  for (const FaceSlot f : faces != nullptr ? std::span<const FaceSlot>(*faces) : std::span<const FaceSlot>(&face, 1))
+    for (const SiteSlot site : delaunay_.face(f).v) out.push_back(site);
   std::sort(out.begin() + first, out.end());
   out.erase(std::unique(out.begin() + first, out.end()), out.end());
 }
@@ -64,28 +65,28 @@ void VoronoiVertices::rebuild(JobControl&) {
   group_of_.clear();
   groups_.clear();
   if (crust_.cocircular_count() == 0) return;
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!delaunay_.edge(edge).is_alive() || !crust_.is_cocircular(edge)) continue;
-    const Slot face = delaunay_.edge(edge).f[0];
+    const FaceSlot face = delaunay_.edge(edge).f[0];
     if (!group_of_.contains(face)) gather_group(face);
   }
 }
 
 bool VoronoiVertices::update(JobControl&) {
-  const ChangeSet& faces = delaunay_.face_changes();
+  const ChangeSet<FaceSlot>& faces = delaunay_.face_changes();
   follows_faces_ = crust_.cocircular_count() == 0 && group_of_.empty();
   if (follows_faces_) {
     changes_ = faces;
     return true;
   }
   recorder_.begin(delaunay_.face_rows());
-  for (const Slot face : faces.removed) recorder_.note(face, true);
-  for (const Slot face : faces.touched) recorder_.note(face, true);
+  for (const FaceSlot face : faces.removed) recorder_.note(face, true);
+  for (const FaceSlot face : faces.touched) recorder_.note(face, true);
   work_.assign(faces.touched.begin(), faces.touched.end());
   // A group that met the change may have lost, gained or been split; its other faces, and groups across changed
   // edges, are asked again.
-  for (const Slot edge : delaunay_.edge_changes().touched)
-    for (const Slot face : delaunay_.edge(edge).f)
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched)
+    for (const FaceSlot face : delaunay_.edge(edge).f)
       if (crust_.is_cocircular(edge) || (!group_of_.empty() && group_of_.contains(face))) work_.push_back(face);
   if (!group_of_.empty()) {
     work_.insert(work_.end(), faces.removed.begin(), faces.removed.end());
@@ -93,26 +94,26 @@ bool VoronoiVertices::update(JobControl&) {
       const auto found = group_of_.find(work_[next]);
       if (found == group_of_.end()) continue;
       const auto group = groups_.find(found->second);
-      for (const Slot member : group->second) {
+      for (const FaceSlot member : group->second) {
         group_of_.erase(member);
         work_.push_back(member);
       }
       groups_.erase(group);
     }
   }
-  for (const Slot face : work_) {
+  for (const FaceSlot face : work_) {
     if (!delaunay_.is_finite_face(face) || !has_cocircular_edge(face) || group_of_.contains(face)) continue;
     gather_group(face);
-    for (const Slot member : groups_.at(group_of_.at(face))) recorder_.note(member, true);
+    for (const FaceSlot member : groups_.at(group_of_.at(face))) recorder_.note(member, true);
   }
-  for (const Slot face : work_) recorder_.note(face, true);
-  recorder_.finish(changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
+  for (const FaceSlot face : work_) recorder_.note(face, true);
+  recorder_.finish(changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
   return true;
 }
 
 StatList VoronoiVertices::statistics() const {
   std::int64_t vertices = 0;
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face)
+  for (const FaceSlot face : delaunay_.face_slots())
     vertices += delaunay_.face(face).is_alive() && is_vertex(face) ? 1 : 0;
   return {{"vertices", vertices}, {"of_more_than_three_samples", static_cast<std::int64_t>(groups_.size())}};
 }

@@ -23,24 +23,24 @@ class VoronoiVertices final : public Structure {
   VoronoiVertices(Delaunay& delaunay, OneStepCrust& crust);
 
   /// The face that stands for all faces with this circumcircle.
-  Slot vertex(Slot face) const {
+  FaceSlot vertex(FaceSlot face) const {
     if (group_of_.empty()) return face;
     const auto found = group_of_.find(face);
     return found == group_of_.end() ? face : groups_.at(found->second).front();
   }
-  bool is_vertex(Slot face) const { return delaunay_.is_finite_face(face) && vertex(face) == face; }
+  bool is_vertex(FaceSlot face) const { return delaunay_.is_finite_face(face) && vertex(face) == face; }
   /// Faces with the same circumcircle, for a face for which there are several; otherwise null.
-  const std::vector<Slot>* group(Slot face) const {
+  const std::vector<FaceSlot>* group(FaceSlot face) const {
     const auto found = group_of_.find(face);
     return found == group_of_.end() ? nullptr : &groups_.at(found->second);
   }
   /// The last changes are just those of the triangulation: no group came, changed or went.
   bool follows_faces() const { return follows_faces_; }
   /// The sites on the circle, each once, appended to `out`.
-  void append_sites(Slot face, std::vector<Slot>& out) const;
+  void append_sites(FaceSlot face, std::vector<SiteSlot>& out) const;
 
   /// Faces that came, changed or went, and those whose group changed.
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -49,20 +49,21 @@ class VoronoiVertices final : public Structure {
   StatList statistics() const override;
 
  private:
-  bool has_cocircular_edge(Slot face) const;
-  std::array<Vec2, 3> sorted_corners(Slot face) const;
-  void gather_group(Slot face);
+  using GroupId = Id<struct GroupTag>;
+  bool has_cocircular_edge(FaceSlot face) const;
+  std::array<Vec2, 3> sorted_corners(FaceSlot face) const;
+  void gather_group(FaceSlot face);
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
   // Groups of two or more faces; without cocircular samples both are empty.
-  std::unordered_map<Slot, Slot> group_of_;
-  std::unordered_map<Slot, std::vector<Slot>> groups_;
-  Slot next_group_ = 0;
+  std::unordered_map<FaceSlot, GroupId> group_of_;
+  std::unordered_map<GroupId, std::vector<FaceSlot>> groups_;
+  GroupId next_group_{0};
   bool follows_faces_ = true;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
-  std::vector<Slot> work_;
+  ChangeRecorder<FaceSlot> recorder_;
+  ChangeSet<FaceSlot> changes_;
+  std::vector<FaceSlot> work_;
 };
 
 }  // namespace mes

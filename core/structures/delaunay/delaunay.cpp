@@ -29,7 +29,7 @@ void Delaunay::clear_tables() {
   line_edges_.clear();
 }
 
-void Delaunay::compute_circumcircle(Slot face) {
+void Delaunay::compute_circumcircle(FaceSlot face) {
   FaceRow& row = face_[face];
   if (row.is_infinite()) return;
   // Beginning at the smallest corner makes the doubles independent of how the triangle came about.
@@ -41,13 +41,13 @@ void Delaunay::compute_circumcircle(Slot face) {
   row.radius = circle.radius;
 }
 
-double Delaunay::dual_length(Slot edge) const {
+double Delaunay::dual_length(EdgeSlot edge) const {
   const EdgeRow& row = edge_[edge];
   const Vec2 p = site_position_[row.v[0]];
   const Vec2 q = site_position_[row.v[1]];
   // A circumcentre lies half the edge times the cotangent of the opposite angle before the edge.
   double cotangents = 0.0;
-  for (const Slot face : row.f) {
+  for (const FaceSlot face : row.f) {
     const Vec2 apex = site_position_[face_[face].v[face_[face].index_of_edge(edge)]];
     cotangents += dot(p - apex, q - apex) / std::abs(cross(p - apex, q - apex));
   }
@@ -56,8 +56,8 @@ double Delaunay::dual_length(Slot edge) const {
   return std::isnormal(length) ? length : distance(face_[row.f[0]].center, face_[row.f[1]].center);
 }
 
-Slot Delaunay::new_site(Vec2 position) {
-  Slot site = static_cast<Slot>(site_position_.size());
+SiteSlot Delaunay::new_site(Vec2 position) {
+  SiteSlot site = site_position_.next();
   if (free_sites_.empty()) {
     site_position_.push_back(position);
     site_sample_.push_back(kNoSlot);
@@ -71,19 +71,19 @@ Slot Delaunay::new_site(Vec2 position) {
   return site;
 }
 
-void Delaunay::attach_sample(Slot sample, Slot site) {
-  if (sample >= site_of_sample_.size()) {
-    site_of_sample_.resize(sample + std::size_t{1}, kNoSlot);
-    next_duplicate_.resize(sample + std::size_t{1}, kNoSlot);
+void Delaunay::attach_sample(SampleSlot sample, SiteSlot site) {
+  if (!site_of_sample_.has(sample)) {
+    site_of_sample_.resize(sample.index() + std::size_t{1}, kNoSlot);
+    next_duplicate_.resize(sample.index() + std::size_t{1}, kNoSlot);
   }
   site_of_sample_[sample] = site;
   next_duplicate_[sample] = site_sample_[site];
   site_sample_[site] = sample;
 }
 
-bool Delaunay::detach_sample(Slot sample) {
-  const Slot site = site_of_sample_[sample];
-  Slot* link = &site_sample_[site];
+bool Delaunay::detach_sample(SampleSlot sample) {
+  const SiteSlot site = site_of_sample_[sample];
+  SampleSlot* link = &site_sample_[site];
   while (*link != sample) link = &next_duplicate_[*link];
   *link = next_duplicate_[sample];
   site_of_sample_[sample] = kNoSlot;
@@ -96,28 +96,28 @@ void Delaunay::rebuild(JobControl& job) {
   clear_tables();
   mirror_->clear();
 
-  std::vector<Slot> alive;
+  std::vector<SampleSlot> alive;
   alive.reserve(samples_.count());
-  for (Slot sample = 0; sample < samples_.row_count(); ++sample)
+  for (const SampleSlot sample : slots_below<SampleSlot>(samples_.row_count()))
     if (samples_.is_alive(sample)) alive.push_back(sample);
   mirror_->build(std::move(alive), job);
 }
 
 bool Delaunay::update(JobControl& job) {
-  const ChangeSet& changes = samples_.changes();
+  const ChangeSet<SampleSlot>& changes = samples_.changes();
   // Above some share of the sites, sorting and starting anew is cheaper than one insertion after the other.
   if (dimension_ != 2 || changes.size() > 64 + site_count_ / 8) return false;
   site_recorder_.begin(site_position_.size());
   noted_faces_.clear();
   noted_edges_.clear();
   zone_faces_ = 0;
-  for (const Slot sample : changes.removed)
+  for (const SampleSlot sample : changes.removed)
     if (!mirror_->remove(sample) || is_too_much()) return false;
   std::uint64_t done = 0;
-  for (const Slot sample : changes.touched) {
+  for (const SampleSlot sample : changes.touched) {
     if ((++done & 255U) == 0) job.checkpoint(done, changes.touched.size());
     if (is_too_much()) return false;
-    const Slot site = site_of_sample(sample);
+    const SiteSlot site = site_of_sample(sample);
     const Vec2 target = samples_.position(sample);
     if (site == kNoSlot) {
       if (!mirror_->insert(sample, target)) return false;
@@ -125,7 +125,7 @@ bool Delaunay::update(JobControl& job) {
       if (!mirror_->move(sample, target)) return false;
     }
   }
-  site_recorder_.finish(site_changes_, [this](Slot site) { return is_site(site); });
+  site_recorder_.finish(site_changes_, [this](SiteSlot site) { return is_site(site); });
   finish_face_changes();
   finish_edge_changes();
   return true;

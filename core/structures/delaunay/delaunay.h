@@ -14,17 +14,21 @@
 
 namespace mes {
 
+using SiteSlot = Slot<struct SiteTag>;
+using FaceSlot = Slot<struct FaceTag>;
+using EdgeSlot = Slot<struct EdgeTag>;
+
 /// Stands for the vertex at infinity in `FaceRow::v`.
-inline constexpr Slot kInfiniteSite = 0xfffffffeU;
+inline constexpr SiteSlot kInfiniteSite{0xfffffffeU};
 
 /// A triangle, or the outside of a hull edge when one corner is `kInfiniteSite`. Corners run counter-clockwise;
 /// neighbour and edge `i` lie opposite corner `i`. Edges to infinity have no row (kNoSlot). An edit reads some twenty
 /// rows in places that nothing has touched for long; so a row is one cache line, with everything about the face in
 /// it.
 struct alignas(64) FaceRow {
-  Slot v[3] = {kNoSlot, kNoSlot, kNoSlot};
-  Slot n[3] = {kNoSlot, kNoSlot, kNoSlot};
-  Slot e[3] = {kNoSlot, kNoSlot, kNoSlot};
+  SiteSlot v[3]{};
+  FaceSlot n[3]{};
+  EdgeSlot e[3]{};
   std::uint32_t mark = 0;  ///< work space of `Delaunay`
   Vec2 center{};           ///< circumcentre, the Voronoi vertex dual to the face
   double radius = 0.0;     ///< of the circumcircle
@@ -32,10 +36,11 @@ struct alignas(64) FaceRow {
   bool is_alive() const { return v[0] != kNoSlot; }
   bool is_infinite() const { return v[0] == kInfiniteSite || v[1] == kInfiniteSite || v[2] == kInfiniteSite; }
   /// Two faces have at most one edge in common.
-  int index_of_neighbour(Slot face) const { return n[0] == face ? 0 : (n[1] == face ? 1 : 2); }
-  int index_of_edge(Slot edge) const { return e[0] == edge ? 0 : (e[1] == edge ? 1 : 2); }
-  int index_of_site(Slot site) const { return v[0] == site ? 0 : (v[1] == site ? 1 : 2); }
+  int index_of_neighbour(FaceSlot face) const { return n[0] == face ? 0 : (n[1] == face ? 1 : 2); }
+  int index_of_edge(EdgeSlot edge) const { return e[0] == edge ? 0 : (e[1] == edge ? 1 : 2); }
+  int index_of_site(SiteSlot site) const { return v[0] == site ? 0 : (v[1] == site ? 1 : 2); }
 };
+static_assert(sizeof(FaceRow) == 64 && alignof(FaceRow) == 64);
 
 constexpr int next3(int i) {
   return i == 2 ? 0 : i + 1;
@@ -47,11 +52,12 @@ constexpr int prev3(int i) {
 /// A finite Delaunay edge from `v[0]` to `v[1]`; face `f[0]` lies to its left, `f[1]` to its right. When all samples
 /// are collinear there are no faces (kNoSlot) and the edges join consecutive sites.
 struct EdgeRow {
-  Slot v[2] = {kNoSlot, kNoSlot};
-  Slot f[2] = {kNoSlot, kNoSlot};
+  SiteSlot v[2]{};
+  FaceSlot f[2]{};
   std::uint32_t mark = 0;  ///< work space of `Delaunay`
   bool is_alive() const { return v[0] != kNoSlot; }
 };
+static_assert(sizeof(EdgeRow) == 20);
 
 /// What it guarantees:
 ///  1. A *site* is a distinct sample position. Samples at one position share a site; it lives until the last is gone.
@@ -77,41 +83,45 @@ class Delaunay final : public Structure {
 
   // Sites.
   std::size_t site_rows() const { return site_position_.size(); }
+  /// All rows, dead ones included.
+  SlotRange<SiteSlot> site_slots() const { return site_position_.rows(); }
   std::size_t site_count() const { return site_count_; }
-  bool is_site(Slot site) const { return site < site_sample_.size() && site_sample_[site] != kNoSlot; }
-  Vec2 site_position(Slot site) const { return site_position_[site]; }
-  const std::vector<Vec2>& site_positions() const { return site_position_; }
+  bool is_site(SiteSlot site) const { return site_sample_.has(site) && site_sample_[site] != kNoSlot; }
+  Vec2 site_position(SiteSlot site) const { return site_position_[site]; }
+  const Table<SiteSlot, Vec2>& site_positions() const { return site_position_; }
   /// One of the site's samples; the others follow by `next_duplicate` until kNoSlot.
-  Slot site_sample(Slot site) const { return site_sample_[site]; }
-  Slot next_duplicate(Slot sample) const { return next_duplicate_[sample]; }
-  Slot site_of_sample(Slot sample) const {
-    return sample < site_of_sample_.size() ? site_of_sample_[sample] : kNoSlot;
+  SampleSlot site_sample(SiteSlot site) const { return site_sample_[site]; }
+  SampleSlot next_duplicate(SampleSlot sample) const { return next_duplicate_[sample]; }
+  SiteSlot site_of_sample(SampleSlot sample) const {
+    return site_of_sample_.has(sample) ? site_of_sample_[sample] : kNoSlot;
   }
   /// Some face at the site; kNoSlot below dimension 2.
-  Slot site_face(Slot site) const { return site_face_[site]; }
+  FaceSlot site_face(SiteSlot site) const { return site_face_[site]; }
 
   // Faces.
   std::size_t face_rows() const { return face_.size(); }
-  const std::vector<FaceRow>& faces() const { return face_; }
-  const FaceRow& face(Slot face) const { return face_[face]; }
-  bool is_finite_face(Slot face) const { return face_[face].is_alive() && !face_[face].is_infinite(); }
+  SlotRange<FaceSlot> face_slots() const { return face_.rows(); }
+  const Table<FaceSlot, FaceRow>& faces() const { return face_; }
+  const FaceRow& face(FaceSlot face) const { return face_[face]; }
+  bool is_finite_face(FaceSlot face) const { return face_[face].is_alive() && !face_[face].is_infinite(); }
+  /// Length of the Voronoi edge between the two finite faces at an edge: from differences of samples, which far from
+  /// the origin are exact when circumcentres are not.
+  double dual_length(EdgeSlot edge) const;
   /// Voronoi vertex dual to a finite face.
-  /// Of the Voronoi edge between the two finite faces at an edge: from differences of samples, which far from the
-  /// origin are exact when circumcentres are not.
-  double dual_length(Slot edge) const;
-  Vec2 circumcenter(Slot face) const { return face_[face].center; }
-  double circumradius(Slot face) const { return face_[face].radius; }
+  Vec2 circumcenter(FaceSlot face) const { return face_[face].center; }
+  double circumradius(FaceSlot face) const { return face_[face].radius; }
 
   // Edges.
   std::size_t edge_rows() const { return edge_.size(); }
-  const std::vector<EdgeRow>& edges() const { return edge_; }
-  const EdgeRow& edge(Slot edge) const { return edge_[edge]; }
+  SlotRange<EdgeSlot> edge_slots() const { return edge_.rows(); }
+  const Table<EdgeSlot, EdgeRow>& edges() const { return edge_; }
+  const EdgeRow& edge(EdgeSlot edge) const { return edge_[edge]; }
   /// Corner of `face` opposite `edge`.
-  Slot apex(Slot face, Slot edge) const { return face_[face].v[face_[face].index_of_edge(edge)]; }
+  SiteSlot apex(FaceSlot face, EdgeSlot edge) const { return face_[face].v[face_[face].index_of_edge(edge)]; }
 
-  const ChangeSet& site_changes() const { return site_changes_; }
-  const ChangeSet& face_changes() const { return face_changes_; }
-  const ChangeSet& edge_changes() const { return edge_changes_; }
+  const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
+  const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
+  const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
   /// What the rows of `edge_changes` held before: the ends, or kNoSlot where the row was free. In the order of
   /// `touched` and `removed`; `f` is not set.
   const std::vector<EdgeRow>& touched_edges_before() const { return touched_edges_before_; }
@@ -120,7 +130,7 @@ class Delaunay final : public Structure {
   /// Calls `visit(edge, other_site, left_face)` for each finite edge at a site, counter-clockwise when it has faces;
   /// `left_face` lies to the left of the edge seen from the site.
   template <class Visit>
-  void for_each_edge_at(Slot site, Visit visit) const;
+  void for_each_edge_at(SiteSlot site, Visit visit) const;
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -128,7 +138,7 @@ class Delaunay final : public Structure {
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
   std::string_view kernel() const override { return "EPICK"; }
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
   template <class Kernel>
@@ -137,44 +147,44 @@ class Delaunay final : public Structure {
 
   void clear_tables();
   // Notes for the change sets. A row may be noted twice in a run of several edits; the first note counts.
-  void note_face(Slot face) { noted_faces_.push_back({face, face_[face].is_alive()}); }
-  void note_edge(Slot edge) { noted_edges_.push_back({edge, edge_[edge]}); }
+  void note_face(FaceSlot face) { noted_faces_.push_back({face, face_[face].is_alive()}); }
+  void note_edge(EdgeSlot edge) { noted_edges_.push_back({edge, edge_[edge]}); }
   std::uint32_t new_mark();
   void finish_face_changes();
   void finish_edge_changes();
   /// The edits of this run have together touched so much that starting anew is cheaper: many sites removed one by one
   /// from the end of a stroke each have a star as large as what they leave.
   bool is_too_much() const { return zone_faces_ > 1000 + face_.size(); }
-  void compute_circumcircle(Slot face);
-  Slot new_site(Vec2 position);
-  void attach_sample(Slot sample, Slot site);
+  void compute_circumcircle(FaceSlot face);
+  SiteSlot new_site(Vec2 position);
+  void attach_sample(SampleSlot sample, SiteSlot site);
   /// Takes the sample from its site; true when the site has none left.
-  bool detach_sample(Slot sample);
+  bool detach_sample(SampleSlot sample);
 
   Samples& samples_;
   std::unique_ptr<MirrorBase> mirror_;
   int dimension_ = -1;
   std::size_t site_count_ = 0;
 
-  std::vector<Vec2> site_position_;
-  std::vector<Slot> site_sample_;
-  std::vector<Slot> site_face_;
-  std::vector<Slot> free_sites_;
-  std::vector<Slot> site_of_sample_;
-  std::vector<Slot> next_duplicate_;
-  std::vector<FaceRow> face_;
-  std::vector<Slot> free_faces_;
-  std::vector<EdgeRow> edge_;
-  std::vector<Slot> free_edges_;
-  std::vector<std::array<Slot, 2>> line_edges_;  // by site; only in dimension 1
+  Table<SiteSlot, Vec2> site_position_;
+  Table<SiteSlot, SampleSlot> site_sample_;
+  Table<SiteSlot, FaceSlot> site_face_;
+  std::vector<SiteSlot> free_sites_;
+  Table<SampleSlot, SiteSlot> site_of_sample_;
+  Table<SampleSlot, SampleSlot> next_duplicate_;
+  Table<FaceSlot, FaceRow> face_;
+  std::vector<FaceSlot> free_faces_;
+  Table<EdgeSlot, EdgeRow> edge_;
+  std::vector<EdgeSlot> free_edges_;
+  Table<SiteSlot, std::array<EdgeSlot, 2>> line_edges_;  // only in dimension 1
 
-  ChangeRecorder site_recorder_;
+  ChangeRecorder<SiteSlot> site_recorder_;
   struct NotedFace {
-    Slot face;
+    FaceSlot face;
     bool was_alive;
   };
   struct NotedEdge {
-    Slot edge;
+    EdgeSlot edge;
     EdgeRow before;
   };
   std::vector<NotedFace> noted_faces_;
@@ -183,25 +193,25 @@ class Delaunay final : public Structure {
   std::size_t zone_faces_ = 0;  ///< rewritten in this run
   std::vector<EdgeRow> touched_edges_before_;
   std::vector<EdgeRow> removed_edges_before_;
-  ChangeSet site_changes_;
-  ChangeSet face_changes_;
-  ChangeSet edge_changes_;
+  ChangeSet<SiteSlot> site_changes_;
+  ChangeSet<FaceSlot> face_changes_;
+  ChangeSet<EdgeSlot> edge_changes_;
 };
 
 template <class Visit>
-void Delaunay::for_each_edge_at(Slot site, Visit visit) const {
+void Delaunay::for_each_edge_at(SiteSlot site, Visit visit) const {
   if (dimension_ < 2) {
     if (dimension_ < 1) return;
-    for (const Slot edge : line_edges_[site])
-      if (edge != kNoSlot) visit(edge, edge_[edge].v[edge_[edge].v[0] == site ? 1 : 0], kNoSlot);
+    for (const EdgeSlot edge : line_edges_[site])
+      if (edge != kNoSlot) visit(edge, edge_[edge].v[edge_[edge].v[0] == site ? 1 : 0], FaceSlot());
     return;
   }
-  const Slot start = site_face_[site];
-  Slot at = start;
+  const FaceSlot start = site_face_[site];
+  FaceSlot at = start;
   do {
     const FaceRow& row = face_[at];
     const int i = row.index_of_site(site);
-    const Slot edge = row.e[prev3(i)];
+    const EdgeSlot edge = row.e[prev3(i)];
     if (edge != kNoSlot) visit(edge, row.v[next3(i)], at);
     at = row.n[next3(i)];
   } while (at != start);

@@ -6,45 +6,51 @@ namespace mes {
 LastChange::LastChange(Delaunay& delaunay) : Structure("last-change", {&delaunay}), delaunay_(delaunay) {}
 
 void LastChange::clear_changes() {
-  face_changes_.clear();
-  edge_changes_.clear();
+  faces_.changes.clear();
+  edges_.changes.clear();
+}
+
+template <class Row>
+void LastChange::Touched<Row>::forget(std::size_t rows) {
+  shown.clear();
+  is_touched.assign(rows, 0);
+}
+
+template <class Row>
+template <class IsAlive>
+void LastChange::Touched<Row>::follow(const ChangeSet<Row>& last, std::size_t rows, IsAlive is_alive) {
+  is_touched.resize(rows, 0);
+  recorder.begin(rows);
+  for (const Row row : shown) {
+    is_touched[row] = 0;
+    recorder.note(row, true);
+  }
+  for (const Row row : last.touched) {
+    is_touched[row] = 1;
+    recorder.note(row, true);
+  }
+  for (const Row row : last.removed) recorder.note(row, true);
+  shown.assign(last.touched.begin(), last.touched.end());
+  recorder.finish(changes, is_alive);
 }
 
 void LastChange::rebuild(JobControl&) {
   clear_changes();
-  shown_faces_.clear();
-  shown_edges_.clear();
-  faces_.assign(delaunay_.face_rows(), 0);
-  edges_.assign(delaunay_.edge_rows(), 0);
+  faces_.forget(delaunay_.face_rows());
+  edges_.forget(delaunay_.edge_rows());
 }
 
 bool LastChange::update(JobControl&) {
-  const auto follow = [this](const ChangeSet& changes, std::vector<std::uint8_t>& marks, std::vector<Slot>& shown,
-                             ChangeSet& out, std::size_t rows, auto is_alive) {
-    marks.resize(rows, 0);
-    recorder_.begin(rows);
-    for (const Slot row : shown) {
-      marks[row] = 0;
-      recorder_.note(row, true);
-    }
-    for (const Slot row : changes.touched) {
-      marks[row] = 1;
-      recorder_.note(row, true);
-    }
-    for (const Slot row : changes.removed) recorder_.note(row, true);
-    shown.assign(changes.touched.begin(), changes.touched.end());
-    recorder_.finish(out, is_alive);
-  };
-  follow(delaunay_.face_changes(), faces_, shown_faces_, face_changes_, delaunay_.face_rows(),
-         [this](Slot face) { return delaunay_.face(face).is_alive(); });
-  follow(delaunay_.edge_changes(), edges_, shown_edges_, edge_changes_, delaunay_.edge_rows(),
-         [this](Slot edge) { return delaunay_.edge(edge).is_alive(); });
+  faces_.follow(delaunay_.face_changes(), delaunay_.face_rows(),
+                [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
+  edges_.follow(delaunay_.edge_changes(), delaunay_.edge_rows(),
+                [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
   return true;
 }
 
 StatList LastChange::statistics() const {
-  return {{"faces", static_cast<std::int64_t>(shown_faces_.size())},
-          {"edges", static_cast<std::int64_t>(shown_edges_.size())}};
+  return {{"faces", static_cast<std::int64_t>(faces_.shown.size())},
+          {"edges", static_cast<std::int64_t>(edges_.shown.size())}};
 }
 
 }  // namespace mes

@@ -16,26 +16,33 @@ class LastChange final : public Structure {
  public:
   explicit LastChange(Delaunay& delaunay);
 
-  bool is_touched_face(Slot face) const { return face < faces_.size() && faces_[face] != 0; }
-  bool is_touched_edge(Slot edge) const { return edge < edges_.size() && edges_[edge] != 0; }
-  const ChangeSet& face_changes() const { return face_changes_; }
-  const ChangeSet& edge_changes() const { return edge_changes_; }
+  bool is_touched_face(FaceSlot face) const { return faces_.is_touched.has(face) && faces_.is_touched[face] != 0; }
+  bool is_touched_edge(EdgeSlot edge) const { return edges_.is_touched.has(edge) && edges_.is_touched[edge] != 0; }
+  const ChangeSet<FaceSlot>& face_changes() const { return faces_.changes; }
+  const ChangeSet<EdgeSlot>& edge_changes() const { return edges_.changes; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
   void clear_changes() override;
-  std::size_t touched() const override { return shown_faces_.size() + shown_edges_.size(); }
+  std::size_t touched() const override { return faces_.shown.size() + edges_.shown.size(); }
   StatList statistics() const override;
 
  private:
+  /// What is remembered of one table.
+  template <class Row>
+  struct Touched {
+    Table<Row, std::uint8_t> is_touched;
+    std::vector<Row> shown;
+    ChangeRecorder<Row> recorder;
+    ChangeSet<Row> changes;
+    void forget(std::size_t rows);
+    template <class IsAlive>
+    void follow(const ChangeSet<Row>& last, std::size_t rows, IsAlive is_alive);
+  };
+
   Delaunay& delaunay_;
-  std::vector<std::uint8_t> faces_;
-  std::vector<std::uint8_t> edges_;
-  std::vector<Slot> shown_faces_;
-  std::vector<Slot> shown_edges_;
-  ChangeRecorder recorder_;
-  ChangeSet face_changes_;
-  ChangeSet edge_changes_;
+  Touched<FaceSlot> faces_;
+  Touched<EdgeSlot> edges_;
 };
 
 }  // namespace mes

@@ -17,8 +17,8 @@ void Samples::make_room() {
     if (delta->replaces_all()) rows = std::max(rows, delta->after->position.size());
     for (const auto& edit : delta->edits) {
       // The first note of a row counts, and none of them is applied yet.
-      recorder_.note(edit.slot, edit.slot < id_.size() && id_[edit.slot].is_valid());
-      rows = std::max(rows, edit.slot + std::size_t{1});
+      recorder_.note(edit.slot, is_alive(edit.slot));
+      rows = std::max(rows, edit.slot.index() + std::size_t{1});
     }
   }
   const auto grow = [rows](auto& column) {
@@ -38,8 +38,8 @@ void Samples::apply(const DocumentDelta& delta) {
     for (const SampleId id : id_) count_ += id.is_valid() ? 1U : 0U;
   }
   for (const SampleEdit& edit : delta.edits) {
-    if (edit.slot >= position_.size()) {
-      MES_ASSERT(edit.slot == position_.size() && edit.kind == SampleEdit::Kind::insert);
+    if (!position_.has(edit.slot)) {
+      MES_ASSERT(edit.slot == position_.next() && edit.kind == SampleEdit::Kind::insert);
       position_.emplace_back();
       id_.emplace_back();
     }
@@ -61,7 +61,7 @@ void Samples::rebuild(JobControl&) {
   pending_.clear();
   changes_.clear();
   extent_ = Box2{};
-  for (Slot slot = 0; slot < position_.size(); ++slot)
+  for (const SampleSlot slot : position_.rows())
     if (id_[slot].is_valid()) extent_.add(position_[slot]);
 }
 
@@ -71,13 +71,13 @@ bool Samples::update(JobControl&) {
   make_room();
   for (const auto& delta : pending_) apply(*delta);
   pending_.clear();
-  recorder_.finish(changes_, [this](Slot slot) { return id_[slot].is_valid(); });
+  recorder_.finish(changes_, [this](SampleSlot slot) { return id_[slot].is_valid(); });
   return true;
 }
 
 StatList Samples::statistics() const {
   Box2 box;
-  for (Slot slot = 0; slot < position_.size(); ++slot)
+  for (const SampleSlot slot : position_.rows())
     if (id_[slot].is_valid()) box.add(position_[slot]);
   const double none = std::numeric_limits<double>::quiet_NaN();
   return {{"samples", static_cast<std::int64_t>(count_)},

@@ -22,15 +22,15 @@ class Samples final : public SourceStructure {
 
   /// Rows, by the document's slots.
   std::size_t row_count() const { return position_.size(); }
-  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
-  Vec2 position(Slot slot) const { return position_[slot]; }
-  SampleId id(Slot slot) const { return id_[slot]; }
+  bool is_alive(SampleSlot slot) const { return id_.has(slot) && id_[slot].is_valid(); }
+  Vec2 position(SampleSlot slot) const { return position_[slot]; }
+  SampleId id(SampleSlot slot) const { return id_[slot]; }
   std::size_t count() const { return count_; }
   const CurveOrder& curve_order() const { return *curve_; }
   std::uint64_t document_revision() const { return document_revision_; }
   Box2 extent() const override { return extent_; }
 
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<SampleSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -43,14 +43,14 @@ class Samples final : public SourceStructure {
   void apply(const DocumentDelta& delta);
 
   std::vector<std::shared_ptr<const DocumentDelta>> pending_;
-  std::vector<Vec2> position_;
-  std::vector<SampleId> id_;
+  Table<SampleSlot, Vec2> position_;
+  Table<SampleSlot, SampleId> id_;
   std::shared_ptr<const CurveOrder> curve_;
   std::size_t count_ = 0;
   std::uint64_t document_revision_ = 0;
   Box2 extent_;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
+  ChangeRecorder<SampleSlot> recorder_;
+  ChangeSet<SampleSlot> changes_;
 };
 
 }  // namespace mes

@@ -14,10 +14,10 @@ class ScaledUserBalls final : public Structure {
   ScaledUserBalls(SettingsSource& settings, UserBalls& balls);
 
   std::size_t row_count() const { return balls_.row_count(); }
-  bool is_alive(Slot slot) const { return balls_.is_alive(slot); }
-  Disk disk(Slot slot) const { return {balls_.disk(slot).center, balls_.disk(slot).radius * scale_}; }
+  bool is_alive(BallSlot slot) const { return balls_.is_alive(slot); }
+  Disk disk(BallSlot slot) const { return {balls_.disk(slot).center, balls_.disk(slot).radius * scale_}; }
   double scale() const { return scale_; }
-  const ChangeSet& changes() const { return balls_.changes(); }
+  const ChangeSet<BallSlot>& changes() const { return balls_.changes(); }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;

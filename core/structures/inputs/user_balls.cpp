@@ -22,8 +22,8 @@ void UserBalls::make_room() {
     if (delta->replaces_all()) rows = std::max(rows, delta->balls_after->disk.size());
     for (const auto& edit : delta->ball_edits) {
       // The first note of a row counts, and none of them is applied yet.
-      recorder_.note(edit.slot, edit.slot < id_.size() && id_[edit.slot].is_valid());
-      rows = std::max(rows, edit.slot + std::size_t{1});
+      recorder_.note(edit.slot, is_alive(edit.slot));
+      rows = std::max(rows, edit.slot.index() + std::size_t{1});
     }
   }
   const auto grow = [rows](auto& column) {
@@ -42,8 +42,8 @@ void UserBalls::apply(const DocumentDelta& delta) {
     for (const BallId id : id_) count_ += id.is_valid() ? 1U : 0U;
   }
   for (const BallEdit& edit : delta.ball_edits) {
-    if (edit.slot >= disk_.size()) {
-      MES_ASSERT(edit.slot == disk_.size() && edit.kind == BallEdit::Kind::insert);
+    if (!disk_.has(edit.slot)) {
+      MES_ASSERT(edit.slot == disk_.next() && edit.kind == BallEdit::Kind::insert);
       disk_.emplace_back();
       id_.emplace_back();
     }
@@ -63,7 +63,7 @@ void UserBalls::rebuild(JobControl&) {
   pending_.clear();
   changes_.clear();
   extent_ = Box2{};
-  for (Slot slot = 0; slot < disk_.size(); ++slot)
+  for (const BallSlot slot : disk_.rows())
     if (id_[slot].is_valid()) extent_.add(bounding_box_of(disk_[slot]));
 }
 
@@ -73,7 +73,7 @@ bool UserBalls::update(JobControl&) {
   make_room();
   for (const auto& delta : pending_) apply(*delta);
   pending_.clear();
-  recorder_.finish(changes_, [this](Slot slot) { return id_[slot].is_valid(); });
+  recorder_.finish(changes_, [this](BallSlot slot) { return id_[slot].is_valid(); });
   return true;
 }
 
@@ -81,7 +81,7 @@ StatList UserBalls::statistics() const {
   std::int64_t zero = 0;
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  for (Slot slot = 0; slot < disk_.size(); ++slot) {
+  for (const BallSlot slot : disk_.rows()) {
     if (!id_[slot].is_valid()) continue;
     const double radius = disk_[slot].radius;
     if (radius == 0.0) ++zero;
@@ -95,13 +95,14 @@ StatList UserBalls::statistics() const {
           {"radius_max", count_ == 0 ? none : most}};
 }
 
-void UserBalls::explain(ElementKind kind, Slot row, Explanation& out) const {
-  if (kind != ElementKind::own_ball || !is_alive(row)) return;
+void UserBalls::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  const BallSlot ball(row);
+  if (kind != ElementKind::own_ball || !is_alive(ball)) return;
   ProvenanceShapes itself;
-  itself.circle(disk(row));
-  itself.point(disk(row).center);
+  itself.circle(disk(ball));
+  itself.point(disk(ball).center);
   out.say(ProvenanceRole::itself,
-          "Ball at " + place_text(disk(row).center) + ", radius " + number_text(disk(row).radius), itself);
+          "Ball at " + place_text(disk(ball).center) + ", radius " + number_text(disk(ball).radius), itself);
 }
 
 }  // namespace mes

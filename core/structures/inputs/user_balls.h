@@ -23,32 +23,32 @@ class UserBalls final : public SourceStructure {
 
   /// Rows, by the document's slots.
   std::size_t row_count() const { return disk_.size(); }
-  bool is_alive(Slot slot) const { return slot < id_.size() && id_[slot].is_valid(); }
-  const Disk& disk(Slot slot) const { return disk_[slot]; }
-  BallId id(Slot slot) const { return id_[slot]; }
+  bool is_alive(BallSlot slot) const { return id_.has(slot) && id_[slot].is_valid(); }
+  const Disk& disk(BallSlot slot) const { return disk_[slot]; }
+  BallId id(BallSlot slot) const { return id_[slot]; }
   std::size_t count() const { return count_; }
   Box2 extent() const override { return extent_; }
 
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<BallSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
   void make_room();
   void apply(const DocumentDelta& delta);
 
   std::vector<std::shared_ptr<const DocumentDelta>> pending_;
-  std::vector<Disk> disk_;
-  std::vector<BallId> id_;
+  Table<BallSlot, Disk> disk_;
+  Table<BallSlot, BallId> id_;
   std::size_t count_ = 0;
   Box2 extent_;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
+  ChangeRecorder<BallSlot> recorder_;
+  ChangeSet<BallSlot> changes_;
 };
 
 }  // namespace mes

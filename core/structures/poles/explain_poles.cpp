@@ -5,28 +5,28 @@
 
 namespace mes {
 
-void Poles::explain(ElementKind kind, Slot row, Explanation& out) const {
-  if (kind == ElementKind::site) explain_site(row, out);
-  if (kind == ElementKind::voronoi_vertex) explain_vertex(row, out);
+void Poles::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  if (kind == ElementKind::site) explain_site(SiteSlot(row), out);
+  if (kind == ElementKind::voronoi_vertex) explain_vertex(FaceSlot(row), out);
 }
 
-void Poles::explain_site(Slot site, Explanation& out) const {
+void Poles::explain_site(SiteSlot site, Explanation& out) const {
   if (delaunay_.dimension() != 2 || !delaunay_.is_site(site)) return;
   ProvenanceShapes poles;
-  for (const Slot pole : {plus(site), minus(site)})
+  for (const FaceSlot pole : {plus(site), minus(site)})
     if (pole != kNoSlot && pole != kInfinitePole) poles.point(delaunay_.circumcenter(pole));
   const bool is_hull = plus(site) == kInfinitePole;
   out.say_any(ProvenanceRole::product, is_hull ? "pole, and one at infinity" : "pole", "poles", poles);
 }
 
-void Poles::explain_vertex(Slot face, Explanation& out) const {
+void Poles::explain_vertex(FaceSlot face, Explanation& out) const {
   if (!delaunay_.is_finite_face(face)) return;
-  const Slot vertex = vertices_.vertex(face);
+  const FaceSlot vertex = vertices_.vertex(face);
   if (!is_pole(vertex)) return;
-  std::vector<Slot> sites;
+  std::vector<SiteSlot> sites;
   vertices_.append_sites(face, sites);
   ProvenanceShapes of;
-  for (const Slot site : sites)
+  for (const SiteSlot site : sites)
     if (plus(site) == vertex || minus(site) == vertex) of.point(delaunay_.site_position(site));
   out.say_any(ProvenanceRole::product, "sample has it as a pole", "samples have it as a pole", of);
 }

@@ -25,10 +25,12 @@ PowerCrust::PowerCrust(PoleLabels& labels, PolarDiagram& diagram)
     : Structure("power-crust", {&labels, &diagram}), labels_(labels), diagram_(diagram) {}
 
 void PowerCrust::rebuild(JobControl&) {
-  const auto is_inside = [this](Slot ball) { return !diagram_.is_at_infinity(ball) && labels_.is_inside(ball); };
-  const std::vector<PowerEdge>& edges = diagram_.edges();
+  const auto is_inside = [this](FamilySlot ball) {
+    return !diagram_.is_at_infinity(ball) && labels_.is_inside(same_row<FaceSlot>(ball));
+  };
+  const Table<PowerEdgeSlot, PowerEdge>& edges = diagram_.edges();
   is_crust_.resize(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (const PowerEdgeSlot i : edges.rows())
     is_crust_[i] = is_inside(edges[i].ball[0]) != is_inside(edges[i].ball[1]) ? 1 : 0;
 }
 
@@ -37,13 +39,13 @@ bool PowerCrust::update(JobControl&) {
 }
 
 StatList PowerCrust::statistics() const {
-  const std::vector<PowerEdge>& edges = diagram_.edges();
-  DisjointSets joined;
+  const Table<PowerEdgeSlot, PowerEdge>& edges = diagram_.edges();
+  DisjointSets<TriangleSlot> joined;
   std::int64_t crust = 0;
   std::int64_t unbounded = 0;
   std::int64_t loops = 0;
   Sum length;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  for (const PowerEdgeSlot i : edges.rows()) {
     if (is_crust_[i] == 0) continue;
     const PowerEdge& edge = edges[i];
     if (edge.kind != PowerEdge::Kind::segment) {
@@ -52,9 +54,9 @@ StatList PowerCrust::statistics() const {
     }
     crust += edge.from != edge.to ? 1 : 0;
     length.add(edge.length);
-    joined.grow(std::max(edge.face[0], edge.face[1]) + std::size_t{1});
-    const Slot a = joined.root(edge.face[0]);
-    const Slot b = joined.root(edge.face[1]);
+    joined.grow(std::max(edge.face[0], edge.face[1]).index() + std::size_t{1});
+    const TriangleSlot a = joined.root(edge.face[0]);
+    const TriangleSlot b = joined.root(edge.face[1]);
     // Every vertex has two crust edges: a curve closes just once.
     loops += a == b ? 1 : 0;
     joined.join(b, a);

@@ -16,7 +16,7 @@ class PolarDiagram final : public PowerDiagram {
  public:
   PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles);
 
-  bool is_at_infinity(Slot ball) const { return polar_balls_.is_at_infinity(ball); }
+  bool is_at_infinity(FamilySlot ball) const { return polar_balls_.is_at_infinity(ball); }
   void rebuild(JobControl& job) override;
 
  private:
@@ -34,10 +34,9 @@ class PowerCrust final : public Structure {
  public:
   PowerCrust(PoleLabels& labels, PolarDiagram& diagram);
 
-  bool is_crust(Slot edge) const { return is_crust_[edge] != 0; }
+  bool is_crust(PowerEdgeSlot edge) const { return is_crust_[edge] != 0; }
   const PolarDiagram& diagram() const { return diagram_; }
-  /// Always empty: every row is new after a rebuild.
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<PowerEdgeSlot>& changes() const { return no_changes<PowerEdgeSlot>(); }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -48,8 +47,7 @@ class PowerCrust final : public Structure {
  private:
   PoleLabels& labels_;
   PolarDiagram& diagram_;
-  std::vector<std::uint8_t> is_crust_;
-  ChangeSet changes_;
+  Table<PowerEdgeSlot, std::uint8_t> is_crust_;
 };
 
 }  // namespace mes

@@ -10,8 +10,10 @@ class InteriorPolarBalls final : public VoronoiBalls {
  public:
   InteriorPolarBalls(const Delaunay& delaunay, const VoronoiVertices& vertices, const PoleLabels& labels)
       : VoronoiBalls(delaunay, vertices), labels_(labels) {}
-  bool is_ball(Slot row) const override { return delaunay_.is_finite_face(row) && labels_.is_inside_pole(row); }
-  const ChangeSet& changes() const override { return labels_.changes(); }
+  bool is_ball(FamilySlot row) const override {
+    return delaunay_.is_finite_face(face_of(row)) && labels_.is_inside_pole(face_of(row));
+  }
+  bool has_changed() const override { return !labels_.changes().is_empty(); }
 
  private:
   const PoleLabels& labels_;

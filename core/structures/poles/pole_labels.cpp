@@ -13,7 +13,7 @@ namespace {
 
 /// If one pole is inside then so is the other, or just then not.
 struct Link {
-  Slot pole = kNoSlot;  ///< position among the balls
+  InputSlot pole;
   bool is_opposite = false;
   double confidence = 0.0;
 };
@@ -21,14 +21,14 @@ struct Link {
 /// Labels spread along links from poles that are outside for certain.
 class PoleGraph {
  public:
-  explicit PoleGraph(const std::vector<PipelineBall>& balls)
+  explicit PoleGraph(const Table<InputSlot, PipelineBall>& balls)
       : balls_(balls), links_(balls.size()), label_(balls.size()) {}
 
-  void link(Slot a, Slot b, bool is_opposite, double confidence) {
+  void link(InputSlot a, InputSlot b, bool is_opposite, double confidence) {
     links_[a].push_back({b, is_opposite, confidence});
     links_[b].push_back({a, is_opposite, confidence});
   }
-  void start_outside(Slot pole) { settle(pole, Label::outside); }
+  void start_outside(InputSlot pole) { settle(pole, Label::outside); }
   void spread(JobControl& job) {
     for (std::size_t steps = 0; !queue_.empty(); ++steps) {
       if ((steps & 0x3ffU) == 0) job.checkpoint();
@@ -37,8 +37,8 @@ class PoleGraph {
       if (label_[next.pole] == Label::unknown) settle(next.pole, next.label);
     }
   }
-  bool is_reached(Slot pole) const { return label_[pole] != Label::unknown; }
-  bool is_inside(Slot pole) const { return label_[pole] == Label::inside; }
+  bool is_reached(InputSlot pole) const { return label_[pole] != Label::unknown; }
+  bool is_inside(InputSlot pole) const { return label_[pole] == Label::inside; }
 
  private:
   enum class Label : std::uint8_t { unknown, outside, inside };
@@ -46,14 +46,14 @@ class PoleGraph {
     double confidence;
     Vec2 center;
     Label label;
-    Slot pole;
+    InputSlot pole;
     /// Ties by what does not depend on numbering.
     friend bool operator<(const Candidate& a, const Candidate& b) {
       return std::tie(a.confidence, a.center.x, a.center.y, a.label) <
              std::tie(b.confidence, b.center.x, b.center.y, b.label);
     }
   };
-  void settle(Slot pole, Label label) {
+  void settle(InputSlot pole, Label label) {
     label_[pole] = label;
     const Label other = label == Label::inside ? Label::outside : Label::inside;
     for (const Link& link : links_[pole])
@@ -61,9 +61,9 @@ class PoleGraph {
         queue_.push({link.confidence, balls_[link.pole].disk.center, link.is_opposite ? other : label, link.pole});
   }
 
-  const std::vector<PipelineBall>& balls_;
-  std::vector<std::vector<Link>> links_;
-  std::vector<Label> label_;
+  const Table<InputSlot, PipelineBall>& balls_;
+  Table<InputSlot, std::vector<Link>> links_;
+  Table<InputSlot, Label> label_;
   std::priority_queue<Candidate> queue_;
 };
 
@@ -88,20 +88,20 @@ void PoleLabels::spread(JobControl& job) {
   family.measure();
   const LocalBalls local = local_balls(family);
   const bool is_exact = made_with_ == Precision::exact || made_with_ == Precision::exact_roots;
-  const std::vector<PowerEdge> edges =
+  const Table<PowerEdgeSlot, PowerEdge> edges =
       is_exact ? run_power_diagram_exact(local.input(), job) : run_power_diagram_doubles(local.input(), job);
 
-  std::vector<Slot> ball_of_row(local.rows, kNoSlot);
-  for (Slot i = 0; i < local.balls.size(); ++i) ball_of_row[local.balls[i].row] = i;
+  Table<FamilySlot, InputSlot> ball_of_row(local.rows);
+  for (const InputSlot i : local.balls.rows()) ball_of_row[local.balls[i].row] = i;
   PoleGraph graph(local.balls);
-  const auto link_if_deep = [&](Slot a, Slot b) {
+  const auto link_if_deep = [&](InputSlot a, InputSlot b) {
     if (overlap_deeply(local.balls[a], local.balls[b]))
       graph.link(a, b, false, cosine_at_crossing(local.balls[a].disk, local.balls[b].disk));
   };
-  std::vector<bool> is_visible(local.balls.size(), false);
+  Table<InputSlot, bool> is_visible(local.balls.size(), false);
   for (const PowerEdge& edge : edges) {
-    const Slot a = ball_of_row[edge.ball[0]];
-    const Slot b = ball_of_row[edge.ball[1]];
+    const InputSlot a = ball_of_row[edge.ball[0]];
+    const InputSlot b = ball_of_row[edge.ball[1]];
     is_visible[a] = is_visible[b] = true;
     link_if_deep(a, b);
   }
@@ -109,29 +109,29 @@ void PoleLabels::spread(JobControl& job) {
   for (const EdgeRow& edge : delaunay_.edges()) {
     if (!edge.is_alive() || delaunay_.face(edge.f[0]).is_infinite() || delaunay_.face(edge.f[1]).is_infinite())
       continue;
-    const Slot a = ball_of_row[vertices_.vertex(edge.f[0])];
-    const Slot b = ball_of_row[vertices_.vertex(edge.f[1])];
+    const InputSlot a = ball_of_row[same_row<FamilySlot>(vertices_.vertex(edge.f[0]))];
+    const InputSlot b = ball_of_row[same_row<FamilySlot>(vertices_.vertex(edge.f[1]))];
     if (a != kNoSlot && b != kNoSlot && a != b && !(is_visible[a] && is_visible[b])) link_if_deep(a, b);
   }
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
+  for (const SiteSlot site : delaunay_.site_slots()) {
     if (!delaunay_.is_site(site) || poles_.minus(site) == kNoSlot) continue;
     const bool is_hull = poles_.plus(site) == kInfinitePole;
-    const Slot a = ball_of_row[is_hull ? family.row_at_infinity(site) : poles_.plus(site)];
-    const Slot b = ball_of_row[poles_.minus(site)];
+    const InputSlot a = ball_of_row[is_hull ? family.row_at_infinity(site) : same_row<FamilySlot>(poles_.plus(site))];
+    const InputSlot b = ball_of_row[same_row<FamilySlot>(poles_.minus(site))];
     if (a == kNoSlot || b == kNoSlot) continue;
     const Vec2 p = delaunay_.site_position(site);
     const Vec2 to_plus = is_hull ? poles_.direction_to_infinity(site) : delaunay_.circumcenter(poles_.plus(site)) - p;
     graph.link(a, b, true, -cosine_between(to_plus, delaunay_.circumcenter(poles_.minus(site)) - p));
   }
-  for (Slot i = 0; i < local.balls.size(); ++i)
+  for (const InputSlot i : local.balls.rows())
     if (family.is_at_infinity(local.balls[i].row)) graph.start_outside(i);
   graph.spread(job);
 
   inside_.assign(delaunay_.face_rows(), 0);
   unreached_ = 0;
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay_.face_slots()) {
     if (!poles_.is_pole(face)) continue;
-    const Slot ball = ball_of_row[face];
+    const InputSlot ball = ball_of_row[same_row<FamilySlot>(face)];
     const bool is_reached = ball != kNoSlot && graph.is_reached(ball);
     inside_[face] = (is_reached ? graph.is_inside(ball) : labels_.is_inside(face)) ? 1 : 0;
     unreached_ += is_reached ? 0 : 1;
@@ -146,18 +146,18 @@ void PoleLabels::rebuild(JobControl& job) {
 }
 
 bool PoleLabels::update(JobControl&) {
-  const ChangeSet& poles = poles_.face_changes();
-  const ChangeSet& labels = labels_.face_changes();
+  const ChangeSet<FaceSlot>& poles = poles_.face_changes();
+  const ChangeSet<FaceSlot>& labels = labels_.face_changes();
   if (poles.is_empty() && labels.is_empty())
     return is_spread_ == (wants_spreading() && delaunay_.dimension() == 2) &&
            (!is_spread_ || made_with_ == settings_.precision());
   if (is_spread_ || wants_spreading()) return false;
   recorder_.begin(delaunay_.face_rows());
-  for (const ChangeSet* changes : {&poles, &labels}) {
-    for (const Slot face : changes->removed) recorder_.note(face, true);
-    for (const Slot face : changes->touched) recorder_.note(face, true);
+  for (const ChangeSet<FaceSlot>* changes : {&poles, &labels}) {
+    for (const FaceSlot face : changes->removed) recorder_.note(face, true);
+    for (const FaceSlot face : changes->touched) recorder_.note(face, true);
   }
-  recorder_.finish(changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
+  recorder_.finish(changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
   return true;
 }
 
@@ -165,7 +165,7 @@ StatList PoleLabels::statistics() const {
   std::int64_t inside = 0;
   std::int64_t outside = 0;
   std::int64_t differ = 0;
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+  for (const FaceSlot face : delaunay_.face_slots()) {
     if (!poles_.is_pole(face)) continue;
     (is_inside(face) ? inside : outside) += 1;
     differ += is_inside(face) != labels_.is_inside(face) ? 1 : 0;

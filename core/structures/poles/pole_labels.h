@@ -25,11 +25,11 @@ class PoleLabels final : public Structure {
   PoleLabels(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Labels& labels, Poles& poles);
 
   /// Of a pole: a face for which `Poles::is_pole` holds.
-  bool is_inside(Slot face) const { return is_spread_ ? inside_[face] != 0 : labels_.is_inside(face); }
-  bool is_inside_pole(Slot face) const { return poles_.is_pole(face) && is_inside(face); }
+  bool is_inside(FaceSlot face) const { return is_spread_ ? inside_[face] != 0 : labels_.is_inside(face); }
+  bool is_inside_pole(FaceSlot face) const { return poles_.is_pole(face) && is_inside(face); }
 
   /// Faces that became, are still or stopped being poles, or changed their label.
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -49,10 +49,10 @@ class PoleLabels final : public Structure {
   Poles& poles_;
   bool is_spread_ = false;
   Precision made_with_ = Precision::fast;
-  std::vector<std::uint8_t> inside_;  // by face, when spread
+  Table<FaceSlot, std::uint8_t> inside_;  // when spread
   std::int64_t unreached_ = 0;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
+  ChangeRecorder<FaceSlot> recorder_;
+  ChangeSet<FaceSlot> changes_;
 };
 
 }  // namespace mes

@@ -7,9 +7,9 @@ namespace {
 // Calls `visit(face, right, left)` for the faces around the site, counter-clockwise; seen from the site, `right` and
 // `left` are the face's other corners.
 template <class Visit>
-void for_each_face_at(const Delaunay& delaunay, Slot site, Visit visit) {
-  const Slot start = delaunay.site_face(site);
-  Slot at = start;
+void for_each_face_at(const Delaunay& delaunay, SiteSlot site, Visit visit) {
+  const FaceSlot start = delaunay.site_face(site);
+  FaceSlot at = start;
   do {
     const FaceRow& row = delaunay.face(at);
     const int i = row.index_of_site(site);
@@ -23,20 +23,20 @@ void for_each_face_at(const Delaunay& delaunay, Slot site, Visit visit) {
 Poles::Poles(Delaunay& delaunay, VoronoiVertices& vertices)
     : Structure("poles", {&delaunay, &vertices}), delaunay_(delaunay), vertices_(vertices) {}
 
-Poles::HullNeighbours Poles::hull_neighbours(Slot site) const {
+Poles::HullNeighbours Poles::hull_neighbours(SiteSlot site) const {
   HullNeighbours hull;
-  for_each_face_at(delaunay_, site, [&hull](Slot, Slot right, Slot left) {
+  for_each_face_at(delaunay_, site, [&hull](FaceSlot, SiteSlot right, SiteSlot left) {
     if (left == kInfiniteSite) hull.before = right;
     if (right == kInfiniteSite) hull.after = left;
   });
   return hull;
 }
 
-Poles::HullNeighbours Poles::gather_star(Slot site) {
+Poles::HullNeighbours Poles::gather_star(SiteSlot site) {
   star_.clear();
   HullNeighbours hull;
   const Vec2 p = delaunay_.site_position(site);
-  for_each_face_at(delaunay_, site, [&](Slot face, Slot right, Slot left) {
+  for_each_face_at(delaunay_, site, [&](FaceSlot face, SiteSlot right, SiteSlot left) {
     if (left == kInfiniteSite) {
       hull.before = right;
     } else if (right == kInfiniteSite) {
@@ -49,13 +49,13 @@ Poles::HullNeighbours Poles::gather_star(Slot site) {
   return hull;
 }
 
-Vec2 Poles::direction_to_infinity(Slot site) const {
+Vec2 Poles::direction_to_infinity(SiteSlot site) const {
   const HullNeighbours hull = hull_neighbours(site);
   return hull_direction(delaunay_.site_position(site), delaunay_.site_position(hull.before),
                         delaunay_.site_position(hull.after));
 }
 
-void Poles::find_poles(Slot site) {
+void Poles::find_poles(SiteSlot site) {
   const HullNeighbours hull = gather_star(site);
   const auto comes_before = [](const StarFace& f, const StarFace& g) {
     const int order = compare_pole_distance(f.triangle, f.key, g.triangle, g.key);
@@ -75,16 +75,16 @@ void Poles::find_poles(Slot site) {
   for (const StarFace& f : star_)
     if (&f != plus && is_opposite(f) && (minus == nullptr || comes_before(f, *minus))) minus = &f;
   assign(site, plus != nullptr ? vertices_.vertex(plus->face) : kInfinitePole,
-         minus != nullptr ? vertices_.vertex(minus->face) : kNoSlot);
+         minus != nullptr ? vertices_.vertex(minus->face) : FaceSlot());
 }
 
-void Poles::use(Slot pole, int change) {
+void Poles::use(FaceSlot pole, int change) {
   if (pole == kNoSlot || pole == kInfinitePole) return;
   uses_[pole] += static_cast<std::uint32_t>(change);
   if (is_recording_) recorder_.note(pole, true);
 }
 
-void Poles::assign(Slot site, Slot plus, Slot minus) {
+void Poles::assign(SiteSlot site, FaceSlot plus, FaceSlot minus) {
   // A face of the same name may be another face than before; the change set of the triangulation names it.
   use(plus_[site], -1);
   use(minus_[site], -1);
@@ -101,8 +101,8 @@ void Poles::rebuild(JobControl& job) {
   minus_.assign(delaunay_.site_rows(), kNoSlot);
   uses_.assign(delaunay_.face_rows(), 0);
   if (delaunay_.dimension() < 2) return;
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
-    if ((site & 0x3ffU) == 0) job.checkpoint(site, delaunay_.site_rows());
+  for (const SiteSlot site : delaunay_.site_slots()) {
+    if ((site.index() & 0x3ffU) == 0) job.checkpoint(site.index(), delaunay_.site_rows());
     if (delaunay_.is_site(site)) find_poles(site);
   }
 }
@@ -114,24 +114,24 @@ bool Poles::update(JobControl&) {
     minus_.resize(delaunay_.site_rows(), kNoSlot);
     return true;
   }
-  const ChangeSet& faces = vertices_.changes();
+  const ChangeSet<FaceSlot>& faces = vertices_.changes();
   plus_.resize(delaunay_.site_rows(), kNoSlot);
   minus_.resize(delaunay_.site_rows(), kNoSlot);
   uses_.resize(delaunay_.face_rows(), 0);
   is_recording_ = true;
   recorder_.begin(delaunay_.face_rows());
-  for (const Slot face : faces.removed) recorder_.note(face, true);
+  for (const FaceSlot face : faces.removed) recorder_.note(face, true);
   site_marks_.begin(delaunay_.site_rows());
   sites_.clear();
-  for (const Slot site : delaunay_.site_changes().removed) assign(site, kNoSlot, kNoSlot);
+  for (const SiteSlot site : delaunay_.site_changes().removed) assign(site, kNoSlot, kNoSlot);
   // A star that changed has a new face, or one that got another name.
-  for (const Slot face : faces.touched) {
+  for (const FaceSlot face : faces.touched) {
     recorder_.note(face, true);
-    for (const Slot site : delaunay_.face(face).v)
+    for (const SiteSlot site : delaunay_.face(face).v)
       if (site != kInfiniteSite && site_marks_.insert(site)) sites_.push_back(site);
   }
-  for (const Slot site : sites_) find_poles(site);
-  recorder_.finish(face_changes_, [this](Slot face) { return delaunay_.face(face).is_alive(); });
+  for (const SiteSlot site : sites_) find_poles(site);
+  recorder_.finish(face_changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
   return true;
 }
 
@@ -140,7 +140,7 @@ StatList Poles::statistics() const {
   std::int64_t infinite = 0;
   std::int64_t missing = 0;
   std::int64_t faces = 0;
-  for (Slot site = 0; site < plus_.size(); ++site) {
+  for (const SiteSlot site : plus_.rows()) {
     if (!delaunay_.is_site(site) || plus_[site] == kNoSlot) continue;
     finite += (plus_[site] != kInfinitePole ? 1 : 0) + (minus_[site] != kNoSlot ? 1 : 0);
     infinite += plus_[site] == kInfinitePole ? 1 : 0;

@@ -14,7 +14,7 @@
 namespace mes {
 
 /// Stands for a Voronoi vertex at infinity.
-inline constexpr Slot kInfinitePole = 0xfffffffeU;
+inline constexpr FaceSlot kInfinitePole{0xfffffffeU};
 
 /// What it guarantees:
 ///  1. `plus(site)` is the Voronoi vertex farthest from the site among those of its cell; `kInfinitePole` for a hull
@@ -31,15 +31,15 @@ class Poles final : public Structure {
   Poles(Delaunay& delaunay, VoronoiVertices& vertices);
 
   /// A face, `kInfinitePole`, or kNoSlot.
-  Slot plus(Slot site) const { return plus_[site]; }
-  Slot minus(Slot site) const { return minus_[site]; }
+  FaceSlot plus(SiteSlot site) const { return plus_[site]; }
+  FaceSlot minus(SiteSlot site) const { return minus_[site]; }
   /// The face's circumcentre is a pole of some site, and the face stands for its circle.
-  bool is_pole(Slot face) const { return uses_[face] != 0; }
+  bool is_pole(FaceSlot face) const { return uses_[face] != 0; }
   /// Unit vector towards a pole at infinity.
-  Vec2 direction_to_infinity(Slot site) const;
+  Vec2 direction_to_infinity(SiteSlot site) const;
 
   /// Faces that are new or became or stopped being poles. Never empty when anything about poles changed.
-  const ChangeSet& face_changes() const { return face_changes_; }
+  const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -47,40 +47,40 @@ class Poles final : public Structure {
   std::size_t touched() const override { return face_changes_.size(); }
   StatList statistics() const override;
   std::string_view kernel() const override { return "doubles with a proved bound, integers, rationals"; }
-  void explain(ElementKind kind, Slot row, Explanation& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
   struct HullNeighbours {
-    Slot before = kNoSlot;  ///< kNoSlot for inner sites
-    Slot after = kNoSlot;
+    SiteSlot before;  ///< kNoSlot for inner sites
+    SiteSlot after;
   };
-  void explain_site(Slot site, Explanation& out) const;
-  void explain_vertex(Slot face, Explanation& out) const;
-  HullNeighbours hull_neighbours(Slot site) const;
+  void explain_site(SiteSlot site, Explanation& out) const;
+  void explain_vertex(FaceSlot face, Explanation& out) const;
+  HullNeighbours hull_neighbours(SiteSlot site) const;
   /// Finite faces around the site go to `star_`.
-  HullNeighbours gather_star(Slot site);
-  void find_poles(Slot site);
-  void use(Slot pole, int change);
-  void assign(Slot site, Slot plus, Slot minus);
+  HullNeighbours gather_star(SiteSlot site);
+  void find_poles(SiteSlot site);
+  void use(FaceSlot pole, int change);
+  void assign(SiteSlot site, FaceSlot plus, FaceSlot minus);
 
   Delaunay& delaunay_;
   VoronoiVertices& vertices_;
-  std::vector<Slot> plus_;
-  std::vector<Slot> minus_;
-  std::vector<std::uint32_t> uses_;  // by face
-  ChangeRecorder recorder_;
-  ChangeSet face_changes_;
+  Table<SiteSlot, FaceSlot> plus_;
+  Table<SiteSlot, FaceSlot> minus_;
+  Table<FaceSlot, std::uint32_t> uses_;
+  ChangeRecorder<FaceSlot> recorder_;
+  ChangeSet<FaceSlot> face_changes_;
   bool is_recording_ = false;
 
   // Work space.
   struct StarFace {
-    Slot face;
+    FaceSlot face;
     StarTriangle triangle;
     RadiusKey key;
   };
   std::vector<StarFace> star_;
-  std::vector<Slot> sites_;
-  SlotMarks site_marks_;
+  std::vector<SiteSlot> sites_;
+  SlotMarks<SiteSlot> site_marks_;
 };
 
 }  // namespace mes

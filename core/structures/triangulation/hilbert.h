@@ -52,29 +52,33 @@ class HilbertGrid {
   double inverse_half_ = 0.0;
 };
 
-struct KeyedSlot {
+/// A row and where it lies along the curve.
+template <class Row>
+struct Keyed {
   std::uint64_t key = 0;
-  Slot slot = kNoSlot;
+  Row slot{};
 };
 
 /// Sorts by the low `bits` bits of the key, stably. O(n * bits / 11).
-inline void radix_sort(std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch, unsigned bits) {
+template <class Row>
+void radix_sort(std::vector<Keyed<Row>>& items, std::vector<Keyed<Row>>& scratch, unsigned bits) {
   constexpr unsigned kDigit = 11;
   scratch.resize(items.size());
   for (unsigned shift = 0; shift < bits; shift += kDigit) {
     std::vector<std::uint32_t> start((1U << kDigit) + 1U, 0);
-    for (const KeyedSlot& item : items) ++start[((item.key >> shift) & ((1U << kDigit) - 1U)) + 1U];
+    for (const Keyed<Row>& item : items) ++start[((item.key >> shift) & ((1U << kDigit) - 1U)) + 1U];
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    for (const KeyedSlot& item : items) scratch[start[(item.key >> shift) & ((1U << kDigit) - 1U)]++] = item;
+    for (const Keyed<Row>& item : items) scratch[start[(item.key >> shift) & ((1U << kDigit) - 1U)]++] = item;
     items.swap(scratch);
   }
 }
 
-/// Numbers below `count` in random rounds, each about twice as long as all before; in a round they ascend. The order
+/// The rows below `count` in random rounds, each about twice as long as all before; in a round they ascend. The order
 /// in which to insert what is sorted along a curve: the triangulation on the way has no vertices of huge degree, and
 /// each is found from the one before. Always the same for the same count.
 /// Source: Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003.
-inline std::vector<Slot> in_rounds(std::size_t count) {
+template <class Row>
+std::vector<Row> in_rounds(std::size_t count) {
   constexpr unsigned kRounds = 31;
   std::vector<std::uint8_t> round(count);
   std::vector<std::size_t> start(kRounds + 2, 0);
@@ -85,8 +89,8 @@ inline std::vector<Slot> in_rounds(std::size_t count) {
     ++start[r + 1U];
   }
   for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  std::vector<Slot> order(count);
-  for (Slot i = 0; i < count; ++i) order[start[round[i]]++] = i;
+  std::vector<Row> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[start[round[i]]++] = Row(i);
   return order;
 }
 

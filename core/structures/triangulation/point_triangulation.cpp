@@ -15,20 +15,27 @@ namespace {
 using Point = FastKernel::Point_2;
 
 /// Halves of edges: 2k and 2k + 1 are the two directions of edge k.
+using HalfSlot = Slot<struct HalfTag>;
+/// Position of a point in the order of the pieces.
+using PlaceSlot = Slot<struct PlaceTag>;
+
 struct Half {
-  Slot origin = kNoSlot;  ///< kNoSlot = the edge is free
-  Slot next = kNoSlot;    ///< about the origin, counter-clockwise; of a free edge the next free one
-  Slot before = kNoSlot;  ///< about the origin, clockwise
+  PlaceSlot origin;  ///< kNoSlot = the edge is free
+  HalfSlot next;     ///< about the origin, counter-clockwise; of a free edge the next free one
+  HalfSlot before;   ///< about the origin, clockwise
 };
 
-constexpr Slot twin(Slot half) {
-  return half ^ 1U;
+constexpr HalfSlot twin(HalfSlot half) {
+  return HalfSlot(half.index() ^ 1U);
+}
+constexpr HalfSlot first_of_both(HalfSlot half) {
+  return HalfSlot(half.index() & ~1U);
 }
 
 /// Triangulation of a range of points: what is needed to join it to another one.
 struct Piece {
-  Slot hull = kNoSlot;  ///< a half with nothing on its left
-  Slot first_free = kNoSlot, last_free = kNoSlot;
+  HalfSlot hull;  ///< a half with nothing on its left
+  HalfSlot first_free, last_free;
   std::size_t edges = 0;
   std::size_t points = 0;
 };
@@ -46,9 +53,9 @@ class Joiner {
   struct Placed {
     Point p;
     double weight;
-    Slot point;
+    InputSlot point;
   };
-  Joiner(std::vector<Placed> points, bool is_weighted, JobControl& job)
+  Joiner(Table<PlaceSlot, Placed> points, bool is_weighted, JobControl& job)
       : is_weighted_(is_weighted), job_(job), at_(std::move(points)), halves_(6 * at_.size()) {}
 
   /// Makes it of two points or more; false where it was given up.
@@ -83,38 +90,38 @@ class Joiner {
     return is_given_up_;
   }
   bool is_convex() const;
-  bool is_flat_at(Slot half) const;
+  bool is_flat_at(HalfSlot half) const;
   /// It has as many edges as a triangulation of all its points; `sides` are those of its hull.
   static bool holds_all(const Piece& piece, std::size_t sides) { return piece.edges + 3 + sides == 3 * piece.points; }
   /// The power test of the four ends, the first three counter-clockwise.
-  bool holds(Slot a, Slot b, Slot c, Slot d) const {
-    const auto ball = [this](Slot half) {
+  bool holds(HalfSlot a, HalfSlot b, HalfSlot c, HalfSlot d) const {
+    const auto ball = [this](HalfSlot half) {
       const Placed& at = at_[halves_[half].origin];
       return BallOf<double>{at.p.x(), at.p.y(), at.weight};
     };
     return sign_of_excess_at_center<FastKernel>(ball(a), ball(b), ball(c), ball(d)) < 0;
   }
 
-  const Point& origin(Slot half) const { return at_[halves_[half].origin].p; }
-  const Point& target(Slot half) const { return origin(twin(half)); }
+  const Point& origin(HalfSlot half) const { return at_[halves_[half].origin].p; }
+  const Point& target(HalfSlot half) const { return origin(twin(half)); }
   /// Around the left face.
-  Slot following(Slot half) const { return halves_[twin(half)].before; }
-  Slot new_edge(Slot from, Slot to, Piece& piece);
-  void free_edge(Slot half, Piece& piece);
-  void put_after(Slot half, Slot place);
+  HalfSlot following(HalfSlot half) const { return halves_[twin(half)].before; }
+  HalfSlot new_edge(PlaceSlot from, PlaceSlot to, Piece& piece);
+  void free_edge(HalfSlot half, Piece& piece);
+  void put_after(HalfSlot half, HalfSlot place);
   /// From the target of `a` to the origin of `b`, which have one left face.
-  Slot connect(Slot a, Slot b, Piece& piece);
+  HalfSlot connect(HalfSlot a, HalfSlot b, Piece& piece);
 
   bool is_weighted_;
   std::atomic<bool> is_given_up_ = false;
   JobControl& job_;
-  std::vector<Placed> at_;
-  std::vector<Half> halves_;
+  Table<PlaceSlot, Placed> at_;
+  Table<HalfSlot, Half> halves_;
   Piece whole_;
 };
 
-Slot Joiner::new_edge(Slot from, Slot to, Piece& piece) {
-  const Slot half = piece.first_free;
+HalfSlot Joiner::new_edge(PlaceSlot from, PlaceSlot to, Piece& piece) {
+  const HalfSlot half = piece.first_free;
   piece.first_free = halves_[half].next;
   if (piece.first_free == kNoSlot) piece.last_free = kNoSlot;
   halves_[half] = {from, half, half};
@@ -123,31 +130,31 @@ Slot Joiner::new_edge(Slot from, Slot to, Piece& piece) {
   return half;
 }
 
-void Joiner::free_edge(Slot half, Piece& piece) {
-  half &= ~Slot{1};
-  if (is_weighted_ && half == (piece.hull & ~Slot{1})) is_given_up_ = true;  // no way back to the hull
-  for (const Slot h : {half, twin(half)}) {
+void Joiner::free_edge(HalfSlot half, Piece& piece) {
+  half = first_of_both(half);
+  if (is_weighted_ && half == first_of_both(piece.hull)) is_given_up_ = true;  // no way back to the hull
+  for (const HalfSlot h : {half, twin(half)}) {
     const Half& row = halves_[h];
     halves_[row.before].next = row.next;
     halves_[row.next].before = row.before;
   }
-  halves_[half] = {kNoSlot, piece.first_free, kNoSlot};
+  halves_[half] = {PlaceSlot(), piece.first_free, HalfSlot()};
   halves_[twin(half)] = {};
   --piece.edges;
   piece.first_free = half;
   if (piece.last_free == kNoSlot) piece.last_free = half;
 }
 
-void Joiner::put_after(Slot half, Slot place) {
-  const Slot next = halves_[place].next;
+void Joiner::put_after(HalfSlot half, HalfSlot place) {
+  const HalfSlot next = halves_[place].next;
   halves_[place].next = half;
   halves_[half].before = place;
   halves_[half].next = next;
   halves_[next].before = half;
 }
 
-Slot Joiner::connect(Slot a, Slot b, Piece& piece) {
-  const Slot half = new_edge(halves_[twin(a)].origin, halves_[b].origin, piece);
+HalfSlot Joiner::connect(HalfSlot a, HalfSlot b, Piece& piece) {
+  const HalfSlot half = new_edge(halves_[twin(a)].origin, halves_[b].origin, piece);
   put_after(half, following(a));
   put_after(twin(half), b);
   return half;
@@ -157,16 +164,16 @@ Piece Joiner::make_small(Range range) {
   Piece piece;
   piece.points = range.end - range.begin;
   for (std::size_t edge = 3 * range.begin; edge < 3 * range.end; ++edge)
-    halves_[2 * edge].next = edge + 1 < 3 * range.end ? static_cast<Slot>(2 * (edge + 1)) : kNoSlot;
-  piece.first_free = static_cast<Slot>(6 * range.begin);
-  piece.last_free = static_cast<Slot>(6 * range.end - 2);
-  const auto first = static_cast<Slot>(range.begin);
-  const Slot a = new_edge(first, first + 1, piece);
+    halves_[HalfSlot(2 * edge)].next = edge + 1 < 3 * range.end ? HalfSlot(2 * (edge + 1)) : HalfSlot();
+  piece.first_free = HalfSlot(6 * range.begin);
+  piece.last_free = HalfSlot(6 * range.end - 2);
+  const PlaceSlot first(range.begin), second(range.begin + 1), third(range.begin + 2);
+  const HalfSlot a = new_edge(first, second, piece);
   piece.hull = a;
   if (range.end - range.begin == 2) return piece;
-  const Slot b = new_edge(first + 1, first + 2, piece);
+  const HalfSlot b = new_edge(second, third, piece);
   put_after(b, twin(a));
-  const auto turn = CGAL::orientation(at_[first].p, at_[first + 1].p, at_[first + 2].p);
+  const auto turn = CGAL::orientation(at_[first].p, at_[second].p, at_[third].p);
   if (turn == CGAL::COLLINEAR) {
     if (is_weighted_) is_given_up_ = true;
     return piece;
@@ -179,9 +186,9 @@ Piece Joiner::make_small(Range range) {
 // Clockwise once around.
 bool Joiner::is_convex() const {
   std::size_t first_points = 0;
-  Slot half = whole_.hull;
+  HalfSlot half = whole_.hull;
   do {
-    const Slot next = following(half);
+    const HalfSlot next = following(half);
     if (!CGAL::right_turn(origin(half), target(half), target(next))) return false;
     if (precedes(target(half), origin(half), false) && precedes(target(half), target(next), false)) ++first_points;
     half = next;
@@ -189,7 +196,7 @@ bool Joiner::is_convex() const {
   return first_points == 1;
 }
 
-bool Joiner::is_flat_at(Slot half) const {
+bool Joiner::is_flat_at(HalfSlot half) const {
   return CGAL::collinear(origin(half), target(half), target(following(half))) ||
          CGAL::collinear(origin(half), target(half), target(halves_[half].next));
 }
@@ -199,13 +206,13 @@ bool Joiner::is_flat_at(Slot half) const {
 Piece Joiner::join(const Piece& low, const Piece& high, bool by_y) {
   if (is_given_up_) return {};
   // The last point of the one and the first point of the other, along the hull.
-  Slot left = low.hull;
+  HalfSlot left = low.hull;
   std::size_t low_sides = 1;
-  for (Slot half = following(left); half != low.hull; half = following(half), ++low_sides)
+  for (HalfSlot half = following(left); half != low.hull; half = following(half), ++low_sides)
     if (precedes(origin(left), origin(half), by_y)) left = half;
-  Slot right = high.hull;
+  HalfSlot right = high.hull;
   std::size_t high_sides = 1;
-  for (Slot half = following(right); half != high.hull; half = following(half), ++high_sides)
+  for (HalfSlot half = following(right); half != high.hull; half = following(half), ++high_sides)
     if (precedes(origin(half), origin(right), by_y)) right = half;
   if (is_weighted_ && !(holds_all(low, low_sides) && holds_all(high, high_sides))) {
     is_given_up_ = true;
@@ -231,27 +238,27 @@ Piece Joiner::join(const Piece& low, const Piece& high, bool by_y) {
     }
   }
   if (is_given_up_) return {};
-  Slot base = connect(twin(right), left, piece);
+  HalfSlot base = connect(twin(right), left, piece);
   piece.hull = base;
-  const auto rises = [&](Slot half) { return CGAL::right_turn(origin(base), target(base), target(half)); };
+  const auto rises = [&](HalfSlot half) { return CGAL::right_turn(origin(base), target(base), target(half)); };
   // Without weights what does not rise is never held.
-  const auto may_replace = [&](Slot half) {
+  const auto may_replace = [&](HalfSlot half) {
     return half != base && half != twin(base) && (!is_weighted_ || rises(half));
   };
   for (std::size_t steps = 0; !has_lost_its_way(steps, piece); ++steps) {
-    Slot to_low = halves_[twin(base)].next;
+    HalfSlot to_low = halves_[twin(base)].next;
     const bool low_rises = rises(to_low);
     if (low_rises) {
-      for (Slot next = halves_[to_low].next; may_replace(next) && holds(twin(base), base, twin(to_low), twin(next));
-           next = halves_[to_low].next) {
+      for (HalfSlot next = halves_[to_low].next;
+           may_replace(next) && holds(twin(base), base, twin(to_low), twin(next)); next = halves_[to_low].next) {
         free_edge(to_low, piece);
         to_low = next;
       }
     }
-    Slot to_high = halves_[base].before;
+    HalfSlot to_high = halves_[base].before;
     const bool high_rises = rises(to_high);
     if (high_rises) {
-      for (Slot next = halves_[to_high].before;
+      for (HalfSlot next = halves_[to_high].before;
            may_replace(next) && holds(twin(base), base, twin(to_high), twin(next)); next = halves_[to_high].before) {
         free_edge(to_high, piece);
         to_high = next;
@@ -261,12 +268,12 @@ Piece Joiner::join(const Piece& low, const Piece& high, bool by_y) {
       if (is_weighted_ && (is_flat_at(piece.hull) || is_flat_at(twin(base)))) is_given_up_ = true;
       return piece;
     }
-    const Slot last = base;
+    const HalfSlot last = base;
     const bool takes_high = !low_rises || (high_rises && holds(twin(to_low), to_low, to_high, twin(to_high)));
     base = takes_high ? connect(to_high, twin(base), piece) : connect(twin(base), twin(to_low), piece);
     if (!is_weighted_) continue;
     // Edges that the new triangle lies over lead to points that it hides.
-    const auto is_under = [&](Slot half) {
+    const auto is_under = [&](HalfSlot half) {
       return half != last && half != twin(last) && CGAL::right_turn(origin(last), target(last), target(half)) &&
              !rises(half);
     };
@@ -328,52 +335,53 @@ bool Joiner::run() {
 }
 
 bool Joiner::extract(PointTriangulation& out) const {
-  constexpr Slot kOutside = kNoSlot - 1;
-  std::vector<Slot> face_of(halves_.size(), kNoSlot);
-  Slot half = whole_.hull;
+  constexpr TriangleSlot kOutside(0xfffffffeU);
+  Table<HalfSlot, TriangleSlot> face_of(halves_.size());
+  HalfSlot half = whole_.hull;
   do {
     face_of[half] = kOutside;
     half = following(half);
   } while (half != whole_.hull);
   out.faces.reserve(2 * at_.size());
-  std::vector<Slot> first_half;
+  Table<TriangleSlot, HalfSlot> first_half;
   first_half.reserve(2 * at_.size());
-  for (Slot h = 0; h < halves_.size(); ++h) {
+  for (const HalfSlot h : halves_.rows()) {
     if (halves_[h].origin == kNoSlot || face_of[h] != kNoSlot) continue;
+    const TriangleSlot row = out.faces.next();
     PointTriangulation::Face& face = out.faces.emplace_back();
     first_half.push_back(h);
-    Slot side = h;
-    for (Slot& v : face.v) {
+    HalfSlot side = h;
+    for (InputSlot& v : face.v) {
       v = at_[halves_[side].origin].point;
-      face_of[side] = static_cast<Slot>(out.faces.size() - 1);
+      face_of[side] = row;
       side = following(side);
     }
     if (side != h) return false;
   }
   out.dimension = out.faces.empty() ? 1 : 2;
-  for (Slot f = 0; f < out.faces.size(); ++f) {
+  for (const TriangleSlot f : out.faces.rows()) {
     // Side i leaves corner i, so it lies opposite corner i + 2.
-    Slot side = first_half[f];
+    HalfSlot side = first_half[f];
     for (std::size_t i = 0; i < 3; ++i) {
-      const Slot beyond = face_of[twin(side)];
-      out.faces[f].n[(i + 2) % 3] = beyond == kOutside ? kNoSlot : beyond;
+      const TriangleSlot beyond = face_of[twin(side)];
+      out.faces[f].n[(i + 2) % 3] = beyond == kOutside ? TriangleSlot() : beyond;
       side = following(side);
     }
   }
   if (out.dimension == 2) return true;
-  for (Slot h = 0; h < halves_.size(); h += 2)
-    if (halves_[h].origin != kNoSlot)
+  for (const HalfSlot h : halves_.rows())
+    if (h == first_of_both(h) && halves_[h].origin != kNoSlot)
       out.line.push_back({at_[halves_[h].origin].point, at_[halves_[twin(h)].origin].point});
   return true;
 }
 
 /// The first of equal points, for each of them.
-std::vector<Slot> first_of_equals(const std::vector<Point>& points) {
-  std::vector<Slot> out(points.size());
+Table<InputSlot, InputSlot> first_of_equals(const Table<InputSlot, Point>& points) {
+  Table<InputSlot, InputSlot> out(points.size());
   const unsigned bits = static_cast<unsigned>(std::bit_width(2 * points.size()));
-  std::vector<Slot> table(std::size_t{1} << bits, kNoSlot);
+  std::vector<InputSlot> table(std::size_t{1} << bits);
   const auto key = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // the two zeros are equal
-  for (Slot i = 0; i < points.size(); ++i) {
+  for (const InputSlot i : points.rows()) {
     // Multiplied by odd constants of no pattern; the high bits depend on all others.
     const std::uint64_t mixed =
         (key(points[i].x()) * 0x9e3779b97f4a7c15U) ^ (key(points[i].y()) * 0xc2b2ae3d27d4eb4fU);
@@ -387,27 +395,28 @@ std::vector<Slot> first_of_equals(const std::vector<Point>& points) {
 
 /// Triangles that run counter-clockwise within a boundary that is convex cover what it encloses once. If then no ball
 /// takes part of the power cell of one beyond a neighbouring triangle, none does anywhere.
-bool is_regular(const PointTriangulation& triangulation, const std::vector<BallOf<double>>& balls) {
+bool is_regular(const PointTriangulation& triangulation, const Table<InputSlot, BallOf<double>>& balls) {
   const auto& faces = triangulation.faces;
-  const auto center = [&balls](Slot ball) { return Point(balls[ball].x, balls[ball].y); };
+  const auto center = [&balls](InputSlot ball) { return Point(balls[ball].x, balls[ball].y); };
   std::atomic<bool> is_wrong = false;
   parallel_for(faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t f = begin; f < end && !is_wrong; ++f) {
+    for (const TriangleSlot f : slots_between<TriangleSlot>(begin, end)) {
+      if (is_wrong) break;
       const auto& v = faces[f].v;
       if (!CGAL::left_turn(center(v[0]), center(v[1]), center(v[2]))) is_wrong = true;
-      for (const Slot g : faces[f].n) {
+      for (const TriangleSlot g : faces[f].n) {
         if (g == kNoSlot || g < f) continue;
         const auto& n = faces[g].n;
-        const Slot apex = faces[g].v[n[0] == f ? 0 : (n[1] == f ? 1 : 2)];
+        const InputSlot apex = faces[g].v[n[0] == f ? 0 : (n[1] == f ? 1 : 2)];
         if (sign_of_excess_at_center<FastKernel>(balls[v[0]], balls[v[1]], balls[v[2]], balls[apex]) < 0)
           is_wrong = true;
       }
     }
   });
-  std::vector<bool> is_seen(balls.size(), false);
+  Table<InputSlot, bool> is_seen(balls.size(), false);
   for (const auto& face : faces)
-    for (const Slot v : face.v) is_seen[v] = true;
-  for (Slot i = 0; i < balls.size(); ++i)
+    for (const InputSlot v : face.v) is_seen[v] = true;
+  for (const InputSlot i : balls.rows())
     if (triangulation.same_as[i] == i && !is_seen[i]) return false;
   return !is_wrong;
 }
@@ -415,12 +424,12 @@ bool is_regular(const PointTriangulation& triangulation, const std::vector<BallO
 }  // namespace
 
 template <>
-PointTriangulation point_triangulation<FastKernel>(const std::vector<Point>& points, JobControl& job) {
+PointTriangulation point_triangulation<FastKernel>(const Table<InputSlot, Point>& points, JobControl& job) {
   PointTriangulation out;
   out.same_as = first_of_equals(points);
-  std::vector<Joiner::Placed> distinct;
+  Table<PlaceSlot, Joiner::Placed> distinct;
   distinct.reserve(points.size());
-  for (Slot i = 0; i < points.size(); ++i)
+  for (const InputSlot i : points.rows())
     if (out.same_as[i] == i) distinct.push_back({points[i], 0.0, i});
   out.dimension = distinct.empty() ? -1 : 0;
   if (distinct.size() < 2) return out;
@@ -430,25 +439,25 @@ PointTriangulation point_triangulation<FastKernel>(const std::vector<Point>& poi
   return out;
 }
 
-std::optional<PointTriangulation> ball_triangulation(const std::vector<BallOf<double>>& balls,
-                                                     const std::vector<bool>& left_out, JobControl& job) {
-  std::vector<Point> centers;
+std::optional<PointTriangulation> ball_triangulation(const Table<InputSlot, BallOf<double>>& balls,
+                                                     const Table<InputSlot, bool>& left_out, JobControl& job) {
+  Table<InputSlot, Point> centers;
   centers.reserve(balls.size());
   for (const BallOf<double>& ball : balls) centers.emplace_back(ball.x, ball.y);
-  const std::vector<Slot> first = first_of_equals(centers);
+  const Table<InputSlot, InputSlot> first = first_of_equals(centers);
   // Of balls about one centre the largest counts.
   PointTriangulation out;
   out.same_as.assign(balls.size(), kNoSlot);
-  const auto is_in = [&](Slot i) { return left_out.empty() || !left_out[i]; };
-  for (Slot i = 0; i < balls.size(); ++i) {
-    Slot& largest = out.same_as[first[i]];
+  const auto is_in = [&](InputSlot i) { return left_out.empty() || !left_out[i]; };
+  for (const InputSlot i : balls.rows()) {
+    InputSlot& largest = out.same_as[first[i]];
     if (is_in(i) && (largest == kNoSlot || balls[largest].w < balls[i].w)) largest = i;
   }
-  for (Slot i = 0; i < balls.size(); ++i)
+  for (const InputSlot i : balls.rows())
     if (first[i] != i) out.same_as[i] = out.same_as[first[i]];
-  std::vector<Joiner::Placed> distinct;
+  Table<PlaceSlot, Joiner::Placed> distinct;
   distinct.reserve(balls.size());
-  for (Slot i = 0; i < balls.size(); ++i)
+  for (const InputSlot i : balls.rows())
     if (out.same_as[i] == i) distinct.push_back({centers[i], balls[i].w, i});
   if (distinct.size() < 3) return std::nullopt;
   Joiner joiner(std::move(distinct), true, job);

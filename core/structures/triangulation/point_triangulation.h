@@ -11,32 +11,33 @@
 #include <vector>
 
 #include "core/base/job_control.h"
-#include "core/base/slot.h"
+#include "core/base/table.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/triangulation/hilbert.h"
+#include "core/structures/triangulation/input_slots.h"
 
 namespace mes {
 
-/// Points are named by their position in the input, equal ones by one of them.
+/// Equal points are named by one of them.
 struct PointTriangulation {
   /// Finite. Corners run counter-clockwise; neighbour i lies opposite corner i, kNoSlot outside.
   struct Face {
-    Slot v[3] = {kNoSlot, kNoSlot, kNoSlot};
-    Slot n[3] = {kNoSlot, kNoSlot, kNoSlot};
+    InputSlot v[3]{};
+    TriangleSlot n[3]{};
   };
   int dimension = -1;
-  std::vector<Slot> same_as;  ///< by point
-  std::vector<Face> faces;
-  std::vector<std::array<Slot, 2>> line;  ///< edges, when all points are collinear
+  Table<InputSlot, InputSlot> same_as;
+  Table<TriangleSlot, Face> faces;
+  std::vector<std::array<InputSlot, 2>> line;  ///< edges, when all points are collinear
 };
 
 /// O(n log n) typical, for points that come in the order of neighbours. Decisions are those of the kernel. The job's
 /// progress goes from a quarter to a half. Kernels of numbers that belong to one thread use CGAL.
 template <class Kernel>
-PointTriangulation point_triangulation(const std::vector<typename Kernel::Point_2>& points, JobControl& job) {
-  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Slot, Kernel>;
-  using FaceBase = CGAL::Triangulation_face_base_with_info_2<Slot, Kernel>;
+PointTriangulation point_triangulation(const Table<InputSlot, typename Kernel::Point_2>& points, JobControl& job) {
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<InputSlot, Kernel>;
+  using FaceBase = CGAL::Triangulation_face_base_with_info_2<TriangleSlot, Kernel>;
   using Dt = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
   PointTriangulation out;
@@ -44,7 +45,7 @@ PointTriangulation point_triangulation(const std::vector<typename Kernel::Point_
   Dt dt;
   typename Dt::Face_handle hint{};
   std::size_t done = 0;
-  for (const Slot i : in_rounds(points.size())) {
+  for (const InputSlot i : in_rounds<InputSlot>(points.size())) {
     if ((++done & 0x3fU) == 0) job.checkpoint(points.size() + done, 4 * points.size());
     const std::size_t before = dt.number_of_vertices();
     const auto vertex = dt.insert(points[i], hint);
@@ -59,9 +60,9 @@ PointTriangulation point_triangulation(const std::vector<typename Kernel::Point_
   }
   if (out.dimension < 2) return out;
   for (auto f = dt.all_faces_begin(); f != dt.all_faces_end(); ++f) f->info() = kNoSlot;
-  Slot count = 0;
-  for (auto f = dt.finite_faces_begin(); f != dt.finite_faces_end(); ++f) f->info() = count++;
-  out.faces.reserve(count);
+  TriangleSlot end{0};
+  for (auto f = dt.finite_faces_begin(); f != dt.finite_faces_end(); ++f, ++end) f->info() = end;
+  out.faces.reserve(end.index());
   for (auto f = dt.finite_faces_begin(); f != dt.finite_faces_end(); ++f) {
     PointTriangulation::Face& face = out.faces.emplace_back();
     for (int i = 0; i < 3; ++i) {
@@ -75,12 +76,13 @@ PointTriangulation point_triangulation(const std::vector<typename Kernel::Point_
 /// O(n log n) in any order, on all cores; 0.3 us a point on one. The result depends on the points and their order
 /// alone.
 template <>
-PointTriangulation point_triangulation<FastKernel>(const std::vector<FastKernel::Point_2>& points, JobControl& job);
+PointTriangulation point_triangulation<FastKernel>(const Table<InputSlot, FastKernel::Point_2>& points,
+                                                   JobControl& job);
 
 /// Regular triangulation of balls in the same way. Nothing where a ball is hidden by others about other centres,
 /// where three centres along a hull on the way are collinear, or where fewer than three differ. `same_as`: of balls
 /// about one centre the largest; kNoSlot where all are left out.
-std::optional<PointTriangulation> ball_triangulation(const std::vector<BallOf<double>>& balls,
-                                                     const std::vector<bool>& left_out, JobControl& job);
+std::optional<PointTriangulation> ball_triangulation(const Table<InputSlot, BallOf<double>>& balls,
+                                                     const Table<InputSlot, bool>& left_out, JobControl& job);
 
 }  // namespace mes

@@ -25,65 +25,69 @@
 namespace mes {
 
 /// Stands for the vertex at infinity in `RegularTables`.
-inline constexpr Slot kInfiniteBall = 0xfffffffeU;
+inline constexpr InputSlot kInfiniteBall{0xfffffffeU};
 
-/// Balls are named by their position in the input. Corners run counter-clockwise; neighbour i lies opposite corner i;
+using RegularEdgeSlot = Slot<struct RegularEdgeTag>;
+
+/// Corners run counter-clockwise; neighbour i lies opposite corner i;
 /// triangles outside hull edges have one corner `kInfiniteBall`.
 struct RegularTables {
   struct Face {
-    Slot v[3] = {kNoSlot, kNoSlot, kNoSlot};
-    Slot n[3] = {kNoSlot, kNoSlot, kNoSlot};
+    InputSlot v[3]{};
+    TriangleSlot n[3]{};
   };
   /// Finite; `f[0]` lies to the left of v[0] -> v[1], `f[1]` to the right; kNoSlot when all centres are collinear.
   struct Edge {
-    Slot v[2] = {kNoSlot, kNoSlot};
-    Slot f[2] = {kNoSlot, kNoSlot};
+    InputSlot v[2]{};
+    TriangleSlot f[2]{};
   };
   int dimension = -1;
-  std::vector<Face> faces;
-  std::vector<Edge> edges;
-  std::vector<BallState> state;  ///< by ball: visible, hidden, or duplicate of a visible one
-  std::vector<Slot> same_as;     ///< by ball: itself, or for a duplicate the ball that stands for it
+  Table<TriangleSlot, Face> faces;
+  Table<RegularEdgeSlot, Edge> edges;
+  Table<InputSlot, BallState> state;    ///< visible, hidden, or duplicate of a visible one
+  Table<InputSlot, InputSlot> same_as;  ///< itself, or for a duplicate the ball that stands for it
 };
 
 /// The same tables from a triangulation of dimension 2.
-inline RegularTables tables_of(const PointTriangulation& triangulation, const std::vector<BallOf<double>>& balls) {
+inline RegularTables tables_of(const PointTriangulation& triangulation,
+                               const Table<InputSlot, BallOf<double>>& balls) {
   RegularTables out;
   out.dimension = 2;
   out.state.assign(balls.size(), BallState::hidden);
   out.same_as.resize(balls.size());
   const std::size_t finite = triangulation.faces.size();
   out.faces.reserve(finite + finite / 8);
-  std::vector<Slot> outside_from(balls.size(), kNoSlot);  // the triangle outside the hull edge that begins at a ball
+  Table<InputSlot, TriangleSlot> outside_from(
+      balls.size());  // the triangle outside the hull edge that begins at a ball
   for (const auto& face : triangulation.faces) {
     RegularTables::Face& row = out.faces.emplace_back();
     std::ranges::copy(face.v, row.v);
     std::ranges::copy(face.n, row.n);
-    for (const Slot v : face.v) out.state[v] = BallState::visible;
+    for (const InputSlot v : face.v) out.state[v] = BallState::visible;
   }
-  for (Slot f = 0; f < finite; ++f) {
+  for (const TriangleSlot f : slots_below<TriangleSlot>(finite)) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (out.faces[f].n[i] != kNoSlot) continue;
-      const Slot from = out.faces[f].v[(i + 1) % 3];
-      const Slot to = out.faces[f].v[(i + 2) % 3];
-      outside_from[from] = out.faces[f].n[i] = static_cast<Slot>(out.faces.size());
-      out.faces.push_back({{to, from, kInfiniteBall}, {kNoSlot, kNoSlot, f}});
+      const InputSlot from = out.faces[f].v[(i + 1) % 3];
+      const InputSlot to = out.faces[f].v[(i + 2) % 3];
+      outside_from[from] = out.faces[f].n[i] = out.faces.next();
+      out.faces.push_back({{to, from, kInfiniteBall}, {TriangleSlot(), TriangleSlot(), f}});
     }
   }
-  for (auto f = static_cast<Slot>(finite); f < out.faces.size(); ++f) {
+  for (const TriangleSlot f : slots_between<TriangleSlot>(finite, out.faces.size())) {
     // The next one begins where this one ends.
-    const Slot next = outside_from[out.faces[f].v[0]];
+    const TriangleSlot next = outside_from[out.faces[f].v[0]];
     out.faces[f].n[1] = next;
     out.faces[next].n[0] = f;
   }
   out.edges.reserve(3 * balls.size());
-  for (Slot f = 0; f < finite; ++f) {
+  for (const TriangleSlot f : slots_below<TriangleSlot>(finite)) {
     const RegularTables::Face& face = out.faces[f];
     for (std::size_t i = 0; i < 3; ++i)
       if (f < face.n[i]) out.edges.push_back({{face.v[(i + 1) % 3], face.v[(i + 2) % 3]}, {f, face.n[i]}});
   }
-  for (Slot i = 0; i < balls.size(); ++i) {
-    const Slot same = triangulation.same_as[i];
+  for (const InputSlot i : balls.rows()) {
+    const InputSlot same = triangulation.same_as[i];
     const bool is_equal =
         same != kNoSlot && same != i && balls[same].w == balls[i].w && out.state[same] == BallState::visible;
     out.same_as[i] = is_equal ? same : i;
@@ -96,16 +100,13 @@ inline RegularTables tables_of(const PointTriangulation& triangulation, const st
 /// those of the kernel: exact for `FastKernel` (on the doubles it is given) and for the exact kernels. Balls that are
 /// left out count as hidden.
 template <class Kernel>
-RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT>>& balls, JobControl& job,
-                                    const std::vector<bool>& left_out = {}) {
-  struct Info {
-    Slot slot = kNoSlot;
-  };
+RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kernel::FT>>& balls, JobControl& job,
+                                    const Table<InputSlot, bool>& left_out = {}) {
   using Traits = TriangulationTraits<Kernel>;
-  using VertexBase =
-      CGAL::Triangulation_vertex_base_with_info_2<Info, Traits, CGAL::Regular_triangulation_vertex_base_2<Traits>>;
-  using FaceBase =
-      CGAL::Triangulation_face_base_with_info_2<Info, Traits, CGAL::Regular_triangulation_face_base_2<Traits>>;
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<InputSlot, Traits,
+                                                                 CGAL::Regular_triangulation_vertex_base_2<Traits>>;
+  using FaceBase = CGAL::Triangulation_face_base_with_info_2<TriangleSlot, Traits,
+                                                             CGAL::Regular_triangulation_face_base_2<Traits>>;
   using Rt = CGAL::Regular_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
   if constexpr (std::is_same_v<Kernel, FastKernel>) {
@@ -117,7 +118,7 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
   Rt rt;
   typename Rt::Face_handle hint{};
   std::size_t done = 0;
-  for (const Slot ball_slot : in_rounds(balls.size())) {
+  for (const InputSlot ball_slot : in_rounds<InputSlot>(balls.size())) {
     if ((++done & 0x3fU) == 0) job.checkpoint(done, 4 * balls.size());
     if (!left_out.empty() && left_out[ball_slot]) {
       out.state[ball_slot] = BallState::hidden;
@@ -132,54 +133,53 @@ RegularTables regular_triangulation(const std::vector<BallOf<typename Kernel::FT
       out.state[ball_slot] = BallState::hidden;
       continue;
     }
-    if (vertex->info().slot == kNoSlot) {
-      vertex->info().slot = ball_slot;
+    if (vertex->info() == kNoSlot) {
+      vertex->info() = ball_slot;
     } else {
       out.state[ball_slot] = BallState::duplicate;
-      out.same_as[ball_slot] = vertex->info().slot;
+      out.same_as[ball_slot] = vertex->info();
     }
     hint = vertex->face();
   }
   for (auto v = rt.hidden_vertices_begin(); v != rt.hidden_vertices_end(); ++v)
-    out.state[v->info().slot] = BallState::hidden;
+    out.state[v->info()] = BallState::hidden;
   out.dimension = rt.dimension();
-  const auto ball_of = [&rt](typename Rt::Vertex_handle v) {
-    return rt.is_infinite(v) ? kInfiniteBall : v->info().slot;
-  };
+  const auto ball_of = [&rt](typename Rt::Vertex_handle v) { return rt.is_infinite(v) ? kInfiniteBall : v->info(); };
   if (rt.dimension() == 1) {
     for (auto e = rt.finite_edges_begin(); e != rt.finite_edges_end(); ++e)
       out.edges.push_back({{ball_of(e->first->vertex(0)), ball_of(e->first->vertex(1))}});
   }
   if (rt.dimension() < 2) return out;
   // Rows in the order of the balls: as those are close to their neighbours, so are faces and edges.
-  std::vector<typename Rt::Face_handle> handles;
+  using HandleSlot = Slot<struct HandleTag>;
+  Table<HandleSlot, typename Rt::Face_handle> handles;
   handles.reserve(2 * balls.size() + 2);
-  std::vector<KeyedSlot> order;
+  Table<TriangleSlot, Keyed<HandleSlot>> order;
   order.reserve(2 * balls.size() + 2);
   for (auto f = rt.all_faces_begin(); f != rt.all_faces_end(); ++f) {
-    order.push_back({std::min({ball_of(f->vertex(0)), ball_of(f->vertex(1)), ball_of(f->vertex(2))}),
-                     static_cast<Slot>(handles.size())});
+    const InputSlot first = std::min({ball_of(f->vertex(0)), ball_of(f->vertex(1)), ball_of(f->vertex(2))});
+    order.push_back({first.index(), handles.next()});
     handles.push_back(f);
   }
-  std::vector<KeyedSlot> scratch;
-  radix_sort(order, scratch, static_cast<unsigned>(std::bit_width(balls.size())));
+  std::vector<Keyed<HandleSlot>> scratch;
+  radix_sort(order.values(), scratch, static_cast<unsigned>(std::bit_width(balls.size())));
   out.faces.resize(order.size());
-  for (Slot slot = 0; slot < order.size(); ++slot) handles[order[slot].slot]->info().slot = slot;
+  for (const TriangleSlot slot : order.rows()) handles[order[slot].slot]->info() = slot;
   out.edges.reserve(3 * balls.size());
   parallel_for(order.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
+    for (const TriangleSlot slot : slots_between<TriangleSlot>(begin, end)) {
       const auto f = handles[order[slot].slot];
       for (int i = 0; i < 3; ++i) {
         out.faces[slot].v[i] = ball_of(f->vertex(i));
-        out.faces[slot].n[i] = f->neighbor(i)->info().slot;
+        out.faces[slot].n[i] = f->neighbor(i)->info();
       }
     }
   });
-  for (Slot slot = 0; slot < order.size(); ++slot) {
+  for (const TriangleSlot slot : order.rows()) {
     const RegularTables::Face& face = out.faces[slot];
     for (int i = 0; i < 3; ++i) {
-      const Slot from = face.v[Rt::ccw(i)];
-      const Slot to = face.v[Rt::cw(i)];
+      const InputSlot from = face.v[Rt::ccw(i)];
+      const InputSlot to = face.v[Rt::cw(i)];
       if (slot < face.n[i] && from != kInfiniteBall && to != kInfiniteBall)
         out.edges.push_back({{from, to}, {slot, face.n[i]}});
     }

@@ -25,22 +25,22 @@ enum class CutLabel : std::uint8_t { unknown, out, singular, in };
 
 /// A part of a Voronoi edge, from its left face to its right one.
 struct EdgeCut {
-  Slot edge;
-  Slot end[2];  ///< balls, or kNoSlot: the end of the Voronoi edge
+  VEdgeSlot edge;
+  InputSlot end[2];  ///< balls, or kNoSlot: the end of the Voronoi edge
   CutLabel label;
 
   /// The face whose circumcentre end i is; kNoSlot = it is a ball's centre, or the cut is unbounded.
-  Slot face_at(const VTriangulation& v, std::size_t i) const {
-    return end[i] == kNoSlot ? v.edges[edge].f[i] : kNoSlot;
+  VFaceSlot face_at(const VTriangulation& v, std::size_t i) const {
+    return end[i] == kNoSlot ? v.edges[edge].f[i] : VFaceSlot();
   }
 };
 
 struct EdgeCuts {
-  std::vector<EdgeCut> cuts;            ///< by edge
-  std::vector<Slot> begin;              ///< by edge, and one more
-  std::vector<VEdgeKind> kind;          ///< by edge
-  std::vector<std::uint8_t> is_inside;  ///< by face: its circumcentre lies in |R|
-  std::int64_t contradictions = 0;      ///< see `UnionCounts`
+  std::vector<EdgeCut> cuts;         ///< by edge
+  std::vector<std::uint32_t> begin;  ///< by edge, and one more
+  Table<VEdgeSlot, VEdgeKind> kind;
+  Table<VFaceSlot, std::uint8_t> is_inside;  ///< its circumcentre lies in |R|
+  std::int64_t contradictions = 0;           ///< see `UnionCounts`
 };
 
 /// Cuts edges one by one, and labels each cut from its ends.
@@ -56,13 +56,13 @@ class EdgeCutter {
     list_balls(events);
     return on_edge_.size() + 1;
   }
-  void cut(Slot edge, std::span<const CenterEvent> events, VEdgeKind& kind, EdgeCut* out) {
+  void cut(VEdgeSlot edge, std::span<const CenterEvent> events, VEdgeKind& kind, EdgeCut* out) {
     kind = kind_of(events);
     list_balls(events);
     if (on_edge_.size() > 1) sort_along(v_.edges[edge]);
     for (std::size_t k = 0; k <= on_edge_.size(); ++k) {
-      const Slot a = k == 0 ? kNoSlot : on_edge_[k - 1];
-      const Slot b = k == on_edge_.size() ? kNoSlot : on_edge_[k];
+      const InputSlot a = k == 0 ? InputSlot() : on_edge_[k - 1];
+      const InputSlot b = k == on_edge_.size() ? InputSlot() : on_edge_[k];
       const CutLabel from_a = a == kNoSlot ? CutLabel::unknown : label_towards(events, a, 1);
       const CutLabel from_b = b == kNoSlot ? CutLabel::unknown : label_towards(events, b, 0);
       if (from_a != CutLabel::unknown && from_b != CutLabel::unknown && from_a != from_b) ++contradictions;
@@ -76,7 +76,7 @@ class EdgeCutter {
       if (event.arc == CircleArc::singular) return VEdgeKind::alpha;
     return events.empty() ? VEdgeKind::plain : VEdgeKind::crossing;
   }
-  static CutLabel label_towards(std::span<const CenterEvent> events, Slot ball, std::uint8_t side) {
+  static CutLabel label_towards(std::span<const CenterEvent> events, InputSlot ball, std::uint8_t side) {
     CutLabel label = CutLabel::unknown;
     for (const CenterEvent& event : events)
       if (event.ball == ball && event.side == side) label = std::max(label, label_of(event.arc));
@@ -93,10 +93,10 @@ class EdgeCutter {
   }
   void sort_along(const VEdge& edge) {
     using Point = typename Points::Point_2;
-    const auto center_of = [&](Slot ball) { return Point(balls_.in_points[ball].x, balls_.in_points[ball].y); };
+    const auto center_of = [&](InputSlot ball) { return Point(balls_.in_points[ball].x, balls_.in_points[ball].y); };
     const Point p = points_.point(edge.v[0]);
     const Point q = points_.point(edge.v[1]);
-    std::ranges::sort(on_edge_, [&](Slot a, Slot b) {
+    std::ranges::sort(on_edge_, [&](InputSlot a, InputSlot b) {
       const auto order = typename Points::Compare_signed_distance_to_line_2()(p, q, center_of(a), center_of(b));
       return order == CGAL::LARGER || (order == CGAL::EQUAL && balls_.comes_before(a, b));
     });
@@ -105,31 +105,30 @@ class EdgeCutter {
   const UnionBalls<Balls, Points>& balls_;
   const VPoints<Points>& points_;
   const VTriangulation& v_;
-  std::vector<Slot> on_edge_;  // balls
+  std::vector<InputSlot> on_edge_;
 };
 
 /// Stable; O(events + edges). Returns where the events of each edge begin.
-inline std::vector<Slot> sort_by_edge(std::vector<CenterEvent>& events, std::size_t edges) {
-  std::vector<Slot> begin(edges + 1, 0);
-  for (const CenterEvent& event : events) ++begin[event.edge];
-  Slot end = 0;
-  for (Slot& place : begin) place = end += place;
+inline std::vector<std::uint32_t> sort_by_edge(std::vector<CenterEvent>& events, std::size_t edges) {
+  std::vector<std::uint32_t> begin(edges + 1, 0);
+  for (const CenterEvent& event : events) ++begin[event.edge.index()];
+  std::uint32_t end = 0;
+  for (std::uint32_t& place : begin) place = end += place;
   std::vector<CenterEvent> sorted(events.size());
-  for (std::size_t i = events.size(); i-- > 0;) sorted[--begin[events[i].edge]] = events[i];
+  for (std::size_t i = events.size(); i-- > 0;) sorted[--begin[events[i].edge.index()]] = events[i];
   events.swap(sorted);
   return begin;
 }
 
 /// What lies in |R| at one end does so up to the next centre, through all faces on the way. Fills in `is_inside` and
 /// the labels that are not yet known.
-inline void spread_labels(const VTriangulation& v, const std::vector<Slot>& ball_of_face, EdgeCuts& out) {
+inline void spread_labels(const VTriangulation& v, const Table<VFaceSlot, InputSlot>& ball_of_face, EdgeCuts& out) {
   out.is_inside.resize(v.faces.size());
-  for (std::size_t face = 0; face < v.faces.size(); ++face)
-    out.is_inside[face] = ball_of_face[face] != kNoSlot ? 1 : 0;
-  std::vector<Slot> stack;
+  for (const VFaceSlot face : v.faces.rows()) out.is_inside[face] = ball_of_face[face] != kNoSlot ? 1 : 0;
+  std::vector<VFaceSlot> stack;
   const auto settle = [&](const EdgeCut& cut) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const Slot face = cut.face_at(v, i);
+      const VFaceSlot face = cut.face_at(v, i);
       if (face == kNoSlot || out.is_inside[face] != 0) continue;
       out.is_inside[face] = 1;
       stack.push_back(face);
@@ -139,10 +138,11 @@ inline void spread_labels(const VTriangulation& v, const std::vector<Slot>& ball
     if (seed.label != CutLabel::in) continue;
     settle(seed);
     while (!stack.empty()) {
-      const Slot face = stack.back();
+      const VFaceSlot face = stack.back();
       stack.pop_back();
-      for (const Slot e : v.face_edge[face]) {
-        EdgeCut& cut = out.cuts[v.edges[e].f[0] == face ? out.begin[e] : out.begin[e + 1] - 1];
+      for (const VEdgeSlot e : v.face_edge[face]) {
+        EdgeCut& cut =
+            out.cuts[v.edges[e].f[0] == face ? out.begin[e.index()] : out.begin[e.index() + std::size_t{1}] - 1];
         if (cut.label == CutLabel::out) ++out.contradictions;
         if (cut.label == CutLabel::unknown) cut.label = CutLabel::in;
         settle(cut);
@@ -154,10 +154,10 @@ inline void spread_labels(const VTriangulation& v, const std::vector<Slot>& ball
 /// O(edges + events).
 template <class Balls, class Points>
 EdgeCuts cut_edges(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, const VTriangulation& v,
-                   std::vector<CenterEvent> events, const std::vector<Slot>& ball_of_face) {
+                   std::vector<CenterEvent> events, const Table<VFaceSlot, InputSlot>& ball_of_face) {
   EdgeCuts out;
   const std::size_t edges = v.edges.size();
-  const std::vector<Slot> events_begin = sort_by_edge(events, edges);
+  const std::vector<std::uint32_t> events_begin = sort_by_edge(events, edges);
   const auto events_of = [&](std::size_t e) {
     return std::span<const CenterEvent>(events).subspan(events_begin[e], events_begin[e + 1] - events_begin[e]);
   };
@@ -165,14 +165,14 @@ EdgeCuts cut_edges(const UnionBalls<Balls, Points>& balls, const VPoints<Points>
   out.begin.assign(edges + 1, 0);
   balls.in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
     for (std::size_t e = begin; e < end; ++e)
-      out.begin[e + 1] = static_cast<Slot>(parts[part].cut_count(events_of(e)));
+      out.begin[e + 1] = static_cast<std::uint32_t>(parts[part].cut_count(events_of(e)));
   });
   for (std::size_t e = 0; e < edges; ++e) out.begin[e + 1] += out.begin[e];
   out.cuts.resize(out.begin[edges]);
   out.kind.resize(edges);
   balls.in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
-    for (std::size_t e = begin; e < end; ++e)
-      parts[part].cut(static_cast<Slot>(e), events_of(e), out.kind[e], &out.cuts[out.begin[e]]);
+    for (const VEdgeSlot e : slots_between<VEdgeSlot>(begin, end))
+      parts[part].cut(e, events_of(e.index()), out.kind[e], &out.cuts[out.begin[e.index()]]);
   });
   for (const auto& part : parts) out.contradictions += part.contradictions;
   spread_labels(v, ball_of_face, out);

@@ -50,30 +50,30 @@ inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to, const L
 }
 
 template <class Kernel>
-std::vector<PowerEdge> power_diagram(const PipelineInput& input, JobControl& job) {
-  std::vector<BallOf<typename Kernel::FT>> balls;
+Table<PowerEdgeSlot, PowerEdge> power_diagram(const PipelineInput& input, JobControl& job) {
+  Table<InputSlot, BallOf<typename Kernel::FT>> balls;
   balls.reserve(input.balls.size());
   for (const PipelineBall& ball : input.balls) balls.push_back(ball_in<typename Kernel::FT>(ball));
   const RegularTables rt = regular_triangulation<Kernel>(balls, job);
   const LocalFrame& frame = input.frame;
-  std::vector<PlacedPoint> center(rt.faces.size());
-  std::vector<bool> is_finite(rt.faces.size(), false);
-  const auto comes_before = [&input](Slot a, Slot b) {
+  Table<TriangleSlot, PlacedPoint> center(rt.faces.size());
+  Table<TriangleSlot, bool> is_finite(rt.faces.size(), false);
+  const auto comes_before = [&input](InputSlot a, InputSlot b) {
     return lexicographically_less(input.balls[a].disk.center, input.balls[b].disk.center);
   };
-  for (Slot f = 0; f < rt.faces.size(); ++f) {
+  for (const TriangleSlot f : rt.faces.rows()) {
     const auto& v = rt.faces[f].v;
     is_finite[f] = v[0] != kInfiniteBall && v[1] != kInfiniteBall && v[2] != kInfiniteBall;
     if (!is_finite[f]) continue;
     // The sample that three balls touch is their point of equal power, exactly.
     const TouchedSample* sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
     // Rounding must not depend on the order in which the balls came.
-    std::array<Slot, 3> order{v[0], v[1], v[2]};
+    std::array<InputSlot, 3> order{v[0], v[1], v[2]};
     std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
     center[f] = sample != nullptr ? PlacedPoint{sample->position, frame.to_document(sample->position)}
                                   : power_center(balls[order[0]], balls[order[1]], balls[order[2]], frame);
   }
-  std::vector<PowerEdge> out;
+  Table<PowerEdgeSlot, PowerEdge> out;
   out.reserve(rt.edges.size());
   for (const RegularTables::Edge& edge : rt.edges) {
     const PipelineBall& a = input.balls[edge.v[0]];

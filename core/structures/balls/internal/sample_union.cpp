@@ -6,6 +6,26 @@
 #include "core/base/sum.h"
 
 namespace mes {
+namespace {
+
+// Which rows of the union those of the triangulation are.
+FamilySlot ball_at(FaceSlot face) {
+  return same_row<FamilySlot>(face);
+}
+VPointSlot v_point_at(SiteSlot site) {
+  return same_row<VPointSlot>(site);
+}
+VOriginSlot origin_at(SiteSlot site) {
+  return same_row<VOriginSlot>(site);
+}
+ArcSlot arc_at(EdgeSlot edge) {
+  return same_row<ArcSlot>(edge);
+}
+AxisPieceSlot piece_at(DualEdgeSlot edge) {
+  return same_row<AxisPieceSlot>(edge);
+}
+
+}  // namespace
 
 void SampleUnion::grow(UnionTables& t) const {
   t.balls.resize(delaunay_.face_rows(), BallState::none);
@@ -14,21 +34,21 @@ void SampleUnion::grow(UnionTables& t) const {
   t.arcs.resize(delaunay_.edge_rows());
 }
 
-void SampleUnion::count_balls(Slot site) {
+void SampleUnion::count_balls(SiteSlot site) {
   balls_at_[site] = 0;
   if (!delaunay_.is_site(site)) return;
   collect_sector(delaunay_, labels_, balls_, site, sector_);
   balls_at_[site] = static_cast<std::uint32_t>(sector_.size());
 }
 
-void SampleUnion::remake_ball(UnionTables& t, Slot face) const {
-  t.balls[face] = BallState::none;
+void SampleUnion::remake_ball(UnionTables& t, FaceSlot face) const {
+  t.balls[ball_at(face)] = BallState::none;
   if (!delaunay_.face(face).is_alive() || !axis_.is_node(face)) return;
-  t.balls[face] = axis_.node_degree(face) == 0 ? BallState::isolated : BallState::visible;
+  t.balls[ball_at(face)] = axis_.node_degree(face) == 0 ? BallState::isolated : BallState::visible;
 }
 
-Slot SampleUnion::new_edge(UnionTables& t, Slot a, Slot b, DualClass kind) {
-  Slot row = static_cast<Slot>(t.dual_edges.size());
+DualEdgeSlot SampleUnion::new_edge(UnionTables& t, FaceSlot a, FaceSlot b, DualClass kind) {
+  DualEdgeSlot row = t.dual_edges.next();
   if (free_edges_.empty()) {
     t.dual_edges.emplace_back();
     t.axis.emplace_back();
@@ -38,21 +58,21 @@ Slot SampleUnion::new_edge(UnionTables& t, Slot a, Slot b, DualClass kind) {
     free_edges_.pop_back();
   }
   note_edge(t, row);
-  t.dual_edges[row] = DualEdge{{a, b}, kind};
-  t.axis[row] = AxisPiece{};
+  t.dual_edges[row] = DualEdge{{ball_at(a), ball_at(b)}, kind};
+  t.axis[piece_at(row)] = AxisPiece{};
   return row;
 }
 
-void SampleUnion::free_edge(UnionTables& t, Slot row) {
+void SampleUnion::free_edge(UnionTables& t, DualEdgeSlot row) {
   note_edge(t, row);
   t.dual_edges[row] = DualEdge{};
-  t.axis[row] = AxisPiece{};
+  t.axis[piece_at(row)] = AxisPiece{};
   free_edges_.push_back(row);
 }
 
 // Two balls that share a Voronoi edge: a dual edge and a piece of the axis at once. At each of its two samples it
 // bounds a dual triangle if a third ball touches the sample.
-void SampleUnion::remake_chain(UnionTables& t, Slot edge) {
+void SampleUnion::remake_chain(UnionTables& t, EdgeSlot edge) {
   const EdgeRow& row = delaunay_.edge(edge);
   const bool is_chain =
       row.is_alive() && row.f[0] != kNoSlot && axis_.is_axis_edge(edge) && !crust_.is_cocircular(edge);
@@ -61,61 +81,61 @@ void SampleUnion::remake_chain(UnionTables& t, Slot edge) {
     chain_row_[edge] = kNoSlot;
     return;
   }
-  const Slot a = balls_.ball(row.f[0]);
-  const Slot b = balls_.ball(row.f[1]);
+  const FaceSlot a = balls_.ball(row.f[0]);
+  const FaceSlot b = balls_.ball(row.f[1]);
   const int triangles = (balls_at_[row.v[0]] >= 3 ? 1 : 0) + (balls_at_[row.v[1]] >= 3 ? 1 : 0);
   if (chain_row_[edge] == kNoSlot) chain_row_[edge] = new_edge(t, a, b, DualClass::singular);
-  const Slot own = chain_row_[edge];
+  const DualEdgeSlot own = chain_row_[edge];
   note_edge(t, own);
-  t.dual_edges[own] = DualEdge{{a, b}, static_cast<DualClass>(triangles)};
-  t.axis[own] = AxisPiece{delaunay_.circumcenter(a),
-                          delaunay_.circumcenter(b),
-                          delaunay_.circumradius(a),
-                          delaunay_.circumradius(b),
-                          {a, b},
-                          {row.v[0], row.v[1]},
-                          static_cast<std::uint8_t>(triangles == 0 ? 1 : 0)};
+  t.dual_edges[own] = DualEdge{{ball_at(a), ball_at(b)}, static_cast<DualClass>(triangles)};
+  t.axis[piece_at(own)] = AxisPiece{delaunay_.circumcenter(a),
+                                    delaunay_.circumcenter(b),
+                                    delaunay_.circumradius(a),
+                                    delaunay_.circumradius(b),
+                                    {node_of(ball_at(a)), node_of(ball_at(b))},
+                                    {v_point_at(row.v[0]), v_point_at(row.v[1])},
+                                    static_cast<std::uint8_t>(triangles == 0 ? 1 : 0)};
 }
 
 // The polygon of the balls around the sample: its closing edge, and a fan from the first ball.
-void SampleUnion::remake_site(UnionTables& t, Slot site) {
-  for (Slot row = first_edge_[site]; row != kNoSlot;) {
-    const Slot next = next_edge_[row];
+void SampleUnion::remake_site(UnionTables& t, SiteSlot site) {
+  for (DualEdgeSlot row = first_edge_[site]; row != kNoSlot;) {
+    const DualEdgeSlot next = next_edge_[row];
     free_edge(t, row);
     row = next;
   }
   first_edge_[site] = kNoSlot;
-  for (Slot row = first_face_[site]; row != kNoSlot;) {
-    const Slot next = next_face_[row];
+  for (DualFaceSlot row = first_face_[site]; row != kNoSlot;) {
+    const DualFaceSlot next = next_face_[row];
     note_face(t, row);
     t.dual_faces[row] = DualFace{};
     free_faces_.push_back(row);
     row = next;
   }
   first_face_[site] = kNoSlot;
-  if (is_recording_) v_recorder_.note(site, t.v_points[site].is_alive());
-  t.v_points[site] = VPoint{};
-  t.v_origins[site] = VOrigin{};
+  if (is_recording_) v_recorder_.note(v_point_at(site), t.v_points[v_point_at(site)].is_alive());
+  t.v_points[v_point_at(site)] = VPoint{};
+  t.v_origins[origin_at(site)] = VOrigin{};
   const std::uint32_t count = balls_at_[site];
   if (count < 2) return;
 
   collect_sector(delaunay_, labels_, balls_, site, sector_);
-  t.v_points[site] = VPoint{delaunay_.site_position(site), site, count};
+  t.v_points[v_point_at(site)] = VPoint{delaunay_.site_position(site), site, count};
   if (count == 2) {
-    t.v_origins[site] = VOrigin{site, chain_row_[sector_[1].edge]};
+    t.v_origins[origin_at(site)] = VOrigin{v_point_at(site), chain_row_[sector_[1].edge]};
     return;
   }
-  const auto own_edge = [&](Slot a, Slot b, DualClass kind) {
-    const Slot row = new_edge(t, a, b, kind);
+  const auto own_edge = [&](FaceSlot a, FaceSlot b, DualClass kind) {
+    const DualEdgeSlot row = new_edge(t, a, b, kind);
     next_edge_[row] = first_edge_[site];
     first_edge_[site] = row;
     return row;
   };
-  const Slot first = sector_.front().ball;
-  t.v_origins[site] = VOrigin{site, own_edge(sector_.back().ball, first, DualClass::regular)};
+  const FaceSlot first = sector_.front().ball;
+  t.v_origins[origin_at(site)] = VOrigin{v_point_at(site), own_edge(sector_.back().ball, first, DualClass::regular)};
   for (std::uint32_t i = 1; i + 1 < count; ++i) {
     if (i >= 2) own_edge(first, sector_[i].ball, DualClass::interior);
-    Slot row = static_cast<Slot>(t.dual_faces.size());
+    DualFaceSlot row = t.dual_faces.next();
     if (free_faces_.empty()) {
       t.dual_faces.emplace_back();
       next_face_.push_back(kNoSlot);
@@ -124,42 +144,45 @@ void SampleUnion::remake_site(UnionTables& t, Slot site) {
       free_faces_.pop_back();
     }
     note_face(t, row);
-    t.dual_faces[row] = DualFace{{first, sector_[i].ball, sector_[i + 1].ball}, 0, 1};
+    t.dual_faces[row] = DualFace{{ball_at(first), ball_at(sector_[i].ball), ball_at(sector_[i + 1].ball)}, 0, 1};
     next_face_[row] = first_face_[site];
     first_face_[site] = row;
   }
 }
 
-void SampleUnion::remake_arc(UnionTables& t, Slot edge) const {
-  t.arcs[edge] = BoundaryArc{};
+void SampleUnion::remake_arc(UnionTables& t, EdgeSlot edge) const {
+  t.arcs[arc_at(edge)] = BoundaryArc{};
   const EdgeRow& row = delaunay_.edge(edge);
   if (!row.is_alive() || !certificate_.is_border(edge)) return;
   // Counter-clockwise around the ball, the arc runs as the edge does when the ball is to its left.
   const bool is_left = labels_.is_inside(row.f[0]);
-  t.arcs[edge] = BoundaryArc{balls_.ball(row.f[is_left ? 0 : 1]), 0, delaunay_.site_position(row.v[is_left ? 0 : 1]),
-                             delaunay_.site_position(row.v[is_left ? 1 : 0])};
+  t.arcs[arc_at(edge)] =
+      BoundaryArc{ball_at(balls_.ball(row.f[is_left ? 0 : 1])), 0, delaunay_.site_position(row.v[is_left ? 0 : 1]),
+                  delaunay_.site_position(row.v[is_left ? 1 : 0])};
 }
 
 void SampleUnion::rebuild(UnionTables& t, JobControl& job) {
   is_recording_ = false;
   t = UnionTables{};
-  for (auto* rows : {&chain_row_, &first_edge_, &first_face_, &next_edge_, &next_face_, &free_edges_, &free_faces_})
-    rows->clear();
+  next_edge_.clear();
+  next_face_.clear();
+  free_edges_.clear();
+  free_faces_.clear();
   balls_at_.assign(delaunay_.site_rows(), 0);
   chain_row_.assign(delaunay_.edge_rows(), kNoSlot);
   first_edge_.assign(delaunay_.site_rows(), kNoSlot);
   first_face_.assign(delaunay_.site_rows(), kNoSlot);
   grow(t);
   if (delaunay_.dimension() < 2) return;
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) remake_ball(t, face);
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site) count_balls(site);
+  for (const FaceSlot face : delaunay_.face_slots()) remake_ball(t, face);
+  for (const SiteSlot site : delaunay_.site_slots()) count_balls(site);
   job.checkpoint();
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
     remake_chain(t, edge);
     remake_arc(t, edge);
   }
   job.checkpoint();
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site)
+  for (const SiteSlot site : delaunay_.site_slots())
     if (delaunay_.is_site(site)) remake_site(t, site);
 }
 
@@ -180,70 +203,70 @@ void SampleUnion::update(UnionTables& t, UnionChanges& changes) {
   sites_.clear();
   edges_.clear();
 
-  const auto touch_edge = [&](Slot edge) {
+  const auto touch_edge = [&](EdgeSlot edge) {
     if (edge_marks_.insert(edge)) edges_.push_back(edge);
   };
-  const auto touch_site = [&](Slot site) {
+  const auto touch_site = [&](SiteSlot site) {
     if (site == kInfiniteSite || !site_marks_.insert(site)) return;
     sites_.push_back(site);
     if (delaunay_.is_site(site) && delaunay_.dimension() == 2)
-      delaunay_.for_each_edge_at(site, [&](Slot edge, Slot, Slot) { touch_edge(edge); });
+      delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) { touch_edge(edge); });
   };
-  const auto touch_ball = [&](Slot face) {
-    ball_recorder_.note(face, t.balls[face] != BallState::none);
+  const auto touch_ball = [&](FaceSlot face) {
+    ball_recorder_.note(ball_at(face), t.balls[ball_at(face)] != BallState::none);
     remake_ball(t, face);
   };
   // A ball's state depends on the faces next to its own.
-  for (const ChangeSet* faces : {&labels_.face_changes(), &balls_.changes()}) {
-    for (const Slot face : faces->removed) touch_ball(face);
-    for (const Slot face : faces->touched) {
+  for (const ChangeSet<FaceSlot>* faces : {&labels_.face_changes(), &balls_.changes()}) {
+    for (const FaceSlot face : faces->removed) touch_ball(face);
+    for (const FaceSlot face : faces->touched) {
       if (!delaunay_.face(face).is_alive()) continue;
-      for (const Slot site : delaunay_.face(face).v) touch_site(site);
+      for (const SiteSlot site : delaunay_.face(face).v) touch_site(site);
       touch_ball(face);
       touch_ball(balls_.ball(face));
-      for (const Slot other : delaunay_.face(face).n) {
+      for (const FaceSlot other : delaunay_.face(face).n) {
         touch_ball(other);
         touch_ball(balls_.ball(other));
       }
     }
   }
-  for (const Slot site : delaunay_.site_changes().removed) touch_site(site);
-  for (const Slot site : delaunay_.site_changes().touched) touch_site(site);
-  for (const Slot edge : labels_.edge_changes().removed) touch_edge(edge);
-  for (const Slot edge : labels_.edge_changes().touched) touch_edge(edge);
+  for (const SiteSlot site : delaunay_.site_changes().removed) touch_site(site);
+  for (const SiteSlot site : delaunay_.site_changes().touched) touch_site(site);
+  for (const EdgeSlot edge : labels_.edge_changes().removed) touch_edge(edge);
+  for (const EdgeSlot edge : labels_.edge_changes().touched) touch_edge(edge);
 
-  for (const Slot site : sites_) count_balls(site);
-  for (const Slot edge : edges_) {
+  for (const SiteSlot site : sites_) count_balls(site);
+  for (const EdgeSlot edge : edges_) {
     remake_chain(t, edge);
-    arc_recorder_.note(edge, t.arcs[edge].is_alive());
+    arc_recorder_.note(arc_at(edge), t.arcs[arc_at(edge)].is_alive());
     remake_arc(t, edge);
   }
-  for (const Slot site : sites_) remake_site(t, site);
+  for (const SiteSlot site : sites_) remake_site(t, site);
 
-  ball_recorder_.finish(changes.balls, [&](Slot face) { return t.balls[face] != BallState::none; });
-  edge_recorder_.finish(changes.dual_edges, [&](Slot row) { return t.dual_edges[row].is_alive(); });
-  face_recorder_.finish(changes.dual_faces, [&](Slot row) { return t.dual_faces[row].is_alive(); });
-  v_recorder_.finish(changes.v_points, [&](Slot row) { return t.v_points[row].is_alive(); });
-  arc_recorder_.finish(changes.arcs, [&](Slot row) { return t.arcs[row].is_alive(); });
+  ball_recorder_.finish(changes.balls, [&](FamilySlot ball) { return t.balls[ball] != BallState::none; });
+  edge_recorder_.finish(changes.dual_edges, [&](DualEdgeSlot row) { return t.dual_edges[row].is_alive(); });
+  face_recorder_.finish(changes.dual_faces, [&](DualFaceSlot row) { return t.dual_faces[row].is_alive(); });
+  v_recorder_.finish(changes.v_points, [&](VPointSlot row) { return t.v_points[row].is_alive(); });
+  arc_recorder_.finish(changes.arcs, [&](ArcSlot row) { return t.arcs[row].is_alive(); });
 }
 
 // The union consists of the inside triangles and of what the arcs cut off beyond the border edges.
 UnionMeasures SampleUnion::measures() const {
   Sum area, perimeter, axis_length;
-  const auto at = [this](Slot site) { return delaunay_.site_position(site); };
-  for (Slot face = 0; face < delaunay_.face_rows(); ++face) {
+  const auto at = [this](SiteSlot site) { return delaunay_.site_position(site); };
+  for (const FaceSlot face : delaunay_.face_slots()) {
     const FaceRow& row = delaunay_.face(face);
     if (!row.is_alive() || !labels_.is_inside(face)) continue;
     const Vec2 corner = at(row.v[0]);
     area.add(0.5 * cross(at(row.v[1]) - corner, at(row.v[2]) - corner));
   }
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
     const EdgeRow& row = delaunay_.edge(edge);
     if (!row.is_alive()) continue;
     if (chain_row_[edge] != kNoSlot) axis_length.add(delaunay_.dual_length(edge));
     if (!certificate_.is_border(edge)) continue;
     // The arc turns through twice the angle at the third corner of its triangle.
-    const Slot inner = row.f[labels_.is_inside(row.f[0]) ? 0 : 1];
+    const FaceSlot inner = row.f[labels_.is_inside(row.f[0]) ? 0 : 1];
     const FaceRow& face = delaunay_.face(inner);
     const Vec2 apex = at(face.v[face.index_of_edge(edge)]);
     const Vec2 p = at(row.v[0]) - apex;

@@ -14,14 +14,18 @@
 namespace mes {
 
 struct UnionChanges {
-  ChangeSet balls;
-  ChangeSet dual_edges;  ///< rows of `axis` too
-  ChangeSet dual_faces;
-  ChangeSet v_points;  ///< rows of `v_origins` too
-  ChangeSet arcs;
+  ChangeSet<FamilySlot> balls;
+  ChangeSet<DualEdgeSlot> dual_edges;  ///< rows of `axis` too
+  ChangeSet<DualFaceSlot> dual_faces;
+  ChangeSet<VPointSlot> v_points;  ///< rows of `v_origins` too
+  ChangeSet<ArcSlot> arcs;
 
   void clear() {
-    for (ChangeSet* set : {&balls, &dual_edges, &dual_faces, &v_points, &arcs}) set->clear();
+    balls.clear();
+    dual_edges.clear();
+    dual_faces.clear();
+    v_points.clear();
+    arcs.clear();
   }
   std::size_t size() const {
     return balls.size() + dual_edges.size() + dual_faces.size() + v_points.size() + arcs.size();
@@ -44,18 +48,18 @@ class SampleUnion {
 
  private:
   void grow(UnionTables& t) const;
-  void count_balls(Slot site);
-  void remake_ball(UnionTables& t, Slot face) const;
-  void remake_chain(UnionTables& t, Slot edge);
-  void remake_site(UnionTables& t, Slot site);
-  void remake_arc(UnionTables& t, Slot edge) const;
-  Slot new_edge(UnionTables& t, Slot a, Slot b, DualClass kind);
-  void free_edge(UnionTables& t, Slot row);
-  void note_edge(const UnionTables& t, Slot row) {
-    if (is_recording_) edge_recorder_.note(row, row < t.dual_edges.size() && t.dual_edges[row].is_alive());
+  void count_balls(SiteSlot site);
+  void remake_ball(UnionTables& t, FaceSlot face) const;
+  void remake_chain(UnionTables& t, EdgeSlot edge);
+  void remake_site(UnionTables& t, SiteSlot site);
+  void remake_arc(UnionTables& t, EdgeSlot edge) const;
+  DualEdgeSlot new_edge(UnionTables& t, FaceSlot a, FaceSlot b, DualClass kind);
+  void free_edge(UnionTables& t, DualEdgeSlot row);
+  void note_edge(const UnionTables& t, DualEdgeSlot row) {
+    if (is_recording_) edge_recorder_.note(row, t.dual_edges.has(row) && t.dual_edges[row].is_alive());
   }
-  void note_face(const UnionTables& t, Slot row) {
-    if (is_recording_) face_recorder_.note(row, row < t.dual_faces.size() && t.dual_faces[row].is_alive());
+  void note_face(const UnionTables& t, DualFaceSlot row) {
+    if (is_recording_) face_recorder_.note(row, t.dual_faces.has(row) && t.dual_faces[row].is_alive());
   }
 
   const Delaunay& delaunay_;
@@ -65,19 +69,25 @@ class SampleUnion {
   const MedialAxis& axis_;
   const AxisCertificate& certificate_;
 
-  std::vector<std::uint32_t> balls_at_;  // distinct inner balls, by site
-  std::vector<Slot> chain_row_;          // dual edge of two balls with a common Voronoi edge, by Delaunay edge
-  std::vector<Slot> first_edge_;         // of the other dual edges of a site: first row, then `next_edge_`
-  std::vector<Slot> next_edge_;
-  std::vector<Slot> first_face_;
-  std::vector<Slot> next_face_;
-  std::vector<Slot> free_edges_;
-  std::vector<Slot> free_faces_;
+  Table<SiteSlot, std::uint32_t> balls_at_;   // distinct inner balls
+  Table<EdgeSlot, DualEdgeSlot> chain_row_;   // of two balls with a common Voronoi edge
+  Table<SiteSlot, DualEdgeSlot> first_edge_;  // of the other dual edges of a site; then `next_edge_`
+  Table<DualEdgeSlot, DualEdgeSlot> next_edge_;
+  Table<SiteSlot, DualFaceSlot> first_face_;
+  Table<DualFaceSlot, DualFaceSlot> next_face_;
+  std::vector<DualEdgeSlot> free_edges_;
+  std::vector<DualFaceSlot> free_faces_;
 
   bool is_recording_ = false;
-  ChangeRecorder ball_recorder_, edge_recorder_, face_recorder_, v_recorder_, arc_recorder_;
-  SlotMarks site_marks_, edge_marks_;
-  std::vector<Slot> sites_, edges_;
+  ChangeRecorder<FamilySlot> ball_recorder_;
+  ChangeRecorder<DualEdgeSlot> edge_recorder_;
+  ChangeRecorder<DualFaceSlot> face_recorder_;
+  ChangeRecorder<VPointSlot> v_recorder_;
+  ChangeRecorder<ArcSlot> arc_recorder_;
+  SlotMarks<SiteSlot> site_marks_;
+  SlotMarks<EdgeSlot> edge_marks_;
+  std::vector<SiteSlot> sites_;
+  std::vector<EdgeSlot> edges_;
   std::vector<SectorBall> sector_;
 };
 

@@ -9,13 +9,17 @@
 
 namespace mes {
 
+/// A row, and an element that owns rows.
+using SampledSlot = Slot<struct SampledTag>;
+using OwnerSlot = Slot<struct OwnerTag>;
+
 class SampledBalls {
  public:
   std::size_t rows() const { return disks_.size(); }
-  bool is_alive(Slot row) const { return disks_[row].radius >= 0.0; }
-  const Disk& disk(Slot row) const { return disks_[row]; }
+  bool is_alive(SampledSlot row) const { return disks_[row].radius >= 0.0; }
+  const Disk& disk(SampledSlot row) const { return disks_[row]; }
   std::size_t count() const { return disks_.size() - free_.size(); }
-  const ChangeSet& changes() const { return changes_; }
+  const ChangeSet<SampledSlot>& changes() const { return changes_; }
   void clear_changes() { changes_.clear(); }
 
   /// Drops everything; what follows is a rebuild.
@@ -33,11 +37,11 @@ class SampledBalls {
     is_recording_ = true;
   }
   void finish() {
-    recorder_.finish(changes_, [this](Slot row) { return is_alive(row); });
+    recorder_.finish(changes_, [this](SampledSlot row) { return is_alive(row); });
   }
 
-  void add(Slot owner, const Disk& disk) {
-    Slot row = static_cast<Slot>(disks_.size());
+  void add(OwnerSlot owner, const Disk& disk) {
+    SampledSlot row = disks_.next();
     if (free_.empty()) {
       disks_.push_back({{}, kDead});
       next_.push_back(kNoSlot);
@@ -47,14 +51,14 @@ class SampledBalls {
     }
     if (is_recording_) recorder_.note(row, false);
     disks_[row] = disk;
-    if (first_.size() <= owner) first_.resize(owner + owner / 4 + std::size_t{1}, kNoSlot);
+    if (!first_.has(owner)) first_.resize(owner.index() + owner.index() / 4 + std::size_t{1});
     next_[row] = first_[owner];
     first_[owner] = row;
   }
   /// Drops all rows of an owner.
-  void drop(Slot owner) {
-    if (first_.size() <= owner) return;
-    for (Slot row = first_[owner]; row != kNoSlot; row = next_[row]) {
+  void drop(OwnerSlot owner) {
+    if (!first_.has(owner)) return;
+    for (SampledSlot row = first_[owner]; row != kNoSlot; row = next_[row]) {
       if (is_recording_) recorder_.note(row, true);
       disks_[row].radius = kDead;
       free_.push_back(row);
@@ -64,13 +68,13 @@ class SampledBalls {
 
  private:
   static constexpr double kDead = -1.0;
-  std::vector<Disk> disks_;
-  std::vector<Slot> next_;   // of the same owner, by row
-  std::vector<Slot> first_;  // by owner
-  std::vector<Slot> free_;
+  Table<SampledSlot, Disk> disks_;
+  Table<SampledSlot, SampledSlot> next_;  // of the same owner
+  Table<OwnerSlot, SampledSlot> first_;
+  std::vector<SampledSlot> free_;
   bool is_recording_ = false;
-  ChangeRecorder recorder_;
-  ChangeSet changes_;
+  ChangeRecorder<SampledSlot> recorder_;
+  ChangeSet<SampledSlot> changes_;
 };
 
 }  // namespace mes

@@ -9,34 +9,34 @@
 namespace mes {
 
 struct SectorBall {
-  Slot ball = kNoSlot;  ///< the face that stands for the ball
-  Slot face = kNoSlot;  ///< one of its faces at the site
-  Slot edge = kNoSlot;  ///< Delaunay edge between it and the ball before; kNoSlot for the first
+  FaceSlot ball;  ///< the face that stands for the ball
+  FaceSlot face;  ///< one of its faces at the site
+  EdgeSlot edge;  ///< Delaunay edge between it and the ball before; kNoSlot for the first
 };
 
 /// Writes the distinct inner balls around the site, counter-clockwise from its border edge on. For sites with two
 /// border edges; others give some of their balls.
-inline void collect_sector(const Delaunay& delaunay, const Labels& labels, const InnerBalls& balls, Slot site,
+inline void collect_sector(const Delaunay& delaunay, const Labels& labels, const InnerBalls& balls, SiteSlot site,
                            std::vector<SectorBall>& out) {
   out.clear();
   if (delaunay.dimension() < 2) return;
-  const auto next_face = [&](Slot face) {
+  const auto next_face = [&](FaceSlot face) {
     const FaceRow& row = delaunay.face(face);
     return row.n[next3(row.index_of_site(site))];
   };
-  const Slot start = delaunay.site_face(site);
-  Slot first = start;
+  const FaceSlot start = delaunay.site_face(site);
+  FaceSlot first = start;
   bool found = false;
   do {
-    const Slot next = next_face(first);
+    const FaceSlot next = next_face(first);
     found = !labels.is_inside(first) && labels.is_inside(next);
     first = next;
   } while (!found && first != start);
   if (!found) return;
-  Slot face = first;
-  Slot edge = kNoSlot;
+  FaceSlot face = first;
+  EdgeSlot edge;
   while (labels.is_inside(face)) {
-    const Slot ball = balls.ball(face);
+    const FaceSlot ball = balls.ball(face);
     if (out.empty() || out.back().ball != ball) out.push_back({ball, face, edge});
     const FaceRow& row = delaunay.face(face);
     edge = row.e[next3(row.index_of_site(site))];

@@ -22,8 +22,8 @@ namespace mes {
 
 /// The faces of the triangulation of the v-points, with their circumcircles.
 struct UnionFaces {
-  std::vector<VFace> rows;
-  std::vector<Vec2> local_center;  ///< rounded, in the frame
+  Table<VFaceSlot, VFace> rows;
+  Table<VFaceSlot, Vec2> local_center;  ///< rounded, in the frame
 };
 
 struct PlacedCircle {
@@ -33,7 +33,7 @@ struct PlacedCircle {
 
 template <class Balls, class Points>
 PlacedCircle placed_circumcircle(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points,
-                                 const std::array<Slot, 3>& v) {
+                                 const std::array<VPointSlot, 3>& v) {
   if constexpr (VPoints<Points>::kIsDouble) {
     Vec2 corner[3];
     for (std::size_t i = 0; i < 3; ++i) corner[i] = points.local[v[i]];
@@ -49,12 +49,12 @@ PlacedCircle placed_circumcircle(const UnionBalls<Balls, Points>& balls, const V
 
 template <class Balls, class Points>
 UnionFaces place_faces(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, const VTriangulation& v,
-                       const std::vector<Slot>& ball_of_face, const EdgeCuts& cuts) {
+                       const Table<VFaceSlot, InputSlot>& ball_of_face, const EdgeCuts& cuts) {
   UnionFaces out;
   out.rows.resize(v.faces.size());
   out.local_center.resize(v.faces.size());
   balls.in_parts(v.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
+    for (const VFaceSlot slot : slots_between<VFaceSlot>(begin, end)) {
       VFace& face = out.rows[slot];
       std::ranges::copy(v.faces[slot], face.v);
       face.is_inside = cuts.is_inside[slot];
@@ -86,8 +86,8 @@ class AxisReader {
   /// Cuts between two triangles of one circle have no length, and are none of the axis.
   bool is_axis(const EdgeCut& cut) const {
     if (cut.label != CutLabel::in) return false;
-    const Slot a = node_at(cut, 0);
-    const Slot b = node_at(cut, 1);
+    const AxisNodeSlot a = node_at(cut, 0);
+    const AxisNodeSlot b = node_at(cut, 1);
     return a != kNoSlot && b != kNoSlot && a != b;
   }
   /// From the positions in the frame, which have the most digits.
@@ -104,16 +104,16 @@ class AxisReader {
   }
 
  private:
-  // Of the axis: rows of balls, then those of faces; kNoSlot = none, the cut is unbounded.
-  Slot node_at(const EdgeCut& cut, std::size_t i) const {
-    if (cut.end[i] != kNoSlot) return balls_.input[cut.end[i]].row;
-    const Slot face = cut.face_at(v_, i);
+  // kNoSlot = none, the cut is unbounded.
+  AxisNodeSlot node_at(const EdgeCut& cut, std::size_t i) const {
+    if (cut.end[i] != kNoSlot) return node_of(balls_.input[cut.end[i]].row);
+    const VFaceSlot face = cut.face_at(v_, i);
     if (face == kNoSlot) return kNoSlot;
-    const Slot ball = faces_.rows[face].ball;
-    return ball != kNoSlot ? ball : static_cast<Slot>(balls_.rows) + face;
+    const FamilySlot ball = faces_.rows[face].ball;
+    return ball != kNoSlot ? node_of(ball) : AxisNodeSlot(balls_.rows + face.index());
   }
   bool ends_at_plain_face(const EdgeCut& cut, std::size_t i) const {
-    const Slot face = cut.face_at(v_, i);
+    const VFaceSlot face = cut.face_at(v_, i);
     return face != kNoSlot && faces_.rows[face].ball == kNoSlot;
   }
   Vec2 local_at(const EdgeCut& cut, std::size_t i) const {
@@ -131,16 +131,17 @@ class AxisReader {
 };
 
 struct UnionAxis {
-  std::vector<AxisPiece> pieces;
+  Table<AxisPieceSlot, AxisPiece> pieces;
   std::int64_t contradictions = 0;  ///< unbounded cuts in |R|
 };
 
 /// Appends the singular dual edges.
 template <class Balls, class Points>
 void add_singular_edges(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
-                        const DualComplex& complex, const VPoints<Points>& points, std::vector<AxisPiece>& out) {
-  for (Slot e = 0; e < tables.edges.size(); ++e) {
-    const Slot row = complex.row_of_edge[e];
+                        const DualComplex& complex, const VPoints<Points>& points,
+                        Table<AxisPieceSlot, AxisPiece>& out) {
+  for (const RegularEdgeSlot e : tables.edges.rows()) {
+    const DualEdgeSlot row = complex.row_of_edge[e];
     if (row == kNoSlot || complex.edges[row].kind != DualClass::singular) continue;
     const PipelineBall& a = balls.input[tables.edges[e].v[0]];
     const PipelineBall& b = balls.input[tables.edges[e].v[1]];
@@ -148,7 +149,7 @@ void add_singular_edges(const UnionBalls<Balls, Points>& balls, const RegularTab
                    b.drawn.center,
                    a.drawn.radius,
                    b.drawn.radius,
-                   {a.row, b.row},
+                   {node_of(a.row), node_of(b.row)},
                    {points.of_dual_edge[row][0], points.of_dual_edge[row][1]},
                    1});
   }
@@ -176,9 +177,12 @@ UnionAxis union_axis(const UnionBalls<Balls, Points>& balls, const RegularTables
   out.pieces.reserve(place.back() + static_cast<std::size_t>(singular));
   out.pieces.resize(place.back());
   balls.in_parts(cuts.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-    std::size_t at = place[part];
-    for (std::size_t c = begin; c < end; ++c)
-      if (reader.is_axis(cuts[c])) out.pieces[at++] = reader.piece_of(cuts[c]);
+    AxisPieceSlot at(place[part]);
+    for (std::size_t c = begin; c < end; ++c) {
+      if (!reader.is_axis(cuts[c])) continue;
+      out.pieces[at] = reader.piece_of(cuts[c]);
+      ++at;
+    }
   });
   add_singular_edges(balls, tables, complex, points, out.pieces);
   return out;

@@ -17,7 +17,6 @@
 namespace mes {
 
 /// `Balls` is the kernel of the triangulation of the balls and of the dual complex, `Points` that of the v-points.
-/// A ball is named by its position in the input.
 template <class Balls, class Points>
 struct UnionBalls {
   using BallNumber = typename Balls::FT;
@@ -25,11 +24,11 @@ struct UnionBalls {
   /// Numbers other than doubles belong to one thread.
   static constexpr bool kIsDouble = std::is_same_v<BallNumber, double> && std::is_same_v<PointNumber, double>;
 
-  std::span<const PipelineBall> input;
+  TableView<InputSlot, PipelineBall> input;
   std::size_t rows;  ///< of the family's table
   LocalFrame frame;
-  std::vector<BallOf<BallNumber>> in_balls;
-  std::vector<BallOf<PointNumber>> in_points;
+  Table<InputSlot, BallOf<BallNumber>> in_balls;
+  Table<InputSlot, BallOf<PointNumber>> in_points;
 
   explicit UnionBalls(const PipelineInput& given)
       : input(given.balls),
@@ -38,7 +37,7 @@ struct UnionBalls {
         in_balls(given.balls.size()),
         in_points(given.balls.size()) {
     in_parts(input.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t i = begin; i < end; ++i) {
+      for (const InputSlot i : slots_between<InputSlot>(begin, end)) {
         in_balls[i] = ball_in<BallNumber>(input[i]);
         in_points[i] = ball_in<PointNumber>(input[i]);
       }
@@ -46,9 +45,9 @@ struct UnionBalls {
   }
 
   std::size_t size() const { return input.size(); }
-  Vec2 center(Slot ball) const { return input[ball].disk.center; }
+  Vec2 center(InputSlot ball) const { return input[ball].disk.center; }
   /// An order that does not depend on that of the input.
-  bool comes_before(Slot a, Slot b) const { return lexicographically_less(center(a), center(b)); }
+  bool comes_before(InputSlot a, InputSlot b) const { return lexicographically_less(center(a), center(b)); }
 
   static std::size_t part_count(std::size_t count) {
     return kIsDouble ? std::clamp<std::size_t>(count >> 12U, 1, 8) : 1;

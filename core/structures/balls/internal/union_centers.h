@@ -16,17 +16,20 @@ namespace mes {
 
 /// A ball's centre lies on a Voronoi edge; the arc lies to the left (towards face 0) or right of it.
 struct CenterEvent {
-  Slot edge = kNoSlot;
-  Slot ball = kNoSlot;
+  VEdgeSlot edge;
+  InputSlot ball;
   std::uint8_t side = 0;
   CircleArc arc = CircleArc::free;
 };
 
+/// Of a ball by its position in the input.
+using InputArc = ArcOf<InputSlot>;
+
 /// What the circles of all balls say, in the order of the balls.
 struct CenterTables {
   std::vector<CenterEvent> events;
-  std::vector<Slot> ball_of_face;   ///< whose centre is the circumcentre of the face; kNoSlot = none
-  std::vector<BoundaryArc> arcs;    ///< of positions in the input, not rows
+  Table<VFaceSlot, InputSlot> ball_of_face;  ///< whose centre is the circumcentre of the face; kNoSlot = none
+  std::vector<InputArc> arcs;
   std::int64_t lost_crossings = 0;  ///< see `UnionCounts`
 };
 
@@ -35,10 +38,10 @@ class CenterFinder {
  public:
   explicit CenterFinder(const VTriangulation& v) : v_(&v) {}
 
-  std::vector<BoundaryArc> arcs;  ///< for the caller to fill in
+  std::vector<InputArc> arcs;  ///< for the caller to fill in
 
   /// Takes the v-points on the circle of a ball, counter-clockwise.
-  void take(Slot ball, const std::vector<CirclePlace>& places) {
+  void take(InputSlot ball, const std::vector<CirclePlace>& places) {
     if (places.size() < 2) return;
     for (std::size_t k = 0; k < places.size(); ++k)
       add_event(ball, places[(k + places.size() - 1) % places.size()].v, places[k].v, places[k].before);
@@ -52,7 +55,7 @@ class CenterFinder {
     out.lost_crossings += lost_crossings_;
     for (const auto& [face, ball] : on_circle_) {
       // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
-      Slot& owner = out.ball_of_face[face];
+      InputSlot& owner = out.ball_of_face[face];
       if (owner == kNoSlot || balls.comes_before(ball, owner)) owner = ball;
     }
   }
@@ -60,11 +63,12 @@ class CenterFinder {
 
  private:
   struct OnCircle {
-    Slot face, ball;
+    VFaceSlot face;
+    InputSlot ball;
   };
 
-  void add_event(Slot ball, Slot from, Slot to, CircleArc arc) {
-    const Slot edge = v_->edge_between(from, to);
+  void add_event(InputSlot ball, VPointSlot from, VPointSlot to, CircleArc arc) {
+    const VEdgeSlot edge = v_->edge_between(from, to);
     if (edge == kNoSlot) {
       ++lost_crossings_;
       return;
@@ -75,30 +79,30 @@ class CenterFinder {
   }
 
   // All triangles between the v-points of one circle have its centre as circumcentre.
-  void mark_polygon(Slot ball, const std::vector<CirclePlace>& places) {
+  void mark_polygon(InputSlot ball, const std::vector<CirclePlace>& places) {
     point_stamp_.resize(v_->edges_begin.size() - 1, 0);
     face_stamp_.resize(v_->faces.size(), 0);
     const std::uint32_t now = ++now_;
     for (const CirclePlace& place : places) point_stamp_[place.v] = now;
     stack_.clear();
-    const auto visit = [&](Slot face) {
+    const auto visit = [&](VFaceSlot face) {
       if (face == kNoSlot || face_stamp_[face] == now) return;
-      for (const Slot v : v_->faces[face])
+      for (const VPointSlot v : v_->faces[face])
         if (point_stamp_[v] != now) return;
       face_stamp_[face] = now;
       on_circle_.push_back({face, ball});
       stack_.push_back(face);
     };
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const Slot edge = v_->edge_between(places[k].v, places[(k + 1) % places.size()].v);
+      const VEdgeSlot edge = v_->edge_between(places[k].v, places[(k + 1) % places.size()].v);
       if (edge == kNoSlot) continue;
-      for (const Slot face : v_->edges[edge].f) visit(face);
+      for (const VFaceSlot face : v_->edges[edge].f) visit(face);
     }
     while (!stack_.empty()) {
-      const Slot at = stack_.back();
+      const VFaceSlot at = stack_.back();
       stack_.pop_back();
-      for (const Slot edge : v_->face_edge[at])
-        for (const Slot face : v_->edges[edge].f) visit(face);
+      for (const VEdgeSlot edge : v_->face_edge[at])
+        for (const VFaceSlot face : v_->edges[edge].f) visit(face);
     }
   }
 
@@ -106,8 +110,9 @@ class CenterFinder {
   std::vector<CenterEvent> events_;
   std::vector<OnCircle> on_circle_;
   std::int64_t lost_crossings_ = 0;
-  std::vector<Slot> stack_;
-  std::vector<std::uint32_t> point_stamp_, face_stamp_;  // of the circle at hand
+  std::vector<VFaceSlot> stack_;
+  Table<VPointSlot, std::uint32_t> point_stamp_;  // of the circle at hand
+  Table<VFaceSlot, std::uint32_t> face_stamp_;
   std::uint32_t now_ = 0;
 };
 
@@ -119,9 +124,9 @@ CenterTables find_centers(const UnionBalls<Balls, Points>& balls, const VTriangu
   std::vector<CenterFinder> parts(balls.part_count(balls.size()), CenterFinder(v));
   balls.in_parts(balls.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
     auto look = make_look();
-    for (std::size_t ball = begin; ball < end; ++ball) {
-      if ((ball & 0x3fU) == 0) job.checkpoint(2 * balls.size() + ball, 4 * balls.size());
-      look(static_cast<Slot>(ball), parts[part]);
+    for (const InputSlot ball : slots_between<InputSlot>(begin, end)) {
+      if ((ball.index() & 0x3fU) == 0) job.checkpoint(2 * balls.size() + ball.index(), 4 * balls.size());
+      look(ball, parts[part]);
     }
   });
   CenterTables out;
@@ -143,7 +148,7 @@ template <class Balls, class Points>
 CenterTables known_centers(const UnionBalls<Balls, Points>& balls, const VTriangulation& v, const KnownVPoints& known,
                            JobControl& job) {
   return find_centers(balls, v, job, [&known] {
-    return [&known](Slot ball, CenterFinder& finder) { finder.take(ball, known.places[ball]); };
+    return [&known](InputSlot ball, CenterFinder& finder) { finder.take(ball, known.places[ball]); };
   });
 }
 

@@ -22,8 +22,8 @@ namespace mes {
 
 /// A free part of a circle, counter-clockwise, and the balls that cover what is before and after it.
 struct CircleGap {
-  Slot from = kNoSlot, to = kNoSlot;  ///< v-points; kNoSlot = lost
-  Slot before = kNoSlot, after = kNoSlot;
+  VPointSlot from, to;  ///< kNoSlot = lost
+  InputSlot before, after;
 };
 
 /// The v-points on the circle of one ball, counter-clockwise, and the free parts of the circle.
@@ -41,7 +41,7 @@ class CircleWalker {
       : rt_(triangulation), complex_(complex), points_(points) {}
 
   /// Holds until the next call.
-  const CircleTour& walk_around(Slot ball) {
+  const CircleTour& walk_around(InputSlot ball) {
     tour_.places.clear();
     tour_.gaps.clear();
     list_spokes(ball);
@@ -56,20 +56,20 @@ class CircleWalker {
 
  private:
   struct Spoke {
-    Slot edge;
-    Slot left;  // face
+    RegularEdgeSlot edge;
+    TriangleSlot left;
   };
   const Spoke& spoke_before(std::size_t at) const { return star_[(at + star_.size() - 1) % star_.size()]; }
 
-  void list_spokes(Slot ball) {
+  void list_spokes(InputSlot ball) {
     star_.clear();
     const RegularTables& tables = rt_.tables;
     if (tables.dimension != 2) {
-      for (const Slot e : rt_.line_edges[ball]) star_.push_back({e, kNoSlot});
+      for (const RegularEdgeSlot e : rt_.line_edges[ball]) star_.push_back({e, TriangleSlot()});
       return;
     }
-    const Slot start = rt_.some_face[ball];
-    Slot at = start;
+    const TriangleSlot start = rt_.some_face[ball];
+    TriangleSlot at = start;
     do {
       const auto& face = tables.faces[at];
       const std::size_t i = face.v[0] == ball ? 0 : (face.v[1] == ball ? 1 : 2);
@@ -80,22 +80,22 @@ class CircleWalker {
     } while (at != start);
   }
 
-  void push(Slot v, CircleArc before) {
+  void push(VPointSlot v, CircleArc before) {
     if (v == kNoSlot) return;
     if (tour_.places.empty() || tour_.places.back().v != v) tour_.places.push_back({v, before});
   }
 
-  void pass(std::size_t at, Slot ball) {
+  void pass(std::size_t at, InputSlot ball) {
     const Spoke& spoke = star_[at];
     const bool right_in = complex_.has(spoke_before(at).left);
     const bool left_in = complex_.has(spoke.left);
-    const Slot row = spoke.edge == kNoSlot ? kNoSlot : complex_.row_of_edge[spoke.edge];
+    const DualEdgeSlot row = spoke.edge == kNoSlot ? DualEdgeSlot() : complex_.row_of_edge[spoke.edge];
     if (row != kNoSlot && !(right_in && left_in)) {
       const auto& ends = rt_.tables.edges[spoke.edge].v;
       const bool outward = ends[0] == ball;
-      const Slot neighbour = ends[outward ? 1 : 0];
-      const Slot left_v = points_.of_dual_edge[row][outward ? 0 : 1];
-      const Slot right_v = points_.of_dual_edge[row][outward ? 1 : 0];
+      const InputSlot neighbour = ends[outward ? 1 : 0];
+      const VPointSlot left_v = points_.of_dual_edge[row][outward ? 0 : 1];
+      const VPointSlot right_v = points_.of_dual_edge[row][outward ? 1 : 0];
       std::vector<CircleGap>& gaps = tour_.gaps;
       if (!right_in) {
         push(right_v, CircleArc::free);
@@ -106,7 +106,7 @@ class CircleWalker {
       }
       if (!left_in) {
         push(left_v, right_in ? CircleArc::covered : CircleArc::singular);
-        gaps.push_back({left_v, kNoSlot, neighbour, kNoSlot});
+        gaps.push_back({left_v, VPointSlot(), neighbour, InputSlot()});
       }
     }
     if (left_in && complex_.zero_group[spoke.left] != kNoSlot)
@@ -139,11 +139,11 @@ class CircleWalker {
 /// the first case both covers are short; then the one that ends where the gap begins does not come before the other,
 /// counter-clockwise. So this is exact, and for one v-point at both ends, too.
 template <class Balls, class Points>
-bool is_gap_all_around(const UnionBalls<Balls, Points>& balls, Slot ball, const CircleGap& gap) {
+bool is_gap_all_around(const UnionBalls<Balls, Points>& balls, InputSlot ball, const CircleGap& gap) {
   constexpr double kShort = 0.9;  // cosine of half of the angle covered; any value well between 0 and 1 will do
   const Vec2 center = balls.center(ball);
   const double r = balls.input[ball].radius();
-  const auto is_cover_short = [&](Slot other) {
+  const auto is_cover_short = [&](InputSlot other) {
     const Vec2 way = balls.center(other) - center;
     const double d = length(way);
     const double other_r = balls.input[other].radius();
@@ -158,8 +158,8 @@ inline constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 /// Appends the arc of a gap to `arcs`, unless an end is lost or the arc has no length.
 template <class Balls, class Points>
-void add_arc(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, Slot ball, const CircleGap& gap,
-             std::vector<BoundaryArc>& arcs) {
+void add_arc(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, InputSlot ball,
+             const CircleGap& gap, std::vector<InputArc>& arcs) {
   if (gap.from == kNoSlot || gap.to == kNoSlot) return;
   // Between ends as close as that rounding may have changed their order.
   constexpr double kClose = 0x1p-16;
@@ -186,23 +186,23 @@ void add_arc(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& poin
 
 struct UnionCircles {
   CenterTables centers;
-  std::vector<BallState> state;  ///< by ball
+  Table<InputSlot, BallState> state;
 };
 
 /// Splits the visible balls without a dual edge: one whose cell lies outside of it is part of another ball and hidden.
 template <class Balls, class Points>
-std::vector<BallState> ball_states(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
-                                   const DualComplex& complex) {
-  std::vector<bool> has_edge(balls.size(), false);
-  for (Slot e = 0; e < tables.edges.size(); ++e)
+Table<InputSlot, BallState> ball_states(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
+                                        const DualComplex& complex) {
+  Table<InputSlot, bool> has_edge(balls.size(), false);
+  for (const RegularEdgeSlot e : tables.edges.rows())
     if (complex.row_of_edge[e] != kNoSlot) has_edge[tables.edges[e].v[0]] = has_edge[tables.edges[e].v[1]] = true;
-  std::vector<bool> is_covered(balls.size(), false);
+  Table<InputSlot, bool> is_covered(balls.size(), false);
   for (const auto& edge : tables.edges)
     for (std::size_t i = 0; i < 2; ++i)
       if (!has_edge[edge.v[i]] && loses_center_to<Balls>(balls.in_balls[edge.v[i]], balls.in_balls[edge.v[1 - i]]))
         is_covered[edge.v[i]] = true;
-  std::vector<BallState> out = tables.state;
-  for (Slot ball = 0; ball < balls.size(); ++ball)
+  Table<InputSlot, BallState> out = tables.state;
+  for (const InputSlot ball : out.rows())
     if (out[ball] == BallState::visible && !has_edge[ball])
       out[ball] = is_covered[ball] ? BallState::hidden : BallState::isolated;
   return out;
@@ -215,14 +215,14 @@ UnionCircles union_circles(const UnionBalls<Balls, Points>& balls, const UnionTr
   UnionCircles out;
   out.state = ball_states(balls, triangulation.tables, complex);
   out.centers = find_centers(balls, v, job, [&] {
-    return
-        [&, walker = CircleWalker<Points>(triangulation, complex, points)](Slot ball, CenterFinder& found) mutable {
-          if (out.state[ball] == BallState::isolated) found.arcs.push_back({ball, 1, {}, {}, kFullTurn});
-          if (out.state[ball] != BallState::visible) return;
-          const CircleTour& tour = walker.walk_around(ball);
-          for (const CircleGap& gap : tour.gaps) add_arc(balls, points, ball, gap, found.arcs);
-          found.take(ball, tour.places);
-        };
+    return [&, walker = CircleWalker<Points>(triangulation, complex, points)](InputSlot ball,
+                                                                              CenterFinder& found) mutable {
+      if (out.state[ball] == BallState::isolated) found.arcs.push_back({ball, 1, {}, {}, kFullTurn});
+      if (out.state[ball] != BallState::visible) return;
+      const CircleTour& tour = walker.walk_around(ball);
+      for (const CircleGap& gap : tour.gaps) add_arc(balls, points, ball, gap, found.arcs);
+      found.take(ball, tour.places);
+    };
   });
   return out;
 }

@@ -36,18 +36,18 @@ struct VPoints {
   using Point = typename Points::Point_2;
   static constexpr bool kIsDouble = std::is_same_v<typename Points::FT, double>;
 
-  std::vector<VPoint> rows;
-  std::vector<VOrigin> origins;
-  std::vector<Vec2> local;                        ///< rounded, in the frame
-  std::vector<Point> exact;                       ///< in the frame; empty for doubles
-  std::vector<std::array<Slot, 2>> of_dual_edge;  ///< left and right of it; kNoSlot = none
-  std::vector<Slot> of_zero_group;                ///< the common centre of the group, if that is a v-point
-  PointTriangulation triangulation;               ///< of the crossings
-  std::vector<Slot> row_of_crossing;              ///< for the crossings that stand for others
-  std::int64_t raw_v_points = 0;                  ///< see `UnionCounts`
-  std::int64_t negative_radicands = 0;            ///< see `UnionCounts`
+  Table<VPointSlot, VPoint> rows;
+  Table<VOriginSlot, VOrigin> origins;
+  Table<VPointSlot, Vec2> local;                                ///< rounded, in the frame
+  Table<VPointSlot, Point> exact;                               ///< in the frame; empty for doubles
+  Table<DualEdgeSlot, std::array<VPointSlot, 2>> of_dual_edge;  ///< left and right of it; kNoSlot = none
+  Table<ZeroGroupSlot, VPointSlot> of_zero_group;  ///< the common centre of the group, if that is a v-point
+  PointTriangulation triangulation;                ///< of the crossings
+  Table<InputSlot, VPointSlot> row_of_crossing;    ///< for the crossings that stand for others
+  std::int64_t raw_v_points = 0;                   ///< see `UnionCounts`
+  std::int64_t negative_radicands = 0;             ///< see `UnionCounts`
 
-  Point point(Slot v) const {
+  Point point(VPointSlot v) const {
     if constexpr (kIsDouble) {
       return {local[v].x, local[v].y};
     } else {
@@ -64,13 +64,13 @@ class CrossingMaker {
   using Point = typename Points::Point_2;
   struct Crossing {
     Point point;
-    Slot site = kNoSlot;
+    SiteSlot site{};
   };
 
   CrossingMaker(const UnionBalls<Balls, Points>& balls, CrossingRule rule) : balls_(balls), rule_(rule) {}
 
   /// To the left or right of the way from a to b; nothing where the circles do not meet as the numbers have it.
-  std::optional<Crossing> make(Slot a, Slot b, bool left) const {
+  std::optional<Crossing> make(InputSlot a, InputSlot b, bool left) const {
     // Where rounding matters it must not depend on the order in which the balls came.
     const bool is_turned = balls_.comes_before(b, a);
     if (is_turned) std::swap(a, b);
@@ -81,7 +81,7 @@ class CrossingMaker {
   static constexpr bool kHasRoots =
       !std::is_same_v<typename CGAL::Algebraic_structure_traits<Number>::Sqrt, CGAL::Null_functor>;
 
-  std::optional<Crossing> in_order(Slot a, Slot b, bool left) const {
+  std::optional<Crossing> in_order(InputSlot a, InputSlot b, bool left) const {
     if (rule_ == CrossingRule::sample) {
       if (auto found = by_sample(a, b, left)) return found;
     }
@@ -95,7 +95,7 @@ class CrossingMaker {
     return by_root(a, b, left, radicand);
   }
 
-  std::optional<Crossing> by_sample(Slot a, Slot b, bool left) const {
+  std::optional<Crossing> by_sample(InputSlot a, InputSlot b, bool left) const {
     const BallOf<Number>& p = balls_.in_points[a];
     const BallOf<Number>& q = balls_.in_points[b];
     const Number dx = q.x - p.x, dy = q.y - p.y;
@@ -107,12 +107,12 @@ class CrossingMaker {
       const int sign = static_cast<int>(CGAL::sign(side));
       if (sign == 0 || (sign > 0) == left) return Crossing{Point(x, y), sample.site};
       const Number twice = Number(2) * side / (dx * dx + dy * dy);
-      mirrored = Crossing{Point(x + twice * dy, y - twice * dx), kNoSlot};
+      mirrored = Crossing{Point(x + twice * dy, y - twice * dx), SiteSlot()};
     }
     return mirrored;
   }
 
-  Crossing by_root(Slot a, Slot b, bool left, const Number& radicand) const {
+  Crossing by_root(InputSlot a, InputSlot b, bool left, const Number& radicand) const {
     if constexpr (kHasRoots) {
       const BallOf<Number>& p = balls_.in_points[a];
       const BallOf<Number>& q = balls_.in_points[b];
@@ -141,12 +141,12 @@ class CrossingMaker {
 template <class Points>
 struct RawCrossings {
   struct Origin {
-    Slot edge;          ///< of the regular triangulation
+    RegularEdgeSlot edge;
     std::uint8_t side;  ///< 0 = left
-    Slot site;
+    SiteSlot site;
   };
-  std::vector<Origin> origin;
-  std::vector<typename Points::Point_2> point;
+  Table<InputSlot, Origin> origin;
+  Table<InputSlot, typename Points::Point_2> point;
   std::int64_t negative_radicands = 0;
 };
 
@@ -155,8 +155,8 @@ RawCrossings<Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const
                                    const DualComplex& complex, CrossingRule rule, JobControl& job) {
   RawCrossings<Points> out;
   const CrossingMaker<Balls, Points> maker(balls, rule);
-  for (Slot e = 0; e < tables.edges.size(); ++e) {
-    if ((e & 0x3fU) == 0) job.checkpoint(tables.edges.size() + e, 4 * tables.edges.size());
+  for (const RegularEdgeSlot e : tables.edges.rows()) {
+    if ((e.index() & 0x3fU) == 0) job.checkpoint(tables.edges.size() + e.index(), 4 * tables.edges.size());
     if (complex.row_of_edge[e] == kNoSlot) continue;
     const auto& edge = tables.edges[e];
     for (std::uint8_t side = 0; side < 2; ++side) {
@@ -175,10 +175,11 @@ RawCrossings<Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const
 /// Three circles meet in the centre of a triangle of radius zero: in one of the two crossings of each pair, that away
 /// from the third ball exactly if the third one has no more power than the two in the middle between the crossings.
 template <class Balls, class Points>
-bool is_center_away(const UnionBalls<Balls, Points>& balls, const RegularTables& tables, Slot edge, Slot inner_face) {
+bool is_center_away(const UnionBalls<Balls, Points>& balls, const RegularTables& tables, RegularEdgeSlot edge,
+                    TriangleSlot inner_face) {
   const auto& ball = balls.in_balls;
   const auto& ends = tables.edges[edge].v;
-  for (const Slot c : tables.faces[inner_face].v)
+  for (const InputSlot c : tables.faces[inner_face].v)
     if (c != ends[0] && c != ends[1])
       return sign_of_excess_at_foot<Balls>(ball[ends[0]], ball[ends[1]], ball[c]) <= 0;
   return false;
@@ -194,32 +195,32 @@ VPoints<Points> v_points(const UnionBalls<Balls, Points>& balls, const RegularTa
   out.negative_radicands = raw.negative_radicands;
   out.raw_v_points = static_cast<std::int64_t>(count);
   out.triangulation = point_triangulation<Points>(raw.point, job);
-  out.of_dual_edge.assign(complex.edges.size(), {kNoSlot, kNoSlot});
+  out.of_dual_edge.assign(complex.edges.size(), {});
   out.of_zero_group.assign(complex.zero_groups, kNoSlot);
   out.row_of_crossing.assign(count, kNoSlot);
   out.rows.reserve(count);
   out.origins.reserve(count);
-  const auto row_for = [&](std::size_t i) {
-    Slot& row = out.row_of_crossing[out.triangulation.same_as[i]];
+  const auto row_for = [&](InputSlot i) {
+    VPointSlot& row = out.row_of_crossing[out.triangulation.same_as[i]];
     if (row != kNoSlot) return row;
-    row = static_cast<Slot>(out.rows.size());
+    row = out.rows.next();
     const auto& p = raw.point[i];
     const PlacedPoint place = placed(p.x(), p.y(), balls.frame);
-    out.rows.push_back({place.document, kNoSlot, 0});
+    out.rows.push_back({place.document, SiteSlot(), 0});
     out.local.push_back(place.local);
     if constexpr (!VPoints<Points>::kIsDouble) out.exact.push_back(p);
     return row;
   };
-  for (std::size_t i = 0; i < count; ++i) {
+  for (const InputSlot i : raw.point.rows()) {
     const auto& origin = raw.origin[i];
-    const Slot dual = complex.row_of_edge[origin.edge];
-    const Slot v = row_for(i);
+    const DualEdgeSlot dual = complex.row_of_edge[origin.edge];
+    const VPointSlot v = row_for(i);
     if (origin.site != kNoSlot) out.rows[v].site = origin.site;
     ++out.rows[v].multiplicity;
     out.origins.push_back({v, dual});
     out.of_dual_edge[dual][origin.side] = v;
     // A group of triangles of radius zero ends here: its common centre is this crossing.
-    const Slot inner = tables.edges[origin.edge].f[1 - origin.side];
+    const TriangleSlot inner = tables.edges[origin.edge].f[1 - origin.side];
     if (complex.edges[dual].kind == DualClass::regular && complex.zero_group[inner] != kNoSlot &&
         is_center_away(balls, tables, origin.edge, inner))
       out.of_zero_group[complex.zero_group[inner]] = v;
@@ -232,17 +233,17 @@ template <class Balls, class Points>
 VPoints<Points> known_v_points(const UnionBalls<Balls, Points>& balls, const KnownVPoints& known, JobControl& job) {
   using Number = typename Points::FT;
   VPoints<Points> out;
-  std::vector<typename Points::Point_2> points;
-  for (std::size_t i = 0; i < known.points.size(); ++i) {
+  Table<InputSlot, typename Points::Point_2> points;
+  for (const VPointSlot i : known.points.rows()) {
     const Vec2 p = balls.frame.to_local(known.points[i]);
     points.emplace_back(Number(p.x), Number(p.y));
-    out.row_of_crossing.push_back(static_cast<Slot>(i));
+    out.row_of_crossing.push_back(i);
     out.rows.push_back({known.points[i], known.sites[i], 1});
     out.local.push_back(p);
     if constexpr (!VPoints<Points>::kIsDouble) out.exact.push_back(points.back());
   }
   out.triangulation = point_triangulation<Points>(points, job);
-  for (Slot i = 0; i < points.size(); ++i) MES_ASSERT(out.triangulation.same_as[i] == i);
+  for (const InputSlot i : points.rows()) MES_ASSERT(out.triangulation.same_as[i] == i);
   return out;
 }
 
@@ -250,8 +251,8 @@ VPoints<Points> known_v_points(const UnionBalls<Balls, Points>& balls, const Kno
 /// right of the way from there to the centre of the other. Rounded positions have few digits for a ball that is small
 /// beside its distance from the origin of the frame.
 template <class Balls, class Points>
-Vec2 seen_from_center(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, Slot ball, Slot other,
-                      bool left, Slot v) {
+Vec2 seen_from_center(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, InputSlot ball,
+                      InputSlot other, bool left, VPointSlot v) {
   using Number = typename Points::FT;
   constexpr double kSmall = 0x1p-10;
   const Vec2 center = balls.center(ball);

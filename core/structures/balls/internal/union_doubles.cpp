@@ -8,7 +8,7 @@ UnionTables run_union_doubles(const PipelineInput& input, JobControl& job) {
   return union_pipeline::run<FastKernel, FastKernel>(input, CrossingRule::root, job);
 }
 
-std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job) {
+Table<PowerEdgeSlot, PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job) {
   return power_diagram<FastKernel>(input, job);
 }
 

@@ -20,7 +20,7 @@ UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job) 
   return union_pipeline::run_dual_complex<ExactKernel, ExactKernel>(input, job);
 }
 
-std::vector<PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job) {
+Table<PowerEdgeSlot, PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job) {
   return power_diagram<ExactKernel>(input, job);
 }
 

@@ -8,6 +8,7 @@
 #include "core/structures/balls/internal/edge_cuts.h"
 #include "core/structures/balls/internal/union_axis.h"
 #include "core/structures/balls/internal/union_balls.h"
+#include "core/structures/balls/internal/union_centers.h"
 #include "core/structures/balls/internal/union_complex.h"
 #include "core/structures/balls/internal/union_crossings.h"
 #include "core/structures/balls/internal/union_tables.h"
@@ -23,22 +24,21 @@ class UnionMeter {
  public:
   explicit UnionMeter(const UnionBalls<Balls, Points>& balls) : balls_(balls) {}
 
-  /// `arcs` are of positions in the input.
-  void add_arcs(const std::vector<BoundaryArc>& arcs) {
-    add_all(arcs.size(), [&](Slot row, Totals& out) {
+  void add_arcs(const std::vector<InputArc>& arcs) {
+    add_all<std::size_t>(arcs.size(), [&](std::size_t row, Totals& out) {
       const double r = balls_.input[arcs[row].ball].radius();
       out.perimeter.add(r * arcs[row].turn);
       out.area.add(0.5 * r * r * arcs[row].turn);
     });
   }
   void add_dual_edges(const RegularTables& tables, const DualComplex& complex, const VPoints<Points>& points) {
-    add_all(tables.edges.size(), [&](Slot e, Totals& out) {
-      const Slot row = complex.row_of_edge[e];
+    add_all<RegularEdgeSlot>(tables.edges.size(), [&](RegularEdgeSlot e, Totals& out) {
+      const DualEdgeSlot row = complex.row_of_edge[e];
       if (row == kNoSlot || complex.edges[row].kind == DualClass::interior) return;
       const auto& [a, b] = tables.edges[e].v;
       const Vec2 way = balls_.center(b) - balls_.center(a);
       for (const bool left : {true, false}) {
-        const Slot v = points.of_dual_edge[row][left ? 0 : 1];
+        const VPointSlot v = points.of_dual_edge[row][left ? 0 : 1];
         if (v == kNoSlot) continue;
         const double twice = cross(way, seen_from_center(balls_, points, a, b, left, v));
         out.area.add(left ? 0.5 * twice : -0.5 * twice);
@@ -47,7 +47,7 @@ class UnionMeter {
     });
   }
   void add_dual_faces(const RegularTables& tables, const DualComplex& complex) {
-    add_all(tables.faces.size(), [&](Slot f, Totals& out) {
+    add_all<TriangleSlot>(tables.faces.size(), [&](TriangleSlot f, Totals& out) {
       if (!complex.has(f)) return;
       const auto& v = tables.faces[f].v;
       const Vec2 corner = balls_.center(v[0]);
@@ -55,7 +55,7 @@ class UnionMeter {
     });
   }
   void add_axis(const AxisReader<Balls, Points>& reader, const std::vector<EdgeCut>& cuts) {
-    add_all(cuts.size(), [&](Slot c, Totals& out) {
+    add_all<std::size_t>(cuts.size(), [&](std::size_t c, Totals& out) {
       if (reader.is_axis(cuts[c])) out.axis_length.add(reader.length_of(cuts[c]));
     });
   }
@@ -80,11 +80,11 @@ class UnionMeter {
     }
   };
   // Calls `look(row, totals)` for the rows below `count`, side by side, and adds up in their order.
-  template <class Look>
+  template <class Row, class Look>
   void add_all(std::size_t count, const Look& look) {
     std::vector<Totals> parts(balls_.part_count(count));
     balls_.in_parts(count, [&](std::size_t begin, std::size_t end, std::size_t part) {
-      for (std::size_t row = begin; row < end; ++row) look(static_cast<Slot>(row), parts[part]);
+      for (std::size_t row = begin; row < end; ++row) look(Row(row), parts[part]);
     });
     for (const Totals& part : parts) totals_.add(part);
   }

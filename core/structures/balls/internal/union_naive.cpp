@@ -8,7 +8,7 @@ UnionTables run_union_naive(const PipelineInput& input, JobControl& job) {
   return union_pipeline::run<NaiveKernel, NaiveKernel>(input, CrossingRule::root, job);
 }
 
-std::vector<PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job) {
+Table<PowerEdgeSlot, PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job) {
   return power_diagram<NaiveKernel>(input, job);
 }
 

@@ -46,21 +46,25 @@ namespace mes::union_pipeline {
 
 /// By row of the family.
 template <class Balls, class Points>
-std::vector<BallState> by_row(const UnionBalls<Balls, Points>& balls, const std::vector<BallState>& state) {
-  std::vector<BallState> out(balls.rows, BallState::none);
-  for (Slot i = 0; i < balls.size(); ++i) out[balls.input[i].row] = state[i];
+Table<FamilySlot, BallState> by_row(const UnionBalls<Balls, Points>& balls,
+                                    const Table<InputSlot, BallState>& state) {
+  Table<FamilySlot, BallState> out(balls.rows, BallState::none);
+  for (const InputSlot i : state.rows()) out[balls.input[i].row] = state[i];
   return out;
 }
 
 /// From positions in the input to rows of the family.
 template <class Balls, class Points>
-std::vector<BoundaryArc> by_row(const UnionBalls<Balls, Points>& balls, std::vector<BoundaryArc> arcs) {
-  for (BoundaryArc& arc : arcs) arc.ball = balls.input[arc.ball].row;
-  return arcs;
+Table<ArcSlot, BoundaryArc> by_row(const UnionBalls<Balls, Points>& balls, const std::vector<InputArc>& arcs) {
+  Table<ArcSlot, BoundaryArc> out;
+  out.reserve(arcs.size());
+  for (const InputArc& arc : arcs)
+    out.push_back({balls.input[arc.ball].row, arc.is_whole, arc.from, arc.to, arc.turn});
+  return out;
 }
 
-inline std::vector<VEdge> with_kinds(std::vector<VEdge> edges, const std::vector<VEdgeKind>& kind) {
-  for (std::size_t e = 0; e < edges.size(); ++e) edges[e].kind = kind[e];
+inline Table<VEdgeSlot, VEdge> with_kinds(Table<VEdgeSlot, VEdge> edges, const Table<VEdgeSlot, VEdgeKind>& kind) {
+  for (const VEdgeSlot e : edges.rows()) edges[e].kind = kind[e];
   return edges;
 }
 
@@ -110,7 +114,7 @@ UnionTables run(const PipelineInput& input, CrossingRule rule, JobControl& job) 
   UnionTables out;
   out.measures = meter.measures();
   out.balls = by_row(balls, circles.state);
-  out.arcs = by_row(balls, std::move(centers.arcs));
+  out.arcs = by_row(balls, centers.arcs);
   out.axis = std::move(axis.pieces);
   give(triangulation, complex, out);
   give(points, v, cuts, faces, out);

@@ -9,14 +9,15 @@
 #include "core/structures/balls/ball_family.h"
 #include "core/structures/balls/internal/local_frame.h"
 #include "core/structures/balls/internal/union_tables.h"
+#include "core/structures/triangulation/input_slots.h"
 
 namespace mes {
 
 /// A ball as the pipeline takes it, in the coordinates of a `LocalFrame`.
 struct PipelineBall {
-  Slot row = kNoSlot;  ///< of its family
-  Disk disk{};         ///< before scaling; may be rounded
-  Disk drawn{};        ///< scaled, rounded, in the coordinates of the document
+  FamilySlot row;  ///< of its family
+  Disk disk{};     ///< before scaling; may be rounded
+  Disk drawn{};    ///< scaled, rounded, in the coordinates of the document
   BallOrigin origin = BallOrigin::disk;
   Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
   std::span<const TouchedSample> samples{};  ///< all on the circle
@@ -24,7 +25,7 @@ struct PipelineBall {
 
   /// Of the scaled ball, rounded.
   double radius() const { return disk.radius * scale; }
-  const TouchedSample* find(Slot site) const {
+  const TouchedSample* find(SiteSlot site) const {
     for (const TouchedSample& sample : samples)
       if (sample.site == site) return &sample;
     return nullptr;
@@ -45,7 +46,7 @@ inline const TouchedSample* common_sample(const PipelineBall& a, const PipelineB
 
 /// What the pipeline starts from. Radii are positive. What it gives is in the coordinates of the document.
 struct PipelineInput {
-  std::span<const PipelineBall> balls;
+  TableView<InputSlot, PipelineBall> balls;
   std::size_t rows = 0;  ///< of the family's table
   LocalFrame frame{};
 };
@@ -60,33 +61,35 @@ enum class CircleArc : std::uint8_t {
   free,      ///< on the boundary of the union
 };
 struct CirclePlace {
-  Slot v = kNoSlot;
+  VPointSlot v;
   CircleArc before = CircleArc::free;
 };
 
 /// Which samples are v-points, and how they lie on the circles, when that is known beforehand.
 struct KnownVPoints {
-  std::vector<Vec2> points;  ///< in the coordinates of the document
-  std::vector<Slot> sites;
-  std::vector<std::vector<CirclePlace>> places;  ///< by ball of the input
+  Table<VPointSlot, Vec2> points;  ///< in the coordinates of the document
+  Table<VPointSlot, SiteSlot> sites;
+  Table<InputSlot, std::vector<CirclePlace>> places;
 };
 
 /// Only `v_points`, `v_faces` and `v_edges` are filled in.
 UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known, JobControl& job);
 
+using PowerEdgeSlot = Slot<struct PowerEdgeTag>;
+
 /// Edge of the regular triangulation and its dual, an edge of the power diagram.
 struct PowerEdge {
   enum class Kind : std::uint8_t { segment, ray, line };
-  Slot ball[2] = {kNoSlot, kNoSlot};
+  FamilySlot ball[2]{};
   Kind kind = Kind::segment;
-  Vec2 from{};                        ///< a power centre, or any point of the line
-  Vec2 to{};                          ///< the other power centre; for rays and lines the direction
-  Slot face[2] = {kNoSlot, kNoSlot};  ///< the triangles whose power centres the ends are; kNoSlot = no end
-  double length = 0.0;                ///< of a segment; not taken from its rounded ends
+  Vec2 from{};             ///< a power centre, or any point of the line
+  Vec2 to{};               ///< the other power centre; for rays and lines the direction
+  TriangleSlot face[2]{};  ///< the triangles whose power centres the ends are; kNoSlot = no end
+  double length = 0.0;     ///< of a segment; not taken from its rounded ends
 };
-std::vector<PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job);
-std::vector<PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job);
-std::vector<PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job);
+Table<PowerEdgeSlot, PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job);
+Table<PowerEdgeSlot, PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job);
+Table<PowerEdgeSlot, PowerEdge> run_power_diagram_exact(const PipelineInput& input, JobControl& job);
 
 UnionTables run_union_naive(const PipelineInput& input, JobControl& job);
 UnionTables run_union_doubles(const PipelineInput& input, JobControl& job);

@@ -11,17 +11,29 @@
 #include <vector>
 
 #include "core/base/arc.h"
-#include "core/base/slot.h"
+#include "core/base/table.h"
 #include "core/base/vec2.h"
+#include "core/structures/balls/ball_family.h"
 #include "core/structures/triangulation/ball_state.h"
 
 namespace mes {
+
+using DualEdgeSlot = Slot<struct DualEdgeTag>;
+using DualFaceSlot = Slot<struct DualFaceTag>;
+using VPointSlot = Slot<struct VPointTag>;
+using VOriginSlot = Slot<struct VOriginTag>;
+using AxisPieceSlot = Slot<struct AxisPieceTag>;
+using VFaceSlot = Slot<struct VFaceTag>;
+using VEdgeSlot = Slot<struct VEdgeTag>;
+using ArcSlot = Slot<struct ArcTag>;
+/// A node of the axis: a ball, by its row in the family, or, after all of these, a face of the v-points.
+using AxisNodeSlot = Slot<struct AxisNodeTag>;
 
 /// By the number of dual triangles at an edge: none, one, two.
 enum class DualClass : std::uint8_t { singular, regular, interior };
 
 struct DualEdge {
-  Slot ball[2] = {kNoSlot, kNoSlot};
+  FamilySlot ball[2]{};
   DualClass kind = DualClass::singular;
   std::uint8_t shares_sample = 1;  ///< its v-points are samples of both balls
   bool is_alive() const { return ball[0] != kNoSlot; }
@@ -29,7 +41,7 @@ struct DualEdge {
 
 /// Counter-clockwise.
 struct DualFace {
-  Slot ball[3] = {kNoSlot, kNoSlot, kNoSlot};
+  FamilySlot ball[3]{};
   std::int8_t sign = 0;  ///< of the squared radius of the orthogonal circle as the number type has it: -1 or 0
   std::uint8_t is_exactly_zero = 0;  ///< the three balls touch a common sample, so the radius is zero
   bool is_alive() const { return ball[0] != kNoSlot; }
@@ -38,15 +50,15 @@ struct DualFace {
 /// A crossing of two circles on the boundary of the union.
 struct VPoint {
   Vec2 position{};
-  Slot site = kNoSlot;             ///< the sample site it is; kNoSlot = none (foreign)
+  SiteSlot site;                   ///< the sample site it is; kNoSlot = none (foreign)
   std::uint32_t multiplicity = 0;  ///< balls that touch it (shortcut), dual edges that gave it (pipeline); 0 = dead
   bool is_alive() const { return multiplicity != 0; }
 };
 
 /// A dual edge gave a v-point.
 struct VOrigin {
-  Slot v = kNoSlot;
-  Slot edge = kNoSlot;
+  VPointSlot v;
+  DualEdgeSlot edge;
   bool is_alive() const { return v != kNoSlot; }
 };
 
@@ -55,17 +67,17 @@ struct VOrigin {
 struct AxisPiece {
   Vec2 a{}, b{};
   double radius_a = 0.0, radius_b = 0.0;
-  Slot node[2] = {kNoSlot, kNoSlot};  ///< ball rows, then after them rows of `v_faces`; kNoSlot = dead piece
-  Slot v[2] = {kNoSlot, kNoSlot};     ///< rows of `v_points`
-  std::uint8_t is_singular = 0;       ///< a singular dual edge
-  std::uint8_t is_zero = 0;           ///< of length exactly zero
+  AxisNodeSlot node[2]{};  ///< kNoSlot = dead piece
+  VPointSlot v[2]{};
+  std::uint8_t is_singular = 0;  ///< a singular dual edge
+  std::uint8_t is_zero = 0;      ///< of length exactly zero
   bool is_alive() const { return node[0] != kNoSlot; }
 };
 
 /// Triangle of the Delaunay triangulation of the v-points.
 struct VFace {
-  Slot v[3] = {kNoSlot, kNoSlot, kNoSlot};
-  Slot ball = kNoSlot;  ///< its circumcircle is this ball's circle
+  VPointSlot v[3]{};
+  FamilySlot ball;  ///< its circumcircle is this ball's circle
   Vec2 center{};
   double radius = 0.0;
   std::uint8_t is_inside = 0;  ///< its circumcentre lies in the closed dual complex
@@ -75,21 +87,23 @@ enum class VEdgeKind : std::uint8_t { plain, crossing, alpha };
 
 /// Edge of that triangulation and its dual: a segment, a ray when one face is missing, a line when both are.
 struct VEdge {
-  Slot v[2] = {kNoSlot, kNoSlot};
-  Slot f[2] = {kNoSlot, kNoSlot};  ///< left and right of v[0] -> v[1]
+  VPointSlot v[2]{};
+  VFaceSlot f[2]{};  ///< left and right of v[0] -> v[1]
   VEdgeKind kind = VEdgeKind::plain;
 };
 
 /// A free arc of a circle on the boundary of the union, counter-clockwise. Its length is not zero.
-struct BoundaryArc {
+template <class Ball>
+struct ArcOf {
   static constexpr double kAsDrawn = -1.0;
-  Slot ball = kNoSlot;
+  Ball ball;
   std::uint8_t is_whole = 0;  ///< the whole circle, but for at most one point
   Vec2 from{}, to{};
   /// The angle it turns through, whatever became of its ends by rounding; or `kAsDrawn`, from end to end.
   double turn = kAsDrawn;
   bool is_alive() const { return ball != kNoSlot; }
 };
+using BoundaryArc = ArcOf<FamilySlot>;
 
 /// As it is drawn; `disk` is its ball. Rounded ends may be equal, or have changed places: then a short arc is
 /// nothing, and one that lacks as little of the circle is the circle.
@@ -128,17 +142,30 @@ struct UnionMeasures {
 };
 
 struct UnionTables {
-  std::vector<BallState> balls;
-  std::vector<DualEdge> dual_edges;
-  std::vector<DualFace> dual_faces;
-  std::vector<VPoint> v_points;
-  std::vector<VOrigin> v_origins;
-  std::vector<AxisPiece> axis;
-  std::vector<VFace> v_faces;
-  std::vector<VEdge> v_edges;
-  std::vector<BoundaryArc> arcs;
+  Table<FamilySlot, BallState> balls;
+  Table<DualEdgeSlot, DualEdge> dual_edges;
+  Table<DualFaceSlot, DualFace> dual_faces;
+  Table<VPointSlot, VPoint> v_points;
+  Table<VOriginSlot, VOrigin> v_origins;
+  Table<AxisPieceSlot, AxisPiece> axis;
+  Table<VFaceSlot, VFace> v_faces;
+  Table<VEdgeSlot, VEdge> v_edges;
+  Table<ArcSlot, BoundaryArc> arcs;
   UnionCounts counts;
   UnionMeasures measures;
+
+  std::size_t node_count() const { return balls.size() + v_faces.size(); }
+  AxisNodeSlot node_of(VFaceSlot face) const { return AxisNodeSlot(balls.size() + face.index()); }
+  bool is_ball(AxisNodeSlot node) const { return node.index() < balls.size(); }
 };
+
+/// Of the ball's centre.
+constexpr AxisNodeSlot node_of(FamilySlot ball) {
+  return same_row<AxisNodeSlot>(ball);
+}
+/// Of a node that is a ball's centre.
+constexpr FamilySlot ball_of(AxisNodeSlot node) {
+  return same_row<FamilySlot>(node);
+}
 
 }  // namespace mes

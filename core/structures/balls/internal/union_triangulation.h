@@ -14,12 +14,12 @@ namespace mes {
 /// The tables of the regular triangulation, and the ways from a triangle and from a ball to the edges there.
 struct UnionTriangulation {
   RegularTables tables;
-  std::vector<std::array<Slot, 3>> face_edge;  ///< by face: edge i lies opposite corner i
-  std::vector<Slot> some_face;                 ///< by ball: one of the faces there
-  std::vector<std::vector<Slot>> line_edges;   ///< by ball: its edges; only when all centres are collinear
+  Table<TriangleSlot, std::array<RegularEdgeSlot, 3>> face_edge;  ///< edge i lies opposite corner i
+  Table<InputSlot, TriangleSlot> some_face;                       ///< one of the faces there
+  Table<InputSlot, std::vector<RegularEdgeSlot>> line_edges;      ///< its edges; only when all centres are collinear
 
-  bool is_infinite(Slot face) const {
-    for (const Slot v : tables.faces[face].v)
+  bool is_infinite(TriangleSlot face) const {
+    for (const InputSlot v : tables.faces[face].v)
       if (v == kInfiniteBall) return true;
     return false;
   }
@@ -30,12 +30,12 @@ struct UnionTriangulation {
 /// hold each other before they are scaled.
 template <class Balls, class Points>
 void leave_out_covered(const UnionBalls<Balls, Points>& balls, RegularTables& tables, JobControl& job) {
-  std::vector<bool> left_out;
+  Table<InputSlot, bool> left_out;
   for (bool found = true; found;) {
     found = false;
     for (const auto& edge : tables.edges) {
-      const Slot a = edge.v[0];
-      const Slot b = edge.v[1];
+      const InputSlot a = edge.v[0];
+      const InputSlot b = edge.v[1];
       const bool may_hold = balls.input[a].origin == BallOrigin::disk || balls.input[a].scale != 1.0;
       if (!may_hold || sign_of_edge_radius<Balls>(balls.in_balls[a], balls.in_balls[b]) != 0) continue;
       if (!touch_from_inside<Balls>(balls.in_balls[a], balls.in_balls[b])) continue;
@@ -53,14 +53,14 @@ UnionTriangulation union_triangulation(const UnionBalls<Balls, Points>& balls, J
   RegularTables& tables = out.tables;
   tables = regular_triangulation<Balls>(balls.in_balls, job);
   leave_out_covered(balls, tables, job);
-  out.face_edge.assign(tables.faces.size(), {kNoSlot, kNoSlot, kNoSlot});
+  out.face_edge.assign(tables.faces.size(), {});
   out.some_face.assign(balls.size(), kNoSlot);
-  for (Slot f = 0; f < tables.faces.size(); ++f)
-    for (const Slot v : tables.faces[f].v)
+  for (const TriangleSlot f : tables.faces.rows())
+    for (const InputSlot v : tables.faces[f].v)
       if (v != kInfiniteBall) out.some_face[v] = f;
-  for (Slot e = 0; e < tables.edges.size(); ++e) {
+  for (const RegularEdgeSlot e : tables.edges.rows()) {
     const auto& edge = tables.edges[e];
-    for (const Slot f : edge.f) {
+    for (const TriangleSlot f : edge.f) {
       if (f == kNoSlot) continue;
       const auto& v = tables.faces[f].v;
       for (std::size_t i = 0; i < 3; ++i)
@@ -69,8 +69,8 @@ UnionTriangulation union_triangulation(const UnionBalls<Balls, Points>& balls, J
   }
   if (tables.dimension == 1) {
     out.line_edges.resize(balls.size());
-    for (Slot e = 0; e < tables.edges.size(); ++e)
-      for (const Slot ball : tables.edges[e].v) out.line_edges[ball].push_back(e);
+    for (const RegularEdgeSlot e : tables.edges.rows())
+      for (const InputSlot ball : tables.edges[e].v) out.line_edges[ball].push_back(e);
   }
   return out;
 }

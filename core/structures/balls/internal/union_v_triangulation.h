@@ -14,30 +14,34 @@
 
 namespace mes {
 
-/// Named by rows of v-points. Its edges stand for their duals, the Voronoi edges.
+/// Its edges stand for their duals, the Voronoi edges.
 struct VTriangulation {
   struct EdgeTo {
-    Slot to, edge;
+    VPointSlot to;
+    VEdgeSlot edge;
   };
-  bool is_flat = false;                        ///< all v-points are collinear
-  std::vector<std::array<Slot, 3>> faces;      ///< corners, counter-clockwise
-  std::vector<std::array<Slot, 3>> face_edge;  ///< edge i lies opposite corner i
-  std::vector<VEdge> edges;
-  std::vector<EdgeTo> edges_at;      ///< those at v-point v begin at `edges_begin[v]`
-  std::vector<Slot> edges_begin;     ///< by v-point, and one more
-  std::int64_t near_duplicates = 0;  ///< see `UnionCounts`
+  bool is_flat = false;                                  ///< all v-points are collinear
+  Table<VFaceSlot, std::array<VPointSlot, 3>> faces;     ///< corners, counter-clockwise
+  Table<VFaceSlot, std::array<VEdgeSlot, 3>> face_edge;  ///< edge i lies opposite corner i
+  Table<VEdgeSlot, VEdge> edges;
+  std::vector<EdgeTo> edges_at;            ///< those at a v-point begin at `begin_at` of it
+  std::vector<std::uint32_t> edges_begin;  ///< by v-point, and one more
+  std::int64_t near_duplicates = 0;        ///< see `UnionCounts`
 
   /// O(smaller degree); kNoSlot = the two are not joined.
-  Slot edge_between(Slot from, Slot to) const {
-    const auto degree = [this](Slot v) { return edges_begin[v + 1] - edges_begin[v]; };
+  VEdgeSlot edge_between(VPointSlot from, VPointSlot to) const {
+    const auto degree = [this](VPointSlot v) { return end_at(v) - begin_at(v); };
     if (degree(to) < degree(from)) std::swap(from, to);
-    for (Slot i = edges_begin[from]; i < edges_begin[from + 1]; ++i)
+    for (std::uint32_t i = begin_at(from); i < end_at(from); ++i)
       if (edges_at[i].to == to) return edges_at[i].edge;
     return kNoSlot;
   }
+  std::uint32_t begin_at(VPointSlot v) const { return edges_begin[v.index()]; }
+  std::uint32_t end_at(VPointSlot v) const { return edges_begin[v.index() + std::size_t{1}]; }
 };
 
-inline std::int64_t count_near_duplicates(const std::vector<VEdge>& edges, const std::vector<Vec2>& position) {
+inline std::int64_t count_near_duplicates(const Table<VEdgeSlot, VEdge>& edges,
+                                          const Table<VPointSlot, Vec2>& position) {
   const auto square_of = [&position](const VEdge& edge) {
     const Vec2 d = position[edge.v[1]] - position[edge.v[0]];
     return dot(d, d);
@@ -60,14 +64,15 @@ inline std::int64_t count_near_duplicates(const std::vector<VEdge>& edges, const
 inline void list_edges_at_points(std::size_t points, VTriangulation& out) {
   out.edges_begin.assign(points + 1, 0);
   for (const VEdge& edge : out.edges)
-    for (const Slot v : edge.v) ++out.edges_begin[v];
-  Slot end = 0;
-  for (Slot& begin : out.edges_begin) begin = end += begin;
+    for (const VPointSlot v : edge.v) ++out.edges_begin[v.index()];
+  std::uint32_t end = 0;
+  for (std::uint32_t& begin : out.edges_begin) begin = end += begin;
   out.edges_at.resize(end);
-  for (Slot e = static_cast<Slot>(out.edges.size()); e-- > 0;) {
+  for (std::size_t i = out.edges.size(); i-- > 0;) {
+    const VEdgeSlot e(i);
     const auto& v = out.edges[e].v;
-    out.edges_at[--out.edges_begin[v[0]]] = {v[1], e};
-    out.edges_at[--out.edges_begin[v[1]]] = {v[0], e};
+    out.edges_at[--out.edges_begin[v[0].index()]] = {v[1], e};
+    out.edges_at[--out.edges_begin[v[1].index()]] = {v[0], e};
   }
 }
 
@@ -81,18 +86,20 @@ VTriangulation v_triangulation(const VPoints<Points>& points) {
   out.face_edge.resize(faces.size());
   out.edges.reserve(3 * points.rows.size());
   for (const auto& [from, to] : points.triangulation.line) out.edges.push_back({{row[from], row[to]}});
-  for (Slot f = 0; f < faces.size(); ++f) {
+  for (const TriangleSlot triangle : faces.rows()) {
+    const auto f = same_row<VFaceSlot>(triangle);
     auto& v = out.faces[f];
-    for (std::size_t i = 0; i < 3; ++i) v[i] = row[faces[f].v[i]];
+    for (std::size_t i = 0; i < 3; ++i) v[i] = row[faces[triangle].v[i]];
     for (std::size_t i = 0; i < 3; ++i) {
-      const Slot g = faces[f].n[i];
-      if (g < f) continue;
-      const auto edge = static_cast<Slot>(out.edges.size());
+      const TriangleSlot beyond = faces[triangle].n[i];
+      if (beyond < triangle) continue;
+      const auto g = same_row<VFaceSlot>(beyond);
+      const VEdgeSlot edge = out.edges.next();
       out.edges.push_back({{v[(i + 1) % 3], v[(i + 2) % 3]}, {f, g}});
       out.face_edge[f][i] = edge;
       if (g == kNoSlot) continue;
-      const auto& n = faces[g].n;
-      out.face_edge[g][n[0] == f ? 0 : (n[1] == f ? 1 : 2)] = edge;
+      const auto& n = faces[beyond].n;
+      out.face_edge[g][n[0] == triangle ? 0 : (n[1] == triangle ? 1 : 2)] = edge;
     }
   }
   out.near_duplicates = count_near_duplicates(out.edges, points.local);

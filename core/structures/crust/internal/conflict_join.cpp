@@ -2,7 +2,6 @@
 #include "core/structures/crust/internal/conflict_join.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/disjoint_sets.h"
 
@@ -10,7 +9,7 @@ namespace mes {
 
 namespace {
 
-std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, Slot edge) {
+std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
   const Vec2 a = delaunay.site_position(delaunay.edge(edge).v[0]);
   const Vec2 b = delaunay.site_position(delaunay.edge(edge).v[1]);
   return lexicographically_less(b, a) ? std::pair(b, a) : std::pair(a, b);
@@ -19,7 +18,7 @@ std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, Slot edge) {
 }  // namespace
 
 // A strict total order on edges that depends on the sites' positions only.
-bool ConflictJoin::is_surer(const Candidate& a, const Candidate& b) const {
+bool ConflictJoin::is_surer(const Rank& a, const Rank& b) const {
   if (a.edge == b.edge) return false;
   if (a.mends != b.mends) return b.mends;
   int order = 0;
@@ -39,8 +38,8 @@ bool ConflictJoin::is_surer(const Candidate& a, const Candidate& b) const {
 }
 
 // Contradicting the edge brings both of its ends, which are odd, to degree two or nearer to it.
-bool ConflictJoin::mends_both_ends(Slot edge) const {
-  const Slot* end = delaunay_.edge(edge).v;
+bool ConflictJoin::mends_both_ends(EdgeSlot edge) const {
+  const SiteSlot* end = delaunay_.edge(edge).v;
   if (!crust_.is_odd(end[0]) || !crust_.is_odd(end[1])) return false;
   // Which diagonals cocircular sites have is chance, and their triangles are one ball: never between different
   // labels.
@@ -49,23 +48,23 @@ bool ConflictJoin::mends_both_ends(Slot edge) const {
   return crust_.degree(end[0]) == 1 && crust_.degree(end[1]) == 1;
 }
 
-void ConflictJoin::push_edges_of(Slot site, Slot position) {
-  delaunay_.for_each_edge_at(site, [&](Slot edge, Slot other, Slot) {
+void ConflictJoin::push_edges_of(SiteSlot site, TreeSlot position) {
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
     if (grown_.contains(other)) return;
-    heap_.push_back(candidate(edge, other, position));
+    heap_.push_back({rank_of(edge), other, position});
     std::ranges::push_heap(heap_, [this](const Candidate& a, const Candidate& b) { return is_surer(a, b); });
   });
 }
 
-void ConflictJoin::grow(Slot seed, JobControl& job) {
+void ConflictJoin::grow(SiteSlot seed, JobControl& job) {
   grown_.begin(delaunay_.site_rows());
   heap_.clear();
   tree_.clear();
-  tree_.push_back({0.0, kNoSlot, seed, kNoSlot, false});
+  tree_.push_back({{0.0, EdgeSlot(), false}, seed, TreeSlot()});
   grown_.insert(seed);
-  push_edges_of(seed, 0);
+  push_edges_of(seed, TreeSlot(0));
   std::size_t odd = 1;
-  Candidate surest = tree_.front();
+  Rank surest = tree_.back();
   const auto by_certainty = [this](const Candidate& a, const Candidate& b) { return is_surer(a, b); };
   for (;;) {
     while (!heap_.empty() && grown_.contains(heap_.front().site)) {
@@ -80,36 +79,38 @@ void ConflictJoin::grow(Slot seed, JobControl& job) {
     if (surest.edge == kNoSlot || is_surer(next, surest)) surest = next;
     grown_.insert(next.site);
     odd += crust_.is_odd(next.site) ? 1U : 0U;
+    const TreeSlot position = tree_.next();
     tree_.push_back(next);
     if ((tree_.size() & 1023U) == 0) job.checkpoint();
-    push_edges_of(next.site, static_cast<Slot>(tree_.size() - 1));
+    push_edges_of(next.site, position);
   }
   MES_ASSERT((odd & 1U) == 0);
   grown_sites_ += tree_.size();
 
   // Pairs come of the order of the edges, not of the order of growing.
-  order_.resize(tree_.size() - 1);
-  std::iota(order_.begin(), order_.end(), Slot{1});
-  std::ranges::sort(order_, [this](Slot a, Slot b) { return is_surer(tree_[b], tree_[a]); });
+  order_.clear();
+  for (const TreeSlot i : slots_between<TreeSlot>(1, tree_.size())) order_.push_back(i);
+  std::ranges::sort(order_, [this](TreeSlot a, TreeSlot b) { return is_surer(tree_[b], tree_[a]); });
   edges_.clear();
-  for (const Slot i : order_) edges_.push_back({tree_[i].edge, i, tree_[i].from});
-  std::vector<Slot> sites;
+  for (const TreeSlot i : order_) edges_.push_back({tree_[i].edge, i, tree_[i].from});
+  std::vector<SiteSlot> sites;
   sites.reserve(tree_.size());
   for (const Candidate& step : tree_) sites.push_back(step.site);
   add_cluster(std::move(sites));
 }
 
-void ConflictJoin::add_cluster(std::vector<Slot> sites) {
-  const Slot id = next_cluster_++;
+void ConflictJoin::add_cluster(std::vector<SiteSlot> sites) {
+  const ClusterId id = next_cluster_;
+  ++next_cluster_.value;
   odd_.clear();
-  for (const Slot site : sites) {
-    if (cluster_of_[site] != kNoSlot) dissolve(cluster_of_[site]);
+  for (const SiteSlot site : sites) {
+    if (cluster_of_[site].is_valid()) dissolve(cluster_of_[site]);
     odd_.push_back(crust_.is_odd(site) ? 1 : 0);
   }
-  for (const Slot site : sites) cluster_of_[site] = id;
+  for (const SiteSlot site : sites) cluster_of_[site] = id;
   Cluster& cluster = clusters_[id];
   for (TreePair& way : tree_pairs_.find(edges_, odd_)) {
-    Slot number = static_cast<Slot>(pairs_.size());
+    PairSlot number = pairs_.next();
     if (free_pairs_.empty()) {
       pairs_.emplace_back();
     } else {
@@ -118,21 +119,22 @@ void ConflictJoin::add_cluster(std::vector<Slot> sites) {
       pairs_[number] = Pair{};
     }
     Pair& pair = pairs_[number];
-    pair.way = std::move(way);
-    pair.way.a = sites[pair.way.a];
-    pair.way.b = sites[pair.way.b];
+    pair.a = sites[way.a.index()];
+    pair.b = sites[way.b.index()];
+    pair.component = way.component;
+    pair.path = std::move(way.path);
     cluster.pairs.push_back(number);
     unsettled_.push_back(number);
   }
   cluster.sites = std::move(sites);
 }
 
-void ConflictJoin::dissolve(Slot id) {
+void ConflictJoin::dissolve(ClusterId id) {
   const auto found = clusters_.find(id);
   if (found == clusters_.end()) return;
-  for (const Slot site : found->second.sites)
-    if (cluster_of_[site] == id) cluster_of_[site] = kNoSlot;
-  for (const Slot number : found->second.pairs) {
+  for (const SiteSlot site : found->second.sites)
+    if (cluster_of_[site] == id) cluster_of_[site] = ClusterId();
+  for (const PairSlot number : found->second.pairs) {
     unsettle(number);
     pairs_[number].is_alive = false;
     free_pairs_.push_back(number);
@@ -140,7 +142,7 @@ void ConflictJoin::dissolve(Slot id) {
   clusters_.erase(found);
 }
 
-void ConflictJoin::contradict(Slot edge, bool is_near) {
+void ConflictJoin::contradict(EdgeSlot edge, bool is_near) {
   if (noted_marks_.insert(edge)) noted_.push_back({edge, state_[edge]});
   state_[edge] ^= is_near ? kConflict | kContradictedByNear : kConflict;
   if ((state_[edge] & kConflict) != 0) {
@@ -151,18 +153,18 @@ void ConflictJoin::contradict(Slot edge, bool is_near) {
 }
 
 void ConflictJoin::contradict_all(const Pair& pair) {
-  for (const Slot edge : pair.contradicted()) contradict(edge, pair.is_near());
+  for (const EdgeSlot edge : pair.contradicted()) contradict(edge, pair.is_near());
 }
 
-void ConflictJoin::walk_from(Pair& pair, Slot number) {
+void ConflictJoin::walk_from(Pair& pair, PairSlot number) {
   const bool near = pair.is_near();
-  Slot site = pair.way.a;
-  Slot last = kNoSlot;
+  SiteSlot site = pair.a;
+  EdgeSlot last = kNoSlot;
   for (;;) {
     int edges_here = 0;
-    Slot next_edge = kNoSlot;
-    Slot next_site = kNoSlot;
-    delaunay_.for_each_edge_at(site, [&](Slot edge, Slot other, Slot) {
+    EdgeSlot next_edge = kNoSlot;
+    SiteSlot next_site = kNoSlot;
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
       if (crust_.is_crust(edge) == (!near && (state_[edge] & kContradictedByNear) != 0)) return;
       ++edges_here;
       if (edge == last) return;
@@ -173,16 +175,16 @@ void ConflictJoin::walk_from(Pair& pair, Slot number) {
     if (!is_first && edges_here != 2) {
       pair.stop = site;
       walks_of(pair).stopped.emplace(site, number);
-      if (site == pair.way.b && edges_here == 1) return;
+      if (site == pair.b && edges_here == 1) return;
       break;
     }
     pair.walk.push_back(site);
     auto& both = walks_of(pair).through[site];
-    Slot& free = both[both[0] == kNoSlot ? 0 : 1];
+    PairSlot& free = both[both[0] == kNoSlot ? 0 : 1];
     MES_ASSERT(free == kNoSlot);
     free = number;
     if (is_first && edges_here != 1) break;
-    if (pair.walk.size() + 1 >= kStrokeSites * pair.way.component) break;
+    if (pair.walk.size() + 1 >= kStrokeSites * pair.component) break;
     pair.stroke.push_back(next_edge);
     site = next_site;
     last = next_edge;
@@ -190,18 +192,18 @@ void ConflictJoin::walk_from(Pair& pair, Slot number) {
   pair.stroke.clear();
 }
 
-void ConflictJoin::settle(Slot number) {
+void ConflictJoin::settle(PairSlot number) {
   Pair& pair = pairs_[number];
-  if (pair.way.path.size() > 2) walk_from(pair, number);
+  if (pair.path.size() > 2) walk_from(pair, number);
   contradict_all(pair);
   pair.is_settled = true;
 }
 
-void ConflictJoin::unsettle(Slot number) {
+void ConflictJoin::unsettle(PairSlot number) {
   Pair& pair = pairs_[number];
   if (!pair.is_settled) return;
   contradict_all(pair);
-  for (const Slot site : pair.walk) {
+  for (const SiteSlot site : pair.walk) {
     auto& both = walks_of(pair).through[site];
     both[both[0] == number ? 0 : 1] = kNoSlot;
   }
@@ -217,8 +219,8 @@ void ConflictJoin::unsettle(Slot number) {
   unsettled_.push_back(number);
 }
 
-void ConflictJoin::unsettle_walks(Walks& walks, Slot site) {
-  for (const Slot number : walks.through[site])
+void ConflictJoin::unsettle_walks(Walks& walks, SiteSlot site) {
+  for (const PairSlot number : walks.through[site])
     if (number != kNoSlot) unsettle(number);
   for (auto stop = walks.stopped.find(site); stop != walks.stopped.end(); stop = walks.stopped.find(site))
     unsettle(stop->second);
@@ -237,7 +239,7 @@ void ConflictJoin::settle_all(JobControl& job) {
   for (std::size_t i = 0; i < noted_.size(); ++i) {
     const EdgeRow& row = delaunay_.edge(noted_[i].edge);
     if (row.is_alive() && ((state_[noted_[i].edge] ^ noted_[i].before) & kContradictedByNear) != 0)
-      for (const Slot end : row.v) unsettle_walks(far_walks_, end);
+      for (const SiteSlot end : row.v) unsettle_walks(far_walks_, end);
   }
   settle_those(false);
   unsettled_.clear();
@@ -258,8 +260,8 @@ void ConflictJoin::rebuild(JobControl& job) {
   clear();
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
   begin();
-  for (Slot site = 0; site < delaunay_.site_rows(); ++site) {
-    if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;
+  for (const SiteSlot site : delaunay_.site_slots()) {
+    if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site].is_valid()) continue;
     grow(site, job);
     if (!is_too_much()) continue;
     join_all(job);
@@ -270,8 +272,8 @@ void ConflictJoin::rebuild(JobControl& job) {
 
 void ConflictJoin::make_room() {
   state_.resize(delaunay_.edge_rows(), 0);
-  cluster_of_.resize(delaunay_.site_rows(), kNoSlot);
-  for (Walks* walks : {&near_walks_, &far_walks_}) walks->through.resize(delaunay_.site_rows(), {kNoSlot, kNoSlot});
+  cluster_of_.resize(delaunay_.site_rows());
+  for (Walks* walks : {&near_walks_, &far_walks_}) walks->through.resize(delaunay_.site_rows());
 }
 
 void ConflictJoin::begin() {
@@ -283,79 +285,82 @@ void ConflictJoin::begin() {
 
 void ConflictJoin::join_all(JobControl& job) {
   // Kruskal, remembering the order of merging as a binary forest: leaves are sites, inner nodes merges.
-  std::vector<Candidate> edges;
+  std::vector<Rank> edges;
   edges.reserve(delaunay_.edge_rows());
-  for (Slot edge = 0; edge < delaunay_.edge_rows(); ++edge) {
-    if ((edge & 0xffffU) == 0) job.checkpoint();
-    const EdgeRow& row = delaunay_.edge(edge);
-    if (row.is_alive()) edges.push_back(candidate(edge, row.v[1], row.v[0]));
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if ((edge.index() & 0xffffU) == 0) job.checkpoint();
+    if (delaunay_.edge(edge).is_alive()) edges.push_back(rank_of(edge));
   }
-  std::ranges::sort(edges, [this](const Candidate& a, const Candidate& b) { return is_surer(b, a); });
+  std::ranges::sort(edges, [this](const Rank& a, const Rank& b) { return is_surer(b, a); });
   job.checkpoint();
 
+  // Of the forest: the sites in their order, then the merges in theirs.
+  using Node = Slot<struct ForestTag>;
   struct Merge {
-    Slot left, right;  ///< below `sites`: a site, otherwise sites + number of an earlier merge
-    bool closes;       ///< two odd components made an even one
+    Node left, right;
+    EdgeSlot edge;
+    bool closes;  ///< two odd components made an even one
   };
-  const auto sites = static_cast<Slot>(delaunay_.site_rows());
-  DisjointSets joined(sites);
-  std::vector<Slot> node(sites);  // of the component, by root
-  std::vector<std::uint8_t> odd(sites);
-  for (Slot site = 0; site < sites; ++site) {
-    node[site] = site;
+  const std::size_t sites = delaunay_.site_rows();
+  DisjointSets<SiteSlot> joined(sites);
+  Table<SiteSlot, Node> node(sites);  // of the component, by root
+  Table<SiteSlot, std::uint8_t> odd(sites);
+  for (const SiteSlot site : delaunay_.site_slots()) {
+    node[site] = same_row<Node>(site);
     odd[site] = delaunay_.is_site(site) && crust_.is_odd(site) ? 1 : 0;
   }
   std::vector<Merge> merges;
-  std::vector<Slot> tree;  // edge of each merge
   merges.reserve(sites);
-  tree.reserve(sites);
-  for (const Candidate& edge : edges) {
-    const Slot a = joined.root(edge.site);
-    const Slot b = joined.root(edge.from);
+  for (const Rank& edge : edges) {
+    const EdgeRow& row = delaunay_.edge(edge.edge);
+    const SiteSlot a = joined.root(row.v[1]);
+    const SiteSlot b = joined.root(row.v[0]);
     if (a == b) continue;
-    merges.push_back({node[a], node[b], odd[a] != 0 && odd[b] != 0});
-    tree.push_back(edge.edge);
     const auto odd_of_both = static_cast<std::uint8_t>(odd[a] ^ odd[b]);
-    const Slot both = joined.join(a, b);
+    const Node merge(sites + merges.size());
+    merges.push_back({node[a], node[b], edge.edge, odd[a] != 0 && odd[b] != 0});
+    const SiteSlot both = joined.join(a, b);
     odd[both] = odd_of_both;
-    node[both] = sites + static_cast<Slot>(merges.size() - 1);
+    node[both] = merge;
   }
   job.checkpoint();
 
   // The clusters: the outermost merges that close.
-  for (Slot edge = 0; edge < state_.size(); ++edge) {
+  for (const EdgeSlot edge : state_.rows()) {
     if (state_[edge] != 0 && noted_marks_.insert(edge)) noted_.push_back({edge, state_[edge]});
   }
   clear();
   make_room();
   std::vector<std::uint8_t> covered(merges.size(), 0);
-  std::vector<Slot> position(sites, kNoSlot);
-  std::vector<Slot> stack;
+  Table<SiteSlot, TreeSlot> position(sites);
+  std::vector<Node> stack;
+  std::vector<std::size_t> inside;  // merges of a cluster
   for (std::size_t m = merges.size(); m-- > 0;) {
-    const auto pass_on = [&](Slot child) {
-      if (child >= sites) covered[child - sites] = 1;
+    const auto pass_on = [&](Node child) {
+      if (child.index() >= sites) covered[child.index() - sites] = 1;
     };
     if (covered[m] == 0 && merges[m].closes) {
-      std::vector<Slot> members;
-      order_.clear();
-      stack.assign(1, sites + static_cast<Slot>(m));
+      std::vector<SiteSlot> members;
+      inside.clear();
+      stack.assign(1, Node(sites + m));
       while (!stack.empty()) {
-        const Slot at = stack.back();
+        const Node at = stack.back();
         stack.pop_back();
-        if (at < sites) {
-          position[at] = static_cast<Slot>(members.size());
-          members.push_back(at);
+        if (at.index() < sites) {
+          position[same_row<SiteSlot>(at)] = TreeSlot(members.size());
+          members.push_back(same_row<SiteSlot>(at));
           continue;
         }
-        order_.push_back(at - sites);
-        stack.push_back(merges[at - sites].left);
-        stack.push_back(merges[at - sites].right);
+        const std::size_t merge = at.index() - sites;
+        inside.push_back(merge);
+        stack.push_back(merges[merge].left);
+        stack.push_back(merges[merge].right);
       }
-      std::ranges::sort(order_);
+      std::ranges::sort(inside);
       edges_.clear();
-      for (const Slot i : order_) {
-        const EdgeRow& row = delaunay_.edge(tree[i]);
-        edges_.push_back({tree[i], position[row.v[0]], position[row.v[1]]});
+      for (const std::size_t i : inside) {
+        const EdgeRow& row = delaunay_.edge(merges[i].edge);
+        edges_.push_back({merges[i].edge, position[row.v[0]], position[row.v[1]]});
       }
       add_cluster(std::move(members));
       covered[m] = 1;
@@ -366,32 +371,32 @@ void ConflictJoin::join_all(JobControl& job) {
   }
 }
 
-void ConflictJoin::update(JobControl& job, std::vector<Slot>& changed_edges) {
+void ConflictJoin::update(JobControl& job, std::vector<EdgeSlot>& changed_edges) {
   changed_edges.clear();
   if (crust_.odd_count() == 0 && clusters_.empty()) return;
   begin();
   seeds_.clear();
-  const auto touch = [this](Slot site) {
+  const auto touch = [this](SiteSlot site) {
     unsettle_walks(near_walks_, site);
     unsettle_walks(far_walks_, site);
-    const Slot id = cluster_of_[site];
-    if (id == kNoSlot) return;
+    const ClusterId id = cluster_of_[site];
+    if (!id.is_valid()) return;
     const Cluster& cluster = clusters_.at(id);
     seeds_.insert(seeds_.end(), cluster.sites.begin(), cluster.sites.end());
     dissolve(id);
   };
-  const ChangeSet& sites = crust_.site_changes();
-  for (const Slot site : sites.removed) touch(site);
-  for (const Slot site : sites.touched) touch(site);
-  for (const Slot edge : delaunay_.edge_changes().touched)
-    for (const Slot site : delaunay_.edge(edge).v) touch(site);
+  const ChangeSet<SiteSlot>& sites = crust_.site_changes();
+  for (const SiteSlot site : sites.removed) touch(site);
+  for (const SiteSlot site : sites.touched) touch(site);
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched)
+    for (const SiteSlot site : delaunay_.edge(edge).v) touch(site);
   // What an edge mends depends on the degrees at both of its ends.
-  for (const Slot site : crust_.degree_changes())
-    delaunay_.for_each_edge_at(site, [&](Slot, Slot other, Slot) { touch(other); });
+  for (const SiteSlot site : crust_.degree_changes())
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
   seeds_.insert(seeds_.end(), crust_.degree_changes().begin(), crust_.degree_changes().end());
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
-    const Slot site = seeds_[i];
-    if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site] != kNoSlot) continue;
+    const SiteSlot site = seeds_[i];
+    if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site].is_valid()) continue;
     grow(site, job);
     if (!is_too_much()) continue;
     join_all(job);

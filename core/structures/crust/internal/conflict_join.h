@@ -56,7 +56,7 @@ class ConflictJoin {
  public:
   explicit ConflictJoin(const Delaunay& delaunay, const OneStepCrust& crust) : delaunay_(delaunay), crust_(crust) {}
 
-  bool is_conflict(Slot edge) const { return edge < state_.size() && (state_[edge] & kConflict) != 0; }
+  bool is_conflict(EdgeSlot edge) const { return state_.has(edge) && (state_[edge] & kConflict) != 0; }
   std::size_t conflict_count() const { return conflict_count_; }
   std::size_t stroke_count() const;
   std::size_t cluster_count() const { return clusters_.size(); }
@@ -65,7 +65,7 @@ class ConflictJoin {
   void rebuild(JobControl& job);
   /// Follows the crust's and the triangulation's change sets. `changed_edges` receives live edges whose conflict bit
   /// changed.
-  void update(JobControl& job, std::vector<Slot>& changed_edges);
+  void update(JobControl& job, std::vector<EdgeSlot>& changed_edges);
 
  private:
   /// 8 to 32 do about as well on outlines: less, and the defects of a jittery stroke keep it from being one; more,
@@ -77,55 +77,60 @@ class ConflictJoin {
   static constexpr std::uint8_t kConflict = 1;
   static constexpr std::uint8_t kContradictedByNear = 2;
 
+  using PairSlot = Slot<struct PairTag>;
+  using ClusterId = Id<struct ClusterTag>;
   struct Pair {
-    TreePair way;
-    std::vector<Slot> walk;    ///< sites met along the curve from `way.a`, without that where it stopped
-    Slot stop = kNoSlot;       ///< site with other than two edges that ended the walk
-    std::vector<Slot> stroke;  ///< edges of the open stroke that the pair is; empty when it is none
+    SiteSlot a, b;
+    std::size_t component = 0;     ///< sites of the component in which they found each other
+    std::vector<EdgeSlot> path;    ///< the way between them in the tree, in no order
+    std::vector<SiteSlot> walk;    ///< sites met along the curve from `a`, without that where it stopped
+    SiteSlot stop;                 ///< site with other than two edges that ended the walk
+    std::vector<EdgeSlot> stroke;  ///< edges of the open stroke that the pair is; empty when it is none
     bool is_settled = false;
     bool is_alive = true;
-    bool is_near() const { return way.component <= kNear; }
-    const std::vector<Slot>& contradicted() const { return stroke.empty() ? way.path : stroke; }
+    bool is_near() const { return component <= kNear; }
+    const std::vector<EdgeSlot>& contradicted() const { return stroke.empty() ? path : stroke; }
   };
   struct Cluster {
-    std::vector<Slot> sites;
-    std::vector<Slot> pairs;
+    std::vector<SiteSlot> sites;
+    std::vector<PairSlot> pairs;
   };
   /// Which pairs' walks a site has part in.
   struct Walks {
-    /// By site; a stretch of curve is walked from its two ends at most.
-    std::vector<std::array<Slot, 2>> through;
-    std::unordered_multimap<Slot, Slot> stopped;
+    /// A stretch of curve is walked from its two ends at most.
+    Table<SiteSlot, std::array<PairSlot, 2>> through;
+    std::unordered_multimap<SiteSlot, PairSlot> stopped;
   };
-  struct Candidate {
+  /// An edge and what decides its place in the order.
+  struct Rank {
     double key;
-    Slot edge;
-    Slot site;  ///< the end that is reached through the edge
-    Slot from;  ///< position of the other end in the growing cluster
+    EdgeSlot edge;
     bool mends;
   };
+  struct Candidate : Rank {
+    SiteSlot site;  ///< the end that is reached through the edge
+    TreeSlot from;  ///< the other end, in the growing cluster
+  };
 
-  bool mends_both_ends(Slot edge) const;
-  Candidate candidate(Slot edge, Slot site, Slot from) const {
-    return {ambiguity_key(crust_.corners(edge)), edge, site, from, mends_both_ends(edge)};
-  }
-  bool is_surer(const Candidate& a, const Candidate& b) const;
-  void push_edges_of(Slot site, Slot position);
-  void grow(Slot seed, JobControl& job);
+  bool mends_both_ends(EdgeSlot edge) const;
+  Rank rank_of(EdgeSlot edge) const { return {ambiguity_key(crust_.corners(edge)), edge, mends_both_ends(edge)}; }
+  bool is_surer(const Rank& a, const Rank& b) const;
+  void push_edges_of(SiteSlot site, TreeSlot position);
+  void grow(SiteSlot seed, JobControl& job);
   /// All clusters at once; replaces what there is.
   void join_all(JobControl& job);
   bool is_too_much() const { return grown_sites_ > 64 + delaunay_.site_count() / 4; }
-  /// Makes a cluster of `sites` and of `edges_`, which names them by their positions.
-  void add_cluster(std::vector<Slot> sites);
-  void dissolve(Slot cluster);
+  /// Makes a cluster of `sites` and of the tree `edges_` between them.
+  void add_cluster(std::vector<SiteSlot> sites);
+  void dissolve(ClusterId id);
 
-  void contradict(Slot edge, bool is_near);
+  void contradict(EdgeSlot edge, bool is_near);
   void contradict_all(const Pair& pair);
-  void walk_from(Pair& pair, Slot number);
-  void settle(Slot number);
-  void unsettle(Slot number);
+  void walk_from(Pair& pair, PairSlot number);
+  void settle(PairSlot number);
+  void unsettle(PairSlot number);
   /// Unsettles the pairs whose walks met the site or stopped at it.
-  void unsettle_walks(Walks& walks, Slot site);
+  void unsettle_walks(Walks& walks, SiteSlot site);
   Walks& walks_of(const Pair& pair) { return pair.is_near() ? near_walks_ : far_walks_; }
   void settle_all(JobControl& job);
   void clear();
@@ -134,32 +139,32 @@ class ConflictJoin {
 
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
-  std::vector<std::uint8_t> state_;  ///< by edge
+  Table<EdgeSlot, std::uint8_t> state_;
   std::size_t conflict_count_ = 0;
-  std::unordered_map<Slot, Cluster> clusters_;
-  Slot next_cluster_ = 0;
-  std::vector<Slot> cluster_of_;  ///< by site; sized when the first odd site appears
-  std::vector<Pair> pairs_;
-  std::vector<Slot> free_pairs_;
-  std::vector<Slot> unsettled_;
+  std::unordered_map<ClusterId, Cluster> clusters_;
+  ClusterId next_cluster_{0};
+  Table<SiteSlot, ClusterId> cluster_of_;  ///< sized when the first odd site appears
+  Table<PairSlot, Pair> pairs_;
+  std::vector<PairSlot> free_pairs_;
+  std::vector<PairSlot> unsettled_;
   Walks near_walks_;
   Walks far_walks_;
 
   // Work space.
   std::size_t grown_sites_ = 0;  ///< in this call, over all growths
-  SlotMarks grown_;
+  SlotMarks<SiteSlot> grown_;
   std::vector<Candidate> heap_;
-  std::vector<Candidate> tree_;
-  std::vector<Slot> order_;
+  Table<TreeSlot, Candidate> tree_;
+  std::vector<TreeSlot> order_;
   TreePairs tree_pairs_;
   std::vector<TreePairs::Edge> edges_;
-  std::vector<std::uint8_t> odd_;
-  std::vector<Slot> seeds_;
+  Table<TreeSlot, std::uint8_t> odd_;
+  std::vector<SiteSlot> seeds_;
   struct Noted {
-    Slot edge;
+    EdgeSlot edge;
     std::uint8_t before;
   };
-  SlotMarks noted_marks_;
+  SlotMarks<EdgeSlot> noted_marks_;
   std::vector<Noted> noted_;
 };
 

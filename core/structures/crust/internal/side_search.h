@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/job_control.h"
-#include "core/base/slot.h"
+#include "core/structures/delaunay/delaunay.h"
 
 namespace mes {
 
@@ -23,13 +23,13 @@ class SideSearch {
   /// `is_infinite(face)` tells faces at infinity. `turn(face)` is called once for every face to be turned over.
   /// False when the demands contradict each other; nothing has been turned then.
   template <class ForEachOpenNeighbour, class IsInfinite, class Turn>
-  bool run(const std::vector<std::pair<Slot, Slot>>& violated, ForEachOpenNeighbour for_each_open_neighbour,
+  bool run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated, ForEachOpenNeighbour for_each_open_neighbour,
            IsInfinite is_infinite, Turn turn, JobControl& job);
 
  private:
   struct Front {
     std::uint32_t parent = 0;
-    std::vector<Slot> faces;  // reached; those from `next` on are still to be left
+    std::vector<FaceSlot> faces;  // reached; those from `next` on are still to be left
     std::size_t next = 0;
     bool anchored = false;  // holds a face at infinity
     bool is_exhausted() const { return next == faces.size(); }
@@ -41,7 +41,7 @@ class SideSearch {
     }
     return front;
   }
-  std::uint32_t start(Slot face) {
+  std::uint32_t start(FaceSlot face) {
     const auto [entry, is_new] = front_of_.try_emplace(face, static_cast<std::uint32_t>(fronts_.size()));
     if (is_new) {
       fronts_.push_back({});
@@ -69,12 +69,13 @@ class SideSearch {
   }
 
   std::vector<Front> fronts_;
-  std::unordered_map<Slot, std::uint32_t> front_of_;
+  std::unordered_map<FaceSlot, std::uint32_t> front_of_;
 };
 
 template <class ForEachOpenNeighbour, class IsInfinite, class Turn>
-bool SideSearch::run(const std::vector<std::pair<Slot, Slot>>& violated, ForEachOpenNeighbour for_each_open_neighbour,
-                     IsInfinite is_infinite, Turn turn, JobControl& job) {
+bool SideSearch::run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated,
+                     ForEachOpenNeighbour for_each_open_neighbour, IsInfinite is_infinite, Turn turn,
+                     JobControl& job) {
   fronts_.clear();
   front_of_.clear();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> demands;
@@ -93,9 +94,9 @@ bool SideSearch::run(const std::vector<std::pair<Slot, Slot>>& violated, ForEach
       std::uint32_t self = open[k];
       if (fronts_[self].parent != self || fronts_[self].is_exhausted()) continue;
       if ((++steps & 4095U) == 0) job.checkpoint();
-      const Slot face = fronts_[self].faces[fronts_[self].next++];
+      const FaceSlot face = fronts_[self].faces[fronts_[self].next++];
       fronts_[self].anchored = fronts_[self].anchored || is_infinite(face);
-      for_each_open_neighbour(face, [&](Slot neighbour) {
+      for_each_open_neighbour(face, [&](FaceSlot neighbour) {
         const auto [entry, is_new] = front_of_.try_emplace(neighbour, self);
         if (is_new) {
           fronts_[self].faces.push_back(neighbour);
@@ -160,16 +161,16 @@ bool SideSearch::run(const std::vector<std::pair<Slot, Slot>>& violated, ForEach
     // The one region that is not known whole may have to be turned as well: then its rest is searched now.
     while (!fronts_[f].is_exhausted()) {
       if ((++steps & 4095U) == 0) job.checkpoint();
-      const Slot face = fronts_[f].faces[fronts_[f].next++];
+      const FaceSlot face = fronts_[f].faces[fronts_[f].next++];
       if (is_infinite(face)) return false;
-      for_each_open_neighbour(face, [&](Slot neighbour) {
+      for_each_open_neighbour(face, [&](FaceSlot neighbour) {
         if (front_of_.try_emplace(neighbour, f).second) fronts_[f].faces.push_back(neighbour);
       });
     }
   }
   for (std::uint32_t f = 0; f < fronts_.size(); ++f) {
     if (root(f) != f || colour[f] != 1) continue;
-    for (const Slot face : fronts_[f].faces) turn(face);
+    for (const FaceSlot face : fronts_[f].faces) turn(face);
   }
   return true;
 }

@@ -21,8 +21,9 @@
 namespace mes {
 
 /// Row of a CGAL vertex or face; new ones have none.
+template <class Row>
 struct RowTag {
-  Slot slot = kNoSlot;
+  Row slot;
 };
 
 class Delaunay::MirrorBase {
@@ -30,11 +31,11 @@ class Delaunay::MirrorBase {
   virtual ~MirrorBase() = default;
   virtual void clear() = 0;
   /// Triangulates the samples and fills the tables.
-  virtual void build(std::vector<Slot> samples, JobControl& job) = 0;
+  virtual void build(std::vector<SampleSlot> samples, JobControl& job) = 0;
   // Local edits in dimension 2; false when the dimension drops and the tables must be rebuilt.
-  virtual bool insert(Slot sample, Vec2 position) = 0;
-  virtual bool remove(Slot sample) = 0;
-  virtual bool move(Slot sample, Vec2 position) = 0;
+  virtual bool insert(SampleSlot sample, Vec2 position) = 0;
+  virtual bool remove(SampleSlot sample) = 0;
+  virtual bool move(SampleSlot sample, Vec2 position) = 0;
 };
 
 /// The central step is `mirror_zone`: given the CGAL faces that an edit changed, and the rows those faces and their
@@ -42,8 +43,8 @@ class Delaunay::MirrorBase {
 /// are given to the new inner edges, so an edit allocates nothing in the long run.
 template <class Kernel>
 class Delaunay::Mirror final : public Delaunay::MirrorBase {
-  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<RowTag, Kernel>;
-  using Face = CGAL::Triangulation_face_base_with_info_2<RowTag, Kernel>;
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<RowTag<SiteSlot>, Kernel>;
+  using Face = CGAL::Triangulation_face_base_with_info_2<RowTag<FaceSlot>, Kernel>;
   using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
   using Point = typename Kernel::Point_2;
   using VertexHandle = typename Triangulation::Vertex_handle;
@@ -59,14 +60,14 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     last_face_ = FaceHandle();
   }
 
-  void build(std::vector<Slot> samples, JobControl& job) override {
+  void build(std::vector<SampleSlot> samples, JobControl& job) override {
     const std::size_t count = samples.size();
     vertex_.assign(count, VertexHandle());
     d_.site_position_.assign(count, Vec2{});
     d_.site_sample_.assign(count, kNoSlot);
     d_.site_face_.assign(count, kNoSlot);
     triangulate(std::move(samples), job);
-    for (Slot site = 0; site < count; ++site)
+    for (const SiteSlot site : slots_below<SiteSlot>(count))
       if (!d_.is_site(site)) d_.free_sites_.push_back(site);
     d_.site_count_ = count - d_.free_sites_.size();
     d_.dimension_ = triangulation_.dimension();
@@ -77,10 +78,10 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     }
   }
 
-  bool insert(Slot sample, Vec2 p) override { return insert_at(sample, p, start_near(p), kNoSlot); }
+  bool insert(SampleSlot sample, Vec2 p) override { return insert_at(sample, p, start_near(p), SiteSlot()); }
 
-  bool remove(Slot sample) override {
-    const Slot site = d_.site_of_sample_[sample];
+  bool remove(SampleSlot sample) override {
+    const SiteSlot site = d_.site_of_sample_[sample];
     if (!d_.detach_sample(sample)) {
       d_.site_recorder_.note(site, true);
       return true;
@@ -88,13 +89,13 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     return remove_site(site) && (release_site(site), true);
   }
 
-  bool move(Slot sample, Vec2 p) override {
-    const Slot site = d_.site_of_sample_[sample];
+  bool move(SampleSlot sample, Vec2 p) override {
+    const SiteSlot site = d_.site_of_sample_[sample];
     const bool alone = d_.site_sample_[site] == sample && d_.next_duplicate_[sample] == kNoSlot;
     if (!alone) {
       d_.detach_sample(sample);
       d_.site_recorder_.note(site, true);
-      return insert_at(sample, p, vertex_[site]->face(), kNoSlot);
+      return insert_at(sample, p, vertex_[site]->face(), SiteSlot());
     }
     if (move_in_star(site, p)) return true;
     d_.detach_sample(sample);
@@ -106,13 +107,13 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   /// Samples that lie together. Their sites take rows of their own, from `first_site` on and as many as there are
   /// samples, so that parts can be made side by side. Duplicates leave rows free.
   struct Part {
-    std::vector<Slot> samples;
-    Slot first_site = 0;
+    std::vector<SampleSlot> samples;
+    SiteSlot first_site{0};
     Triangulation triangulation;
     SweepOrder before;  ///< of the cut that has this part on its far side
   };
 
-  Vec2 position_of(Slot sample) const { return d_.samples_.position(sample); }
+  Vec2 position_of(SampleSlot sample) const { return d_.samples_.position(sample); }
 
   // Many samples are cut into parts, whose triangulations are made side by side and stitched. How many depends on the
   // number of samples alone, so that the result does not depend on the machine. Small parts stay in the caches, but
@@ -123,7 +124,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     return std::min(kMost, std::bit_floor(std::max<std::size_t>(1, samples / kLeastInPart)));
   }
 
-  void triangulate(std::vector<Slot> samples, JobControl& job) {
+  void triangulate(std::vector<SampleSlot> samples, JobControl& job) {
     std::vector<Part> parts(part_count(samples.size()));
     parts.front().samples = std::move(samples);
     for (std::size_t step = parts.size() / 2; step != 0; step /= 2)
@@ -139,20 +140,20 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   }
 
   void cut(Part& part, Part& far) {
-    Halves halves = cut_in_two(part.samples, [this](Slot sample) { return position_of(sample); });
+    Halves halves = cut_in_two(part.samples, [this](SampleSlot sample) { return position_of(sample); });
     part.samples = std::move(halves.near);
     far.samples = std::move(halves.far);
     far.before = halves.before;
-    far.first_site = static_cast<Slot>(part.first_site + part.samples.size());
+    far.first_site = SiteSlot(part.first_site.index() + part.samples.size());
   }
 
   void insert_all(Part& part, JobControl& job) {
-    const auto order =
-        insertion_order(part.samples, d_.samples_.extent(), [this](Slot sample) { return position_of(sample); });
+    const auto order = insertion_order(part.samples, d_.samples_.extent(),
+                                       [this](SampleSlot sample) { return position_of(sample); });
     FaceHandle hint;
-    Slot site = part.first_site;
+    SiteSlot site = part.first_site;
     std::uint64_t done = 0;
-    for (const KeyedSlot& item : order) {
+    for (const Keyed<SampleSlot>& item : order) {
       if ((++done & 1023U) == 0) job.checkpoint(done, order.size());
       const Vec2 p = position_of(item.slot);
       const VertexHandle v = part.triangulation.insert(Point(p.x, p.y), hint);
@@ -179,9 +180,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     }
     FaceHandle hint;
     std::uint64_t done = 0;
-    for (const Slot sample : far.samples) {
+    for (const SampleSlot sample : far.samples) {
       if ((++done & 1023U) == 0) job.checkpoint(done, far.samples.size());
-      const Slot site = d_.site_of_sample_[sample];
+      const SiteSlot site = d_.site_of_sample_[sample];
       const Vec2 p = d_.site_position_[site];
       const VertexHandle v = part.triangulation.insert(Point(p.x, p.y), hint);
       v->info().slot = site;
@@ -191,20 +192,20 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     part.samples.insert(part.samples.end(), far.samples.begin(), far.samples.end());
   }
 
-  static Slot site_of(VertexHandle v) { return v->info().slot; }
-  static Slot row_of(FaceHandle f) { return f->info().slot; }
+  static SiteSlot site_of(VertexHandle v) { return v->info().slot; }
+  static FaceSlot row_of(FaceHandle f) { return f->info().slot; }
   void expect_row(FaceHandle f) const {
-    if (row_of(f) != kNoSlot) prefetch(d_.face_.data() + row_of(f));
+    if (row_of(f) != kNoSlot) prefetch(d_.face_.address(row_of(f)));
   }
 
-  Slot bind_new_site(VertexHandle v, Vec2 p) {
-    const Slot site = d_.new_site(p);
-    if (site >= vertex_.size()) vertex_.resize(site + std::size_t{1});
+  SiteSlot bind_new_site(VertexHandle v, Vec2 p) {
+    const SiteSlot site = d_.new_site(p);
+    if (!vertex_.has(site)) vertex_.resize(site.index() + std::size_t{1});
     vertex_[site] = v;
     return site;
   }
 
-  void release_site(Slot site) {
+  void release_site(SiteSlot site) {
     d_.site_recorder_.note(site, true);
     d_.free_sites_.push_back(site);
     d_.site_face_[site] = kNoSlot;
@@ -212,21 +213,21 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   }
 
   FaceHandle start_near(Vec2 p) {
-    const auto position_of = [this](Slot site) { return d_.site_position_[site]; };
-    const auto is_alive = [this](Slot site) { return d_.is_site(site); };
+    const auto position_of = [this](SiteSlot site) { return d_.site_position_[site]; };
+    const auto is_alive = [this](SiteSlot site) { return d_.is_site(site); };
     if (hints_.is_stale(d_.site_rows())) hints_.build(d_.site_rows(), position_of, is_alive);
-    const Slot site = hints_.near(p, position_of, is_alive);
+    const SiteSlot site = hints_.near(p, position_of, is_alive);
     return site == kNoSlot ? last_face_ : vertex_[site]->face();
   }
 
   // `reuse` is the row of a site that has just been taken out in order to be moved, or kNoSlot.
-  bool insert_at(Slot sample, Vec2 p, FaceHandle start, Slot reuse) {
+  bool insert_at(SampleSlot sample, Vec2 p, FaceHandle start, SiteSlot reuse) {
     const Point point(p.x, p.y);
     typename Triangulation::Locate_type type{};
     int index = 0;
     const FaceHandle where = triangulation_.locate(point, type, index, start);
     if (type == Triangulation::VERTEX) {
-      const Slot site = site_of(where->vertex(index));
+      const SiteSlot site = site_of(where->vertex(index));
       d_.attach_sample(sample, site);
       d_.site_recorder_.note(site, true);
       if (reuse != kNoSlot) release_site(reuse);
@@ -257,7 +258,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   }
 
   // Takes the vertex out of the triangulation; the site's row stays with the caller.
-  bool remove_site(Slot site) {
+  bool remove_site(SiteSlot site) {
     const VertexHandle v = vertex_[site];
     zone_.clear();
     old_rows_.clear();
@@ -294,7 +295,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
 
   // Moves a vertex within its star and restores the Delaunay property by flips. False, with nothing changed, when the
   // star would turn inside out or the vertex is on the hull.
-  bool move_in_star(Slot site, Vec2 p) {
+  bool move_in_star(SiteSlot site, Vec2 p) {
     const VertexHandle v = vertex_[site];
     const Point target(p.x, p.y);
     const auto orientation = triangulation_.geom_traits().orientation_2_object();
@@ -358,12 +359,12 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     d_.zone_faces_ += zone_.size();
     const std::uint32_t mark = d_.new_mark();
     old_edges_.clear();
-    for (const Slot row : old_rows_)
-      for (const Slot e : d_.face_[row].e)
-        if (e != kNoSlot) prefetch(d_.edge_.data() + e);
-    for (const Slot row : old_rows_) {
+    for (const FaceSlot row : old_rows_)
+      for (const EdgeSlot e : d_.face_[row].e)
+        if (e != kNoSlot) prefetch(d_.edge_.address(e));
+    for (const FaceSlot row : old_rows_) {
       d_.note_face(row);
-      for (const Slot e : d_.face_[row].e) {
+      for (const EdgeSlot e : d_.face_[row].e) {
         if (e == kNoSlot || d_.edge_[e].mark == mark) continue;
         d_.edge_[e].mark = mark;
         old_edges_.push_back(e);
@@ -376,7 +377,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       }
       d_.face_[row_of(f)].mark = mark;
     }
-    for (const Slot row : old_rows_) {
+    for (const FaceSlot row : old_rows_) {
       if (d_.face_[row].mark == mark) continue;
       d_.face_[row] = FaceRow{};
       d_.free_faces_.push_back(row);
@@ -403,17 +404,17 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     }
     // Inner edges take the rows of those that died.
     std::size_t spare = 0;
-    const auto is_spare = [&](Slot e) { return d_.edge_[e].mark == mark; };
+    const auto is_spare = [&](EdgeSlot e) { return d_.edge_[e].mark == mark; };
     for (const FaceHandle f : zone_) {
-      const Slot own = row_of(f);
+      const FaceSlot own = row_of(f);
       for (int i = 0; i < 3; ++i) {
-        const Slot other = d_.face_[own].n[i];
+        const FaceSlot other = d_.face_[own].n[i];
         if (own > other || d_.face_[other].mark != mark) continue;
-        const Slot a = d_.face_[own].v[next3(i)];
-        const Slot b = d_.face_[own].v[prev3(i)];
+        const SiteSlot a = d_.face_[own].v[next3(i)];
+        const SiteSlot b = d_.face_[own].v[prev3(i)];
         if (a == kInfiniteSite || b == kInfiniteSite) continue;
         while (spare < old_edges_.size() && !is_spare(old_edges_[spare])) ++spare;
-        const Slot e = spare < old_edges_.size() ? old_edges_[spare++] : new_edge_row();
+        const EdgeSlot e = spare < old_edges_.size() ? old_edges_[spare++] : new_edge_row();
         d_.note_edge(e);
         d_.edge_[e] = EdgeRow{{a, b}, {own, other}};
         d_.face_[own].e[i] = e;
@@ -421,7 +422,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       }
     }
     for (; spare < old_edges_.size(); ++spare) {
-      const Slot e = old_edges_[spare];
+      const EdgeSlot e = old_edges_[spare];
       if (!is_spare(e)) continue;
       d_.note_edge(e);
       d_.edge_[e] = EdgeRow{};
@@ -430,7 +431,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
   }
 
   void read_corners(FaceHandle f) {
-    const Slot slot = row_of(f);
+    const FaceSlot slot = row_of(f);
     FaceRow& row = d_.face_[slot];
     for (int i = 0; i < 3; ++i) {
       const VertexHandle v = f->vertex(i);
@@ -441,39 +442,41 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
 
   void write_corners(FaceHandle f) {
     read_corners(f);
-    for (const Slot site : d_.face_[row_of(f)].v)
+    for (const SiteSlot site : d_.face_[row_of(f)].v)
       if (site != kInfiniteSite) d_.site_face_[site] = row_of(f);
   }
 
-  Slot new_face_row() {
+  FaceSlot new_face_row() {
     if (!d_.free_faces_.empty()) {
-      const Slot row = d_.free_faces_.back();
+      const FaceSlot row = d_.free_faces_.back();
       d_.free_faces_.pop_back();
       return row;
     }
+    const FaceSlot row = d_.face_.next();
     d_.face_.emplace_back();
-    return static_cast<Slot>(d_.face_.size() - 1);
+    return row;
   }
 
-  Slot new_edge_row() {
+  EdgeSlot new_edge_row() {
     if (!d_.free_edges_.empty()) {
-      const Slot row = d_.free_edges_.back();
+      const EdgeSlot row = d_.free_edges_.back();
       d_.free_edges_.pop_back();
       return row;
     }
+    const EdgeSlot row = d_.edge_.next();
     d_.edge_.emplace_back();
-    return static_cast<Slot>(d_.edge_.size() - 1);
+    return row;
   }
 
   // The triangulation is only read here, and every row and every field of it is written by one thread.
   void mirror_all() {
     const std::size_t count = triangulation_.tds().number_of_faces();
-    std::vector<FaceHandle> handles;
+    Table<FaceSlot, FaceHandle> handles;
     run_tasks(2, [&](std::size_t task) {
       if (task == 0) {
         handles.reserve(count);
         for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
-          f->info().slot = static_cast<Slot>(handles.size());
+          f->info().slot = handles.next();
           handles.push_back(f);
         }
       } else {
@@ -485,12 +488,12 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       std::size_t edges =
           0;  // not counted in place: the threads would take a cache line from each other all the time
-      for (std::size_t slot = begin; slot < end; ++slot) {
-        const FaceHandle f = handles[slot];
+      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
+        const FaceHandle f = handles[face];
         read_corners(f);
         for (int i = 0; i < 3; ++i) {
-          d_.face_[slot].n[i] = row_of(f->neighbor(i));
-          edges += owns_edge(static_cast<Slot>(slot), i) ? 1U : 0U;
+          d_.face_[face].n[i] = row_of(f->neighbor(i));
+          edges += owns_edge(face, i) ? 1U : 0U;
         }
       }
       first_edge[chunk + 1] = edges;
@@ -498,40 +501,40 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     for (std::size_t chunk = 1; chunk < first_edge.size(); ++chunk) first_edge[chunk] += first_edge[chunk - 1];
     d_.edge_.resize(first_edge.back());
     parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-      auto e = static_cast<Slot>(first_edge[chunk]);
-      for (std::size_t slot = begin; slot < end; ++slot) {
-        FaceRow& row = d_.face_[slot];
+      EdgeSlot e(first_edge[chunk]);
+      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
+        FaceRow& row = d_.face_[face];
         for (int i = 0; i < 3; ++i) {
-          if (!owns_edge(static_cast<Slot>(slot), i)) continue;
-          d_.edge_[e] = EdgeRow{{row.v[next3(i)], row.v[prev3(i)]}, {static_cast<Slot>(slot), row.n[i]}};
+          if (!owns_edge(face, i)) continue;
+          d_.edge_[e] = EdgeRow{{row.v[next3(i)], row.v[prev3(i)]}, {face, row.n[i]}};
           row.e[i] = e;
           FaceRow& other = d_.face_[row.n[i]];
-          other.e[other.index_of_neighbour(static_cast<Slot>(slot))] = e;
+          other.e[other.index_of_neighbour(face)] = e;
           ++e;
         }
       }
     });
     parallel_for(d_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t site = begin; site < end; ++site)
-        if (d_.is_site(static_cast<Slot>(site))) d_.site_face_[site] = row_of(vertex_[site]->face());
+      for (const SiteSlot site : slots_between<SiteSlot>(begin, end))
+        if (d_.is_site(site)) d_.site_face_[site] = row_of(vertex_[site]->face());
     });
   }
 
   // Of the two faces at a finite edge, the one with the larger row makes the edge's row.
-  bool owns_edge(Slot face, int i) const {
+  bool owns_edge(FaceSlot face, int i) const {
     const FaceRow& row = d_.face_[face];
     return row.n[i] < face && row.v[next3(i)] != kInfiniteSite && row.v[prev3(i)] != kInfiniteSite;
   }
 
   // All sites on one line: edges between neighbours along it.
   void mirror_chain() {
-    d_.line_edges_.assign(d_.site_rows(), {kNoSlot, kNoSlot});
+    d_.line_edges_.assign(d_.site_rows(), {});
     for (auto e = triangulation_.finite_edges_begin(); e != triangulation_.finite_edges_end(); ++e) {
-      const Slot a = site_of(e->first->vertex(next3(e->second)));
-      const Slot b = site_of(e->first->vertex(prev3(e->second)));
-      const auto row = static_cast<Slot>(d_.edge_.size());
-      d_.edge_.push_back(EdgeRow{{a, b}, {kNoSlot, kNoSlot}});
-      for (const Slot site : {a, b}) {
+      const SiteSlot a = site_of(e->first->vertex(next3(e->second)));
+      const SiteSlot b = site_of(e->first->vertex(prev3(e->second)));
+      const EdgeSlot row = d_.edge_.next();
+      d_.edge_.push_back(EdgeRow{{a, b}, {}});
+      for (const SiteSlot site : {a, b}) {
         auto& both = d_.line_edges_[site];
         both[both[0] == kNoSlot ? 0 : 1] = row;
       }
@@ -540,14 +543,14 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
 
   Delaunay& d_;
   Triangulation triangulation_;
-  std::vector<VertexHandle> vertex_;
+  Table<SiteSlot, VertexHandle> vertex_;
   LocationHints hints_;
   FaceHandle last_face_;
 
   // Work space of one edit, kept to save allocations.
   std::vector<FaceHandle> zone_;
-  std::vector<Slot> old_rows_;
-  std::vector<Slot> old_edges_;
+  std::vector<FaceSlot> old_rows_;
+  std::vector<EdgeSlot> old_edges_;
   std::vector<std::pair<FaceHandle, int>> rim_;
   std::vector<std::pair<FaceHandle, int>> suspects_;
   std::size_t taken_rows_ = 0;

@@ -16,18 +16,19 @@ namespace mes {
 /// The rounds keep bad inputs from being bad; the curve keeps the walk to each new site short. `position(slot)` gives
 /// the place of a sample.
 template <class Position>
-std::vector<KeyedSlot> insertion_order(const std::vector<Slot>& samples, const Box2& extent, Position position) {
+std::vector<Keyed<SampleSlot>> insertion_order(const std::vector<SampleSlot>& samples, const Box2& extent,
+                                               Position position) {
   constexpr int kRoundBits = 3;
   const HilbertGrid grid(extent);
   const int rounds = std::max(0, static_cast<int>(std::bit_width(samples.size())) - 6) / kRoundBits;
-  std::vector<KeyedSlot> order;
+  std::vector<Keyed<SampleSlot>> order;
   order.reserve(samples.size());
-  for (const Slot sample : samples) {
-    const std::uint32_t hash = (sample + 1U) * 2654435769U;
+  for (const SampleSlot sample : samples) {
+    const std::uint32_t hash = (sample.index() + 1U) * 2654435769U;
     const int round = rounds - std::min(rounds, std::countl_zero(hash ^ (hash << 15U)) / kRoundBits);
     order.push_back({(std::uint64_t(static_cast<unsigned>(round)) << 32U) | grid.key(position(sample)), sample});
   }
-  std::vector<KeyedSlot> scratch;
+  std::vector<Keyed<SampleSlot>> scratch;
   radix_sort(order, scratch, 38);
   return order;
 }
@@ -35,13 +36,13 @@ std::vector<KeyedSlot> insertion_order(const std::vector<Slot>& samples, const B
 /// Two sets of about the same size, divided by a line across the longer side: `near` comes before `far`. One of them
 /// is empty when all samples coincide.
 struct Halves {
-  std::vector<Slot> near;
-  std::vector<Slot> far;
+  std::vector<SampleSlot> near;
+  std::vector<SampleSlot> far;
   SweepOrder before;
 };
 
 template <class Position>
-Halves cut_in_two(const std::vector<Slot>& samples, Position position) {
+Halves cut_in_two(const std::vector<SampleSlot>& samples, Position position) {
   Halves halves;
   if (samples.empty()) return halves;
   // The median of some hundred samples is near enough to that of all.
@@ -57,7 +58,7 @@ Halves cut_in_two(const std::vector<Slot>& samples, Position position) {
   std::nth_element(probes.begin(), middle, probes.end(), halves.before);
   halves.near.reserve(samples.size());
   halves.far.reserve(samples.size());
-  for (const Slot sample : samples)
+  for (const SampleSlot sample : samples)
     (halves.before(position(sample), *middle) ? halves.near : halves.far).push_back(sample);
   return halves;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/structures/delaunay/delaunay.h"
 #include "core/structures/triangulation/hilbert.h"
 
 namespace mes {
@@ -23,30 +24,30 @@ class LocationHints {
   template <class PositionOf, class IsAlive>
   void build(std::size_t rows, PositionOf position_of, IsAlive is_alive) {
     Box2 box;
-    std::vector<Slot> chosen;
-    for (Slot site = 0; site < rows; ++site) {
+    std::vector<SiteSlot> chosen;
+    for (const SiteSlot site : slots_below<SiteSlot>(rows)) {
       // A multiplicative hash picks the eighth; its order is random in the plane.
-      if (rows > 64 && (site * 2654435761U) >> 29U != 0) continue;
+      if (rows > 64 && (site.index() * 2654435761U) >> 29U != 0) continue;
       if (!is_alive(site)) continue;
       chosen.push_back(site);
       box.add(position_of(site));
     }
     grid_ = HilbertGrid(box);
     sites_.clear();
-    for (const Slot site : chosen) sites_.push_back({grid_.key(position_of(site)), site});
-    std::vector<KeyedSlot> scratch;
+    for (const SiteSlot site : chosen) sites_.push_back({grid_.key(position_of(site)), site});
+    std::vector<Keyed<SiteSlot>> scratch;
     radix_sort(sites_, scratch, 32);
     built_for_ = rows;
   }
 
   /// A live site close to `p`, or kNoSlot.
   template <class PositionOf, class IsAlive>
-  Slot near(Vec2 p, PositionOf position_of, IsAlive is_alive) const {
+  SiteSlot near(Vec2 p, PositionOf position_of, IsAlive is_alive) const {
     const std::uint64_t key = grid_.key(p);
-    const auto at = std::ranges::lower_bound(sites_, key, {}, &KeyedSlot::key) - sites_.begin();
-    Slot best = kNoSlot;
+    const auto at = std::ranges::lower_bound(sites_, key, {}, &Keyed<SiteSlot>::key) - sites_.begin();
+    SiteSlot best;
     double best_distance = 0.0;
-    const auto consider = [&](Slot site) {
+    const auto consider = [&](SiteSlot site) {
       const Vec2 d = position_of(site) - p;
       const double squared = dot(d, d);
       if (best == kNoSlot || squared < best_distance) {
@@ -57,7 +58,7 @@ class LocationHints {
     constexpr std::ptrdiff_t kReach = 4;
     const auto size = static_cast<std::ptrdiff_t>(sites_.size());
     for (auto i = std::max<std::ptrdiff_t>(at - kReach, 0); i < std::min(at + kReach, size); ++i) {
-      const Slot site = sites_[static_cast<std::size_t>(i)].slot;
+      const SiteSlot site = sites_[static_cast<std::size_t>(i)].slot;
       if (is_alive(site)) consider(site);
     }
     return best;
@@ -65,7 +66,7 @@ class LocationHints {
 
  private:
   HilbertGrid grid_;
-  std::vector<KeyedSlot> sites_;
+  std::vector<Keyed<SiteSlot>> sites_;
   std::size_t built_for_ = 0;
 };
 

@@ -21,40 +21,40 @@ class PolarBalls final : public VoronoiBalls {
 
   void measure() {
     Box2 box;
-    for (Slot site = 0; site < delaunay_.site_rows(); ++site)
+    for (const SiteSlot site : delaunay_.site_slots())
       if (delaunay_.is_site(site)) box.add(delaunay_.site_position(site));
     const double extent = box.is_empty() ? 1.0 : std::max(box.width(), box.height());
     // A power of two: the balls stay the same while the extent changes little.
     reach_ = std::ldexp(kReach, std::isfinite(extent) && extent > 0.0 ? std::ilogb(extent) : 0);
   }
 
-  bool is_at_infinity(Slot row) const { return row >= delaunay_.face_rows(); }
-  Slot row_at_infinity(Slot site) const { return static_cast<Slot>(delaunay_.face_rows()) + site; }
+  bool is_at_infinity(FamilySlot row) const { return row.index() >= delaunay_.face_rows(); }
+  FamilySlot row_at_infinity(SiteSlot site) const { return FamilySlot(delaunay_.face_rows() + site.index()); }
 
   std::size_t rows() const override { return delaunay_.face_rows() + delaunay_.site_rows(); }
-  bool is_ball(Slot row) const override {
+  bool is_ball(FamilySlot row) const override {
     if (delaunay_.dimension() < 2) return false;
-    if (!is_at_infinity(row)) return delaunay_.face(row).is_alive() && poles_.is_pole(row);
+    if (!is_at_infinity(row)) return delaunay_.face(face_of(row)).is_alive() && poles_.is_pole(face_of(row));
     return delaunay_.is_site(site_of(row)) && poles_.plus(site_of(row)) == kInfinitePole;
   }
-  Disk plain_disk(Slot row) const override {
+  Disk plain_disk(FamilySlot row) const override {
     if (!is_at_infinity(row)) return VoronoiBalls::plain_disk(row);
     const Vec2 p = delaunay_.site_position(site_of(row));
     const Vec2 center = p + reach_ * poles_.direction_to_infinity(site_of(row));
     return {center, distance(center, p)};
   }
-  BallOrigin origin(Slot row) const override {
+  BallOrigin origin(FamilySlot row) const override {
     return is_at_infinity(row) ? BallOrigin::through_sample : BallOrigin::circumdisk;
   }
-  void touched_samples(Slot row, std::vector<TouchedSample>& out) const override {
+  void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const override {
     if (!is_at_infinity(row)) return VoronoiBalls::touched_samples(row, out);
     out.push_back({site_of(row), delaunay_.site_position(site_of(row))});
   }
-  const ChangeSet& changes() const override { return poles_.face_changes(); }
+  bool has_changed() const override { return !poles_.face_changes().is_empty(); }
 
  private:
   static constexpr double kReach = 4096.0;
-  Slot site_of(Slot row) const { return row - static_cast<Slot>(delaunay_.face_rows()); }
+  SiteSlot site_of(FamilySlot row) const { return SiteSlot(row.index() - delaunay_.face_rows()); }
 
   const Poles& poles_;
   double reach_ = 1.0;
