@@ -30,9 +30,10 @@ constexpr auto kFileRows = std::to_array<Row>({
     {Id::save, "save", "Save", "Write the session, or samples and balls, to the file they have", "Ctrl+S"},
     {Id::save_as, "save-as", "Save as...",
      "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls", "Ctrl+Shift+S"},
-    {Id::trace_picture, "trace-picture", "Trace a picture...",
+    {Id::trace_picture, "trace-picture", "Picture underneath...",
      "Lay a PNG or JPEG picture below the drawing, to set samples along it"},
-    {Id::snapshot, "snapshot", "Snapshot", "Write what is shown to a new picture in your folder for pictures", "F3"},
+    {Id::snapshot, "snapshot", "Snapshot",
+     "Write what is shown to a new picture, in the folder that the button with three dots names", "F3"},
     {Id::record, "record", "Record", "Write a numbered picture after each change from now on, or end doing so", "F4"},
     {Id::make_video, "make-video", "Make video", "Make a video of the last take with ffmpeg"},
     {Id::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
@@ -65,8 +66,7 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::zoom_out, "zoom-out", "Zoom out", "Shrink at the cursor", "-", always, kRepeats},
     {Id::fit, "fit", "Fit to view", "Show all samples and balls", "F Home"},
     {Id::fit_selection, "fit-selection", "Fit selection", "Show what is selected", "Shift+F"},
-    {Id::previous_view, "previous-view", "Previous view", "Return to where you looked before", "Backspace",
-     without_selection},
+    {Id::previous_view, "previous-view", "Previous view", "Return to where you looked before", "Alt+Left"},
     {Id::toggle_panels, "toggle-panels", "Panels", "Hide all panels, or show them again", "Tab"},
     {Id::toggle_layers, "toggle-layers", "Layers", "Show or hide the list of layers", "L"},
     {Id::toggle_statistics, "toggle-statistics", "Statistics", "Show or hide counts and times of every structure",
@@ -84,6 +84,12 @@ constexpr auto kViewRows = std::to_array<Row>({
 });
 
 constexpr auto kBundleRows = std::to_array<Row>({
+    {Id::balls_inner, "balls-inner", "Inner balls",
+     "Balls around the Voronoi vertices inside the curve: show their union where that of others is shown"},
+    {Id::balls_polar, "balls-polar", "Polar balls",
+     "Balls around the inner poles of samples: show their union where that of others is shown"},
+    {Id::balls_own, "balls-own", "Own balls",
+     "Balls drawn by you or read from a file: show their union where that of others is shown"},
     {Id::save_bundle, "save-bundle", "Save bundle...", "Save the layers, their order and styles under a name",
      "Ctrl+B"},
     {Id::import_bundles, "import-bundles", "Import bundles...",
@@ -211,7 +217,7 @@ Table make_table() {
 }
 
 bool applies(ActionContext context, bool has_selection) {
-  return context == always || (context == with_selection) == has_selection;
+  return context == always || has_selection;
 }
 
 }  // namespace
@@ -256,7 +262,7 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Space + drag", "pan"},
       {"Click", "select a sample (select tool), add one (insert tool)"},
       {"Click anything else drawn", "show what it comes from and what it leads to (select tool)"},
-      {"Alt + click", "the same for a sample or a ball"},
+      {"Ctrl + click, Alt + click", "the same for a sample or a ball"},
       {"Shift + click or box", "add to the selection"},
       {"Ctrl + Shift + click or box", "take out of the selection"},
       {"Drag a sample or a ball", "move it, with the selection it belongs to"},

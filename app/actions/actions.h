@@ -52,6 +52,9 @@ enum class ActionId : std::uint8_t {
   projector_mode,
   first_bundle,  // those of the digits 1 to 9
   last_bundle = first_bundle + 8,
+  balls_inner,  // the three in the order of `BallFamily`
+  balls_polar,
+  balls_own,
   save_bundle,
   import_bundles,
   export_bundles,
@@ -90,8 +93,8 @@ inline constexpr std::size_t kNumberedBundles = length_of_series(ActionId::first
 enum class ActionGroup : std::uint8_t { file, edit, tools, view, compute, help };
 std::string_view title_of(ActionGroup group);
 
-/// When the keys of an action are its own: two actions may share a key if they never compete for it.
-enum class ActionContext : std::uint8_t { always, with_selection, without_selection };
+/// When the keys of an action are its own.
+enum class ActionContext : std::uint8_t { always, with_selection };
 
 struct ActionDescriptor {
   ActionId id = ActionId::help;

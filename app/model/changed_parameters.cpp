@@ -3,17 +3,12 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cstdlib>
 
-namespace mes {
+#include "app/model/parameter_words.h"
 
-std::string title_of(const ParameterDescriptor& descriptor) {
-  std::string out(descriptor.id);
-  std::ranges::replace(out, '-', ' ');
-  if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
-  return out;
-}
+namespace mes {
 
 std::string value_text(const ParameterDescriptor& descriptor, double value) {
   if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";

@@ -13,14 +13,12 @@ namespace mes {
 
 struct ChangedParameter {
   Parameter parameter{};
-  std::string text{};  ///< "A scale 2.14 ×", "Union shortcut off"
+  std::string text{};  ///< "Inner balls: scale 2.14 ×", "Union shortcut off"
 };
 
 /// Those of the document first, else in the order of the table.
 std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings);
 
-/// "medial-sampling-angle" -> "Medial sampling angle".
-std::string title_of(const ParameterDescriptor& descriptor);
 /// "2.14 ×", "150°", "on".
 std::string value_text(const ParameterDescriptor& descriptor, double value);
 

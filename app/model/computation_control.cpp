@@ -14,11 +14,25 @@ void ComputationControl::set(Parameter parameter, double value) {
   set(settings);
 }
 
+void ComputationControl::start_animation() {
+  before_ = settings_[animation_.parameter];
+  animation_.start();
+}
+
+void ComputationControl::give_back() {
+  if (!animation_.is_running()) return;
+  animation_.stop();
+  set(animation_.parameter, before_);
+}
+
 bool ComputationControl::advance(double now) {
   if (!animation_.is_running()) return false;
   if (animation_.position() > 0 || settings_[animation_.parameter] == animation_.value()) {
     if (now < next_step_) return false;
-    if (!animation_.advance()) return false;
+    if (!animation_.advance()) {
+      set(animation_.parameter, before_);
+      return true;
+    }
   }
   next_step_ = now + 1.0 / animation_.steps_per_second;
   set(animation_.parameter, animation_.value());

@@ -11,7 +11,7 @@
 namespace mes {
 
 /// What it guarantees: the engine hears of each change of the settings; an animated parameter takes one step for each
-/// complete picture, and no more than its speed allows. Threads: the window's.
+/// complete picture, no more than its speed allows, and has its value back at the end. Threads: the window's.
 class ComputationControl {
  public:
   /// The engine outlives it.
@@ -22,6 +22,10 @@ class ComputationControl {
   void set(Parameter parameter, double value);
 
   ParameterAnimation& animation() { return animation_; }
+  /// Begins the animation. When it has come to its end, its parameter has the value of now again.
+  void start_animation();
+  /// Ends the animation there.
+  void give_back();
   /// Once a frame in which the picture is complete; true when the animation took a step.
   bool advance(double now);
   /// When the next step of the animation is due, in seconds from `now`; nothing while none runs.
@@ -32,6 +36,7 @@ class ComputationControl {
   ComputationSettings settings_{};
   ParameterAnimation animation_{};
   double next_step_ = 0.0;  // of the animation, in seconds
+  double before_ = 0.0;     // value of its parameter before it began
 };
 
 }  // namespace mes

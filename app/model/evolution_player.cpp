@@ -28,6 +28,8 @@ std::optional<double> EvolutionPlayer::parameter_value() const {
 }
 
 void EvolutionPlayer::begin() {
+  has_restarted_ = shown_ != 0;
+  shown_ = 0;
   beginning_ = state_of(editor_.document());
   beginning_revision_ = editor_.document().revision();
   shown_revision_ = ~std::uint64_t{0};

@@ -84,6 +84,8 @@ class EvolutionPlayer {
   void follow(bool picture_is_complete, double now);
   /// When the next step is due, while one waits for its time only; seconds from `now`.
   std::optional<double> next_due(double now) const;
+  /// True, once, when an edit in the middle of an evolution has made state 0 of what there is now.
+  bool take_restart() { return std::exchange(has_restarted_, false); }
   /// Why a state could not be had, once.
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
 
@@ -117,6 +119,7 @@ class EvolutionPlayer {
   double speed_ = 10.0;
   double last_step_ = 0.0;
   std::optional<Error> problem_;
+  bool has_restarted_ = false;
 };
 
 }  // namespace mes

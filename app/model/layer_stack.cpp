@@ -141,6 +141,17 @@ void LayerStack::set_image(const BackgroundImage& image) {
   ++revision_;
 }
 
+LayerStyle style_for(const LayerDescriptor& to, const LayerDescriptor& from, LayerStyle style) {
+  if (to.scalar.empty()) style.color_map.clear();
+  if (to.scalar != from.scalar) {
+    const LayerStyle unlocked;
+    style.range_locked = unlocked.range_locked;
+    style.range_low = unlocked.range_low;
+    style.range_high = unlocked.range_high;
+  }
+  return style;
+}
+
 bool matches_search(const LayerDescriptor& descriptor, std::string_view text) {
   const std::string haystack =
       lower_case(descriptor.name) + ' ' + lower_case(descriptor.id) + ' ' + lower_case(title_of(descriptor.group));

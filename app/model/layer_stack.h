@@ -73,6 +73,10 @@ class LayerStack {
   std::uint64_t revision_ = 0;
 };
 
+/// The style of a layer for another one. A colour map goes along, but not to a layer without numbers to show by it; the
+/// range of the map only to a layer of the same quantity.
+LayerStyle style_for(const LayerDescriptor& to, const LayerDescriptor& from, LayerStyle style);
+
 /// Whether a search text picks the layer: every word of it occurs in its name, id or group, whatever the case.
 bool matches_search(const LayerDescriptor& descriptor, std::string_view text);
 

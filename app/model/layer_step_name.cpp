@@ -30,7 +30,7 @@ std::string moved_layer(const std::vector<std::string>& before, const std::vecto
 
 std::string name_of_picture_change(const BackgroundImage& before, const BackgroundImage& after) {
   if (after.file.empty()) return "Remove the picture";
-  if (before.file.empty()) return "Trace a picture";
+  if (before.file.empty()) return "Picture underneath";
   return before.file == after.file ? "Place the picture" : "Replace the picture";
 }
 

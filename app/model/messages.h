@@ -31,6 +31,11 @@ class Messages {
   }
   void clear_remark() { remark_.clear(); }
   void clear_problem() { problem_.clear(); }
+  /// Neither says anything about what comes now. Both stay in the log.
+  void clear() {
+    clear_remark();
+    clear_problem();
+  }
   const std::string& remark() const { return remark_; }
   const std::string& problem() const { return problem_; }
 

@@ -9,6 +9,11 @@
 
 namespace mes {
 
+/// Its values differ by orders of magnitude.
+constexpr bool is_wide(const ParameterDescriptor& descriptor) {
+  return descriptor.low > 0.0 && descriptor.high >= 1000.0 * descriptor.low;
+}
+
 /// What it guarantees: the first value is `from` and the last one `to`, to the bit; of a whole number each value is
 /// whole. Threads: none.
 class ParameterAnimation {
@@ -20,6 +25,18 @@ class ParameterAnimation {
   double to = 1.0;
   int steps = 50;                  ///< [1, kMostSteps]
   double steps_per_second = 10.0;  ///< at most; each waits for its picture
+
+  /// A range to begin with for a parameter that has this value now: up to twice the value where magnitudes count, else
+  /// all that it can be.
+  void aim(Parameter at, double now) {
+    const ParameterDescriptor& descriptor = descriptor_of(at);
+    parameter = at;
+    from = descriptor.low;
+    to = descriptor.high;
+    if (!is_wide(descriptor)) return;
+    from = now;
+    to = now < descriptor.high ? std::min(2.0 * now, descriptor.high) : 0.5 * now;
+  }
 
   void start() {
     steps = std::clamp(steps, 1, kMostSteps);

@@ -93,4 +93,8 @@ fs::path takes_folder() {
   return pictures.empty() ? pictures : pictures / "mesecina";
 }
 
+fs::path folder_of(const RecordSettings& settings) {
+  return settings.folder.empty() ? takes_folder() : fs::path(settings.folder);
+}
+
 }  // namespace mes

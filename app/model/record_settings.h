@@ -22,7 +22,8 @@ struct RecordSettings {
   bool with_panels = false;         ///< the window as it is; what is above does not apply then
   bool each_motion = false;         ///< a frame of each step of a pan or zoom, not only where it ends
   double fps = 30.0;                ///< of the video, [1, 120]
-  std::string folder{};             ///< where takes go; empty: `takes_folder`
+  bool real_time = false;           ///< each frame of the video is seen as long as it was when recorded
+  std::string folder{};             ///< where takes and snapshots go; empty: `takes_folder`
   friend bool operator==(const RecordSettings&, const RecordSettings&) = default;
 };
 
@@ -56,5 +57,7 @@ FrameView frame_view(const render::Camera& window, const WindowPart& part, doubl
 std::filesystem::path pictures_folder();
 /// "mesecina" in it.
 std::filesystem::path takes_folder();
+/// Where takes and snapshots of these settings go; empty: no home.
+std::filesystem::path folder_of(const RecordSettings& settings);
 
 }  // namespace mes

@@ -71,6 +71,7 @@ RecordSettings record_from_json(const json& object) {
   out.with_panels = flag_in(object, "with_panels", out.with_panels);
   out.each_motion = flag_in(object, "each_motion", out.each_motion);
   out.fps = number_in(object, "fps", 1.0, 120.0, out.fps);
+  out.real_time = flag_in(object, "real_time", out.real_time);
   out.folder = text_in(object, "folder");
   // What fits each range may still not go together.
   if (!check(out)) {
@@ -89,6 +90,7 @@ json to_json(const RecordSettings& record) {
           {"with_panels", record.with_panels},
           {"each_motion", record.each_motion},
           {"fps", record.fps},
+          {"real_time", record.real_time},
           {"folder", record.folder}};
 }
 
@@ -109,6 +111,9 @@ Settings from_json(const json& object) {
   out.show_layers = flag_in(object, "show_layers", out.show_layers);
   const auto page = std::ranges::find(kPages, text_in(object, "details"));
   if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
+  out.column_width = number_in(object, "column_width", 200.0, 1200.0, out.column_width);
+  out.details_share = number_in(object, "details_share", 0.1, 0.9, out.details_share);
+  out.bundles_height = number_in(object, "bundles_height", 0.0, 4000.0, out.bundles_height);
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.last_folder = text_in(object, "last_folder");
@@ -178,6 +183,9 @@ json to_json(const Settings& settings) {
           {"show_bundles", settings.show_bundles},
           {"show_layers", settings.show_layers},
           {"details", kPages[static_cast<std::size_t>(settings.details)]},
+          {"column_width", settings.column_width},
+          {"details_share", settings.details_share},
+          {"bundles_height", settings.bundles_height},
           {"show_legend", settings.show_legend},
           {"show_evolution", settings.show_evolution},
           {"last_folder", settings.last_folder},

@@ -19,6 +19,9 @@ enum class DetailsPage : std::uint8_t { none, statistics, parameters, log };
 
 enum class Theme : std::uint8_t { light, dark };
 
+inline constexpr double kUsualColumnWidth = 300.0;
+inline constexpr double kUsualDetailsShare = 0.4;
+
 struct Settings {
   std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
   double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
@@ -31,7 +34,10 @@ struct Settings {
   bool show_layers = true;
   bool show_bundles = true;  ///< unfolded, above the layers
   DetailsPage details = DetailsPage::none;
-  bool show_legend = true;  ///< of the colour maps in use
+  double column_width = kUsualColumnWidth;    ///< of the panels on the right, logical pixels, [200, 1200]
+  double details_share = kUsualDetailsShare;  ///< of the height of that column, for the lower panel, [0.1, 0.9]
+  double bundles_height = 0.0;                ///< logical pixels, [0, 4000]; 0: what they need
+  bool show_legend = true;                    ///< of the colour maps in use
   bool show_evolution = false;
   std::string last_folder;  ///< of the file browser
   RecordSettings record;

@@ -7,7 +7,8 @@ namespace mes {
 
 std::optional<ViewFitter::How> ViewFitter::wanted_again(const Document& document, const Room& room,
                                                         bool is_held) const {
-  if (!fitted_ || room == fitted_->room || !view_.is_as_fitted() || is_held) return std::nullopt;
+  if (!fitted_ || room == fitted_->room || !view_.is_as_fitted() || is_held || view_.fits() != fitted_->fit)
+    return std::nullopt;
   constexpr double kAbout = 0.2;
   const double size = std::max(fitted_->box.width(), fitted_->box.height());
   const auto is_about = [size](Vec2 a, Vec2 b) { return distance(a, b) <= kAbout * size; };
@@ -28,7 +29,7 @@ void ViewFitter::follow(const Document& document, const Frame& frame) {
     view_.set_insets(clear_of_corner(room.panels, {static_cast<double>(room.width), static_cast<double>(room.height)},
                                      frame.legend, {box.width(), box.height()}));
   view_.fit(box, target_ ? 0.0 : kMargin * frame.content_scale, *wanted_ == How::at_once);
-  fitted_ = target_ || box.is_empty() ? std::nullopt : std::optional(Fitted{box, room});
+  fitted_ = target_ || box.is_empty() ? std::nullopt : std::optional(Fitted{box, room, view_.fits()});
   target_.reset();
   wanted_.reset();
 }

@@ -44,6 +44,7 @@ class ViewFitter {
   struct Fitted {
     Box2 box;
     Room room;
+    std::uint64_t fit = 0;  ///< of the view; a later one showed something else
   };
   std::optional<How> wanted_again(const Document& document, const Room& room, bool is_held) const;
 

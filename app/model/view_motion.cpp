@@ -121,6 +121,7 @@ void ViewMotion::fly_to(const render::Camera& goal) {
 
 void ViewMotion::fit(const Box2& box, double margin_px, bool at_once) {
   is_as_fitted_ = true;
+  ++fits_;
   if (at_once) {
     flight_.reset();
     pending_zoom_ = 0.0;

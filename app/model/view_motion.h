@@ -2,6 +2,7 @@
 // The camera of the canvas, which glides to its target.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,8 @@ class ViewMotion {
   void fit(const Box2& box, double margin_px, bool at_once = false);
   /// Nobody zoomed, panned or went back since it was fitted.
   bool is_as_fitted() const { return is_as_fitted_; }
+  /// How often something was fitted.
+  std::uint64_t fits() const { return fits_; }
   void back();
   bool can_go_back() const { return !earlier_.empty(); }
 
@@ -74,6 +77,7 @@ class ViewMotion {
   double pending_zoom_ = 0.0;  // logarithm of the factor still to come
   Vec2 zoom_px_{};
   bool is_as_fitted_ = false;
+  std::uint64_t fits_ = 0;
   double rest_ = 1e9;  // seconds since the last motion
 };
 

@@ -7,7 +7,6 @@
 
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
-#include "core/io/text_numbers.h"
 
 namespace mes {
 namespace {
@@ -45,7 +44,7 @@ bool begin_roomy_popup(const Gui& gui, const char* id) {
   const float unit = gui.unit();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
-  const bool is_open = ImGui::BeginPopup(id);
+  const bool is_open = begin_popup(gui, id);
   if (!is_open) ImGui::PopStyleVar(2);
   return is_open;
 }
@@ -101,13 +100,7 @@ void BundlesPanel::draw_head() {
   tooltip(uses_.gui, is_unfolded ? "Fold the bundles away" : "Show the bundles");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle(at.x + 5 * unit, at.y + 0.5F * height);
-  const float size = 4 * unit;
-  if (is_unfolded)
-    list.AddTriangleFilled({middle.x - size, middle.y - 0.5F * size}, {middle.x + size, middle.y - 0.5F * size},
-                           {middle.x, middle.y + 0.7F * size}, uses_.gui.colors().text_quiet);
-  else
-    list.AddTriangleFilled({middle.x - 0.5F * size, middle.y - size}, {middle.x + 0.7F * size, middle.y},
-                           {middle.x - 0.5F * size, middle.y + size}, uses_.gui.colors().text_quiet);
+  draw_fold(list, middle, 4 * unit, is_unfolded, uses_.gui.colors().text_quiet);
   ImGui::PushFont(uses_.gui.bold());
   list.AddText({at.x + 15 * unit, at.y + 0.5F * (height - ImGui::GetFontSize())}, uses_.gui.colors().text, "Bundles");
   ImGui::PopFont();
@@ -156,7 +149,7 @@ void BundlesPanel::draw_context_menu(std::size_t index) {
   const float unit = uses_.gui.unit();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
-  if (ImGui::BeginPopupContextItem("menu")) {
+  if (begin_context_popup(uses_.gui, "menu")) {
     if (ImGui::MenuItem("Rename...")) asks_rename_ = index;
     if (ImGui::BeginMenu("Overwrite")) {
       ImGui::TextDisabled("By the layers as they are now?");
@@ -240,9 +233,7 @@ void BundlesPanel::draw_row(std::size_t index) {
   if (is_changed) list.AddCircleFilled({end.x - 8 * unit, at.y + 0.5F * height}, 3 * unit, uses_.gui.colors().accent);
   if (is_current && shown_current_ != index) ImGui::SetScrollHereY();
   // The list is changed last: what was drawn was the one before.
-  if (clicked)
-    uses_.editor.change_layers("Bundle " + in_quotes(uses_.bundles.bundles()[index].name),
-                               [&] { uses_.bundles.choose(index); });
+  if (clicked) uses_.choose(index);
   if (dropped) tell(uses_.bundles.move(*dropped, index));
   draw_context_menu(index);
   ImGui::PopID();

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/editor.h"
 #include "app/model/messages.h"
 #include "app/store/bundle_desk.h"
 #include "app/ui/name_field.h"
@@ -21,9 +20,9 @@ class BundlesPanel {
     const Gui& gui;
     const ActionBindings& actions;
     BundleDesk& bundles;
-    Editor& editor;
     Messages& messages;
     bool& is_unfolded;
+    std::function<void(std::size_t)> choose;      ///< shows a bundle
     std::function<void(std::size_t)> export_one;  ///< asks for a file
   };
   explicit BundlesPanel(Uses uses) : uses_(std::move(uses)) {}

@@ -4,14 +4,16 @@
 #include <cfloat>
 #include <cmath>
 
+#include "app/model/scalar_words.h"
 #include "app/picture/legend.h"
 #include "app/ui/theme.h"
 
 namespace mes {
 
 ImVec2 CanvasLegend::draw(ImVec2 corner, float room) const {
-  const std::vector<LegendEntry> entries = picture.legend(layers);
+  std::vector<LegendEntry> entries = picture.legend(layers);
   if (entries.empty()) return {};
+  for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
   const float unit = gui.unit();
   const auto font = [&](bool is_bold) { return is_bold ? gui.bold() : ImGui::GetFont(); };
   const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "app/model/parameter_words.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -18,7 +19,7 @@ constexpr float kCross = 13;
 
 std::string explanation(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
-  return std::string(descriptor.explanation) + "\n\nClick: back to the default, " +
+  return spoken_explanation(descriptor) + "\n\nClick: back to the default, " +
          value_text(descriptor, descriptor.default_value);
 }
 

@@ -2,8 +2,9 @@
 #include "app/panels/color_map_controls.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "app/model/scalar_words.h"
+#include "app/ui/number_field.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -69,8 +70,7 @@ void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
   if (range.is_empty()) range = {0.0, 1.0};
   const auto field = [&](const char* label, double& value) {
     ImGui::SetNextItemWidth(kFieldWidth * unit);
-    ImGui::InputDouble(label, &value, 0.0, 0.0, "%.5g");
-    return ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(value);
+    return number_field(label, value, "%.5g");
   };
   double low = range.low;
   double high = range.high;
@@ -106,7 +106,7 @@ void ColorMapControls::draw(LayerIndex layer, LayerStyle& style) {
   const std::string_view scalar = layers_.descriptor(layer).scalar;
   if (scalar.empty()) return;
   draw_choice(style);
-  tooltip(gui_, "Colours by " + std::string(scalar));
+  tooltip(gui_, "Colours by " + spoken_scalar(scalar));
   if (!style.color_map.empty()) draw_range(layer, style);
 }
 

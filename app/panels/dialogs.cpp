@@ -16,7 +16,10 @@ std::vector<const Dialog*> Dialogs::open() const {
 bool Dialogs::take_key(const KeyChord& chord) {
   const auto top = std::ranges::find_if(all_.rbegin(), all_.rend(), [](const Dialog* one) { return one->is_open(); });
   if (top == all_.rend()) return false;
-  if ((*top)->is_cancelled_by(chord)) (*top)->cancel();
+  if ((*top)->is_cancelled_by(chord))
+    (*top)->cancel();
+  else
+    (*top)->press(chord);
   return true;
 }
 

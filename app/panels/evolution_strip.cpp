@@ -4,16 +4,21 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string>
 
+#include "app/model/evolution_layers.h"
+#include "app/model/parameter_words.h"
 #include "app/ui/icons.h"
+#include "app/ui/number_field.h"
+#include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/rng.h"
 
 namespace mes {
 namespace {
+
+constexpr float kChooserWidth = 150;  // logical pixels
 
 /// Puts things side by side while there is room, and then on the next line.
 class Row {
@@ -32,7 +37,7 @@ class Row {
 
 void chooser(const EvolutionStrip& strip) {
   EvolutionPlayer& player = strip.evolution;
-  ImGui::SetNextItemWidth(104 * strip.gui.unit());
+  ImGui::SetNextItemWidth(kChooserWidth * strip.gui.unit());
   if (ImGui::BeginCombo("##evolution", player.descriptor().name.data(), ImGuiComboFlags_HeightLarge)) {
     for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
       const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
@@ -67,34 +72,32 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
   EvolutionPlayer& player = strip.evolution;
   const float unit = strip.gui.unit();
   std::uint64_t k = player.target();
-  constexpr std::uint64_t kFirst = 0;
   const std::uint64_t end = player.end();
-  const float width = std::clamp(most - 86 * unit, 60 * unit, 140 * unit);
-  row.next(width + 86 * unit);
-  ImGui::SetNextItemWidth(width);
-  std::string format = "step %llu";
-  if (const auto scale = player.parameter_value()) format += fmt::format(": \u00D7 {:.4g}", *scale);
-  if (ImGui::SliderScalar("##step", ImGuiDataType_U64, &k, &kFirst, &end, format.c_str(),
-                          ImGuiSliderFlags_AlwaysClamp) &&
-      k != player.target())
-    player.step_to(k);
-  tooltip(strip.gui, "Steps from the beginning; Ctrl+click to type a number");
+  constexpr float kEnd = 86;
+  const float width = std::clamp(most - kEnd * unit, 120 * unit, 220 * unit);
+  row.next(width + kEnd * unit);
+  auto step = static_cast<double>(k);
+  if (slider(strip.gui, "##step", step, 0.0, static_cast<double>(end),
+             {.format = "%.0f", .is_whole = true, .width = width}))
+    k = static_cast<std::uint64_t>(step);
+  if (k != player.target()) player.step_to(k);
+  std::string meaning = "Step: how many from the beginning";
+  if (const auto scale = player.parameter_value()) meaning += fmt::format("\nRadii are multiplied by {:.4g}", *scale);
+  tooltip(strip.gui, meaning);
   ImGui::SameLine(0, 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("of");
   ImGui::SameLine(0, 5 * unit);
   std::uint64_t new_end = end;
   ImGui::SetNextItemWidth(56 * unit);
-  if (ImGui::InputScalar("##end", ImGuiDataType_U64, &new_end, nullptr, nullptr, nullptr,
-                         ImGuiInputTextFlags_EnterReturnsTrue))
-    player.set_end(new_end);
-  tooltip(strip.gui, "Last step of the slider; playing goes on beyond it");
+  if (number_field("##end", new_end)) player.set_end(new_end);
+  tooltip(strip.gui, "Where the slider ends; playing goes on beyond it");
 }
 
 void speed(const EvolutionStrip& strip) {
   constexpr std::array<double, 6> kSpeeds{1, 2, 5, 10, 30, EvolutionPlayer::kFastest};
   const auto label = [](double value) {
-    return value >= EvolutionPlayer::kFastest ? "fastest" : fmt::format("{} a second", static_cast<int>(value));
+    return value >= EvolutionPlayer::kFastest ? "Fastest" : fmt::format("{} steps/s", static_cast<int>(value));
   };
   EvolutionPlayer& player = strip.evolution;
   ImGui::SetNextItemWidth(100 * strip.gui.unit());
@@ -103,7 +106,7 @@ void speed(const EvolutionStrip& strip) {
       if (ImGui::Selectable(label(value).c_str(), value == player.speed())) player.set_speed(value);
     ImGui::EndCombo();
   }
-  tooltip(strip.gui, "Steps while playing; never more than pictures can be completed");
+  tooltip(strip.gui, "How fast it plays; a step waits until the picture of the one before is complete");
 }
 
 void seed(const EvolutionStrip& strip) {
@@ -114,9 +117,7 @@ void seed(const EvolutionStrip& strip) {
   ImGui::SameLine(0, 5 * unit);
   std::uint64_t value = player.choice().seed;
   ImGui::SetNextItemWidth(70 * unit);
-  if (ImGui::InputScalar("##seed", ImGuiDataType_U64, &value, nullptr, nullptr, nullptr,
-                         ImGuiInputTextFlags_EnterReturnsTrue))
-    player.set_seed(value);
+  if (number_field("##seed", value)) player.set_seed(value);
   tooltip(strip.gui, "The same seed gives the same random numbers, always");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("New seed")) player.set_seed(Rng(player.choice().seed).at(0) >> 40U);
@@ -125,40 +126,68 @@ void seed(const EvolutionStrip& strip) {
 
 void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& parameter) {
   EvolutionPlayer& player = strip.evolution;
-  const std::string id(parameter.id);
+  const Gui& gui = strip.gui;
+  const float unit = gui.unit();
+  const std::string title = title_of(parameter);
+  const auto choices = choices_of(parameter);
   double value = player.choice().values[parameter.id];
-  ImGui::SetNextItemWidth(140 * strip.gui.unit());
-  if (parameter.is_whole && parameter.high == 1.0) {
+  ImGui::PushID(parameter.id.data());
+  if (!choices.empty()) {
+    const auto chosen = static_cast<std::size_t>(value);
+    ImGui::TextUnformatted(title.c_str());
+    ImGui::SetNextItemWidth(250 * unit);
+    if (ImGui::BeginCombo("##choice", std::string(choices[chosen]).c_str())) {
+      for (std::size_t i = 0; i < choices.size(); ++i)
+        if (ImGui::Selectable(std::string(choices[i]).c_str(), i == chosen))
+          value = parameter.low + static_cast<double>(i);
+      ImGui::EndCombo();
+    }
+  } else if (is_switch(parameter)) {
     bool is_on = value != 0.0;
-    if (ImGui::Checkbox(id.c_str(), &is_on)) player.set_value(parameter.id, is_on ? 1.0 : 0.0);
-  } else if (parameter.is_whole) {
-    auto whole = static_cast<int>(value);
-    if (ImGui::SliderInt(id.c_str(), &whole, static_cast<int>(parameter.low), static_cast<int>(parameter.high), "%d",
-                         ImGuiSliderFlags_AlwaysClamp))
-      player.set_value(parameter.id, whole);
-  } else if (ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &parameter.low, &parameter.high, "%.4g",
-                                 ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
-    player.set_value(parameter.id, value);
+    if (ImGui::Checkbox(title.c_str(), &is_on)) value = is_on ? 1.0 : 0.0;
+  } else {
+    ImGui::TextUnformatted(title.c_str());
+    const std::string number = parameter.unit == "%" ? "%.4g %%" : "%.4g " + std::string(parameter.unit);
+    slider(gui, "##value", value, parameter.low, parameter.high,
+           {.format = number.c_str(), .is_logarithmic = true, .is_whole = parameter.is_whole, .width = 250 * unit});
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, strip.gui.colors().text_quiet);
-  ImGui::PushTextWrapPos(330 * strip.gui.unit());
-  ImGui::TextUnformatted(parameter.explanation.data());
+  ImGui::PopID();
+  if (value != player.choice().values[parameter.id]) player.set_value(parameter.id, value);
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
+  ImGui::PushTextWrapPos(330 * unit);
+  ImGui::TextUnformatted(spoken_explanation(parameter).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::Spacing();
 }
 
+// Its popup stands above the strip, whose numbers one watches while changing these.
 void parameters(const EvolutionStrip& strip, float size) {
   EvolutionPlayer& player = strip.evolution;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   if (icon_button("parameters", Icon::parameters, size)) ImGui::OpenPopup("##evolution-parameters");
   tooltip(strip.gui, "Parameters\nWhat steers this evolution; a change shows the present step anew");
-  if (!ImGui::BeginPopup("##evolution-parameters")) return;
+  ImGui::SetNextWindowPos({at.x, ImGui::GetWindowPos().y - 6 * strip.gui.unit()}, ImGuiCond_Always, {0.0F, 1.0F});
+  if (!begin_popup(strip.gui, "##evolution-parameters")) return;
   const std::vector<ParameterDescriptor> all = parameters_of(player.choice().evolution);
   for (const ParameterDescriptor& parameter : all) parameter_field(strip, parameter);
-  if (ImGui::Button("As at the beginning"))
+  if (ImGui::Button("Defaults"))
     for (const ParameterDescriptor& parameter : all) player.set_value(parameter.id, parameter.default_value);
-  tooltip(strip.gui, "Give every parameter of this evolution its first value back");
+  tooltip(strip.gui, "Set every parameter of this evolution to its default");
   ImGui::EndPopup();
+}
+
+// An evolution that nothing on the canvas shows is offered its layers.
+void hidden_layers(const EvolutionStrip& strip, Row& row) {
+  const std::vector<LayerIndex> wanted = layers_to_show(strip.evolution.choice().evolution, strip.layers);
+  if (wanted.empty()) return;
+  const std::string label = "Show " + what_moves(strip.evolution.choice().evolution);
+  row.next(ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
+  if (ImGui::Button(label.c_str()))
+    strip.editor.change_layers(label, [&] {
+      for (const LayerIndex layer : wanted) strip.layers.set_visible(layer, true);
+    });
+  tooltip(strip.gui, "No layer is shown that this evolution changes");
 }
 
 // Far steps only: for near ones it would flicker.
@@ -183,7 +212,7 @@ float EvolutionStrip::draw(ImVec2 at, float width) const {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   const float size = ImGui::GetFrameHeight();
   Row row(width - 16 * unit, 10 * unit);
-  row.next(104 * unit);
+  row.next(kChooserWidth * unit);
   chooser(*this);
   row.next(size);
   parameters(*this, size);
@@ -196,6 +225,7 @@ float EvolutionStrip::draw(ImVec2 at, float width) const {
     row.next(190 * unit);
     seed(*this);
   }
+  hidden_layers(*this, row);
   progress(*this, ImGui::GetWindowWidth());
   const float height = ImGui::GetWindowHeight();
   ImGui::End();

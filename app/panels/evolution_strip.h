@@ -12,6 +12,8 @@ struct EvolutionStrip {
   const Gui& gui;
   const ActionBindings& actions;
   EvolutionPlayer& evolution;
+  Editor& editor;
+  LayerStack& layers;
 
   /// Its lower left corner stands at `at`. Gives the height it takes.
   float draw(ImVec2 at, float width) const;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/store/background_loader.h"
+#include "app/ui/number_field.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/coordinate_range.h"
@@ -14,11 +15,10 @@ namespace {
 constexpr float kFieldWidth = 150.0F;
 
 /// True when a number was typed that a document can hold.
-bool number_field(const Gui& gui, const char* label, double& value, const char* explanation) {
+bool place_field(const Gui& gui, const char* label, double& value, const char* explanation) {
   ImGui::SetNextItemWidth(kFieldWidth * gui.unit());
   double typed = value;
-  ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g");
-  const bool is_new = ImGui::IsItemDeactivatedAfterEdit() && !range_fault_of(typed);
+  const bool is_new = number_field(label, typed, "%.6g") && !range_fault_of(typed);
   if (is_new) value = typed;
   tooltip(gui, explanation);
   return is_new;
@@ -46,9 +46,9 @@ void ImageControls::draw() const {
   tooltip(gui, image.file);
   const double aspect = picture.background_aspect();
   if (aspect == 0.0) ImGui::TextDisabled("It is not shown: it is being read, or cannot be");
-  bool is_new = number_field(gui, "Width", image.width, "From its left to its right edge, in units of the samples");
-  is_new = number_field(gui, "Middle, x", image.center.x, "Where its middle lies") || is_new;
-  is_new = number_field(gui, "Middle, y", image.center.y, "Where its middle lies") || is_new;
+  bool is_new = place_field(gui, "Width", image.width, "From its left to its right edge, in units of the samples");
+  is_new = place_field(gui, "Middle, x", image.center.x, "Where its middle lies") || is_new;
+  is_new = place_field(gui, "Middle, y", image.center.y, "Where its middle lies") || is_new;
   if (is_new && image.width > 0.0) layers.set_image(image);
   ImGui::BeginDisabled(aspect == 0.0);
   if (ImGui::Button("Fit to view")) layers.set_image(placed_in(canvas.view().free_box(), image.file, aspect));

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <utility>
 
 #include "app/ui/icons.h"
+#include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "imgui_stdlib.h"
 #include "render/convert.h"
@@ -73,18 +75,23 @@ std::string milliseconds(double ms) {
 }  // namespace
 
 std::string LayersPanel::explanation(LayerIndex layer) const {
-  std::string out(layers_.descriptor(layer).tooltip);
+  const LayerDescriptor& descriptor = layers_.descriptor(layer);
+  std::string out = std::string(descriptor.name) + '\n' + std::string(descriptor.tooltip);
   // Nothing is computed for the picture to trace.
   if (layers_.descriptor(layer).kinds.empty()) return out;
   const LayerReport* report = picture_.report(layer);
   if (report == nullptr || !layers_.is_visible(layer)) return out;
   if (is_failed(report->state)) return out + "\n\nNot up to date: " + report->reason;
   if (report->state == NodeState::computing) return out + "\n\nBeing computed";
+  if (is_without_content(layer)) return out + "\n\nNothing of it is in this document";
   return out + "\n\nUp to date; drawn from the structures in " + milliseconds(report->emit_ms);
 }
 
-bool LayersPanel::is_listed(LayerIndex layer) const {
-  return (!only_visible_ || layers_.is_visible(layer)) && matches_search(layers_.descriptor(layer), search_);
+// Up to date, and with nothing to draw.
+bool LayersPanel::is_without_content(LayerIndex layer) const {
+  const auto& kinds = layers_.descriptor(layer).kinds;
+  if (kinds.empty() || !layers_.is_visible(layer) || picture_.state(layer) != NodeState::up_to_date) return false;
+  return std::ranges::all_of(kinds, [&](PrimitiveKind kind) { return picture_.scene().instances(layer, kind) == 0; });
 }
 
 void LayersPanel::draw_head() {
@@ -93,24 +100,56 @@ void LayersPanel::draw_head() {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Layers");
   ImGui::PopFont();
-  const float padding = ImGui::GetStyle().FramePadding.x;
-  const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  if (choice_button("Subject", !by_order_)) by_order_ = false;
-  tooltip(gui_, "List the layers by what they are about");
-  ImGui::SameLine(0, 2 * unit);
-  if (choice_button("Order", by_order_)) by_order_ = true;
-  tooltip(gui_, "List the layers as they lie on each other, top first");
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Only visible").x - ImGui::GetFrameHeight() - 14 * unit);
-  ImGui::InputTextWithHint("##search", "Search", &search_);
-  ImGui::SameLine();
-  ImGui::Checkbox("Only visible", &only_visible_);
-  tooltip(gui_, "List only the layers that are shown");
   if (layers_.soloed() != kNoLayer) {
+    ImGui::SameLine(0, 10 * unit);
     if (ImGui::SmallButton("End solo")) layers_.end_solo();
     tooltip(gui_, "Show the other layers again");
   }
+  const float padding = ImGui::GetStyle().FramePadding.x;
+  const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  if (choice_button("Subject", !options_.by_order)) options_.by_order = false;
+  tooltip(gui_, "List what is shown, and then every layer by what it is about");
+  ImGui::SameLine(0, 2 * unit);
+  if (choice_button("Order", options_.by_order)) options_.by_order = true;
+  tooltip(gui_, "List the layers as they lie on each other, top first");
+  draw_search();
+  draw_families();
   ImGui::Dummy({0, 1 * unit});
+}
+
+void LayersPanel::draw_search() {
+  const float unit = gui_.unit();
+  const float button = ImGui::GetFrameHeight();
+  const float check = ImGui::CalcTextSize("Only shown").x + button + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - check - button - 12 * unit));
+  ImGui::InputTextWithHint("##search", "Search", &options_.search);
+  // The library gives the text back that was there before; what is meant is none.
+  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) options_.search.clear();
+  ImGui::SameLine(0, 2 * unit);
+  if (options_.search.empty()) {
+    ImGui::Dummy({button, button});
+  } else {
+    if (icon_button("clear", Icon::close, button)) options_.search.clear();
+    tooltip(gui_, "Clear the search (Esc)");
+  }
+  ImGui::SameLine(0, 6 * unit);
+  ImGui::Checkbox("Only shown", &options_.only_shown);
+  tooltip(gui_, "List only the layers that are shown");
+}
+
+void LayersPanel::draw_families() const {
+  const float unit = gui_.unit();
+  constexpr std::array<const char*, kBallFamilies.size()> kWords{"Inner", "Polar", "Own"};
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Union of balls");
+  for (const BallFamily family : kBallFamilies) {
+    const auto place = static_cast<std::size_t>(family);
+    const ActionId id = nth(ActionId::balls_inner, place);
+    ImGui::SameLine(0, (place == 0 ? 8 : 2) * unit);
+    if (choice_button(kWords[place], actions_.is_checked(id))) actions_.run(id);
+    tooltip(gui_, tooltip_of(id));
+  }
 }
 
 void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
@@ -153,7 +192,7 @@ void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
 void LayersPanel::draw_style_popup(LayerIndex layer) {
   const float unit = gui_.unit();
   const PopupSpacing spacing(unit);
-  if (!ImGui::BeginPopup("style")) return;
+  if (!begin_popup(gui_, "style")) return;
   const LayerDescriptor& descriptor = layers_.descriptor(layer);
   LayerStyle style = layers_.style(layer);
   ImGui::PushFont(gui_.bold());
@@ -165,17 +204,14 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
   color_maps_.draw(layer, style);
   // The plain colour counts only without a map.
   if (style.color_map.empty() && !is_picture) draw_color_choice(unit, style);
-  const auto slider = [&](const char* label, double& value, float low, float high, float factor, const char* format,
-                          bool logarithmic) {
-    auto shown = static_cast<float>(value) * factor;
-    ImGui::SetNextItemWidth(150 * unit);
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    if (ImGui::SliderFloat(label, &shown, low, high, format, flags)) value = static_cast<double>(shown / factor);
-  };
-  slider("Opacity", style.opacity, 0.0F, 100.0F, 100.0F, "%.0f %%", false);
-  if (has_points(descriptor)) slider("Point size", style.point_size_px, 0.5F, 64.0F, 1.0F, "%.1f px", true);
+  const float width = 230 * unit;
+  double percent = 100.0 * style.opacity;
+  if (slider(gui_, "Opacity", percent, 0.0, 100.0, {.format = "%.0f %%", .width = width}))
+    style.opacity = percent / 100.0;
+  const SliderLook in_pixels{.format = "%.1f px", .is_logarithmic = true, .width = width};
+  if (has_points(descriptor)) slider(gui_, "Point size", style.point_size_px, 0.5, 64.0, in_pixels);
   if (has_strokes(descriptor)) {
-    slider("Line width", style.line_width_px, 0.1F, 64.0F, 1.0F, "%.1f px", true);
+    slider(gui_, "Line width", style.line_width_px, 0.1, 64.0, in_pixels);
     ImGui::Checkbox("Dashed", &style.dashed);
   }
   if (!is_picture) ImGui::Checkbox("Flat", &style.flat);
@@ -188,16 +224,9 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
   ImGui::EndPopup();
 }
 
-// A colour map goes along, but not to a layer that has nothing to show by it.
-void LayersPanel::paste_style(LayerIndex layer) const {
-  LayerStyle style = *copied_;
-  if (layers_.descriptor(layer).scalar.empty()) style.color_map.clear();
-  layers_.set_style(layer, style);
-}
-
 void LayersPanel::draw_context_menu(LayerIndex layer) {
   const PopupSpacing spacing(gui_.unit());
-  if (!ImGui::BeginPopupContextItem("menu")) return;
+  if (!begin_context_popup(gui_, "menu")) return;
   if (layers_.soloed() == layer) {
     if (ImGui::MenuItem("End solo")) layers_.end_solo();
   } else if (ImGui::MenuItem("Solo")) {
@@ -208,20 +237,52 @@ void LayersPanel::draw_context_menu(LayerIndex layer) {
   if (ImGui::MenuItem("Bring to front")) layers_.move(layer, layers_.order().back(), true);
   if (ImGui::MenuItem("Send to back")) layers_.move(layer, layers_.order().front(), false);
   ImGui::Separator();
-  if (ImGui::MenuItem("Copy style")) copied_ = layers_.style(layer);
-  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value())) paste_style(layer);
+  if (ImGui::MenuItem("Copy style")) copied_ = {layer, layers_.style(layer)};
+  if (ImGui::MenuItem("Paste style", nullptr, false, copied_.has_value()))
+    layers_.set_style(layer,
+                      style_for(layers_.descriptor(layer), layers_.descriptor(copied_->layer), copied_->style));
   if (ImGui::MenuItem("Reset style", nullptr, false, !layers_.has_default_style(layer))) layers_.reset_style(layer);
   ImGui::EndPopup();
 }
 
-void LayersPanel::draw_row(LayerIndex layer) {
+void LayersPanel::draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end) {
+  if (!ImGui::BeginDragDropTarget()) return;
+  const bool above = ImGui::GetIO().MousePos.y < 0.5F * (at.y + end.y);
+  const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(
+      kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+  if (payload != nullptr) {
+    const float y = above ? at.y : end.y;
+    ImGui::GetWindowDrawList()->AddLine({at.x, y}, {end.x, y}, gui_.colors().accent, 2 * gui_.unit());
+    if (payload->IsDelivery()) layers_.move(*static_cast<const LayerIndex*>(payload->Data), layer, above);
+  }
+  ImGui::EndDragDropTarget();
+}
+
+void LayersPanel::draw_row_text(LayerIndex layer, const LayerSection& section, ImVec2 at, ImVec2 end) const {
+  const float unit = gui_.unit();
+  const ThemeColors& colors = gui_.colors();
+  const bool visible = layers_.is_visible(layer);
+  const LayerDescriptor& descriptor = layers_.descriptor(layer);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float icon = 18 * unit;
+  const float middle = 0.5F * (at.y + end.y);
+  draw_icon(list, visible ? Icon::eye : Icon::eye_closed, {at.x + 2 * unit, middle - 0.5F * icon}, icon,
+            visible ? colors.text : colors.text_faint);
+  ImU32 color = visible ? colors.text : colors.text_quiet;
+  if (is_without_content(layer)) color = colors.text_faint;
+  if (visible && is_failed(picture_.state(layer))) color = colors.warning;
+  const float text_at = at.x + 27 * unit;
+  const std::string name = section.group ? short_name(descriptor) : std::string(descriptor.name);
+  list.AddText({text_at, middle - 0.5F * ImGui::GetFontSize()}, color, elided(name, end.x - text_at).c_str());
+  if (visible && picture_.state(layer) == NodeState::computing)
+    list.AddCircleFilled({end.x - 4 * unit, middle}, 3 * unit, colors.accent);
+}
+
+void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
   const float unit = gui_.unit();
   const LayerDescriptor& descriptor = layers_.descriptor(layer);
-  const bool visible = layers_.is_visible(layer);
-  const NodeState state = picture_.state(layer);
   const float height = 27 * unit;
   ImGui::PushID(static_cast<int>(layer));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 swatch_size(30 * unit, 18 * unit);
@@ -235,8 +296,9 @@ void LayersPanel::draw_row(LayerIndex layer) {
 
   ImGui::SetCursorScreenPos(at);
   const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, width - swatch_size.x - 6 * unit), height});
-  const bool hovered = ImGui::IsItemHovered();
-  if (clicked) layers_.set_visible(layer, !visible);
+  if (ImGui::IsItemHovered())
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, gui_.colors().accent_faint,
+                                              4 * unit);
   tooltip(gui_, explanation(layer));
   draw_context_menu(layer);
   if (ImGui::BeginDragDropSource()) {
@@ -244,71 +306,129 @@ void LayersPanel::draw_row(LayerIndex layer) {
     ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
     ImGui::EndDragDropSource();
   }
-  if (ImGui::BeginDragDropTarget()) {
-    const bool above = ImGui::GetIO().MousePos.y < at.y + 0.5F * height;
-    const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(
-        kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
-    if (payload != nullptr) {
-      const float y = above ? at.y : at.y + height;
-      list.AddLine({at.x, y}, {at.x + width, y}, gui_.colors().accent, 2 * unit);
-      if (payload->IsDelivery()) layers_.move(*static_cast<const LayerIndex*>(payload->Data), layer, above);
-    }
-    ImGui::EndDragDropTarget();
-  }
-
-  if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, gui_.colors().accent_faint, 4 * unit);
-  const float icon = 18 * unit;
-  const bool failed = visible && is_failed(state);
-  draw_icon(list, visible ? Icon::eye : Icon::eye_closed, {at.x + 2 * unit, at.y + 0.5F * (height - icon)}, icon,
-            visible ? gui_.colors().text : gui_.colors().text_faint);
-  const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
-  list.PushClipRect(at, {swatch_at.x - 6 * unit, at.y + height}, true);
-  list.AddText({at.x + 27 * unit, text_y},
-               failed    ? gui_.colors().warning
-               : visible ? gui_.colors().text
-                         : gui_.colors().text_quiet,
-               descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
-  list.PopClipRect();
-  if (visible && state == NodeState::computing)
-    list.AddCircleFilled({swatch_at.x - 10 * unit, at.y + 0.5F * height}, 3 * unit, gui_.colors().accent);
+  // Elsewhere the rows do not lie in drawing order, and a place between two of them means nothing.
+  if (!section.group) draw_drop_target(layer, at, {at.x + width, at.y + height});
+  draw_row_text(layer, section, at, {swatch_at.x - 6 * unit, at.y + height});
   draw_swatch(layer, swatch_at, swatch_size);
   ImGui::SetCursorScreenPos({at.x, at.y + height});
   ImGui::PopID();
+  if (!clicked) return;
+  layers_.set_visible(layer, !layers_.is_visible(layer));
+  clicked_at_ = layers_.revision();
+}
+
+// Hides what is shown of the group, and shows it again.
+void LayersPanel::toggle_group(const LayerSection& section) {
+  std::vector<LayerIndex>& hidden = hidden_[*section.group];
+  if (section.shown == 0) {
+    for (const LayerIndex layer : std::exchange(hidden, {})) layers_.set_visible(layer, true);
+  } else {
+    hidden.clear();
+    for (const LayerIndex layer : layers_.visible_layers())
+      if (layers_.descriptor(layer).group == *section.group) hidden.push_back(layer);
+    for (const LayerIndex layer : hidden) layers_.set_visible(layer, false);
+  }
+  clicked_at_ = layers_.revision();
+}
+
+bool LayersPanel::draw_heading(std::size_t index) {
+  const LayerSection& section = listing_.sections[index];
+  if (section.title.empty()) return true;
+  const float unit = gui_.unit();
+  const ThemeColors& colors = gui_.colors();
+  const float height = 26 * unit;
+  const float eye = 18 * unit;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool is_folded = folded_.contains(section.title);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 eye_at(at.x + width - eye - 8 * unit, at.y + 0.5F * (height - eye));
+  // Counted anew, for the list may be that of before a click.
+  std::size_t shown = 0;
+  for (const LayerIndex layer : layers_.visible_layers())
+    shown += !section.group || layers_.descriptor(layer).group == *section.group ? 1U : 0U;
+  if (section.group) {
+    LayerSection now = section;
+    now.shown = shown;
+    const bool is_possible = shown != 0 || !hidden_[*section.group].empty();
+    ImGui::SetCursorScreenPos(eye_at);
+    ImGui::BeginDisabled(!is_possible);
+    if (ImGui::InvisibleButton("eye", {eye, eye})) toggle_group(now);
+    const bool is_eye_hovered = ImGui::IsItemHovered();
+    ImGui::EndDisabled();
+    tooltip(gui_, shown != 0    ? "Hide what is shown of this group"
+                  : is_possible ? "Show again what was hidden of this group"
+                                : "Nothing of this group is shown");
+    const ImU32 quiet = is_eye_hovered ? colors.accent : colors.text_quiet;
+    draw_icon(list, shown != 0 ? Icon::eye : Icon::eye_closed, eye_at, eye, is_possible ? quiet : colors.text_faint);
+  }
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton("fold", {std::max(1.0F, width - eye - 12 * unit), height})) {
+    if (is_folded)
+      folded_.erase(section.title);
+    else
+      folded_.insert(section.title);
+  }
+  if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, colors.accent_faint, 4 * unit);
+  tooltip(gui_, is_folded ? "Unfold" : "Fold away");
+  draw_fold(list, {at.x + 11 * unit, at.y + 0.5F * height}, 4 * unit, !is_folded, colors.text_quiet);
+  ImGui::PushFont(gui_.small());
+  const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
+  const std::string count = section.group ? std::to_string(shown) + " of " + std::to_string(section.size) + " shown"
+                                          : std::to_string(shown);
+  const float count_at = eye_at.x - 6 * unit - ImGui::CalcTextSize(count.c_str()).x;
+  const std::string title = elided(section.title, count_at - at.x - 32 * unit);
+  list.AddText({at.x + 27 * unit, text_y}, colors.text_quiet, title.c_str());
+  list.AddText({count_at, text_y}, colors.text_faint, count.c_str());
+  ImGui::PopFont();
+  ImGui::SetCursorScreenPos({at.x, at.y + height});
+  return !is_folded;
+}
+
+void LayersPanel::draw_section(std::size_t index) {
+  ImGui::PushID(listing_.sections[index].title.c_str());
+  if (draw_heading(index))
+    for (const LayerIndex layer : listing_.sections[index].rows) draw_row(layer, listing_.sections[index]);
+  ImGui::PopID();
+}
+
+void LayersPanel::draw_filter_note() {
+  if (listing_.left_out == 0 || (options_.search.empty() && !options_.only_shown)) return;
+  const float unit = gui_.unit();
+  ImGui::Dummy({0, 4 * unit});
+  ImGui::PushFont(gui_.small());
+  const std::string text =
+      listing_.listed == 0 ? "No layer matches"
+                           : "Listed: " + std::to_string(listing_.listed) + " of " + std::to_string(layers_.size());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::SameLine(0, 8 * unit);
+  if (ImGui::Button("List all")) {
+    options_.search.clear();
+    options_.only_shown = false;
+  }
+  ImGui::PopFont();
+}
+
+void LayersPanel::follow() {
+  options_.family = BallFamily::inner;
+  for (const BallFamily family : kBallFamilies)
+    if (actions_.is_checked(nth(ActionId::balls_inner, static_cast<std::size_t>(family)))) options_.family = family;
+  const bool is_held = is_pointer_on_rows_ && clicked_at_ == layers_.revision() && options_ == listed_options_;
+  if (is_held) return;
+  listing_ = list_layers(layers_, options_);
+  listed_options_ = options_;
 }
 
 void LayersPanel::draw(const PanelArea& area) {
   if (begin_panel("##layers", area)) {
     draw_head();
+    follow();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::BeginChild("rows");
-    // A row may change the order while it is drawn.
-    const std::vector<LayerIndex> order(layers_.order().begin(), layers_.order().end());
-    const bool flat_list = by_order_ || !search_.empty();
-    std::size_t listed = 0;
-    for (const LayerGroup group :
-         {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::poles,
-          LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
-      const auto belongs = [&](LayerIndex layer) {
-        return is_listed(layer) && (flat_list || layers_.descriptor(layer).group == group);
-      };
-      const auto count = static_cast<std::size_t>(std::ranges::count_if(order, belongs));
-      listed += count;
-      if (count == 0) continue;
-      if (!flat_list) {
-        const std::string title(title_of(group));
-        ImGui::PushFont(gui_.small());
-        ImGui::PushStyleColor(ImGuiCol_Text, gui_.colors().text_quiet);
-        ImGui::PushStyleColor(ImGuiCol_Header, 0);
-        const bool open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
-        ImGui::PopStyleColor(2);
-        ImGui::PopFont();
-        if (!open) continue;
-      }
-      for (auto layer = order.rbegin(); layer != order.rend(); ++layer)
-        if (belongs(*layer)) draw_row(*layer);
-      if (flat_list) break;
-    }
-    if (listed == 0) ImGui::TextDisabled("No layer matches");
+    is_pointer_on_rows_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    for (std::size_t index = 0; index < listing_.sections.size(); ++index) draw_section(index);
+    draw_filter_note();
     ImGui::EndChild();
     ImGui::PopStyleVar();
   }

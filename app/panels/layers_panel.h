@@ -2,10 +2,14 @@
 // The list of layers: what is drawn, in which order, in which style.
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "app/actions/action_bindings.h"
+#include "app/model/layer_list.h"
 #include "app/panels/color_map_controls.h"
 #include "app/panels/image_controls.h"
 #include "app/ui/widgets.h"
@@ -14,30 +18,55 @@ namespace mes {
 
 class LayersPanel {
  public:
-  LayersPanel(const Gui& gui, LayerStack& layers, const Picture& picture, ImageControls image)
-      : gui_(gui), layers_(layers), picture_(picture), image_(image), color_maps_(gui, layers, picture) {}
+  LayersPanel(const Gui& gui, const ActionBindings& actions, LayerStack& layers, const Picture& picture,
+              ImageControls image)
+      : gui_(gui),
+        actions_(actions),
+        layers_(layers),
+        picture_(picture),
+        image_(image),
+        color_maps_(gui, layers, picture) {}
 
   void draw(const PanelArea& area);
 
  private:
   void draw_head();
-  void draw_row(LayerIndex layer);
+  void draw_search();
+  void draw_families() const;
+  void draw_section(std::size_t index);
+  /// False: its rows are folded away.
+  bool draw_heading(std::size_t index);
+  void toggle_group(const LayerSection& section);
+  void draw_row(LayerIndex layer, const LayerSection& section);
+  void draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end);
+  void draw_row_text(LayerIndex layer, const LayerSection& section, ImVec2 at, ImVec2 end) const;
   void draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const;
   void draw_style_popup(LayerIndex layer);
-  void paste_style(LayerIndex layer) const;
   void draw_context_menu(LayerIndex layer);
-  bool is_listed(LayerIndex layer) const;
+  void draw_filter_note();
+  void follow();
+  bool is_without_content(LayerIndex layer) const;
   std::string explanation(LayerIndex layer) const;
 
   const Gui& gui_;
+  const ActionBindings& actions_;
   LayerStack& layers_;
   const Picture& picture_;
   ImageControls image_;
   ColorMapControls color_maps_;
-  std::string search_;
-  bool only_visible_ = false;
-  bool by_order_ = false;
-  std::optional<LayerStyle> copied_;
+  LayerListOptions options_;
+  LayerListing listing_;
+  LayerListOptions listed_options_;
+  // While the pointer is on the rows, a click on one of them does not move the others.
+  bool is_pointer_on_rows_ = false;
+  std::uint64_t clicked_at_ = 0;                          // revision of the layers after the last click on a row
+  std::set<std::string> folded_;                          // headings
+  std::map<LayerGroup, std::vector<LayerIndex>> hidden_;  // by the eye of their group
+  struct CopiedStyle {
+    LayerIndex layer;
+    LayerStyle style;
+  };
+  std::optional<CopiedStyle> copied_;
 };
 
 }  // namespace mes

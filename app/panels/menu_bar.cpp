@@ -96,6 +96,11 @@ void view_menu(const MenuBar& menu) {
                             ActionId::toggle_log, ActionId::toggle_legend, ActionId::toggle_panels})
     action_item(menu, id);
   ImGui::Separator();
+  if (ImGui::BeginMenu("Balls")) {
+    for (const ActionId id : {ActionId::balls_inner, ActionId::balls_polar, ActionId::balls_own})
+      action_item(menu, id);
+    ImGui::EndMenu();
+  }
   if (ImGui::BeginMenu("Bundles")) {
     for (const ActionId id :
          {ActionId::save_bundle, ActionId::import_bundles, ActionId::export_bundles, ActionId::undo_bundles})
@@ -116,8 +121,7 @@ void view_menu(const MenuBar& menu) {
     }
     ImGui::EndMenu();
   }
-  if (ImGui::MenuItem("Layers as at the beginning"))
-    menu.editor.change_layers("Layers as at the beginning", [&] { menu.layers.reset(); });
+  if (ImGui::MenuItem("Reset layers")) menu.editor.change_layers("Reset layers", [&] { menu.layers.reset(); });
   tooltip(menu.gui, "Give every layer its first place, visibility and style back");
 }
 

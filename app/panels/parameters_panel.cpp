@@ -5,7 +5,10 @@
 #include <algorithm>
 
 #include "app/model/changed_parameters.h"
+#include "app/model/parameter_words.h"
 #include "app/ui/icons.h"
+#include "app/ui/number_field.h"
+#include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/lower_case.h"
@@ -15,14 +18,14 @@ namespace mes {
 namespace {
 
 bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
-  return lower_case(std::string(descriptor.id) + ' ' + std::string(descriptor.explanation))
+  return lower_case(title_of(descriptor) + ' ' + std::string(descriptor.id) + ' ' + spoken_explanation(descriptor))
              .find(lower_case(search)) != std::string::npos;
 }
 
 std::string explanation(const ParameterDescriptor& descriptor) {
   return fmt::format("{}\n\n{:.6g} to {:.6g}{}{}, {:.6g} by default. On the command line: --set {}=VALUE",
-                     descriptor.explanation, descriptor.low, descriptor.high, descriptor.unit.empty() ? "" : " ",
-                     descriptor.unit, descriptor.default_value, descriptor.id);
+                     spoken_explanation(descriptor), descriptor.low, descriptor.high,
+                     descriptor.unit.empty() ? "" : " ", descriptor.unit, descriptor.default_value, descriptor.id);
 }
 
 }  // namespace
@@ -32,11 +35,9 @@ void ParametersPanel::draw_animation(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
   const float unit = gui_.unit();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
-  if (ImGui::BeginPopup("animate")) {
+  if (begin_popup(gui_, "animate")) {
     if (ImGui::IsWindowAppearing() && !animation.is_running() && animation.parameter != parameter) {
-      animation.parameter = parameter;
-      animation.from = descriptor.low;
-      animation.to = descriptor.high;
+      animation.aim(parameter, computation_.settings()[parameter]);
     }
     ImGui::PushFont(gui_.bold());
     ImGui::TextUnformatted(("Let it run: " + title_of(descriptor)).c_str());
@@ -44,8 +45,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
     ImGui::BeginDisabled(animation.is_running());
     const auto bound = [&](const char* label, double& value, const char* meaning) {
       ImGui::SetNextItemWidth(130 * unit);
-      if (ImGui::InputDouble(label, &value, 0.0, 0.0, "%.6g"))
-        value = std::clamp(value, descriptor.low, descriptor.high);
+      if (number_field(label, value, "%.6g")) value = std::clamp(value, descriptor.low, descriptor.high);
       tooltip(gui_, meaning);
     };
     bound("From", animation.from, "Value of the first picture");
@@ -55,19 +55,20 @@ void ParametersPanel::draw_animation(Parameter parameter) {
       animation.steps = std::clamp(animation.steps, 1, ParameterAnimation::kMostSteps);
     tooltip(gui_, "From the first picture to the last");
     ImGui::EndDisabled();
-    auto speed = static_cast<float>(animation.steps_per_second);
-    ImGui::SetNextItemWidth(130 * unit);
-    if (ImGui::SliderFloat("Speed", &speed, 0.5F, 60.0F, "%.1f a second",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-      animation.steps_per_second = static_cast<double>(speed);
+    slider(gui_, "Speed", animation.steps_per_second, 0.5, 60.0,
+           {.format = "%.1f steps/s", .is_logarithmic = true, .width = 210 * unit});
     tooltip(gui_, "At most; each step waits until its picture is complete");
     if (animation.is_running()) {
-      if (ImGui::Button("Stop", {130 * unit, 0})) animation.stop();
+      if (ImGui::Button("Stop here")) animation.stop();
+      tooltip(gui_, "Keep the value that is shown now");
+      ImGui::SameLine();
+      if (ImGui::Button("Stop and go back")) computation_.give_back();
+      tooltip(gui_, "Give the parameter the value that it had before");
       ImGui::SameLine();
       ImGui::TextDisabled("%d of %d", animation.position(), animation.steps);
     } else if (ImGui::Button("Play", {130 * unit, 0})) {
       animation.parameter = parameter;
-      animation.start();
+      computation_.start_animation();
     }
     ImGui::EndPopup();
   }
@@ -107,16 +108,13 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   tooltip(gui_, "Back to the default");
   draw_animation(parameter);
   if (!is_switch(descriptor)) {
-    auto shown = static_cast<float>(value);
-    ImGui::SetNextItemWidth(-1);
-    const std::string format = (descriptor.is_whole ? "%.0f " : "%.5g ") +
-                               (descriptor.unit == "%" ? std::string("%%") : std::string(descriptor.unit));
-    const bool is_wide = descriptor.low > 0.0 && descriptor.high >= 1000.0 * descriptor.low;
-    if (ImGui::SliderFloat("##value", &shown, static_cast<float>(descriptor.low), static_cast<float>(descriptor.high),
-                           format.c_str(),
-                           ImGuiSliderFlags_AlwaysClamp | (is_wide ? ImGuiSliderFlags_Logarithmic : 0)))
-      value = std::clamp(static_cast<double>(shown), descriptor.low, descriptor.high);
-    tooltip(gui_, explanation(descriptor) + "\n\nCtrl+click to type a number");
+    const std::string unit_text = descriptor.unit == "%"         ? std::string(" %%")
+                                  : descriptor.unit == "degrees" ? std::string("\u00b0")
+                                                                 : ' ' + std::string(descriptor.unit);
+    const std::string format = (descriptor.is_whole ? "%.0f" : "%.5g") + unit_text;
+    slider(gui_, "##value", value, descriptor.low, descriptor.high,
+           {.format = format.c_str(), .is_logarithmic = is_wide(descriptor), .is_whole = descriptor.is_whole});
+    tooltip(gui_, explanation(descriptor));
   }
   ImGui::PopID();
   if (settings != computation_.settings()) {

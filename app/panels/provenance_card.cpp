@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/arc.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kReachPx = 7.0;
 constexpr std::size_t kMostShapes = 4000;
+constexpr double kMarginPx = 160.0;  // around what is shown by a click on its row
 // ImGui draws circles as polygons of corners all around; a far too large one is left out.
 constexpr double kLargestCirclePx = 2.0e4;
 
@@ -30,6 +32,26 @@ Look look_of(ProvenanceRole role) {
     case ProvenanceRole::product: return {palette::purple, 2.0F, "leads to"};
   }
   return {palette::black, 1.0F, ""};
+}
+
+// Of what has no end, its beginning.
+Box2 box_of(const ProvenanceShape& shape) {
+  const auto& v = shape.values;
+  Box2 out;
+  switch (shape.kind) {
+    case PrimitiveKind::disk:
+    case PrimitiveKind::circle: return bounding_box_of(Disk{{v[0], v[1]}, v[2]});
+    case PrimitiveKind::arc:
+      out.add(Vec2{v[3], v[4]});
+      out.add(Vec2{v[5], v[6]});
+      return out;
+    case PrimitiveKind::triangle: out.add(Vec2{v[4], v[5]}); [[fallthrough]];
+    case PrimitiveKind::segment: out.add(Vec2{v[2], v[3]}); [[fallthrough]];
+    case PrimitiveKind::point:
+    case PrimitiveKind::ray:
+    case PrimitiveKind::line: out.add(Vec2{v[0], v[1]});
+  }
+  return out;
 }
 
 /// The part of a + t d, low <= t <= high, within the rectangle from (0, 0) to `size` and somewhat more.
@@ -137,11 +159,11 @@ class Overlay {
 
 }  // namespace
 
-void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer& pointer,
-                         std::uint64_t document_revision) {
+void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor) {
   ProvenanceQuestion question{++ticket_, pointer.world, kReachPx * pointer.units_per_px, layers.visible_layers()};
   std::ranges::reverse(question.layers);
-  document_revision_ = document_revision;
+  document_revision_ = editor.document().revision();
+  selection_revision_ = editor.selection().revision();
   answer_.reset();
   engine.ask(std::move(question));
 }
@@ -157,10 +179,7 @@ bool ProvenanceCard::clear() {
   return std::exchange(answer_, nullptr) != nullptr;
 }
 
-void ProvenanceCard::draw(const Gui& gui, const Canvas& canvas, std::uint64_t document_revision, ImVec2 corner,
-                          ImVec2 room) {
-  if (answer_ && document_revision != document_revision_) clear();
-  if (!answer_) return;
+void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   std::size_t shapes = 0;
   // The thing itself last, on top of the others.
   for (std::size_t i = answer_->lines.size(); i-- > 0;) {
@@ -169,23 +188,32 @@ void ProvenanceCard::draw(const Gui& gui, const Canvas& canvas, std::uint64_t do
     for (const ProvenanceShape& shape : line.shapes)
       if (++shapes <= kMostShapes) overlay.draw(shape);
   }
+}
 
+bool ProvenanceCard::draw_head(const Gui& gui, float width) {
   const float unit = gui.unit();
-  const float width = std::min(390 * unit, room.x);
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {0.0F, 1.0F});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, room.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
-  ImGui::Begin("##provenance", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  bool is_closed = false;
+  const ImVec2 at = ImGui::GetCursorPos();
+  ImGui::InvisibleButton("head", {width - 40 * unit, ImGui::GetTextLineHeight()});
+  if (ImGui::IsItemActive()) {
+    moved_.x += ImGui::GetIO().MouseDelta.x;
+    moved_.y += ImGui::GetIO().MouseDelta.y;
+  }
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  tooltip(gui, "Drag to move this card");
+  ImGui::SetCursorPos(at);
   ImGui::TextDisabled("%s", std::string(layer_descriptors()[answer_->layer].name).c_str());
   ImGui::SameLine(width - 30 * unit);
-  if (ImGui::SmallButton("x")) is_closed = true;
-  tooltip(gui, "Take this away (Esc)");
+  const bool is_closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
+  tooltip(gui, "Close (Esc)");
+  return is_closed;
+}
+
+const ProvenanceLine* ProvenanceCard::draw_lines(const Gui& gui, float width) {
+  const float unit = gui.unit();
+  const ProvenanceLine* clicked = nullptr;
   std::size_t pointed_at = 0;
   ProvenanceRole heading = ProvenanceRole::itself;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < answer_->lines.size(); ++i) {
     const ProvenanceLine& line = answer_->lines[i];
     const Look look = look_of(line.role);
@@ -194,25 +222,62 @@ void ProvenanceCard::draw(const Gui& gui, const Canvas& canvas, std::uint64_t do
       ImGui::Dummy({0, 2 * unit});
       ImGui::TextDisabled("%s", look.heading);
     }
+    const float wrap = width - 40 * unit;
+    const float height = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, wrap).y;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float middle = at.y + 0.5F * ImGui::GetTextLineHeight();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::PushID(static_cast<int>(i));
+    const bool is_clicked = ImGui::InvisibleButton("line", {width - 20 * unit, height});
+    ImGui::PopID();
+    if (ImGui::IsItemHovered()) {
+      pointed_at = i + 1;
+      if (!line.shapes.empty())
+        list.AddRectFilled({at.x, at.y - 1 * unit}, {at.x + width - 20 * unit, at.y + height + 1 * unit},
+                           gui.colors().accent_faint, 3 * unit);
+    }
+    if (!line.shapes.empty()) tooltip(gui, "Click to show where it is");
+    if (is_clicked && !line.shapes.empty()) clicked = &line;
     const float r = 4.0F * unit;
-    const ImVec2 mark{at.x + 6 * unit, middle};
+    const ImVec2 mark{at.x + 6 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()};
     const ImU32 color = to_imgui(look.color);
     if (line.role == ProvenanceRole::itself) list.AddCircleFilled(mark, r, color);
     if (line.role == ProvenanceRole::origin) list.AddCircle(mark, r, color, 0, 2 * unit);
     if (line.role == ProvenanceRole::product)
       list.AddRect({mark.x - r, mark.y - r}, {mark.x + r, mark.y + r}, color, 0.0F, 0, 2 * unit);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 18 * unit);
-    ImGui::PushTextWrapPos(width - 12 * unit);
-    ImGui::TextUnformatted(line.text.c_str());
-    ImGui::PopTextWrapPos();
-    if (ImGui::IsItemHovered()) pointed_at = i + 1;
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + 18 * unit, at.y}, gui.colors().text,
+                 line.text.c_str(), nullptr, wrap);
   }
   pointed_at_ = pointed_at;
+  return clicked;
+}
+
+void ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room) {
+  const bool is_of_now =
+      editor.document().revision() == document_revision_ && editor.selection().revision() == selection_revision_;
+  if (answer_ && !is_of_now) clear();
+  if (!answer_) return;
+  draw_shapes(gui, canvas);
+  const float unit = gui.unit();
+  const float width = std::min(390 * unit, room.x);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  // Its head stays in the window.
+  moved_.x = std::clamp(moved_.x, -corner.x, std::max(-corner.x, screen.x - width - corner.x));
+  moved_.y = std::clamp(moved_.y, 60 * unit - corner.y, std::max(60 * unit - corner.y, screen.y - corner.y));
+  ImGui::SetNextWindowPos({corner.x + moved_.x, corner.y + moved_.y}, ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, room.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
+  ImGui::Begin("##provenance", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const bool is_closed = draw_head(gui, width);
+  const ProvenanceLine* const followed = draw_lines(gui, width);
   ImGui::End();
   ImGui::PopStyleVar();
+  if (followed != nullptr) {
+    Box2 box;
+    for (const ProvenanceShape& shape : followed->shapes) box.add(box_of(shape));
+    canvas.view().fit(box, kMarginPx * canvas.content_scale());
+  }
   if (is_closed) clear();
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/tool.h"
+#include "app/model/editor.h"
 #include "app/model/layer_stack.h"
 #include "app/ui/gui.h"
 #include "core/draw/provenance.h"
@@ -14,23 +15,32 @@
 
 namespace mes {
 
-/// It holds for one state of the document: an edit takes it away. Threads: the window's.
+/// It holds for one state of the document and one selection: an edit takes it away, and so does selecting something
+/// else. It can be dragged by its head. Threads: the window's.
 class ProvenanceCard {
  public:
   /// What lies under the pointer in the visible layers; the answer comes with a later patch.
-  void ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, std::uint64_t document_revision);
+  void ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor);
   /// An answer; those to earlier questions are passed over.
   void take(std::unique_ptr<Provenance> answer);
   /// True when there was something to take away.
   bool clear();
   const Provenance* shown() const { return answer_.get(); }
 
-  /// `corner`: lower left. Draws the shapes behind all panels.
-  void draw(const Gui& gui, const Canvas& canvas, std::uint64_t document_revision, ImVec2 corner, ImVec2 room);
+  /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is.
+  void draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room);
 
  private:
   std::uint64_t ticket_ = 0;
+  void draw_shapes(const Gui& gui, const Canvas& canvas) const;
+  /// The line that was clicked.
+  const ProvenanceLine* draw_lines(const Gui& gui, float width);
+  /// True when it was closed.
+  bool draw_head(const Gui& gui, float width);
+
   std::uint64_t document_revision_ = 0;
+  std::uint64_t selection_revision_ = 0;
+  ImVec2 moved_{};  ///< from its corner, by hand
   std::unique_ptr<Provenance> answer_;
   std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none
 };

@@ -9,6 +9,7 @@
 
 #include "app/model/record_settings.h"
 #include "app/ui/icons.h"
+#include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
@@ -115,13 +116,16 @@ void draw_contents(const RecordPopup& popup) {
   title("Folder", column);
   ImGui::SetNextItemWidth(230 * unit);
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
-  tooltip(gui, "Each recording makes a folder of its own in it. Snapshots go to " + pictures_folder().string());
+  tooltip(gui, "Snapshots go here, and each recording to a new folder in it");
   ImGui::EndDisabled();
+  title("Pace of video", column);
+  if (choice_button("Steady", !record.real_time)) record.real_time = false;
+  tooltip(gui, "Each frame is seen equally long");
+  ImGui::SameLine();
+  if (choice_button("Real time", record.real_time)) record.real_time = true;
+  tooltip(gui, "Each frame is seen as long as it was when it was recorded");
   title("Video", column);
-  auto fps = static_cast<float>(record.fps);
-  ImGui::SetNextItemWidth(100 * unit);
-  if (ImGui::SliderFloat("##fps", &fps, 1.0F, 60.0F, "%.0f per second", ImGuiSliderFlags_AlwaysClamp))
-    record.fps = std::round(static_cast<double>(fps));
+  slider(gui, "##fps", record.fps, 1.0, 60.0, {.format = "%.0f fps", .is_whole = true, .width = 170 * unit});
   tooltip(gui, "Frames per second");
   ImGui::SameLine();
   ImGui::BeginDisabled(!popup.actions.is_enabled(ActionId::make_video));
@@ -147,7 +151,7 @@ void RecordPopup::draw(float size) const {
   ImGui::SetNextWindowPos({at.x + size + 10 * unit, at.y + size}, ImGuiCond_Always, {0.0F, 1.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
-  if (ImGui::BeginPopup("##record")) {
+  if (begin_popup(gui, "##record")) {
     draw_contents(*this);
     ImGui::EndPopup();
   }

@@ -44,6 +44,18 @@ std::string counts(const Editor& editor, double units_per_px) {
   return out;
 }
 
+// "Drawing every 2nd disk"; empty: all are drawn.
+std::string share_text(std::uint32_t every) {
+  if (every <= 1) return {};
+  const bool is_teen = every % 100 >= 11 && every % 100 <= 13;
+  const char* const ending = is_teen           ? "th"
+                             : every % 10 == 1 ? "st"
+                             : every % 10 == 2 ? "nd"
+                             : every % 10 == 3 ? "rd"
+                                               : "th";
+  return "Drawing every " + std::to_string(every) + ending + " disk";
+}
+
 std::string coordinates(const Canvas& canvas) {
   if (!canvas.is_hovered()) return {};
   const double units = canvas.view().camera().units_per_pixel();
@@ -69,36 +81,39 @@ void StatusBar::draw(const PanelArea& area) const {
     const float end = ImGui::GetContentRegionMax().x;
     const float verdict_at = end - verdict.width();
     const float before_verdict = verdict_at - 14 * unit - count_width;
+    // As wide as they are deep in a zoom; else the same for all, so that nothing moves with the pointer.
+    const float coordinates_width =
+        std::max(kCoordinatesWidth * unit, ImGui::CalcTextSize(right_text.c_str()).x + 24 * unit);
     const ChangedChips chips(gui, computation, messages);
     // Where all has no room, what is being done or can be done says more than where the pointer is, and what changes
     // the picture unseen says more than either.
-    const bool has_room = before_verdict > (kCoordinatesWidth + kLeastRemark) * unit + chips.full_width();
+    const bool has_room = before_verdict > coordinates_width + kLeastRemark * unit + chips.full_width();
     const bool has_counts = before_verdict > chips.width_in(0.0F);
-    const float counts_at = has_counts ? std::max(0.0F, before_verdict - (has_room ? kCoordinatesWidth * unit : 0.0F))
-                                       : verdict_at - 14 * unit;
+    const float counts_at =
+        has_counts ? std::max(0.0F, before_verdict - (has_room ? coordinates_width : 0.0F)) : verdict_at - 14 * unit;
     const float chips_room = counts_at - kLeastRemark * unit;
     const float chips_at = std::max(0.0F, counts_at - chips.width_in(chips_room));
     const ImVec2 clip_from = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(clip_from, {clip_from.x + chips_at - 16 * unit, area.at.y + area.size.y}, true);
     work.draw_recording();
+    const std::string share = share_text(picture.every());
     if (!work.draw()) {
       const std::string& remark = messages.remark();
-      if (!remark.empty()) {
-        ImGui::TextUnformatted(remark.c_str());
-        tooltip(gui, remark);
-      } else {
-        const std::string_view hint = canvas.tool().hint();
-        ImGui::TextDisabled("%.*s", static_cast<int>(hint.size()), hint.data());
-      }
+      const std::string text = remark.empty() ? std::string(canvas.tool().hint()) : remark;
+      const float share_width = share.empty() ? 0.0F : ImGui::CalcTextSize(share.c_str()).x + 16 * unit;
+      const std::string shown = elided(text, chips_at - 16 * unit - ImGui::GetCursorPosX() - share_width);
+      if (remark.empty())
+        ImGui::TextDisabled("%s", shown.c_str());
+      else
+        ImGui::TextUnformatted(shown.c_str());
+      if (!remark.empty() || shown != text) tooltip(gui, text);
     }
-    if (const std::uint32_t every = picture.every(); every > 1) {
+    if (!share.empty()) {
       ImGui::SameLine(0, 16 * unit);
       ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-      ImGui::Text("1 of %u disks shown", every);
+      ImGui::TextUnformatted(share.c_str());
       ImGui::PopStyleColor();
-      tooltip(gui,
-              "There are so many large disks that painting them all would make the window slow. Pictures made by "
-              "mesecina render have them all");
+      tooltip(gui, "All of these large disks would make the window slow. Snapshots and recordings have them all");
     }
     ImGui::PopClipRect();
     ImGui::SameLine(chips_at);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/ui/icons.h"
+#include "app/ui/slider.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
@@ -120,11 +121,8 @@ float Toolbar::draw(ImVec2 at, float room) const {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Spacing");
     ImGui::SameLine();
-    auto spacing = static_cast<float>(settings.spray_spacing_px);
-    ImGui::SetNextItemWidth(150 * unit);
-    if (ImGui::SliderFloat("##spacing", &spacing, 2.0F, 100.0F, "%.0f px",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-      settings.spray_spacing_px = static_cast<double>(spacing);
+    slider(gui, "##spacing", settings.spray_spacing_px, 2.0, 100.0,
+           {.format = "%.0f px", .is_logarithmic = true, .width = 210 * unit});
     tooltip(gui, "Distance of neighbouring samples of a stroke, in pixels of the screen");
     ImGui::End();
     ImGui::PopStyleVar();

@@ -7,46 +7,42 @@
 #include <cmath>
 #include <string>
 
+#include "app/model/neighborhood.h"
+#include "app/model/verdict_word.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
-#include "core/engine/theorem_light.h"
 
 namespace mes {
 namespace {
 
-struct LightLook {
-  ImU32 color;
-  const char* word;
-  const char* meaning;
-};
-
-LightLook look_of(const ThemeColors& colors, TheoremLight light) {
-  switch (light) {
-    case TheoremLight::green:
-      return {
-          colors.good, "Proved",
-          "The one-step axis is the medial axis of the union of the inner balls: proved exactly for these samples"};
-    case TheoremLight::yellow:
-      return {colors.doubtful, "In doubt",
-              "Computed exactly, but the samples are not dense enough everywhere. Click for the places"};
-    case TheoremLight::red:
-      return {colors.wrong, "Wrong", "The chosen number type gave a wrong or inconsistent result. Click to see what"};
-    case TheoremLight::none: break;
+ImU32 color_of(const ThemeColors& colors, VerdictWord::Mood mood) {
+  switch (mood) {
+    case VerdictWord::Mood::good: return colors.good;
+    case VerdictWord::Mood::doubtful: return colors.doubtful;
+    case VerdictWord::Mood::wrong: return colors.wrong;
+    case VerdictWord::Mood::warning: return colors.warning;
+    case VerdictWord::Mood::quiet: break;
   }
-  return {colors.border, "Open", "There is nothing inside to judge"};
+  return colors.border;
 }
 
-LightLook look_of(const Verdict& verdict) {
-  const TheoremLight light = light_of(verdict.picture.nodes());
-  if (light == TheoremLight::none && verdict.picture.lacks_memory()) {
-    return {verdict.gui.colors().warning, "No memory",
-            "Nothing can be said: there is not enough memory. Undo, hide layers or open a smaller file"};
-  }
-  return look_of(verdict.gui.colors(), light);
+// Shorter work leaves the answer before, which would only flicker.
+constexpr double kShownAfterMs = 100.0;
+
+Checking checking_of(const Verdict& verdict) {
+  const EngineStatus status = verdict.engine.status();
+  const bool is_outdated = verdict.picture.is_outdated();
+  if (status.cancelled) return Checking::cancelled;
+  if (is_outdated || (status.busy && status.busy_ms >= kShownAfterMs)) return Checking::under_way;
+  return Checking::done;
+}
+
+VerdictWord word_of(const Verdict& verdict) {
+  return verdict_word(light_of(verdict.picture.nodes()), verdict.picture.lacks_memory(), checking_of(verdict));
 }
 
 constexpr float kChoiceWidth = 118;
-constexpr float kLightWidth = 92;
+constexpr float kLightWidth = 134;
 
 void draw_choice(const Verdict& verdict) {
   const float unit = verdict.gui.unit();
@@ -65,11 +61,8 @@ void draw_choice(const Verdict& verdict) {
   }
 }
 
-// A square around the place, a twenty-fifth of the data wide.
 void show_place(const Verdict& verdict, Vec2 place) {
-  const Box2 box = verdict.document.bounding_box();
-  const double half = 0.02 * std::max({box.width(), box.height(), 1e-300});
-  verdict.canvas.view().fit({{place.x - half, place.y - half}, {place.x + half, place.y + half}}, 0.0);
+  verdict.canvas.view().fit(neighborhood_of(verdict.document, place), 0.0);
 }
 
 void draw_reasons(const Verdict& verdict) {
@@ -80,8 +73,8 @@ void draw_reasons(const Verdict& verdict) {
     if (node.state == NodeState::failed) {
       any = true;
       ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.gui.colors().warning), "%s failed: %s",
-                         node.structure.c_str(), node.reason.c_str());
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.gui.colors().warning), "Failed: %s. %s",
+                         structure_name(node.structure).c_str(), node.reason.c_str());
       ImGui::PopTextWrapPos();
     }
     for (std::size_t i = 0; i < node.findings.size(); ++i) {
@@ -90,12 +83,12 @@ void draw_reasons(const Verdict& verdict) {
       ImGui::PushID(node.structure.c_str());
       ImGui::PushID(static_cast<int>(i));
       const ImVec2 at = ImGui::GetCursorScreenPos();
-      const TheoremLight light = finding.level == FindingLevel::wrong ? TheoremLight::red : TheoremLight::yellow;
+      const auto mood = finding.level == FindingLevel::wrong ? VerdictWord::Mood::wrong : VerdictWord::Mood::doubtful;
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
-                                                  4 * unit, look_of(verdict.gui.colors(), light).color);
+                                                  4 * unit, color_of(verdict.gui.colors(), mood));
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextUnformatted(fmt::format("{} {}", finding.count, finding.text).c_str());
+      ImGui::TextUnformatted(text_of(finding, node.structure).c_str());
       ImGui::PopTextWrapPos();
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       constexpr std::size_t kShown = 8;
@@ -114,7 +107,11 @@ void draw_reasons(const Verdict& verdict) {
       ImGui::Dummy({0, 2 * unit});
     }
   }
-  if (!any) ImGui::TextUnformatted(look_of(verdict).meaning);
+  if (any) return;
+  const std::string meaning(word_of(verdict).meaning);
+  ImGui::PushTextWrapPos(kWidth * unit);
+  ImGui::TextUnformatted(meaning.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 }  // namespace
@@ -127,7 +124,7 @@ void Verdict::draw() const {
   const float unit = gui.unit();
   draw_choice(*this);
   ImGui::SameLine(0, 10 * unit);
-  const LightLook look = look_of(*this);
+  const VerdictWord look = word_of(*this);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   if (ImGui::InvisibleButton("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");
@@ -135,12 +132,13 @@ void Verdict::draw() const {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kLightWidth * unit, at.y + height},
                                               gui.colors().accent_soft, 4 * unit);
   }
-  tooltip(gui, look.meaning);
-  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit, look.color);
+  tooltip(gui, std::string(look.meaning));
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit,
+                                              color_of(gui.colors(), look.mood));
   ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
-                                      gui.colors().text, look.word);
+                                      gui.colors().text, look.word.data(), look.word.data() + look.word.size());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
-  if (ImGui::BeginPopup("##reasons")) {
+  if (begin_popup(gui, "##reasons")) {
     draw_reasons(*this);
     ImGui::EndPopup();
   }

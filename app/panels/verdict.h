@@ -14,6 +14,7 @@ namespace mes {
 struct Verdict {
   const Gui& gui;
   const ActionBindings& actions;
+  const Engine& engine;
   const Document& document;
   const ComputationSettings& computation;
   const Picture& picture;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/model/statistics_text.h"
+#include "app/model/verdict_word.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -85,7 +86,7 @@ bool WorkInProgress::draw() const {
     return true;
   }
   if (!status.busy || status.busy_ms < kShownAfterMs) return false;
-  progress(gui, "Computing " + status.task, status.progress);
+  progress(gui, task_text(status.task), status.progress);
   if (ImGui::SmallButton("Cancel")) actions.run(ActionId::cancel_computation);
   tooltip(gui, tooltip_of(ActionId::cancel_computation));
   return true;

@@ -7,6 +7,7 @@
 #include <new>
 #include <span>
 
+#include "app/model/sample_spacing.h"
 #include "core/base/assert.h"
 
 namespace mes {
@@ -160,6 +161,16 @@ void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle&
     scene_.set_overlay(slot, {kind, mark_data_, style, false});
 }
 
+// Anew for another document, or for many more or fewer samples; a sample that is moved changes little.
+void Picture::measure_spacing(const Editor& editor) {
+  const std::size_t count = editor.document().sample_count();
+  const std::size_t change = std::max(count, measured_count_) - std::min(count, measured_count_);
+  if (measured_at_ == expected_ && 10 * change <= measured_count_) return;
+  measured_at_ = expected_;
+  measured_count_ = count;
+  spacing_ = typical_spacing(editor.document(), editor.index());
+}
+
 std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const {
   std::uint32_t out = 0;
   for (const LayerIndex layer : layers.visible_layers())
@@ -168,12 +179,14 @@ std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const
 }
 
 std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const LayerStack& layers,
-                                                                     const std::optional<Rgb>& background) const {
+                                                                     const std::optional<Rgb>& background,
+                                                                     double units_per_px) const {
   std::vector<std::pair<LayerIndex, LayerStyle>> out;
   for (const LayerIndex layer : layers.visible_layers()) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    out.emplace_back(layer, drawn_on(failed ? greyed(layers.style(layer)) : layers.style(layer), background));
+    const LayerStyle style = thinned(layers.style(layer), layers.descriptor(layer), spacing_ / units_per_px);
+    out.emplace_back(layer, drawn_on(failed ? greyed(style) : style, background));
   }
   return out;
 }
@@ -181,7 +194,8 @@ std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const Layer
 Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
                                 const render::CaptureOptions& options) {
   std::vector<render::LayerView> views;
-  for (const auto& [layer, style] : shown_layers(layers, options.background)) views.push_back({layer, style});
+  const double units = camera.units_per_pixel() * options.content_scale;
+  for (const auto& [layer, style] : shown_layers(layers, options.background, units)) views.push_back({layer, style});
   return capture.draw(scene_, camera, views, options);
 }
 
@@ -194,7 +208,10 @@ std::vector<LegendEntry> Picture::legend(const LayerStack& layers) const {
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                    double content_scale) {
   mark_selection(editor);
-  ShownState now{camera, content_scale, patches_, background_revision_, marked_, shown_layers(layers, canvas_)};
+  measure_spacing(editor);
+  ShownState now{camera,   content_scale,
+                 patches_, background_revision_,
+                 marked_,  shown_layers(layers, canvas_, camera.units_per_pixel() * content_scale)};
   const bool is_same = now == shown_;
   if (is_same && !detail_.is_refining()) {
     kept_.show(camera.width(), camera.height());

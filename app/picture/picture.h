@@ -77,6 +77,10 @@ class Picture {
   bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
   /// The document state that is on screen.
   std::uint64_t document_revision() const { return document_revision_; }
+  /// Another document took the place of the one before at this revision.
+  void expect(std::uint64_t revision) { expected_ = revision; }
+  /// What is on screen is still of a document before.
+  bool is_outdated() const { return document_revision_ < expected_; }
   const render::Scene& scene() const { return scene_; }
 
  private:
@@ -98,8 +102,11 @@ class Picture {
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
+  /// A logical pixel is so many units of the document wide.
   std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers,
-                                                              const std::optional<Rgb>& background) const;
+                                                              const std::optional<Rgb>& background,
+                                                              double units_per_px) const;
+  void measure_spacing(const Editor& editor);
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);
   void mark_selection(const Editor& editor);
@@ -114,6 +121,10 @@ class Picture {
   bool is_lost_ = false;
   std::unique_ptr<Provenance> provenance_;
   std::uint64_t document_revision_ = 0;
+  std::uint64_t expected_ = 0;
+  double spacing_ = 0.0;            // of the samples, in units of the document
+  std::size_t measured_count_ = 0;  // samples when it was measured
+  std::uint64_t measured_at_ = 0;   // `expected_` then
   std::uint64_t patches_ = 0;
   Rgb canvas_ = kWhiteCanvas;
   std::uint64_t background_revision_ = 0;  // grows with the picture and its place

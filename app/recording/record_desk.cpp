@@ -63,8 +63,9 @@ void RecordDesk::start(const RecordSettings& settings, int width, int height, co
   if (is_recording()) return;
   const auto refuse = [this](const Error& error) { messages_.problem("Cannot record: " + error.message()); };
   if (const auto good = check(settings); !good) return refuse(good.error());
-  const fs::path folder = settings.folder.empty() ? takes_folder() : fs::path(settings.folder);
-  if (folder.empty()) return refuse({ErrorCode::cannot_write, "there is no home folder; choose one for the takes"});
+  const fs::path folder = folder_of(settings);
+  if (folder.empty())
+    return refuse({ErrorCode::cannot_write, "the home folder is not known; choose a folder for pictures"});
   settings_ = settings;
   panels_ = panels;
   if (settings.with_panels) {
@@ -82,6 +83,7 @@ void RecordDesk::start(const RecordSettings& settings, int width, int height, co
   recorder_.emplace(now, settings.each_motion);
   recorder_->note_complete(complete_);
   frames_ = 0;
+  began_ = std::chrono::steady_clock::now();
 }
 
 void RecordDesk::stop() {
@@ -148,8 +150,10 @@ bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
 void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
   const Change change = recorder_->change(drawn.state);
   asked_.push_back({false,
-                    {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest()},
-                    std::move(overlay)});
+                    {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest(),
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count()},
+                    std::move(overlay),
+                    {}});
   recorder_->note_captured(drawn.state);
   ++frames_;
 }
@@ -182,7 +186,7 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
     if (auto overlay = ask(drawn, *snapshot_, drawn.panels))
-      asked_.push_back({.is_snapshot = true, .overlay = std::move(*overlay)});
+      asked_.push_back({.is_snapshot = true, .overlay = std::move(*overlay), .folder = folder_of(*snapshot_)});
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
@@ -198,7 +202,7 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
   if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
     capture_.take({}, all);
-    asked_.push_back({.is_snapshot = true});
+    asked_.push_back({.is_snapshot = true, .folder = folder_of(*snapshot_)});
     snapshot_.reset();
   }
   if (!settings_.with_panels || !is_frame_due(drawn)) return;
@@ -215,15 +219,14 @@ void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
   if (asked.is_snapshot)
-    write_snapshot(std::move(raw), std::move(asked.overlay));
+    write_snapshot(std::move(raw), std::move(asked.overlay), asked.folder);
   else if (writer_)
     writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
 }
 
-void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay) {
-  const fs::path folder = pictures_folder();
+void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay, const fs::path& folder) {
   if (folder.empty()) {
-    messages_.problem("No snapshot: there is no home folder");
+    messages_.problem("No snapshot: the home folder is not known; choose a folder for pictures");
     return;
   }
   if (written_snapshot_.valid()) {
@@ -278,8 +281,9 @@ bool RecordDesk::take_results() {
   return told;
 }
 
-void RecordDesk::start_video(double fps) {
-  if (can_make_video()) video_.start(last_take_, fps, video_name(last_take_));
+void RecordDesk::start_video(const RecordSettings& settings) {
+  const VideoPace pace = settings.real_time ? VideoPace::real_time : VideoPace::steady;
+  if (can_make_video()) video_.start(last_take_, settings.fps, video_name(last_take_), pace);
 }
 
 }  // namespace mes

@@ -2,6 +2,7 @@
 // Recording, snapshots and videos of the window.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -80,7 +81,7 @@ class RecordDesk {
   bool can_make_video() const {
     return !last_take_.empty() && !is_recording() && !is_finishing() && !video_.is_running();
   }
-  void start_video(double fps);
+  void start_video(const RecordSettings& settings);
   bool is_making_video() const { return video_.is_running(); }
   void cancel_video() { video_.cancel(); }
 
@@ -95,6 +96,7 @@ class RecordDesk {
     bool is_snapshot = false;
     FrameInfo info{};
     PictureOverlay overlay{};
+    std::filesystem::path folder{};  ///< of a snapshot
   };
   bool has_room() const;
   bool is_frame_due(const Drawn& drawn) const;
@@ -103,7 +105,7 @@ class RecordDesk {
   /// What to paint on the picture asked for; nothing: it cannot be had.
   std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
   void hand_on(render::RawImage raw);
-  void write_snapshot(render::RawImage raw, PictureOverlay overlay);
+  void write_snapshot(render::RawImage raw, PictureOverlay overlay, const std::filesystem::path& folder);
   bool take_results();
 
   Picture& picture_;
@@ -119,6 +121,7 @@ class RecordDesk {
   std::optional<Recorder> recorder_{};
   std::unique_ptr<FrameWriter> writer_;
   std::size_t frames_ = 0;
+  std::chrono::steady_clock::time_point began_{};
   std::future<Finished> finished_;
   std::filesystem::path last_take_;
 

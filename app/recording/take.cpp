@@ -77,8 +77,8 @@ Expected<Manifest> read_manifest(const fs::path& file) {
   if (const auto frames = object.find("frames"); frames != object.end() && frames->is_array()) {
     for (const json& frame : *frames) {
       if (!frame.is_object()) continue;
-      out.frames.push_back(
-          {value_of(frame, "interaction", std::string()), unhex(value_of(frame, "document", std::string()))});
+      out.frames.push_back({value_of(frame, "interaction", std::string()),
+                            unhex(value_of(frame, "document", std::string())), value_of(frame, "seconds", 0.0)});
     }
   }
   return out;
@@ -130,7 +130,8 @@ std::string manifest_text(const Manifest& manifest) {
     frames.push_back({{"number", number},
                       {"file", frame_name(number)},
                       {"interaction", frame.what},
-                      {"document", hex(frame.document)}});
+                      {"document", hex(frame.document)},
+                      {"seconds", frame.seconds}});
   }
   json object = {{"schema", kSchema},
                  {"version", MESECINA_VERSION},

@@ -27,6 +27,7 @@ namespace mes {
 struct FrameInfo {
   std::string what{};          ///< the interaction, as the undo menu names it
   std::uint64_t document = 0;  ///< digest of the document that is shown
+  double seconds = 0.0;        ///< when, since the recording began
 };
 
 struct TakeFormat {

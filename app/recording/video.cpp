@@ -2,6 +2,11 @@
 #include "app/recording/video.h"
 
 #include <fmt/core.h>
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -19,19 +24,64 @@ std::unexpected<Error> failed(std::string text, const fs::path& file) {
   return std::unexpected(Error{ErrorCode::cannot_write, std::move(text), file.string()});
 }
 
+/// The frames and how long each is seen, as the program reads it. Removed with this object.
+class TimedFrames {
+ public:
+  static constexpr const char* kName = "frames.ffconcat";
+
+  TimedFrames(const fs::path& take, double fps, std::span<const FrameInfo> frames) : file_(take / kName) {
+    std::ofstream out(file_);
+    out << "ffconcat version 1.0\n" << std::fixed << std::setprecision(6);
+    const double least = 1.0 / fps;
+    constexpr double kLast = 1.0;  // seconds, of the last frame
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const bool is_last = i + 1 == frames.size();
+      const double seen = is_last ? kLast : frames[i + 1].seconds - frames[i].seconds;
+      out << "file " << frame_name(i + 1) << "\nduration " << std::max(least, seen) << '\n';
+    }
+    // The program counts the last duration only if another file follows.
+    if (!frames.empty()) out << "file " << frame_name(frames.size()) << '\n';
+    is_written_ = static_cast<bool>(out.flush());
+  }
+  ~TimedFrames() {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+  TimedFrames(const TimedFrames&) = delete;
+  TimedFrames& operator=(const TimedFrames&) = delete;
+  bool is_written() const { return is_written_; }
+
+ private:
+  fs::path file_;
+  bool is_written_ = false;
+};
+
+bool has_times(std::span<const FrameInfo> frames) {
+  return frames.size() > 1 && frames.back().seconds > frames.front().seconds;
+}
+
 // `part` is where the bytes go; the kind of video is by the name of `output`.
-std::vector<std::string> arguments(double fps, std::size_t frames, const fs::path& output, const fs::path& part) {
+std::vector<std::string> arguments(double fps, std::size_t frames, const fs::path& output, const fs::path& part,
+                                   VideoPace pace) {
+  const std::string rate = fmt::format("{:g}", fps);
   const bool is_webm = output.extension() == ".webm";
-  std::vector<std::string> out{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y", "-framerate",
-                               fmt::format("{:g}", fps), "-start_number", "1", "-i", "%05d.png",
-                               // Players want even sides; without the ground, what is transparent would be black.
-                               "-filter_complex",
-                               "[0]format=rgba,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white@0,split[a][b];"
-                               "[a]lutrgb=r=255:g=255:b=255:a=255[ground];[ground][b]overlay=format=auto",
-                               "-frames:v", std::to_string(frames), "-pix_fmt", "yuv420p", "-c:v"};
+  std::vector<std::string> out{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y"};
   const auto add = [&out](std::initializer_list<const char*> words) {
     out.insert(out.end(), words.begin(), words.end());
   };
+  if (pace == VideoPace::real_time)
+    add({"-f", "concat", "-i", TimedFrames::kName});
+  else
+    add({"-framerate", rate.data(), "-start_number", "1", "-i", "%05d.png"});
+  // Players want even sides; without the ground, what is transparent would be black.
+  add({"-filter_complex",
+       "[0]format=rgba,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white@0,split[a][b];"
+       "[a]lutrgb=r=255:g=255:b=255:a=255[ground];[ground][b]overlay=format=auto"});
+  if (pace == VideoPace::real_time)
+    add({"-vsync", "cfr", "-r", rate.data()});
+  else
+    add({"-frames:v", std::to_string(frames).c_str()});
+  add({"-pix_fmt", "yuv420p", "-c:v"});
   if (is_webm)
     add({"libvpx-vp9", "-crf", "24", "-b:v", "0", "-f", "webm"});
   else
@@ -53,7 +103,8 @@ Expected<void> check_video(const fs::path& output) {
   return {};
 }
 
-Expected<void> make_video(const fs::path& take, double fps, const fs::path& output, const std::stop_token& stop) {
+Expected<void> make_video(const fs::path& take, double fps, const fs::path& output, const std::stop_token& stop,
+                          VideoPace pace) {
   if (!has_video_maker())
     return failed("a video needs the program ffmpeg, which is not on the PATH; the frames stay as they are", output);
   const auto manifest = read_take(take);
@@ -62,8 +113,12 @@ Expected<void> make_video(const fs::path& take, double fps, const fs::path& outp
   if (!writing) return std::unexpected(writing.error());
   std::error_code error;
   const fs::path part = fs::absolute(writing->part(), error);
+  std::optional<TimedFrames> timed;
+  if (pace == VideoPace::real_time && has_times(manifest->frames)) timed.emplace(take, fps, manifest->frames);
+  if (timed && !timed->is_written()) return failed("the times of the frames cannot be written", take);
+  const VideoPace kept = timed ? VideoPace::real_time : VideoPace::steady;
   ChildProcess child;
-  if (const int reason = child.start(arguments(fps, manifest->frames.size(), output, part), take); reason != 0)
+  if (const int reason = child.start(arguments(fps, manifest->frames.size(), output, part, kept), take); reason != 0)
     return failed("ffmpeg cannot be run: " + std::generic_category().message(reason), output);
   const bool is_done = child.wait(stop);
   if (stop.stop_requested()) return std::unexpected(Error{ErrorCode::cancelled, "the video was cancelled"});
@@ -71,12 +126,12 @@ Expected<void> make_video(const fs::path& take, double fps, const fs::path& outp
   return writing->finish();
 }
 
-void VideoJob::start(fs::path take, double fps, fs::path output) {
+void VideoJob::start(fs::path take, double fps, fs::path output, VideoPace pace) {
   output_ = std::move(output);
   stop_ = {};
   result_ = std::async(std::launch::async,
-                       [take = std::move(take), fps, output = output_, stop = stop_.get_token(), wake = wake_] {
-                         auto done = make_video(take, fps, output, stop);
+                       [take = std::move(take), fps, output = output_, stop = stop_.get_token(), wake = wake_, pace] {
+                         auto done = make_video(take, fps, output, stop, pace);
                          wake();
                          return done;
                        });

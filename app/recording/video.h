@@ -2,6 +2,7 @@
 // A video of a take, made by the program ffmpeg if there is one.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -12,6 +13,10 @@
 #include "core/base/error.h"
 
 namespace mes {
+
+/// How long each frame is seen: all equally long, or as long as it was seen when it was recorded. A take without times
+/// has a steady pace.
+enum class VideoPace : std::uint8_t { steady, real_time };
 
 /// Whether ffmpeg is on the PATH.
 bool has_video_maker();
@@ -24,7 +29,7 @@ Expected<void> check_video(const std::filesystem::path& output);
 /// white. The file appears complete or not at all, and replaces one of the same name; if that is a link, the file it
 /// leads to. Waits for the child process, which is ended when a stop is requested (error `cancelled`). Any thread.
 Expected<void> make_video(const std::filesystem::path& take, double fps, const std::filesystem::path& output,
-                          const std::stop_token& stop = {});
+                          const std::stop_token& stop = {}, VideoPace pace = VideoPace::steady);
 
 /// The same beside the window. Threads: one; `wake` is called from another when it is done.
 class VideoJob {
@@ -35,7 +40,8 @@ class VideoJob {
   VideoJob& operator=(const VideoJob&) = delete;
 
   /// Not while one is being made.
-  void start(std::filesystem::path take, double fps, std::filesystem::path output);
+  void start(std::filesystem::path take, double fps, std::filesystem::path output,
+             VideoPace pace = VideoPace::steady);
   void cancel() { stop_.request_stop(); }
   bool is_running() const { return result_.valid(); }
   const std::filesystem::path& output() const { return output_; }

@@ -27,6 +27,11 @@ class BackgroundLoader {
   /// Begins to read if this is another file than before, which is returned; an empty name gives up what is being
   /// read.
   bool follow(const std::string& file);
+  /// The file was read elsewhere: following it begins nothing.
+  void take_as_read(const std::string& file) {
+    follow({});
+    file_ = file;
+  }
   bool is_reading() const { return reading_.is_under_way(); }
 
   struct Outcome {

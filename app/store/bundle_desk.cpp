@@ -36,8 +36,8 @@ Expected<void> BundleDesk::write() {
   return {};
 }
 
-void BundleDesk::choose(std::size_t index) {
-  current_.choose(list_.bundles()[index], layers_);
+void BundleDesk::choose(std::size_t index, const LayerConfiguration& as) {
+  current_.choose(list_.bundles()[index].name, as, layers_);
   offers_undo_ = false;
 }
 

@@ -31,7 +31,9 @@ class BundleDesk {
   /// What was wrong with the file at the start or is since; once.
   std::string take_message() { return std::exchange(message_, {}); }
 
-  void choose(std::size_t index);
+  void choose(std::size_t index) { choose(index, list_.bundles()[index].layers); }
+  /// Shows these layers in its place, as for another family of balls.
+  void choose(std::size_t index, const LayerConfiguration& as);
   /// To be called when the layers may have changed otherwise, as by undo.
   void follow_layers() { current_.follow(layers_); }
   /// The layers as they are, under a new name or over the bundle of that name.

@@ -149,10 +149,10 @@ std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const 
   return out;
 }
 
-void CurrentBundle::choose(const Bundle& bundle, LayerStack& layers) {
+void CurrentBundle::choose(const std::string& name, const LayerConfiguration& as, LayerStack& layers) {
   remember(layers);
-  layers.set_configuration(bundle.layers);
-  note_saved(bundle.name, layers);
+  layers.set_configuration(as);
+  note_saved(name, layers);
   remember(layers);
 }
 

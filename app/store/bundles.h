@@ -104,8 +104,9 @@ class BundleStore {
 /// Which bundle the layers were last taken from, and whether they are still as it has them.
 class CurrentBundle {
  public:
-  /// Shows the bundle.
-  void choose(const Bundle& bundle, LayerStack& layers);
+  /// Shows these layers in the name of the bundle.
+  void choose(const std::string& name, const LayerConfiguration& as, LayerStack& layers);
+  void choose(const Bundle& bundle, LayerStack& layers) { choose(bundle.name, bundle.layers, layers); }
   /// The layers have just been saved under this name.
   void note_saved(std::string name, const LayerStack& layers);
   void note_renamed(std::string name);

@@ -20,6 +20,8 @@ class Dialog {
   virtual void cancel() = 0;
   /// To be called in each frame, open or not. An answer is acted on before it returns.
   virtual void draw(const Gui& gui) = 0;
+  /// A key that does not cancel it.
+  virtual void press(const KeyChord& /*chord*/) {}
   /// The keys that cancel it.
   virtual bool is_cancelled_by(const KeyChord& chord) const { return chord.symbol == key::escape; }
 };

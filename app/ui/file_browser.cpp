@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "core/base/lower_case.h"
 #include "core/io/format.h"
 
@@ -47,8 +48,10 @@ void FileBrowser::ask(const fs::path& folder, Then then, FilePurpose purpose) {
   overwrite_.clear();
   purpose_ = std::move(purpose);
   then_ = std::move(then);
+  list_wanted();
   std::error_code error;
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
+  followed_name_ = name_;
 }
 
 void FileBrowser::ask_open(const fs::path& folder, Then then, FilePurpose purpose) {
@@ -64,50 +67,77 @@ void FileBrowser::ask_save(const fs::path& folder, const std::string& name, Then
   ask(folder, std::move(then), std::move(purpose));
 }
 
-bool FileBrowser::is_listed(const std::string& name) const {
-  if (all_files_) return true;
-  const std::vector<std::string>& wanted = purpose_.extensions;
-  return wanted.empty() ? is_known(name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
-}
-
-void FileBrowser::enter(const fs::path& folder) {
-  std::error_code error;
-  fs::path target = fs::weakly_canonical(folder, error);
-  if (error) target = folder;
-  fs::directory_iterator iterator(target, error);
-  if (error) {
-    trouble_ = target.string() + ": " + error.message();
-    return;
-  }
-  trouble_.clear();
-  folder_ = target;
-  entries_.clear();
-  for (; !error && iterator != fs::directory_iterator(); iterator.increment(error)) {
-    Entry entry{iterator->path().filename().string(), false, 0};
-    if (entry.name.starts_with(".")) continue;
-    std::error_code ignored;  // a broken link is an entry without size
-    entry.is_folder = iterator->is_directory(ignored);
-    if (!entry.is_folder) entry.size = iterator->file_size(ignored);
-    if (ignored) entry.size = 0;
-    entries_.push_back(std::move(entry));
-  }
-  std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
-    return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
+void FileBrowser::list_wanted() {
+  if (all_files_) return files_.set_filter({});
+  files_.set_filter([wanted = purpose_.extensions](const std::string& name) {
+    return wanted.empty() ? is_known(name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
   });
 }
 
+void FileBrowser::enter(const fs::path& folder) {
+  if (const auto done = files_.enter(folder); !done)
+    trouble_ = done.error().message();
+  else
+    trouble_.clear();
+}
+
+void FileBrowser::take_marked_name() {
+  const FileList::Entry* const row = files_.marked_row();
+  if (row == nullptr) return;
+  // The name that is proposed for saving is not lost on the way through folders.
+  if (!is_saving_ || !row->is_folder) name_ = row->name;
+  field_.show_replaced();
+  followed_name_ = name_;
+  shows_mark_ = true;
+  trouble_.clear();
+}
+
+// What is typed jumps to the first row that begins with it, and makes old errors go.
+void FileBrowser::follow_name() {
+  if (name_ == followed_name_) return;
+  followed_name_ = name_;
+  trouble_.clear();
+  if (is_saving_) return files_.unmark();
+  files_.mark_by_name(name_);
+  shows_mark_ = true;
+}
+
+void FileBrowser::press(const KeyChord& chord) {
+  constexpr int kPage = 10;
+  const char32_t symbol = chord.symbol;
+  if (!overwrite_.empty()) {
+    if (symbol == key::left || symbol == key::right || symbol == key::tab) replaces_ = !replaces_;
+    if (symbol == key::enter) accepted_ = true;
+    return;
+  }
+  // Where the field has lost the keyboard to a click, it does not say so itself.
+  if (symbol == key::enter) accepted_ = true;
+  if (symbol == key::up && chord.modifiers.alt) return enter(files_.folder().parent_path());
+  if (symbol == key::down) files_.move(1);
+  if (symbol == key::up) files_.move(-1);
+  if (symbol == key::page_down) files_.move(kPage);
+  if (symbol == key::page_up) files_.move(-kPage);
+  if (symbol == key::down || symbol == key::up || symbol == key::page_down || symbol == key::page_up)
+    take_marked_name();
+}
+
 std::optional<fs::path> FileBrowser::accept() {
-  if (name_.empty()) return std::nullopt;
-  fs::path chosen = name_.starts_with("~/") ? home() / name_.substr(2) : fs::path(name_);
-  if (chosen.is_relative()) chosen = folder_ / chosen;
+  const FileList::Entry* const row = files_.marked_row();
+  // A folder that is marked is looked into, also where a file is to be saved.
+  const std::string text = row != nullptr && row->is_folder ? row->name : name_;
+  if (text.empty()) return std::nullopt;
+  fs::path chosen = text.starts_with("~/") ? home() / text.substr(2) : fs::path(text);
+  if (chosen.is_relative()) chosen = files_.folder() / chosen;
   std::error_code error;
   if (fs::is_directory(chosen, error)) {
     enter(chosen);
-    if (trouble_.empty()) name_.clear();
+    if (trouble_.empty() && !is_saving_) name_.clear();
+    followed_name_ = name_;
     return std::nullopt;
   }
   if (!is_saving_) {
     if (fs::exists(chosen, error)) return chosen;
+    if (row != nullptr) return files_.folder() / row->name;
     trouble_ = "No such file: " + chosen.string();
     return std::nullopt;
   }
@@ -118,6 +148,7 @@ std::optional<fs::path> FileBrowser::accept() {
   }
   if (!fs::exists(chosen, error)) return chosen;
   overwrite_ = chosen;
+  replaces_ = false;
   return std::nullopt;
 }
 
@@ -128,7 +159,7 @@ void FileBrowser::draw_path(const Gui& gui) {
   fs::path so_far;
   fs::path target;
   int id = 0;
-  for (const fs::path& part : folder_) {
+  for (const fs::path& part : files_.folder()) {
     so_far /= part;
     if (id > 0) ImGui::SameLine(0, 2 * unit);
     const std::string label = part == "/" ? "/" : part.string();
@@ -153,27 +184,31 @@ void FileBrowser::draw_entries(const Gui& gui, float height) {
   if (!shown) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 80 * unit);
-  for (const Entry& entry : entries_) {
-    if (!entry.is_folder && !is_listed(entry.name)) continue;
+  for (std::size_t i = 0; i < files_.rows().size(); ++i) {
+    const FileList::Entry& entry = files_.rows()[i];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(entry.name.c_str());
     const std::string label = entry.is_folder ? entry.name + "/" : entry.name;
     if (entry.is_folder) ImGui::PushFont(gui.bold());
     const ImGuiSelectableFlags flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
-    if (ImGui::Selectable(label.c_str(), !entry.is_folder && entry.name == name_, flags)) {
+    const bool is_marked = files_.marked() == i;
+    if (ImGui::Selectable(label.c_str(), is_marked || (!entry.is_folder && entry.name == name_), flags)) {
       const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-      if (!entry.is_folder) name_ = entry.name;
+      files_.mark(i);
+      take_marked_name();
       if (entry.is_folder)
-        target = folder_ / entry.name;
+        target = files_.folder() / entry.name;
       else if (twice)
         accepted_ = true;
     }
+    if (is_marked && shows_mark_) ImGui::SetScrollHereY();
     if (entry.is_folder) ImGui::PopFont();
     ImGui::TableNextColumn();
     if (!entry.is_folder) ImGui::TextDisabled("%s", size_text(entry.size).c_str());
     ImGui::PopID();
   }
+  shows_mark_ = false;
   ImGui::EndTable();
   if (!target.empty()) enter(target);
 }
@@ -182,9 +217,10 @@ bool FileBrowser::draw_overwrite_question(const Gui& gui) {
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
   ImGui::TextWrapped("%s exists already.", overwrite_.filename().c_str());
   ImGui::PopStyleColor();
-  const bool yes = ImGui::Button("Replace it");
+  const bool is_confirmed = std::exchange(accepted_, false);
+  const bool yes = default_button(gui, "Replace it", {}, replaces_) || (is_confirmed && replaces_);
   ImGui::SameLine(0, 8 * gui.unit());
-  if (ImGui::Button("Choose another name")) overwrite_.clear();
+  if (default_button(gui, "Choose another name", {}, !replaces_) || (is_confirmed && !replaces_)) overwrite_.clear();
   return yes;
 }
 
@@ -218,8 +254,9 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
     ImGui::SetNextItemWidth(-1);
     if (field_.draw("##name", is_saving_ ? "Name of the file" : "Name of a file, or a folder to look into", name_))
       accepted_ = true;
+    follow_name();
     if (!is_saving_) {
-      ImGui::Checkbox("All files", &all_files_);
+      if (ImGui::Checkbox("All files", &all_files_)) list_wanted();
     } else {
       ImGui::AlignTextToFramePadding();
       ImGui::TextDisabled("%s", purpose_.heading.empty() ? ".json everything   .poff samples   .wpoff balls" : "");
@@ -230,8 +267,9 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - buttons);
     if (ImGui::Button("Cancel", {90 * unit, 0})) is_open_ = false;
     ImGui::SameLine(0, 8 * unit);
-    ImGui::BeginDisabled(name_.empty());
-    if (ImGui::Button(verb, {90 * unit, 0})) accepted_ = true;
+    const bool is_folder = files_.marked_row() != nullptr && files_.marked_row()->is_folder;
+    ImGui::BeginDisabled(name_.empty() && !is_folder);
+    if (default_button(gui, is_folder ? "Look into" : verb, {90 * unit, 0}, true)) accepted_ = true;
     ImGui::EndDisabled();
     if (accepted_) out = accept();
     accepted_ = false;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/model/file_list.h"
 #include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
 
@@ -20,9 +21,12 @@ struct FilePurpose {
 };
 
 /// What it guarantees:
-///  1. A folder is read once, when it is entered. An error is reported, not shown as an empty folder.
+///  1. A folder is read once, when it is entered. An error is reported, not shown as an empty folder, until something
+///     else is chosen.
 ///  2. Overwriting a file needs a confirmation.
 ///  3. A name without an extension gets that of the proposed name.
+///  4. The keyboard does everything: arrows and Page keys mark a file, letters jump to one, Enter opens what is marked,
+///     Alt+Up shows the folder above.
 ///
 /// Smallest use:
 ///     browser.ask_open(folder, [](const std::filesystem::path& file) { open(file); });
@@ -38,18 +42,17 @@ class FileBrowser final : public Dialog {
   bool is_open() const override { return is_open_; }
   void cancel() override { is_open_ = false; }
   void draw(const Gui& gui) override;
+  void press(const KeyChord& chord) override;
 
  private:
-  struct Entry {
-    std::string name;
-    bool is_folder = false;
-    std::uintmax_t size = 0;
-  };
   void ask(const std::filesystem::path& folder, Then then, FilePurpose purpose);
   /// The chosen file, once.
   std::optional<std::filesystem::path> draw_choice(const Gui& gui);
-  bool is_listed(const std::string& name) const;
+  void list_wanted();
   void enter(const std::filesystem::path& folder);
+  /// The mark was moved: its name is the one that is meant.
+  void take_marked_name();
+  void follow_name();
   void draw_path(const Gui& gui);
   void draw_entries(const Gui& gui, float height);
   bool draw_overwrite_question(const Gui& gui);
@@ -60,15 +63,17 @@ class FileBrowser final : public Dialog {
   bool is_saving_ = false;
   bool all_files_ = false;
   bool accepted_ = false;
-  std::filesystem::path folder_;
+  FileList files_;
   std::string name_;
+  std::string followed_name_;  // as the mark was last set by it, or it by the mark
+  bool shows_mark_ = false;    // scrolls to it in the next frame
   NameField field_;
   std::string extension_;  // of the proposed name
   FilePurpose purpose_;
   Then then_;
   std::string trouble_;
-  std::vector<Entry> entries_;
   std::filesystem::path overwrite_;  // waits for the confirmation
+  bool replaces_ = false;            // which of its two answers Enter gives
 };
 
 }  // namespace mes

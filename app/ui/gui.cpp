@@ -143,7 +143,10 @@ bool Gui::is_fading() const {
 }
 
 bool Gui::wants_text() const {
-  return ImGui::GetIO().WantTextInput;
+  // The library's own answer comes a frame after a field has taken the keyboard.
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool has_field = context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
+  return has_field || ImGui::GetIO().WantTextInput;
 }
 
 bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {

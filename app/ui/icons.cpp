@@ -197,6 +197,15 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
   }
 }
 
+void draw_fold(ImDrawList& list, ImVec2 middle, float size, bool is_unfolded, ImU32 color) {
+  if (is_unfolded)
+    list.AddTriangleFilled({middle.x - size, middle.y - 0.5F * size}, {middle.x + size, middle.y - 0.5F * size},
+                           {middle.x, middle.y + 0.7F * size}, color);
+  else
+    list.AddTriangleFilled({middle.x - 0.5F * size, middle.y - size}, {middle.x + 0.7F * size, middle.y},
+                           {middle.x - 0.5F * size, middle.y + size}, color);
+}
+
 bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();

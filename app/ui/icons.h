@@ -40,6 +40,9 @@ enum class Icon : std::uint8_t {
 /// Draws the icon into the square `size` wide at `at`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
 
+/// A triangle that points down at what is unfolded, or right to what is folded away; `size` is half its side.
+void draw_fold(ImDrawList& list, ImVec2 middle, float size, bool is_unfolded, ImU32 color);
+
 enum class ButtonLook : std::uint8_t {
   plain,
   chosen,  ///< the one in use of several

@@ -2,6 +2,7 @@
 #include "app/ui/name_field.h"
 
 #include <array>
+#include <utility>
 
 #include "imgui.h"
 #include "imgui_internal.h"
@@ -47,6 +48,8 @@ bool NameField::draw(const char* label, const char* hint, std::string& name) {
       callback = place_cursor_at_end;
     }
   }
+  // The field keeps a text of its own while it has the keyboard.
+  if (std::exchange(is_replaced_, false) && ImGui::GetActiveID() == ImGui::GetID(label)) ImGui::ClearActiveID();
   if (wants_focus_) ImGui::SetKeyboardFocusHere();
   wants_focus_ = false;
   const bool entered = ImGui::InputTextWithHint(label, hint, &name, flags, callback);

@@ -11,13 +11,19 @@ class NameField {
  public:
   /// Takes the keyboard; for the first frame of the dialog.
   void focus();
+  /// The name was replaced from elsewhere: it is shown, selected, and has the keyboard.
+  void show_replaced() {
+    focus();
+    is_replaced_ = true;
+  }
   /// Returns true when Enter confirmed the name.
   bool draw(const char* label, const char* hint, std::string& name);
 
  private:
   bool wants_focus_ = false;
   bool waits_ = false;  // for the keyboard
-  std::string early_;   // typed while waiting
+  bool is_replaced_ = false;
+  std::string early_;  // typed while waiting
 };
 
 }  // namespace mes

@@ -17,6 +17,31 @@ struct PanelArea {
 /// A fixed panel without title; pair with ImGui::End().
 bool begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlags extra = 0);
 
+/// Opens as ImGui::BeginPopup does, but stays within the window: a popup that grows is moved, and one that is larger
+/// gets a scrollbar.
+bool begin_popup(const Gui& gui, const char* id);
+/// The same for the popup of a right click on the last item.
+bool begin_context_popup(const Gui& gui, const char* id);
+/// To be called first in a popup that has its place from elsewhere.
+void keep_in_window(const Gui& gui);
+
+/// The line between two panels, `area` wide or high, which can be dragged.
+struct SplitterMove {
+  bool is_dragged = false;
+  ImVec2 to{};            ///< where the pointer is
+  bool is_reset = false;  ///< double click
+};
+SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area);
+
+/// A place over the canvas by which what is drawn there can be dragged.
+SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation);
+
+/// The text, or as much of its beginning as fits into the width with "...".
+std::string elided(const std::string& text, float width);
+
+/// A button that stands out where Enter presses it. Returns true when it was clicked.
+bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_default);
+
 /// Explains the last item when the pointer rests on it, also when it is disabled.
 void tooltip(const Gui& gui, const std::string& text);
 

@@ -19,14 +19,14 @@ void DemoRun::start(const Session& session) {
 void DemoRun::end(bool restore) {
   if (!run_) return;
   const Run run = *std::exchange(run_, std::nullopt);
-  if (!restore) return;
+  if (!restore || run.is_interrupted) return;
   work_.editor().mark_saved();
   work_.layers().set_configuration(run.layers_before);
   work_.computation().set(run.settings_before);
 }
 
 std::optional<double> DemoRun::next_due(double now) const {
-  return run_ && !run_->is_paused ? std::optional(run_->not_before - now) : std::nullopt;
+  return is_running() && !run_->is_paused ? std::optional(run_->not_before - now) : std::nullopt;
 }
 
 Expected<void> DemoRun::change_document(const TimelineEntry& entry) {
@@ -50,10 +50,9 @@ void DemoRun::look_at(const Box2& box) {
 }
 
 bool DemoRun::advance(double now, bool may_step) {
-  if (!run_) return false;
+  if (!is_running()) return false;
   if (work_.document().revision() != run_->document) {
-    end(false);
-    messages_.remark("The demo has ended: you are editing its drawing now");
+    run_->is_interrupted = true;
     return false;
   }
   if (run_->is_paused || now < run_->not_before || !may_step) return false;
@@ -79,32 +78,64 @@ bool DemoRun::take_step(double now) {
   return true;
 }
 
-void DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
-  if (!run_) return;
-  const std::string& caption = run_->playback.caption();
+// Changes of layers made meanwhile are taken back on the way.
+void DemoRun::go_on() {
+  while (work_.document().revision() != run_->document && work_.editor().can_undo()) work_.editor().undo();
+  if (work_.document().revision() != run_->document) {
+    end(false);
+    messages_.remark("The demo cannot go on from here: Help > Demo begins it again");
+    return;
+  }
+  work_.editor().mark_saved();
+  run_->is_interrupted = false;
+  run_->is_paused = false;
+}
+
+bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
+  if (!run_) return false;
+  constexpr float kWidth = 640;  // logical pixels: the buttons stay where they are, whatever the caption
+  const bool is_interrupted = run_->is_interrupted;
+  const std::string caption = is_interrupted ? "You are editing the drawing of the demo" : run_->playback.caption();
   const float unit = gui.unit();
   ImGui::PushFont(gui.bold());
   const float button = 1.5F * ImGui::GetTextLineHeight();
-  const float text = ImGui::CalcTextSize(caption.c_str(), nullptr, false, width - 120 * unit).x;
-  const float wanted = std::min(width - 20 * unit, std::max(text, 200 * unit) + 2 * button + 44 * unit);
+  const float padding = ImGui::GetStyle().FramePadding.x;
+  const float words = ImGui::CalcTextSize("Go onStart again").x + 4 * padding + 4 * unit;
+  const float buttons = (is_interrupted ? words + button : 2 * button) + 14 * unit;
+  const float wanted = std::min(width - 20 * unit, kWidth * unit);
   ImGui::SetNextWindowPos({middle.x, middle.y - 14 * unit}, ImGuiCond_Always, {0.5F, 1.0F});
   ImGui::SetNextWindowSize({wanted, 0});
   ImGui::Begin("##caption", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  ImGui::PushTextWrapPos(wanted - 2 * button - 24 * unit);
+  ImGui::PushTextWrapPos(wanted - buttons - 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(caption.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
-  ImGui::SameLine(wanted - 2 * button - 14 * unit);
-  if (icon_button("pause", run_->is_paused ? Icon::play : Icon::pause, button)) run_->is_paused = !run_->is_paused;
-  tooltip(gui, run_->is_paused ? "Go on" : "Pause, to look around");
+  // At the foot, which does not move when a caption has more lines.
+  ImGui::SetCursorPosY(std::max(ImGui::GetStyle().WindowPadding.y, ImGui::GetCursorPosY() - button - 4 * unit));
+  ImGui::SetCursorPosX(wanted - buttons);
+  bool begins_again = false;
+  bool goes_on = false;
+  if (is_interrupted) {
+    goes_on = ImGui::Button("Go on");
+    tooltip(gui, "Take your edits back, and go on with the demo where it was");
+    ImGui::SameLine(0, 4 * unit);
+    begins_again = ImGui::Button("Start again");
+    tooltip(gui, "Begin the demo anew");
+  } else {
+    if (icon_button("pause", run_->is_paused ? Icon::play : Icon::pause, button)) run_->is_paused = !run_->is_paused;
+    tooltip(gui, run_->is_paused ? "Go on" : "Pause, to look around");
+  }
   ImGui::SameLine(0, 2 * unit);
   const bool ends = icon_button("end", Icon::close, button);
-  tooltip(gui, "End the demo (Esc); layers and number type are then as before");
+  tooltip(gui, is_interrupted ? "Keep the drawing, and forget the demo"
+                              : "End the demo (Esc); layers and number type are then as before");
   ImGui::End();
+  if (goes_on) go_on();
   if (ends) end(true);
+  return begins_again;
 }
 
 }  // namespace mes

@@ -33,7 +33,7 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::new_document, {[this] {
                  with_saved_work([this] {
                    start_empty();
-                   uses_.messages.clear_problem();
+                   uses_.messages.clear();
                  });
                }});
   actions.bind(ActionId::open, {[this] {
@@ -50,7 +50,7 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::trace_picture, {[this] {
                  uses_.dialogs.browser.ask_open(
                      browse_folder(), remembering([this](const fs::path& file) { uses_.board.traced().trace(file); }),
-                     {.heading = "Trace a picture", .extensions = {".png", ".jpg", ".jpeg"}});
+                     {.heading = "Picture underneath", .extensions = {".png", ".jpg", ".jpeg"}});
                }});
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
@@ -111,7 +111,13 @@ void DocumentFlow::with_saved_work(std::function<void()> then) {
 void DocumentFlow::start_empty() {
   uses_.demo.end(true);
   files_.start_empty();
+  leave_document();
+  uses_.board.note_new_document();
+}
+
+void DocumentFlow::leave_document() {
   uses_.work.leave_document();
+  uses_.board.traced().give_up();
 }
 
 void DocumentFlow::start_demo() {

@@ -70,6 +70,8 @@ class DocumentFlow {
   /// Saves what is unsaved or gives it up, as the answer is, and goes on with `then`; or does not.
   void with_saved_work(std::function<void()> then);
   void start_empty();
+  /// What belongs to the document before alone goes.
+  void leave_document();
   void start_demo();
 
   // document_opening.cpp

@@ -91,12 +91,12 @@ void DocumentFlow::take_read_file() {
     return;
   }
   uses_.demo.end(true);
-  uses_.work.leave_document();
+  leave_document();
   if (outcome->session) show_as_in(*outcome->session);
   if (!picture.empty()) uses_.board.traced().trace(picture);
   uses_.board.fitter().want(had_first_file_ ? ViewFitter::How::glide : ViewFitter::How::at_once);
   // Messages from the start stay on screen.
-  if (had_first_file_) uses_.messages.clear_problem();
+  if (had_first_file_) uses_.messages.clear();
   uses_.board.note_new_document();
   had_first_file_ = true;
   say_opened(*outcome);
@@ -131,6 +131,7 @@ void DocumentFlow::show_as_in(const Session& session) {
   LayerStack& layers = uses_.work.layers();
   Editor& editor = uses_.work.editor();
   if (!session.layers.layers.empty()) layers.set_configuration(session.layers);
+  uses_.work.take_family_of_layers();
   uses_.work.computation().set(session.settings);
   const bool is_known = find_evolution(session.evolution.id).has_value();
   uses_.work.evolution().resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
@@ -157,7 +158,8 @@ void DocumentFlow::recover(LeftWork work) {
     return;
   }
   uses_.messages.remark("Recovered " + files_.title() + "; no file holds it yet");
-  uses_.work.leave_document();
+  leave_document();
+  uses_.board.note_new_document();
   show_as_in(work.session());
   uses_.board.fitter().want(ViewFitter::How::at_once);
   had_first_file_ = true;

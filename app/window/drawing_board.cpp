@@ -7,6 +7,7 @@
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/store/color_maps.h"
+#include "app/ui/theme.h"
 
 namespace mes {
 
@@ -19,7 +20,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       tool_context_{work.editor(), settings.spray_spacing_px,
                     [this](const Error& error) { messages_.problem(error.message()); },
                     [this](const Pointer& pointer) {
-                      provenance_.ask(work_.engine(), work_.layers(), pointer, work_.document().revision());
+                      provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
                     }},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
@@ -89,6 +90,7 @@ void DrawingBoard::watch_memory() {
 }
 
 void DrawingBoard::note_new_document() {
+  picture_.expect(work_.document().revision());
   memory_.forget();
   watch_memory();
 }
@@ -97,6 +99,17 @@ void DrawingBoard::begin_frame(int width, int height) {
   picture_.set_canvas(canvas_background(settings_));
   canvas_.set_content_scale(static_cast<double>(screen_.gui.unit()) * screen_.window->pixel_ratio());
   view().set_viewport(width, height);
+  dim_outdated();
+}
+
+// A drawing of the document before is not to be taken for this one. Shorter than a moment it would flicker.
+void DrawingBoard::dim_outdated() {
+  constexpr double kMoment = 100.0;  // milliseconds
+  constexpr double kVeil = 0.75;
+  const EngineStatus status = work_.engine().status();
+  if (!picture_.is_outdated() || (status.busy && status.busy_ms < kMoment)) return;
+  ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize,
+                                                to_imgui(picture_.canvas(), kVeil));
 }
 
 void DrawingBoard::follow() {

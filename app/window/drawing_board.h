@@ -59,6 +59,7 @@ class DrawingBoard {
   void nudge(Vec2 px);
   void fit_selection();
   void watch_memory();
+  void dim_outdated();
   void draw_pointer(Vec2 pointer_px);
 
   Workspace& work_;

@@ -32,7 +32,7 @@ void LiveRecording::bind(ActionBindings& actions) {
                                   {},
                                   [this] { return desk_.is_recording(); }});
   actions.bind(ActionId::make_video,
-               {[this, &settings] { desk_.start_video(settings.fps); }, [this] { return desk_.can_make_video(); }});
+               {[this, &settings] { desk_.start_video(settings); }, [this] { return desk_.can_make_video(); }});
 }
 
 ShownState LiveRecording::shown_state() const {

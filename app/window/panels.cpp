@@ -5,6 +5,7 @@
 
 #include "app/panels/canvas_legend.h"
 #include "app/panels/empty_hint.h"
+#include "app/panels/empty_view_note.h"
 #include "app/panels/evolution_strip.h"
 #include "app/panels/problem_note.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr float kMostOfBundles = 0.35F;   // of the height that bundles and layers share
 constexpr float kLeastOfBundles = 62.0F;  // logical pixels: the head and a row
 constexpr float kLeastOfLayers = 190.0F;
-constexpr float kColumnWidth = 286.0F;
+constexpr double kLeastColumn = 240.0;
 constexpr float kMargin = 10.0F;
 
 }  // namespace
@@ -37,17 +38,17 @@ Panels::Panels(const Uses& uses)
                   uses.work.computation(),
                   uses.messages,
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk()},
-                  {uses.screen.gui, uses.actions, uses.work.document(), uses.work.computation().settings(),
-                   uses.board.picture(), uses.board.canvas()}},
+                  {uses.screen.gui, uses.actions, uses.work.engine(), uses.work.document(),
+                   uses.work.computation().settings(), uses.board.picture(), uses.board.canvas()}},
       toolbar_{uses.screen.gui,
                uses.actions,
                uses.board.canvas(),
                uses.settings,
                {uses.screen.gui, uses.actions, uses.recording.desk(), uses.board.picture(), uses.settings.record}},
-      bundles_panel_({uses.screen.gui, uses.actions, uses.work.bundles(), uses.work.editor(), uses.messages,
-                      uses.settings.show_bundles,
+      bundles_panel_({uses.screen.gui, uses.actions, uses.work.bundles(), uses.messages, uses.settings.show_bundles,
+                      [&work = uses.work](std::size_t bundle) { work.choose_bundle(bundle); },
                       [&flow = uses.documents](std::size_t bundle) { flow.ask_export(bundle); }}),
-      layers_panel_(uses.screen.gui, uses.work.layers(), uses.board.picture(),
+      layers_panel_(uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(),
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
       details_panel_(uses.screen.gui, uses.settings.details,
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
@@ -104,7 +105,10 @@ Panels::Room Panels::draw() {
   const Gui& gui = uses_.screen.gui;
   EmptyHint{gui, uses_.work.document(), uses_.documents.files(), uses_.board.picture(), uses_.board.canvas()}.draw(
       middle);
-  uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width);
+  if (!uses_.demo.is_running())
+    EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
+        middle, width);
+  if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };
@@ -129,22 +133,58 @@ Panels::Sides Panels::draw_around() {
 
 // Bundles, layers and details; its width.
 float Panels::draw_column(float top, float height) {
+  Settings& settings = uses_.settings;
   const float unit = uses_.screen.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(kColumnWidth * unit, 0.45F * screen.x);
+  const float width = std::min(static_cast<float>(settings.column_width) * unit, 0.45F * screen.x);
   const float left = screen.x - width;
-  const bool has_layers = uses_.settings.show_layers;
-  const bool has_details = uses_.settings.details != DetailsPage::none;
-  const float upper = !has_layers ? 0.0F : has_details ? 0.6F * height : height;
-  if (has_layers) {
-    // In a low window the layers need the room, and bundles have their keys and their menu.
-    const float most = std::min(kMostOfBundles * upper, upper - kLeastOfLayers * unit);
-    const float bundles = most < kLeastOfBundles * unit ? 0.0F : bundles_panel_.height(most);
-    if (bundles > 0.0F) bundles_panel_.draw({{left, top}, {width, bundles}});
-    layers_panel_.draw({{left, top + bundles}, {width, upper - bundles}});
-  }
+  const bool has_layers = settings.show_layers;
+  const bool has_details = settings.details != DetailsPage::none;
+  const float lower = static_cast<float>(settings.details_share) * height;
+  const float upper = !has_layers ? 0.0F : has_details ? height - lower : height;
+  if (has_layers) draw_layers({{left, top}, {width, upper}});
   if (has_details) details_panel_.draw({{left, top + upper}, {width, height - upper}});
-  return has_layers || has_details ? width : 0.0F;
+  if (!has_layers && !has_details) return 0.0F;
+  draw_splitters({{left, top}, {width, height}}, has_layers && has_details ? upper : 0.0F);
+  return width;
+}
+
+// In a low window the layers need the room, and bundles have their keys and their menu.
+void Panels::draw_layers(const PanelArea& area) {
+  Settings& settings = uses_.settings;
+  const Gui& gui = uses_.screen.gui;
+  const float unit = gui.unit();
+  const float room = area.size.y - kLeastOfLayers * unit;
+  const float wanted = static_cast<float>(settings.bundles_height) * unit;
+  const float most =
+      wanted > 0.0F && settings.show_bundles ? std::min(wanted, room) : std::min(kMostOfBundles * area.size.y, room);
+  const float least = kLeastOfBundles * unit;
+  float bundles = 0.0F;
+  if (most >= least || room >= least) bundles = bundles_panel_.height(std::max(most, least));
+  if (wanted > 0.0F && settings.show_bundles && bundles > 0.0F) bundles = std::max(most, least);
+  if (bundles > 0.0F) bundles_panel_.draw({area.at, {area.size.x, bundles}});
+  layers_panel_.draw({{area.at.x, area.at.y + bundles}, {area.size.x, area.size.y - bundles}});
+  if (bundles <= 0.0F || !settings.show_bundles) return;
+  const SplitterMove move = splitter(gui, "##bundles-end", {{area.at.x, area.at.y + bundles}, {area.size.x, 0.0F}});
+  if (move.is_dragged)
+    settings.bundles_height =
+        std::clamp(static_cast<double>((move.to.y - area.at.y) / unit), static_cast<double>(kLeastOfBundles), 4000.0);
+  if (move.is_reset) settings.bundles_height = 0.0;
+}
+
+void Panels::draw_splitters(const PanelArea& column, float upper) {
+  Settings& settings = uses_.settings;
+  const Gui& gui = uses_.screen.gui;
+  const SplitterMove side = splitter(gui, "##column-side", {column.at, {0.0F, column.size.y}});
+  const double width = static_cast<double>((column.at.x + column.size.x - side.to.x) / gui.unit());
+  if (side.is_dragged) settings.column_width = std::clamp(width, kLeastColumn, 1200.0);
+  if (side.is_reset) settings.column_width = kUsualColumnWidth;
+  if (upper <= 0.0F) return;
+  const SplitterMove line =
+      splitter(gui, "##details-begin", {{column.at.x, column.at.y + upper}, {column.size.x, 0.0F}});
+  const double share = static_cast<double>(1.0F - (line.to.y - column.at.y) / column.size.y);
+  if (line.is_dragged) settings.details_share = std::clamp(share, 0.1, 0.9);
+  if (line.is_reset) settings.details_share = kUsualDetailsShare;
 }
 
 // The strip of evolutions, which takes room, and what was clicked, which takes none.
@@ -155,20 +195,34 @@ void Panels::draw_over(Sides& sides) {
   const float width = screen.x - sides.left - sides.right - 2 * margin;
   const auto corner = [&] { return ImVec2(sides.left + margin, screen.y - sides.bottom - margin); };
   if (are_shown_ && uses_.settings.show_evolution)
-    sides.bottom += margin + EvolutionStrip{gui, uses_.actions, uses_.work.evolution()}.draw(corner(), width);
-  uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.document().revision(), corner(),
+    sides.bottom +=
+        margin +
+        EvolutionStrip{gui, uses_.actions, uses_.work.evolution(), uses_.work.editor(), uses_.work.layers()}.draw(
+            corner(), width);
+  uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
                                 {width, 0.6F * (screen.y - sides.top - sides.bottom)});
 }
 
-// Its size with its margin.
+// Its size with its margin while it is in its corner, of which the drawing is kept clear.
 ImVec2 Panels::draw_legend(const Sides& sides) {
   const Gui& gui = uses_.screen.gui;
   const float margin = kMargin * gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 corner(screen.x - sides.right - margin, screen.y - sides.bottom - margin);
+  const ImVec2 at(std::clamp(corner.x + legend_moved_.x, sides.left, corner.x),
+                  std::clamp(corner.y + legend_moved_.y, sides.top, corner.y));
   const ImVec2 size = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers()}.draw(
-      {screen.x - sides.right - margin, screen.y - sides.bottom - margin},
-      screen.y - sides.top - sides.bottom - 2 * margin);
-  return size.x > 0.0F ? ImVec2(size.x + margin, size.y + margin) : ImVec2();
+      at, screen.y - sides.top - sides.bottom - 2 * margin);
+  if (size.x <= 0.0F) return {};
+  const SplitterMove move = drag_handle(gui, "##legend-handle", {{at.x - size.x, at.y - size.y}, size},
+                                        "Drag to move the legend; double click to put it back");
+  if (move.is_dragged) {
+    legend_moved_.x += ImGui::GetIO().MouseDelta.x;
+    legend_moved_.y += ImGui::GetIO().MouseDelta.y;
+  }
+  if (move.is_reset) legend_moved_ = {};
+  const bool is_moved = legend_moved_.x != 0.0F || legend_moved_.y != 0.0F;
+  return is_moved ? ImVec2() : ImVec2(size.x + margin, size.y + margin);
 }
 
 }  // namespace mes

@@ -52,6 +52,9 @@ class Panels {
   };
   Sides draw_around();
   float draw_column(float top, float height);
+  void draw_layers(const PanelArea& area);
+  /// `upper`: where the details begin below the top; 0: no details, or nothing above them.
+  void draw_splitters(const PanelArea& column, float upper);
   void draw_over(Sides& sides);
   ImVec2 draw_legend(const Sides& sides);
   void bind_shown(ActionBindings& actions);
@@ -65,6 +68,7 @@ class Panels {
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
   bool are_shown_ = true;
+  ImVec2 legend_moved_{};  // from its corner, by hand
 };
 
 }  // namespace mes

@@ -3,35 +3,47 @@
 
 namespace mes {
 
-// Where it goes is known when its proportions are.
 void TracedPicture::trace(const std::filesystem::path& file) {
   std::error_code error;
   std::filesystem::path absolute = std::filesystem::weakly_canonical(file, error);
   if (error) absolute = file;
-  layers_.set_image({.file = absolute.string()});
-  const LayerIndex layer = find_layer("image");
-  if (!layers_.is_visible(layer)) layers_.set_visible(layer, true);
+  new_.follow({});  // the same file again may hold another picture
+  new_.follow(absolute.string());
 }
 
 bool TracedPicture::follow(const Box2& free) {
+  auto traced = new_.poll();
+  if (traced) take_new(*traced, free);
   if (loader_.follow(layers_.image().file)) picture_.clear_background();
   const auto outcome = loader_.poll();
   if (outcome) show(*outcome, free);
   picture_.place_background({layers_.image().center, layers_.image().width});
-  return outcome.has_value();
+  return traced.has_value() || outcome.has_value();
+}
+
+// The layers change only when there is a picture to show.
+void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box2& free) {
+  if (!show_image(outcome)) return;
+  loader_.take_as_read(outcome.file);
+  editor_.change_layers("Picture underneath", [&] {
+    layers_.set_image(placed_in(free, outcome.file, picture_.background_aspect()));
+    layers_.set_visible(find_layer("image"), true);
+  });
+}
+
+bool TracedPicture::show_image(const BackgroundLoader::Outcome& outcome) {
+  if (!outcome.image) {
+    messages_.problem(outcome.image.error().message());
+    return false;
+  }
+  if (picture_.set_background(find_layer("image"), *outcome.image)) return true;
+  messages_.problem(
+      Error{ErrorCode::out_of_memory, "there is not enough graphics memory for it", outcome.file}.message());
+  return false;
 }
 
 void TracedPicture::show(const BackgroundLoader::Outcome& outcome, const Box2& free) {
-  if (!outcome.image) {
-    messages_.problem(outcome.image.error().message());
-    return;
-  }
-  if (!picture_.set_background(find_layer("image"), *outcome.image)) {
-    messages_.problem(
-        Error{ErrorCode::out_of_memory, "there is not enough graphics memory for it", outcome.file}.message());
-    return;
-  }
-  if (layers_.image().width > 0.0) return;
+  if (!show_image(outcome) || layers_.image().width > 0.0) return;
   editor_.note_layers();
   layers_.set_image(placed_in(free, outcome.file, picture_.background_aspect()));
   editor_.join_layers();

@@ -18,21 +18,27 @@ namespace mes {
 class TracedPicture {
  public:
   TracedPicture(Editor& editor, LayerStack& layers, Picture& picture, Messages& messages, std::function<void()> wake)
-      : editor_(editor), layers_(layers), picture_(picture), messages_(messages), loader_(std::move(wake)) {}
+      : editor_(editor), layers_(layers), picture_(picture), messages_(messages), new_(wake), loader_(wake) {}
 
+  /// Becomes the picture of the layers once it is read; if it cannot be, they stay as they are.
   void trace(const std::filesystem::path& file);
-  bool is_reading() const { return loader_.is_reading(); }
+  /// Gives up what is being read to be traced: it was meant for another document.
+  void give_up() { new_.follow({}); }
+  bool is_reading() const { return new_.is_reading() || loader_.is_reading(); }
   /// Once a frame; `free` is what is seen between the panels, which a new picture fills. True when reading has ended.
   bool follow(const Box2& free);
 
  private:
+  void take_new(const BackgroundLoader::Outcome& outcome, const Box2& free);
+  bool show_image(const BackgroundLoader::Outcome& outcome);
   void show(const BackgroundLoader::Outcome& outcome, const Box2& free);
 
   Editor& editor_;
   LayerStack& layers_;
   Picture& picture_;
   Messages& messages_;
-  BackgroundLoader loader_;
+  BackgroundLoader new_;     // chosen to be traced
+  BackgroundLoader loader_;  // named by the layers
 };
 
 }  // namespace mes

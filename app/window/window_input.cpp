@@ -11,15 +11,18 @@ WindowInput::~WindowInput() {
   uses_.screen.window->set_listener(nullptr);
 }
 
-// A dialog is really there, or gone, in the next frame only: on a slow machine a whole sentence of keys can arrive
-// between two frames.
+// A dialog is really there, or gone, in the next frame only, and so is the field of a panel that was clicked: on a slow
+// machine a whole sentence of keys can arrive between two frames.
 void WindowInput::deliver() {
   const std::vector<const Dialog*> open = uses_.dialogs.open();
   const auto is_recording = [this] { return uses_.recording.desk().is_recording(); };
   const auto is_stroke = [&] {
     return (uses_.canvas.tool_id() == ToolId::spray || is_recording()) && uses_.canvas.has_pointer();
   };
-  events_.deliver([&] { return uses_.dialogs.open() == open && !uses_.recording.holds_input(); }, is_stroke);
+  waits_for_panels_ = false;
+  events_.deliver(
+      [&] { return uses_.dialogs.open() == open && !waits_for_panels_ && !uses_.recording.holds_input(); },
+      is_stroke);
   if (!events_.is_empty() && !uses_.recording.holds_input()) uses_.screen.clock.want(2);
 }
 
@@ -51,7 +54,11 @@ void WindowInput::on_button(PointerButton button, bool pressed, Modifiers modifi
 }
 
 void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
-  if (uses_.canvas.has_pointer() || uses_.screen.gui.wants_pointer(px)) return;
+  if (uses_.canvas.has_pointer()) return;
+  if (uses_.screen.gui.wants_pointer(px)) {
+    waits_for_panels_ = true;
+    return;
+  }
   uses_.messages.clear_remark();
   uses_.canvas.press(button, px, modifiers);
 }

@@ -53,6 +53,7 @@ class WindowInput final : private WindowListener {
   Uses uses_;
   EventQueue events_;
   Vec2 pointer_px_{-1, -1};
+  bool waits_for_panels_ = false;  // a press may give the keyboard to a field
 };
 
 }  // namespace mes

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/io/text_numbers.h"
+
 namespace mes {
 
 Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake)
@@ -23,10 +25,48 @@ void Workspace::report(const Expected<void>& done) {
 }
 
 void Workspace::leave_document() {
-  computation_.animation().stop();
+  computation_.give_back();
   evolution_.resume(evolution_.choice(), 0);
   computation_.set(for_another_document(computation_.settings()));
   layers_.set_image({});
+  // The look stays, and is about the balls that a document usually has.
+  if (std::exchange(family_, {}).family() != family()) show_family();
+}
+
+void Workspace::choose_bundle(std::size_t index) {
+  const Bundle bundle = bundles_.bundles()[index];
+  const LayerConfiguration as = adapted(bundle.layers, family(), document());
+  editor_.change_layers("Bundle " + in_quotes(bundle.name), [&] { bundles_.choose(index, as); });
+  if (const auto shown = family_of(as)) family_.note_shown(*shown);
+}
+
+void Workspace::choose_family(BallFamily family) {
+  family_.choose(family);
+  editor_.change_layers(std::string(title_of(group_of(family))), [&] { show_family(); });
+}
+
+void Workspace::take_family_of_layers() {
+  if (const auto shown = family_of(layers_.configuration())) family_.note_shown(*shown);
+}
+
+// A bundle that is shown as it was saved stays the one that is shown.
+void Workspace::show_family() {
+  const auto current = bundles_.current();
+  if (!current || bundles_.is_changed()) {
+    layers_.set_configuration(in_family(layers_.configuration(), family()));
+    return;
+  }
+  LayerConfiguration as = in_family(bundles_.bundles()[*current].layers, family());
+  as.image = layers_.image();
+  bundles_.choose(*current, as);
+}
+
+// What is undone and redone brings its layers with it.
+void Workspace::follow_family() {
+  if (editor_.in_gesture() || !family_.follow(document()) || editor_.can_redo()) return;
+  editor_.note_layers();
+  show_family();
+  editor_.join_layers();
 }
 
 void Workspace::import_bundles(const std::filesystem::path& file) {
@@ -47,11 +87,13 @@ void Workspace::export_bundles(const std::filesystem::path& file, std::optional<
 
 void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
   evolution_.follow(shown_document == document().revision() && !engine_.status().busy, now);
+  if (evolution_.take_restart()) messages_.remark("Evolution restarted from here: the samples were edited");
   if (const auto problem = evolution_.take_problem()) messages_.problem(problem->message());
 }
 
 bool Workspace::follow_layers(bool picture_is_lost) {
   first_ball_.follow(editor_, layers_);
+  follow_family();
   bundles_.follow_layers();
   return demand_.follow(engine_, layers_, document().revision(), picture_is_lost);
 }

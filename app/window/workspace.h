@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/actions/action_bindings.h"
+#include "app/model/ball_families.h"
 #include "app/model/computation_control.h"
 #include "app/model/editor.h"
 #include "app/model/engine_demand.h"
@@ -33,6 +34,8 @@ class Workspace {
   LayerStack& layers() { return layers_; }
   const LayerStack& layers() const { return layers_; }
   BundleDesk& bundles() { return bundles_; }
+  /// Which family of balls the layers are about.
+  BallFamily family() const { return family_.family(); }
   Editor& editor() { return editor_; }
   const Editor& editor() const { return editor_; }
   const Document& document() const { return editor_.document(); }
@@ -44,6 +47,12 @@ class Workspace {
 
   /// Another document takes the place of this one: what belongs to this one alone goes (docs/decisions.md).
   void leave_document();
+  /// Shows the bundle, for the family of balls that the window is about.
+  void choose_bundle(std::size_t index);
+  /// Shows the same of another family of balls.
+  void choose_family(BallFamily family);
+  /// The layers were replaced by those of a session.
+  void take_family_of_layers();
   void import_bundles(const std::filesystem::path& file);
   void export_bundles(const std::filesystem::path& file, std::optional<std::size_t> index);
 
@@ -60,6 +69,8 @@ class Workspace {
   void bind_computation(ActionBindings& actions);
   void bind_bundles(ActionBindings& actions);
   void report(const Expected<void>& done);
+  void show_family();
+  void follow_family();
 
   Messages& messages_;
   Engine engine_;
@@ -70,6 +81,7 @@ class Workspace {
   EvolutionPlayer evolution_;
   EngineDemand demand_;
   FirstBall first_ball_;
+  FamilyChoice family_;
 };
 
 }  // namespace mes

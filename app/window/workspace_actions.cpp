@@ -97,12 +97,16 @@ void Workspace::bind_bundles(ActionBindings& actions) {
     actions.bind(nth(ActionId::first_bundle, index),
                  {[this, index] {
                     const std::string name = bundles_.bundles()[index].name;
-                    editor_.change_layers("Bundle " + in_quotes(name), [&] { bundles_.choose(index); });
+                    choose_bundle(index);
                     messages_.remark(fmt::format("Bundle {}: {}", index + 1, name));
                   },
                   [this, index] { return index < bundles_.bundles().size(); },
                   [this, index] { return bundles_.current() == index; }});
   }
+  for (const BallFamily family : kBallFamilies)
+    actions.bind(
+        nth(ActionId::balls_inner, static_cast<std::size_t>(family)),
+        {[this, family] { choose_family(family); }, {}, [this, family] { return this->family() == family; }});
   actions.bind(ActionId::undo_bundles, {[this] { report(bundles_.undo()); }, [this] { return bundles_.can_undo(); }});
 }
 

@@ -28,26 +28,27 @@ Evolution shrinking(std::string_view id, std::string_view name, std::string_view
 }  // namespace
 
 Evolution a_growing_evolution() {
-  return growing("a-growing", "A growing", "The inner Voronoi balls grow, and their union with them",
+  return growing("a-growing", "Inner balls: grow", "The inner Voronoi balls grow, and their union with them",
                  Parameter::a_scale);
 }
 Evolution a_shrinking_evolution() {
-  return shrinking("a-shrinking", "A shrinking", "The inner Voronoi balls shrink, and their union with them",
+  return shrinking("a-shrinking", "Inner balls: shrink", "The inner Voronoi balls shrink, and their union with them",
                    Parameter::a_scale);
 }
 Evolution p_growing_evolution() {
-  return growing("p-growing", "P growing", "The inner polar balls grow, and their union with them",
+  return growing("p-growing", "Polar balls: grow", "The inner polar balls grow, and their union with them",
                  Parameter::p_scale);
 }
 Evolution p_shrinking_evolution() {
-  return shrinking("p-shrinking", "P shrinking", "The inner polar balls shrink, and their union with them",
+  return shrinking("p-shrinking", "Polar balls: shrink", "The inner polar balls shrink, and their union with them",
                    Parameter::p_scale);
 }
 Evolution b_growing_evolution() {
-  return growing("b-growing", "B growing", "Your own balls grow, and their union with them", Parameter::b_scale);
+  return growing("b-growing", "Own balls: grow", "Your own balls grow, and their union with them",
+                 Parameter::b_scale);
 }
 Evolution b_shrinking_evolution() {
-  return shrinking("b-shrinking", "B shrinking", "Your own balls shrink, and their union with them",
+  return shrinking("b-shrinking", "Own balls: shrink", "Your own balls shrink, and their union with them",
                    Parameter::b_scale);
 }
 

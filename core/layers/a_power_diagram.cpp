@@ -7,7 +7,7 @@ namespace mes {
 Layer make_a_power_diagram_layer(const StructureSet& set) {
   const auto& diagram = set.get<VoronoiBallDiagram>();
   return make_layer({.id = "a-power-diagram",
-                     .name = "A power diagram",
+                     .name = "Power diagram of the Voronoi balls",
                      .tooltip = "Power diagram of all finite Voronoi balls",
                      .group = LayerGroup::delaunay_voronoi,
                      .in_paper = true,

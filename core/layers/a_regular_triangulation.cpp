@@ -7,7 +7,7 @@ namespace mes {
 Layer make_a_regular_triangulation_layer(const StructureSet& set) {
   const auto& diagram = set.get<VoronoiBallDiagram>();
   return make_layer({.id = "a-regular-triangulation",
-                     .name = "A regular triangulation",
+                     .name = "Regular triangulation of the Voronoi balls",
                      .tooltip = "Regular triangulation of all finite Voronoi balls",
                      .group = LayerGroup::delaunay_voronoi,
                      .in_paper = true,

@@ -8,7 +8,7 @@ Layer make_b_inner_centers_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaledUserBalls>();
   return make_layer(
       {.id = "b-inner-centers",
-       .name = "B inner centers",
+       .name = "Own balls: centres",
        .tooltip = "Centres of your own balls; drag one to move its ball, turn the wheel on it to change the radius",
        .group = LayerGroup::union_b,
        .visible_at_start = true,

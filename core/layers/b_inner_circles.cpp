@@ -7,7 +7,7 @@ namespace mes {
 Layer make_b_inner_circles_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaledUserBalls>();
   return make_layer({.id = "b-inner-circles",
-                     .name = "B inner circles",
+                     .name = "Own balls: circles",
                      .tooltip = "Circles of your own balls",
                      .group = LayerGroup::union_b,
                      .visible_at_start = true,

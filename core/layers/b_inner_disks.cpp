@@ -7,7 +7,7 @@ namespace mes {
 Layer make_b_inner_disks_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaledUserBalls>();
   return make_layer({.id = "b-inner-disks",
-                     .name = "B inner disks",
+                     .name = "Own balls: disks",
                      .tooltip = "Disks of your own balls",
                      .group = LayerGroup::union_b,
                      .visible_at_start = true,

@@ -29,9 +29,9 @@ std::string_view title_of(LayerGroup group) {
     case LayerGroup::delaunay_voronoi: return "Delaunay & Voronoi";
     case LayerGroup::crust_axis: return "Crust & axis";
     case LayerGroup::poles: return "Poles & power crust";
-    case LayerGroup::union_a: return "Union of balls A: inner Voronoi balls";
-    case LayerGroup::union_p: return "Union of balls P: interior polar balls";
-    case LayerGroup::union_b: return "Union of balls B: own balls";
+    case LayerGroup::union_a: return "Inner balls";
+    case LayerGroup::union_p: return "Polar balls";
+    case LayerGroup::union_b: return "Own balls";
     case LayerGroup::diagnostics: return "Diagnostics";
   }
   return {};

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "app/model/computation_control.h"
 #include "app/model/messages.h"
 #include "app/model/parameter_animation.h"
 
@@ -43,6 +44,46 @@ TEST_CASE("whole parameters stay whole, and steps within their range") {
   for (const double value : values_of(animation)) CHECK((value == 0.0 || value == 1.0));
   animation.steps = -3;
   CHECK(values_of(animation).size() == 2);
+}
+
+TEST_CASE("a range to begin with starts from the value of now where magnitudes count") {
+  ParameterAnimation animation;
+  animation.aim(Parameter::a_scale, 1.5);
+  CHECK(animation.parameter == Parameter::a_scale);
+  CHECK(animation.from == 1.5);
+  CHECK(animation.to == 3.0);
+  animation.aim(Parameter::a_scale, 80.0);
+  CHECK(animation.to == 100.0);
+  animation.aim(Parameter::a_scale, 100.0);
+  CHECK(animation.to == 50.0);
+  animation.aim(Parameter::medial_sampling_angle, 175.0);
+  CHECK(animation.from == 90.0);
+  CHECK(animation.to == 179.9);
+}
+
+TEST_CASE("a parameter that ran has the value back that it had before, at its end or when it is asked for") {
+  Engine engine({});
+  ComputationControl control(engine);
+  control.set(Parameter::a_scale, 1.25);
+  ParameterAnimation& animation = control.animation();
+  animation.aim(Parameter::a_scale, 1.25);
+  animation.steps = 3;
+  control.start_animation();
+  std::vector<double> seen;
+  for (double now = 0.0; animation.is_running(); now += 1.0) {
+    control.advance(now);
+    seen.push_back(control.settings()[Parameter::a_scale]);
+  }
+  REQUIRE(seen.size() >= 2);
+  CHECK(seen[seen.size() - 2] == 2.5);
+  CHECK(seen.back() == 1.25);
+  control.start_animation();
+  control.advance(100.0);
+  control.advance(200.0);
+  CHECK(control.settings()[Parameter::a_scale] != 1.25);
+  control.give_back();
+  CHECK(control.settings()[Parameter::a_scale] == 1.25);
+  CHECK_FALSE(animation.is_running());
 }
 
 TEST_CASE("the log keeps what was said, counts repetitions and does not grow without end") {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include "app/recording/frame_writer.h"
@@ -57,6 +58,27 @@ TEST_CASE("the program gets the frames, the rate and a place to write, and the v
              Catch::Contains("-framerate 24 ") && Catch::Contains("-frames:v 3 ") && Catch::Contains("libx264"));
   REQUIRE(make_video(studio.take.folder, 24.0, studio.folder / "film.webm"));
   CHECK_THAT(contents_of(studio.folder / "film.webm"), Catch::Contains("libvpx-vp9"));
+}
+
+TEST_CASE("in real time each frame is seen as long as it was recorded") {
+  const Studio studio;
+  Manifest manifest{.format = {4, 4, 30.0}, .complete = true};
+  for (const double seconds : {0.5, 2.0, 2.01}) manifest.frames.push_back({.what = "", .seconds = seconds});
+  std::ofstream(studio.take.folder / kManifestName) << manifest_text(manifest);
+  studio.program(kOutput + "cat frames.ffconcat > \"$out\"\necho \"$@\" >> \"$out\"\n");
+  const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
+  const fs::path video = studio.folder / "film.mp4";
+  REQUIRE(make_video(studio.take.folder, 25.0, video, {}, VideoPace::real_time));
+  const std::string words = contents_of(video);
+  CHECK_THAT(words, Catch::Contains("file 00001.png\nduration 1.500000\nfile 00002.png\nduration 0.040000\n"
+                                    "file 00003.png\nduration 1.000000\nfile 00003.png\n"));
+  CHECK_THAT(words, Catch::Contains("-f concat ") && Catch::Contains("-r 25 ") && !Catch::Contains("-framerate"));
+  CHECK_FALSE(fs::exists(studio.take.folder / "frames.ffconcat"));
+  // A take without times has a steady pace.
+  fs::remove(studio.take.folder / kManifestName);
+  studio.program(kOutput + "echo \"$@\" > \"$out\"\n");
+  REQUIRE(make_video(studio.take.folder, 25.0, video, {}, VideoPace::real_time));
+  CHECK_THAT(contents_of(video), Catch::Contains("-framerate 25 "));
 }
 
 TEST_CASE("what the program complains of is told in one line, and nothing is left behind") {

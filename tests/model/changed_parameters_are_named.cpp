@@ -21,13 +21,14 @@ TEST_CASE("each parameter that is not at its default is named with its value, th
   CHECK(names(settings).empty());
   settings[Parameter::union_shortcut] = 0.0;
   settings[Parameter::medial_sampling_angle] = 150.25;
-  CHECK(names(settings) == "[Union shortcut off][Medial sampling angle 150.2\u00b0]");
+  CHECK(names(settings) == "[Certified shortcut for unions off][Angle of sampled balls 150.2\u00b0]");
   settings[Parameter::b_scale] = 0.5;
   settings[Parameter::a_scale] = 2.14;
   settings[Parameter::pole_propagation] = 1.0;
   CHECK(names(settings) ==
-        "[A scale 2.14 \u00d7][B scale 0.5 \u00d7][Union shortcut off][Pole propagation on]"
-        "[Medial sampling angle 150.2\u00b0]");
+        "[Inner balls: scale 2.14 \u00d7][Own balls: scale 0.5 \u00d7][Certified shortcut for unions off][Pole "
+        "labels by propagation on]"
+        "[Angle of sampled balls 150.2\u00b0]");
   // The number type is not a parameter, and has its own place.
   settings = {};
   settings.precision = Precision::exact;
@@ -37,7 +38,7 @@ TEST_CASE("each parameter that is not at its default is named with its value, th
 TEST_CASE("a value next to its default is not written like the default") {
   ComputationSettings settings;
   settings[Parameter::a_scale] = 1.0000001;
-  CHECK(names(settings) == "[A scale 1.0000001 \u00d7]");
+  CHECK(names(settings) == "[Inner balls: scale 1.0000001 \u00d7]");
 }
 
 TEST_CASE("another document begins with its own parameters and the number type and methods in use") {

@@ -163,7 +163,7 @@ TEST_CASE("steps are called what they do") {
   CHECK(name([&] {
           layers.set_image({.file = "a.png", .center = {}, .width = 1.0});
           layers.set_visible(4, true);
-        }) == "Trace a picture");
+        }) == "Picture underneath");
   CHECK(name([&] { layers.set_image({.file = "a.png", .center = {1, 1}, .width = 1.0}); }) == "Place the picture");
   CHECK(name([&] { layers.set_image({}); }) == "Remove the picture");
   CHECK(name([&] { layers.reset(); }) == "Change layers");

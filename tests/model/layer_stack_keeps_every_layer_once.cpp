@@ -138,3 +138,27 @@ TEST_CASE("a configuration brings everything back, whatever the order and names 
   CHECK(stack.style(1) == style);
   CHECK(stack.style(2) == style);
 }
+
+TEST_CASE("a style is given to another layer without what only the first one means by it") {
+  LayerDescriptor radius;
+  radius.scalar = "radius";
+  LayerDescriptor lambda;
+  lambda.scalar = "lambda";
+  LayerDescriptor nothing;
+  const LayerStyle style{.opacity = 0.4,
+                         .line_width_px = 3.0,
+                         .color_map = "viridis",
+                         .range_locked = true,
+                         .range_low = 2.0,
+                         .range_high = 7.0};
+  CHECK(style_for(radius, radius, style) == style);
+  const LayerStyle other = style_for(lambda, radius, style);
+  CHECK(other.color_map == "viridis");
+  CHECK_FALSE(other.range_locked);
+  CHECK(other.range_low == LayerStyle().range_low);
+  CHECK(other.range_high == LayerStyle().range_high);
+  CHECK(other.opacity == 0.4);
+  CHECK(other.line_width_px == 3.0);
+  CHECK(style_for(nothing, radius, style).color_map.empty());
+  CHECK_FALSE(style_for(nothing, radius, style).range_locked);
+}

@@ -37,6 +37,9 @@ TEST_CASE("what is saved is loaded") {
   settings.spray_spacing_px = 17.5;
   settings.window_width = 1000;
   settings.details = DetailsPage::log;
+  settings.column_width = 412.5;
+  settings.details_share = 0.25;
+  settings.bundles_height = 133.0;
   settings.theme = Theme::dark;
   settings.for_projector = true;
   settings.canvas_background = Rgb{1, 2, 3};
@@ -45,7 +48,8 @@ TEST_CASE("what is saved is loaded") {
                      .supersampling = 2,
                      .transparent = true,
                      .background = Rgb{255, 0, 9},
-                     .fps = 24.0};
+                     .fps = 24.0,
+                     .real_time = true};
   remember_file(settings, "/tmp/a.poff");
   remember_file(settings, "/tmp/b.poff");
   remember_file(settings, "/tmp/a.poff");
@@ -56,6 +60,9 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.spray_spacing_px == 17.5);
   CHECK(loaded.settings.window_width == 1000);
   CHECK(loaded.settings.details == DetailsPage::log);
+  CHECK(loaded.settings.column_width == 412.5);
+  CHECK(loaded.settings.details_share == 0.25);
+  CHECK(loaded.settings.bundles_height == 133.0);
   CHECK(loaded.settings.theme == Theme::dark);
   CHECK(loaded.settings.for_projector);
   CHECK(loaded.settings.canvas_background == Rgb{1, 2, 3});

@@ -81,3 +81,14 @@ TEST_CASE("a target is fitted once, instead of the drawing and without a margin"
   fitting.draw(0.0);
   CHECK(fitting.middle_px() == Approx(400.0));
 }
+
+TEST_CASE("what was shown since, such as a place or the selection, stays when panels come and go") {
+  Fitting fitting;
+  fitting.fitter.want(ViewFitter::How::at_once);
+  fitting.draw(0.0);
+  fitting.view.fit({{1.0, 1.0}, {1.5, 1.5}}, 0.0, true);
+  const double scale = fitting.view.camera().units_per_pixel();
+  fitting.draw(200.0);
+  CHECK_FALSE(fitting.view.is_moving());
+  CHECK(fitting.view.camera().units_per_pixel() == scale);
+}

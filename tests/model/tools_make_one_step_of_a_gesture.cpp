@@ -171,7 +171,7 @@ TEST_CASE("a cancelled move puts everything back") {
   CHECK_FALSE(bench.editor.can_undo());
 }
 
-TEST_CASE("a click beside all samples asks what is there; on a sample only with Alt; a box does not") {
+TEST_CASE("a click beside all samples asks what is there; on a sample only with Ctrl or Alt; a box does not") {
   Bench bench;
   std::vector<Vec2> asked;
   bench.context.ask_about = [&](const Pointer& pointer) { asked.push_back(pointer.px); };
@@ -185,5 +185,12 @@ TEST_CASE("a click beside all samples asks what is there; on a sample only with 
   click(tool, at(100, 100, Modifiers{.alt = true}));
   CHECK(asked.size() == 2);
   CHECK(bench.selected().size() == 1);
+  click(tool, at(140, 100, Modifiers{.ctrl = true}));
+  CHECK(asked.size() == 3);
+  CHECK(bench.selected() == std::vector{SampleSlot(1)});
+  // With Shift it takes out of the selection, and asks nothing.
+  click(tool, at(140, 100, kCtrlShift));
+  CHECK(asked.size() == 3);
+  CHECK(bench.selected().empty());
   CHECK_FALSE(bench.editor.can_undo());
 }

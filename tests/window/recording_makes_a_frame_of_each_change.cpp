@@ -51,7 +51,8 @@ struct Studio {
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
   fs::path take() const {
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder / "mesecina", error)) return entry.path();
+    for (const auto& entry : fs::directory_iterator(folder / "mesecina", error))
+      if (entry.is_directory()) return entry.path();
     return {};
   }
   std::size_t frames() const {
@@ -119,7 +120,7 @@ TEST_CASE("a view is a frame where it comes to rest, and a snapshot is a picture
   studio.press("F3");
   fs::path snapshot;
   REQUIRE(eventually([&] {
-    for (const auto& entry : fs::directory_iterator(studio.folder.path()))
+    for (const auto& entry : fs::directory_iterator(studio.folder / "mesecina"))
       if (entry.path().extension() == ".png" && entry.file_size() != 0) snapshot = entry.path();
     return !snapshot.empty();
   }));

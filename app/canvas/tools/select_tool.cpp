@@ -10,6 +10,11 @@ namespace {
 
 constexpr double kRadiusPerStep = 1.1;
 
+// Many window managers take Alt with a click for themselves.
+bool asks_about(Modifiers modifiers) {
+  return modifiers.ctrl || modifiers.alt;
+}
+
 }  // namespace
 
 SelectTool::Mode SelectTool::mode_of(Modifiers modifiers) {
@@ -109,8 +114,8 @@ void SelectTool::release(const Pointer& pointer) {
       if (mode == Mode::replace && context_.ask_about) context_.ask_about(pointer);
       break;
     case State::pressed_thing:
-      if (pointer.modifiers.alt && context_.ask_about) context_.ask_about(pointer);
       if (mode == Mode::replace && was_selected_) select_one(pressed_, mode);
+      if (mode == Mode::replace && asks_about(pointer.modifiers) && context_.ask_about) context_.ask_about(pointer);
       break;
     case State::boxing: select_box(pointer); break;
     case State::moving: context_.editor.end_gesture(); break;

@@ -2,7 +2,8 @@
 // What the layers of a union of balls have in common: each exists once for every family of balls.
 //
 // A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; union_layer_list.inc lists it,
-// and the registration makes a layer of it for each family, with the family's letter before id and name.
+// and the registration makes a layer of it for each family, with the family's letter before its id and the
+// family's name before its own.
 #pragma once
 
 #include <string>
@@ -27,12 +28,12 @@ struct UnionFamily {
 /// Text that lives as long as the program.
 std::string_view keep_text(std::string text);
 
-/// A layer of the family. `id` and `name` without the letter: "v-points" becomes "a-v-points".
+/// A layer of the family: `id` "v-points" becomes "a-v-points", `name` "boundary" becomes "Inner balls: boundary".
 template <class... Parts>
 Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDescriptor descriptor, Parts... parts) {
   const char small = static_cast<char>(family.letter - 'A' + 'a');
   descriptor.id = keep_text(std::string(1, small) + '-' + std::string(descriptor.id));
-  descriptor.name = keep_text(std::string(1, family.letter) + ' ' + std::string(descriptor.name));
+  descriptor.name = keep_text(std::string(title_of(family.group)) + ": " + std::string(descriptor.name));
   descriptor.group = family.group;
   descriptor.in_paper = descriptor.in_paper && family.in_paper;
   return make_layer(std::move(descriptor), {&family.balls, &read}, std::move(parts)...);

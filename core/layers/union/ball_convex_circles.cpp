@@ -7,7 +7,7 @@ Layer make_union_ball_convex_circles_layer(const UnionFamily& family) {
   return union_layer_of(
       family, family.sampling,
       {.id = "ball-convex-circles",
-       .name = "ball convex circles",
+       .name = "circles along dual edges",
        .tooltip = "Circles interpolated along singular and regular dual edges",
        .scalar = "radius",
        .style = {.color = palette::purple, .opacity = 0.5},

@@ -7,7 +7,7 @@ Layer make_union_ball_convex_disks_layer(const UnionFamily& family) {
   return union_layer_of(
       family, family.sampling,
       {.id = "ball-convex-disks",
-       .name = "ball convex disks",
+       .name = "disks along dual edges",
        .tooltip = "Disks interpolated along singular and regular dual edges",
        .scalar = "radius",
        .style = {.color = palette::purple, .opacity = 0.15, .flat = true},

@@ -8,7 +8,7 @@ Layer make_union_ball_medial_axis_layer(const UnionFamily& family) {
   return union_layer(
       family,
       {.id = "ball-medial-axis",
-       .name = "ball medial axis",
+       .name = "medial axis",
        .tooltip = "Medial axis of the union of the balls, from the general pipeline or its certified shortcut",
        .in_paper = true,
        .scalar = "radius",

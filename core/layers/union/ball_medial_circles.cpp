@@ -7,7 +7,7 @@ Layer make_union_ball_medial_circles_layer(const UnionFamily& family) {
   return union_layer_of(
       family, family.sampling,
       {.id = "ball-medial-circles",
-       .name = "ball medial circles",
+       .name = "circles along the axis",
        .tooltip = "Circles sampled along the medial axis of the union",
        .scalar = "radius",
        .style = {.color = palette::vermilion, .opacity = 0.5},

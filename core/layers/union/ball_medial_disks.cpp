@@ -7,7 +7,7 @@ Layer make_union_ball_medial_disks_layer(const UnionFamily& family) {
   return union_layer_of(
       family, family.sampling,
       {.id = "ball-medial-disks",
-       .name = "ball medial disks",
+       .name = "disks along the axis",
        .tooltip = "Disks sampled along the medial axis of the union",
        .scalar = "radius",
        .style = {.color = palette::vermilion, .opacity = 0.15, .flat = true},

@@ -8,7 +8,7 @@ Layer make_union_ball_triangulation_layer(const UnionFamily& family) {
   return union_layer_of(
       family, diagram,
       {.id = "ball-triangulation",
-       .name = "ball triangulation",
+       .name = "regular triangulation",
        .tooltip = "Regular triangulation of the balls",
        .in_paper = true,
        .style = {.color = palette::grey, .opacity = 0.6},

@@ -8,7 +8,7 @@ Layer make_union_inner_centers_layer(const UnionFamily& family) {
   return union_layer(
       family,
       {.id = "inner-centers",
-       .name = "inner centers",
+       .name = "centres",
        .tooltip = "Centres of the analysed disks",
 
        .scalar = "radius",

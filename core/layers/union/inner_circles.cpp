@@ -8,7 +8,7 @@ Layer make_union_inner_circles_layer(const UnionFamily& family) {
   return union_layer(
       family,
       {.id = "inner-circles",
-       .name = "inner circles",
+       .name = "circles",
        .tooltip = "Circles of the analysed disks",
 
        .scalar = "radius",

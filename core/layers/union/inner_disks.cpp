@@ -8,7 +8,7 @@ Layer make_union_inner_disks_layer(const UnionFamily& family) {
   return union_layer(
       family,
       {.id = "inner-disks",
-       .name = "inner disks",
+       .name = "disks",
        .tooltip = "Disks whose union is analysed",
 
        .scalar = "radius",

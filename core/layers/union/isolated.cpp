@@ -8,7 +8,7 @@ Layer make_union_isolated_layer(const UnionFamily& family) {
   return union_layer(
       family,
       {.id = "isolated",
-       .name = "isolated",
+       .name = "isolated balls",
        .tooltip = "Balls that meet no other: dual vertices without an edge",
        .in_paper = false,
        .scalar = "radius",

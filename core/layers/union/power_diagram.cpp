@@ -7,7 +7,7 @@ Layer make_union_power_diagram_layer(const UnionFamily& family) {
   const PowerDiagram& diagram = family.power_diagram;
   return union_layer_of(family, diagram,
                         {.id = "ball-power-diagram",
-                         .name = "ball power diagram",
+                         .name = "power diagram",
                          .tooltip = "Power diagram of the balls",
                          .in_fit_box = false,
                          .style = {.color = palette::sky, .opacity = 0.6},

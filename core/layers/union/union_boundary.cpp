@@ -7,7 +7,7 @@ Layer make_union_union_boundary_layer(const UnionFamily& family) {
   const BallUnion& balls = family.balls;
   return union_layer(family,
                      {.id = "union-boundary",
-                      .name = "union boundary",
+                      .name = "boundary",
                       .tooltip = "Boundary arcs of the union",
                       .style = {.color = palette::black, .line_width_px = 1.5},
                       .kinds = {PrimitiveKind::arc}},

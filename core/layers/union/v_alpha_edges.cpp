@@ -7,7 +7,7 @@ Layer make_union_v_alpha_edges_layer(const UnionFamily& family) {
   const VDiagram& diagram = family.v_diagram;
   return union_layer_of(family, diagram,
                         {.id = "v-alpha-edges",
-                         .name = "V alpha edges",
+                         .name = "v-point alpha edges",
                          .tooltip = "Voronoi edges of the v-points that run along a singular dual edge",
                          .in_paper = true,
                          .in_fit_box = false,

@@ -7,7 +7,7 @@ Layer make_union_v_crossing_edges_layer(const UnionFamily& family) {
   const VDiagram& diagram = family.v_diagram;
   return union_layer_of(family, diagram,
                         {.id = "v-crossing-edges",
-                         .name = "V crossing edges",
+                         .name = "v-point crossing edges",
                          .tooltip = "Voronoi edges of the v-points that pass a boundary vertex of the dual complex",
                          .in_paper = true,
                          .in_fit_box = false,

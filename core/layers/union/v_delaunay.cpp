@@ -8,7 +8,7 @@ Layer make_union_v_delaunay_layer(const UnionFamily& family) {
   return union_layer_of(
       family, diagram,
       {.id = "v-delaunay",
-       .name = "V Delaunay",
+       .name = "v-point Delaunay triangulation",
        .tooltip = "Delaunay triangulation of the v-points",
        .style = {.color = palette::grey, .opacity = 0.6},
        .kinds = {PrimitiveKind::segment}},

@@ -8,7 +8,7 @@ Layer make_union_v_exterior_vertices_layer(const UnionFamily& family) {
   return union_layer_of(
       family, diagram,
       {.id = "v-exterior-vertices",
-       .name = "V exterior vertices",
+       .name = "v-point exterior vertices",
        .tooltip = "Voronoi vertices of the v-points outside the dual complex",
        .in_fit_box = false,
        .scalar = "radius",

@@ -8,7 +8,7 @@ Layer make_union_v_interior_vertices_layer(const UnionFamily& family) {
   return union_layer_of(
       family, diagram,
       {.id = "v-interior-vertices",
-       .name = "V interior vertices",
+       .name = "v-point interior vertices",
        .tooltip = "Voronoi vertices of the v-points inside the dual complex",
        .in_fit_box = true,
        .scalar = "radius",

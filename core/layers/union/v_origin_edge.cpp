@@ -8,7 +8,7 @@ Layer make_union_v_origin_edge_layer(const UnionFamily& family) {
   return union_layer(
       family,
       {.id = "v-origin-edge",
-       .name = "V origin edge",
+       .name = "v-point origin edges",
        .tooltip = "Links each v-point with the middle of the dual edge that made it",
        .in_paper = true,
        .style = {.color = palette::purple, .opacity = 0.7},

@@ -7,7 +7,7 @@ Layer make_union_v_origin_triangle_layer(const UnionFamily& family) {
   const BallUnion& balls = family.balls;
   return union_layer(family,
                      {.id = "v-origin-triangle",
-                      .name = "V origin triangle",
+                      .name = "v-point origin triangles",
                       .tooltip = "Triangle of a v-point and the dual edge that made it",
                       .in_paper = true,
                       .style = {.color = palette::purple, .opacity = 0.15},

@@ -7,7 +7,7 @@ Layer make_union_v_points_layer(const UnionFamily& family) {
   const BallUnion& balls = family.balls;
   return union_layer(family,
                      {.id = "v-points",
-                      .name = "V points",
+                      .name = "v-points",
                       .tooltip = "Crossings of two circles that lie on the boundary of the union",
                       .in_paper = true,
                       .scalar = "multiplicity",

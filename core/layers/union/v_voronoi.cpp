@@ -8,7 +8,7 @@ Layer make_union_v_voronoi_layer(const UnionFamily& family) {
   return union_layer_of(
       family, diagram,
       {.id = "v-voronoi",
-       .name = "V Voronoi",
+       .name = "v-point Voronoi diagram",
        .tooltip = "Voronoi diagram of the v-points",
        .in_paper = true,
        .in_fit_box = false,

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The three families of balls whose union is studied: which one the layers are about, and the same layers of another.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/model/layer_stack.h"
+#include "core/document/document.h"
+
+namespace mes {
+
+enum class BallFamily : std::uint8_t { inner, polar, own };
+inline constexpr std::array kBallFamilies{BallFamily::inner, BallFamily::polar, BallFamily::own};
+
+LayerGroup group_of(BallFamily family);
+/// The family of a layer of a union; nothing for other layers.
+std::optional<BallFamily> family_of(const LayerDescriptor& descriptor);
+/// Whether the document has what the balls are made of: samples, or balls of its own.
+bool has_balls(const Document& document, BallFamily family);
+
+/// The layers with those of every other family that are visible replaced by those of this one. A layer takes the place
+/// of its counterpart; it has the style that is given for it, or else that of the counterpart. Own balls that are drawn
+/// without their union stay.
+LayerConfiguration in_family(const LayerConfiguration& layers, BallFamily family);
+/// The one family whose union the visible layers are about; nothing: none, or several.
+std::optional<BallFamily> family_of(const LayerConfiguration& layers);
+
+/// Which family the window is about.
+///
+/// What it guarantees: it is one that the document has, if it has any, except after `choose`, until `begin`. It changes
+/// by itself only when the document has lost all its balls and has others. Threads: none.
+class FamilyChoice {
+ public:
+  BallFamily family() const { return family_; }
+  /// Stays for this document, whatever it has.
+  void choose(BallFamily family) {
+    family_ = family;
+    is_chosen_ = true;
+  }
+  /// The layers are about this family now, and were not chosen for it.
+  void note_shown(BallFamily family) { family_ = family; }
+  /// Another document takes the place of this one.
+  void begin() { *this = {}; }
+  /// Once a frame. True when the family has changed.
+  bool follow(const Document& document);
+
+ private:
+  BallFamily family_ = BallFamily::inner;
+  bool is_chosen_ = false;
+};
+
+/// A bundle for the family the window is about: one of inner balls stands for all families, and one of another family
+/// for those that the document has.
+LayerConfiguration adapted(const LayerConfiguration& bundle, BallFamily family, const Document& document);
+
+}  // namespace mes

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/evolution_layers.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "app/model/ball_families.h"
+
+namespace mes {
+namespace {
+
+/// The family whose balls it scales; nothing: it moves samples.
+std::optional<BallFamily> family_of(EvolutionIndex evolution) {
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  if (move == nullptr) return std::nullopt;
+  switch (move->parameter) {
+    case Parameter::a_scale: return BallFamily::inner;
+    case Parameter::p_scale: return BallFamily::polar;
+    default: return BallFamily::own;
+  }
+}
+
+}  // namespace
+
+std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers) {
+  const auto family = family_of(evolution);
+  const auto follows = [&](LayerIndex layer) {
+    const LayerDescriptor& descriptor = layers.descriptor(layer);
+    const auto of = mes::family_of(descriptor);
+    if (descriptor.kinds.empty()) return false;
+    return family ? of == family : of != BallFamily::own;
+  };
+  if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
+  std::vector<std::string> ids{"points", "curve"};
+  if (family) {
+    const std::string letter = *family == BallFamily::inner ? "a-" : *family == BallFamily::polar ? "p-" : "b-";
+    ids = {letter + "inner-disks", letter + "union-boundary", letter + "ball-medial-axis"};
+  }
+  std::vector<LayerIndex> out;
+  for (const std::string& id : ids)
+    if (const LayerIndex layer = layers.find(id); layer != kNoLayer) out.push_back(layer);
+  return out;
+}
+
+std::string what_moves(EvolutionIndex evolution) {
+  const auto family = family_of(evolution);
+  if (!family) return "the samples";
+  switch (*family) {
+    case BallFamily::inner: return "the inner balls";
+    case BallFamily::polar: return "the polar balls";
+    case BallFamily::own: break;
+  }
+  return "your own balls";
+}
+
+}  // namespace mes

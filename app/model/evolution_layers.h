@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which layers show what an evolution does.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/model/layer_stack.h"
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+
+/// Layers that would show the evolution, none of which is visible; empty: some layer that follows it is.
+std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers);
+
+/// What it moves: "the samples", "the inner balls".
+std::string what_moves(EvolutionIndex evolution);
+
+}  // namespace mes

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters of computation and evolutions in the words of the window.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/document/parameter.h"
+
+namespace mes {
+
+/// "smooth-mu" -> "Way to the middle", "a-scale" -> "Inner balls: scale"; an unknown id with spaces for hyphens.
+std::string title_of(const ParameterDescriptor& descriptor);
+
+/// The choices of a parameter whose whole numbers stand for words, from its low end; empty: it is a number.
+std::span<const std::string_view> choices_of(const ParameterDescriptor& descriptor);
+
+/// The explanation as the window gives it: "On: ..., off: ..." of a switch, nothing of numbers that are not seen.
+std::string spoken_explanation(const ParameterDescriptor& descriptor);
+
+}  // namespace mes

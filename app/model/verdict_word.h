@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The theorem light, and what it rests on, in words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/finding.h"
+#include "core/engine/theorem_light.h"
+
+namespace mes {
+
+/// Whether the light is about the document as it is now.
+enum class Checking : std::uint8_t { done, under_way, cancelled };
+
+struct VerdictWord {
+  enum class Mood : std::uint8_t { good, doubtful, wrong, warning, quiet };
+  Mood mood = Mood::quiet;
+  std::string_view word;     ///< for the status bar
+  std::string_view meaning;  ///< one sentence, no full stop
+};
+VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking);
+
+/// A finding of a structure with its count: "207 triangles misjudged by rounding ..., of the inner balls".
+std::string text_of(const Finding& finding, std::string_view structure);
+
+/// What a structure makes, by its public id: "the Delaunay triangulation"; an unknown id with spaces for hyphens.
+std::string structure_name(std::string_view id);
+/// What is being done while this structure, or "layers", is at work: "Checking the theorem", "Computing the crust".
+std::string task_text(std::string_view task);
+
+}  // namespace mes

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ui/slider.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "app/ui/number_field.h"
+
+namespace mes {
+
+bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look) {
+  const float unit = gui.unit();
+  const float gap = 4 * unit;
+  const float field = 76 * unit;
+  const double before = value;
+  ImGui::PushID(label);
+  ImGui::BeginGroup();
+  const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(std::max(30 * unit, width - field - gap));
+  const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
+                                 (look.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  double shown = value;
+  if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &low, &high, "", flags)) value = shown;
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(field);
+  double typed = value;
+  if (number_field("##number", typed, look.format)) value = typed;
+  const std::string_view text(label);
+  if (const std::string_view words = text.substr(0, text.find("##")); !words.empty()) {
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  }
+  ImGui::EndGroup();
+  ImGui::PopID();
+  if (value == before) return false;
+  if (look.is_whole) value = std::round(value);
+  value = std::clamp(value, low, high);
+  return value != before;
+}
+
+}  // namespace mes

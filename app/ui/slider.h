@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A slider with its number beside it, where it can be typed.
+#pragma once
+
+#include "app/ui/gui.h"
+
+namespace mes {
+
+struct SliderLook {
+  const char* format = "%.4g";  ///< of the number, with its unit
+  bool is_logarithmic = false;
+  bool is_whole = false;
+  float width = 0.0F;  ///< of slider and number together, in screen coordinates; 0: what is free
+};
+
+/// `label` stands after the number; what follows "##" in it is not shown. The number stays within [low, high]. Returns
+/// true when it has changed.
+bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look = {});
+
+}  // namespace mes

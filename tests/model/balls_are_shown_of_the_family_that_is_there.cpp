@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "app/model/ball_families.h"
+#include "app/model/editor.h"
+#include "app/model/empty_view.h"
+#include "app/model/evolution_layers.h"
+
+using namespace mes;
+
+namespace {
+
+using Entry = LayerConfiguration::Entry;
+
+/// Ids of the visible layers, bottom first.
+std::vector<std::string> visible(const LayerConfiguration& layers) {
+  std::vector<std::string> out;
+  for (const Entry& entry : layers.layers)
+    if (entry.visible) out.push_back(entry.layer);
+  return out;
+}
+
+LayerConfiguration of(std::vector<std::string> ids) {
+  LayerConfiguration out;
+  for (std::string& id : ids) out.layers.push_back({std::move(id), true, {.opacity = 0.3}});
+  return out;
+}
+
+LayerStack stack_showing(const std::vector<std::string>& ids) {
+  LayerStack out(layer_descriptors());
+  out.set_configuration(of(ids));
+  return out;
+}
+
+/// A document with some samples and balls.
+struct Plane {
+  Editor editor{[](const auto&) {}};
+  Plane(std::size_t samples, std::size_t balls) {
+    SampleData data;
+    for (std::size_t i = 0; i < samples; ++i) data.positions.push_back({static_cast<double>(i), 0.0});
+    for (std::size_t i = 0; i < balls; ++i) data.balls.push_back({{static_cast<double>(i), 0.0}, 1.0});
+    REQUIRE(editor.load(data));
+  }
+  const Document& document() const { return editor.document(); }
+};
+
+const std::vector<std::string> kUnion{"a-inner-disks", "a-dual-faces", "a-union-boundary", "a-v-points"};
+
+}  // namespace
+
+TEST_CASE("every layer of a family has its counterpart in each other one") {
+  for (const LayerDescriptor& layer : layer_descriptors()) {
+    const auto family = family_of(layer);
+    if (!family) continue;
+    LayerConfiguration only = of({std::string(layer.id), "b-union-boundary"});
+    for (const BallFamily to : kBallFamilies) {
+      const auto ids = visible(in_family(only, to));
+      INFO(layer.id);
+      REQUIRE_FALSE(ids.empty());
+      for (const std::string& id : ids) CHECK(family_of(layer_descriptors()[find_layer(id)]) == to);
+    }
+  }
+}
+
+TEST_CASE("a bundle of the union is that of the chosen family, in its order and with its styles") {
+  const LayerConfiguration own = in_family(of(kUnion), BallFamily::own);
+  CHECK(visible(own) == std::vector<std::string>{"b-inner-disks", "b-dual-faces", "b-union-boundary", "b-v-points"});
+  for (const Entry& entry : own.layers) CHECK(entry.style.opacity == 0.3);
+  CHECK(family_of(own) == BallFamily::own);
+  CHECK(in_family(own, BallFamily::inner) == of(kUnion));
+}
+
+TEST_CASE("another family takes the places of the one before, and each layer keeps its own style") {
+  LayerStack layers = stack_showing({"points", "a-dual-faces", "a-v-points"});
+  LayerStyle style = layers.style(layers.find("p-v-points"));
+  style.point_size_px = 17.0;
+  layers.set_style(layers.find("p-v-points"), style);
+  const LayerConfiguration before = layers.configuration();
+  layers.set_configuration(in_family(before, BallFamily::polar));
+  CHECK(visible(layers.configuration()) == std::vector<std::string>{"points", "p-dual-faces", "p-v-points"});
+  CHECK(layers.style(layers.find("p-v-points")).point_size_px == 17.0);
+  CHECK(layers.style(layers.find("a-v-points")).opacity == 0.3);
+  CHECK(in_family(layers.configuration(), BallFamily::inner) == before);
+}
+
+TEST_CASE("own balls that are drawn without their union stay beside the union of others") {
+  const LayerConfiguration layers = of({"b-inner-disks", "b-inner-centers", "a-union-boundary"});
+  CHECK(family_of(layers) == BallFamily::inner);
+  CHECK(visible(in_family(layers, BallFamily::polar)) ==
+        std::vector<std::string>{"b-inner-disks", "b-inner-centers", "p-union-boundary"});
+  CHECK(visible(in_family(layers, BallFamily::own)) ==
+        std::vector<std::string>{"b-inner-disks", "b-inner-centers", "b-union-boundary"});
+}
+
+TEST_CASE("the family is one that the document has, and changes only when it has lost its own") {
+  FamilyChoice choice;
+  CHECK_FALSE(choice.follow(Plane(0, 0).document()));
+  CHECK(choice.follow(Plane(0, 5).document()));
+  CHECK(choice.family() == BallFamily::own);
+  CHECK_FALSE(choice.follow(Plane(9, 5).document()));
+  CHECK(choice.family() == BallFamily::own);
+  CHECK(choice.follow(Plane(9, 0).document()));
+  CHECK(choice.family() == BallFamily::inner);
+  choice.choose(BallFamily::own);
+  CHECK_FALSE(choice.follow(Plane(9, 0).document()));
+  CHECK(choice.family() == BallFamily::own);
+  choice.begin();
+  CHECK(choice.family() == BallFamily::inner);
+}
+
+TEST_CASE("bundles of inner balls stand for all, those of others for what the document has") {
+  const LayerConfiguration inner = of(kUnion);
+  const LayerConfiguration polar = in_family(inner, BallFamily::polar);
+  CHECK(adapted(inner, BallFamily::own, Plane(9, 5).document()) == in_family(inner, BallFamily::own));
+  CHECK(adapted(polar, BallFamily::inner, Plane(9, 0).document()) == polar);
+  CHECK(adapted(polar, BallFamily::own, Plane(0, 5).document()) == in_family(inner, BallFamily::own));
+  const LayerConfiguration both = of({"a-dual-faces", "p-dual-faces"});
+  CHECK(adapted(both, BallFamily::own, Plane(0, 5).document()) == both);
+  CHECK(adapted(of({"points"}), BallFamily::own, Plane(0, 5).document()) == of({"points"}));
+}
+
+TEST_CASE("where nothing is seen the reason is given, and what is offered is of what there is") {
+  const auto nothing = [](LayerIndex) { return false; };
+  const auto offer = [&](const Plane& plane, const std::vector<std::string>& ids) {
+    const auto empty = empty_view(plane.document(), stack_showing(ids), nothing);
+    REQUIRE(empty);
+    CHECK_FALSE(empty->text.empty());
+    return empty->offer;
+  };
+  CHECK_FALSE(empty_view(Plane(0, 0).document(), stack_showing(kUnion), nothing));
+  CHECK_FALSE(empty_view(Plane(0, 5).document(), stack_showing(kUnion), [](LayerIndex) { return true; }));
+  CHECK(offer(Plane(0, 5), kUnion) == ShowInstead::own_family);
+  CHECK(offer(Plane(0, 5), {"curve", "medial-axis"}) == ShowInstead::own_balls);
+  CHECK(offer(Plane(9, 0), {"b-dual-faces"}) == ShowInstead::inner_family);
+  CHECK(offer(Plane(9, 0), {"label-conflicts"}) == ShowInstead::samples);
+  CHECK(offer(Plane(9, 0), {}) == ShowInstead::samples);
+  CHECK(offer(Plane(0, 5), {}) == ShowInstead::own_balls);
+  // A picture to trace is no layer of the document.
+  CHECK(offer(Plane(9, 0), {"image"}) == ShowInstead::samples);
+}
+
+TEST_CASE("what is offered shows layers of what there is") {
+  LayerStack layers = stack_showing(kUnion);
+  show_instead(ShowInstead::own_family, layers);
+  CHECK(visible(layers.configuration()) == visible(in_family(of(kUnion), BallFamily::own)));
+  show_instead(ShowInstead::samples, layers);
+  CHECK(layers.is_visible(layers.find("points")));
+}
+
+TEST_CASE("an evolution that no visible layer follows names layers that do") {
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
+    LayerStack layers = stack_showing({});
+    const std::vector<LayerIndex> wanted = layers_to_show(i, layers);
+    INFO(evolutions()[i].descriptor.id);
+    REQUIRE_FALSE(wanted.empty());
+    for (const LayerIndex layer : wanted) layers.set_visible(layer, true);
+    CHECK(layers_to_show(i, layers).empty());
+  }
+  CHECK_FALSE(layers_to_show(*find_evolution("b-growing"), stack_showing(kUnion)).empty());
+  CHECK(layers_to_show(*find_evolution("a-growing"), stack_showing(kUnion)).empty());
+  CHECK_FALSE(layers_to_show(*find_evolution("smooth"), stack_showing({"b-inner-disks"})).empty());
+}
