@@ -128,7 +128,7 @@ struct Autosave::Journal {
       if (n < 0 && errno == EINTR) continue;
       if (n <= 0) {
         const int error = n < 0 ? errno : ENOSPC;
-        // A torn line in the middle would hide all that comes after it.
+        // A journal whose first line does not fit holds nothing then, instead of what cannot be read.
         return ::ftruncate(fd, length) == 0 ? error : errno;
       }
       done += static_cast<std::size_t>(n);

@@ -137,6 +137,7 @@ TEST_CASE("a journal that could not be brought to an end holds a state that was"
         }
       }
       const FoundWork found = find_left_work(folder.path());
+      CHECK(found.message.empty());
       for (const LeftWork& work : found.works) CHECK(digests.contains(digest_of(work.session())));
     }
   }

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <semaphore>
 #include <set>
 #include <thread>
 
@@ -184,6 +186,33 @@ TEST_CASE("a full disk ends the take there, and its earlier frames can be used")
   REQUIRE(read);
   CHECK_FALSE(read->complete);
   CHECK(read->frames.size() == 10);
+}
+
+TEST_CASE("the manifest of a take that broke off lists the frames before the one that is missing, and says why") {
+  const TemporaryFolder folder;
+  const Take take = take_in(folder);
+  std::binary_semaphore third_is_written{0};
+  {
+    // The second frame fails when the third is written already.
+    FrameWriter writer(take,
+                       {.threads = 2, .write = [&](const fs::path& file, std::string_view bytes) -> Expected<void> {
+                          if (file.filename() == frame_name(2)) {
+                            third_is_written.acquire();
+                            return std::unexpected(Error{ErrorCode::cannot_write, "No space left", file.string()});
+                          }
+                          auto done = write_file_atomically(file, bytes);
+                          if (file.filename() == frame_name(3)) third_is_written.release();
+                          return done;
+                        }});
+    for (int i = 1; i <= 3; ++i) REQUIRE(writer.push({picture(64, 48, i), {"Step " + std::to_string(i)}}));
+    CHECK_FALSE(writer.finish());
+    CHECK(writer.written() == 2);
+  }
+  const auto manifest = nlohmann::json::parse(contents_of(take.folder / kManifestName));
+  CHECK_FALSE(manifest["complete"].get<bool>());
+  CHECK_THAT(manifest["problem"].get<std::string>(), Catch::Contains("No space left"));
+  REQUIRE(manifest["frames"].size() == 1);
+  CHECK(manifest["frames"][0]["interaction"] == "Step 1");
 }
 
 TEST_CASE("what a limit of the system cuts off is no frame") {

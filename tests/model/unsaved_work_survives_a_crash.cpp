@@ -142,6 +142,34 @@ TEST_CASE("a journal that holds anything is kept when it cannot be read, and not
   CHECK(folder.file_count() == 2);
 }
 
+TEST_CASE("a journal that is read in part is offered up to there, and kept when that was taken or refused") {
+  const TemporaryFolder folder;
+  Editor editor({});
+  REQUIRE(editor.load({{{0, 0}}, {}}));
+  {
+    Autosave autosave(folder.path(), {}, milliseconds(0));
+    REQUIRE(editor.insert(std::array{Vec2{1, 1}}, "Insert"));
+    autosave.follow(editor, [&] { return head_of(editor); });
+    autosave.flush();
+  }
+  const std::uint64_t digest = editor.document().digest();
+  const fs::path file = fs::directory_iterator(folder.path())->path();
+  const std::string bytes = contents_of(file) + "{\"edit\":\n{\"undo\":true}\n";
+  folder.write(file.filename().string(), bytes);
+
+  FoundWork found = find_left_work(folder.path());
+  CHECK(
+      found.message.starts_with("some of the work that was left unsaved cannot be read: " + file.string() + ":3: "));
+  REQUIRE(found.works.size() == 1);
+  CHECK(found.works[0].edits() == 1);
+  CHECK(digest_of(found.works[0].session()) == digest);
+  found.works[0].remove();
+  found.works.clear();
+  CHECK(folder.file_count() == 1);
+  CHECK(contents_of(file.string() + ".broken") == bytes);
+  CHECK(find_left_work(folder.path()).works.empty());
+}
+
 TEST_CASE("what is not a file is not taken for a journal") {
   const TemporaryFolder folder;
   REQUIRE(::mkfifo((folder / "20260101-000000-1.journal").c_str(), 0600) == 0);
