@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <thread>
 #include <unordered_set>
@@ -198,16 +199,29 @@ TEST_CASE("killed at any moment, a program leaves a journal that can be read, of
         after_each(editor);
       }
     };
+    // In every other round not before some steps are on the disk, however slow the machine is.
+    const std::uint64_t sure_steps = round % 2 == 0 ? 0 : 1 + random.below(kSteps);
+    std::array<int, 2> are_on_disk{};
+    REQUIRE(::pipe(are_on_disk.data()) == 0);
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {
       Autosave autosave(folder.path(), {}, milliseconds(0));
+      std::uint64_t steps = 0;
       run([&](const Editor& editor) {
         autosave.follow(editor, [&] { return head_of(editor); });
+        if (++steps == sure_steps) {
+          autosave.flush();
+          ::close(are_on_disk[1]);
+        }
         std::this_thread::sleep_for(std::chrono::microseconds(50));
       });
       for (;;) ::pause();
     }
+    ::close(are_on_disk[1]);
+    char nothing = 0;
+    if (sure_steps != 0) CHECK(::read(are_on_disk[0], &nothing, 1) == 0);
+    ::close(are_on_disk[0]);
     std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
