@@ -74,7 +74,7 @@ TEST_CASE("a layer counts the primitives it cannot draw, through updates as afte
   change(Row(3), -1.0);
   CHECK(part->lost() == 1);
   changes.clear();
-  changes.removed.push_back(0);
+  changes.removed.emplace_back(0);
   radius[Row(0)] = -1.0;
   part->update(patch);
   CHECK(part->lost() == 0);
