@@ -13,12 +13,12 @@ std::vector<const Dialog*> Dialogs::open() const {
   return out;
 }
 
-bool Dialogs::take_key(const KeyChord& chord) {
+bool Dialogs::take_key(const KeyChord& chord, bool repeated) {
   const auto top = std::ranges::find_if(all_.rbegin(), all_.rend(), [](const Dialog* one) { return one->is_open(); });
   if (top == all_.rend()) return false;
   if ((*top)->is_cancelled_by(chord))
     (*top)->cancel();
-  else
+  else if (!repeated || chord.symbol != key::enter)
     (*top)->press(chord);
   return true;
 }

@@ -24,8 +24,8 @@ class Dialogs {
 
   /// Those that are open, topmost last.
   std::vector<const Dialog*> open() const;
-  /// True when one is open: it has taken the key.
-  bool take_key(const KeyChord& chord);
+  /// True when one is open: it has taken the key. Enter that is held down answers one question, not the next as well.
+  bool take_key(const KeyChord& chord, bool repeated);
   void draw(const Gui& gui);
 
  private:

@@ -71,7 +71,7 @@ void WindowInput::on_wheel(double steps) {
 
 void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   Gui& gui = uses_.screen.gui;
-  if (uses_.dialogs.take_key(chord)) return;
+  if (uses_.dialogs.take_key(chord, repeated)) return;
   if (gui.wants_text()) return;
   if (chord.symbol == key::escape && gui.close_popup()) return;
   if (gui.has_popup()) return;

@@ -173,7 +173,8 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   lesson.press_until("1", [&] { return lesson.shows(kAxis) && lesson.shows(kCurve); });
 
   // The row of the axis is dragged below that of the curve, by the names, left of the swatches.
-  const auto row = [&](Rgb color) { return lesson.find(lesson.panel(), color); };
+  // Rows of the section "Shown"; the groups below it have the same rows again.
+  const auto row = [&](Rgb color) { return lesson.find({1000, 30, 1280, 340}, color); };
   REQUIRE(eventually([&] { return !row(kAxis).is_empty() && !row(kCurve).is_empty(); }));
   REQUIRE(row(kAxis).bottom < row(kCurve).top + 8);
   const int names = row(kAxis).left - 120;
@@ -223,7 +224,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
     return strip.right - strip.left > 400;
   }));
   const auto button = [&](int number) {
-    return std::array<int, 2>{strip.left + 166 + 23 * number, strip.middle()[1]};
+    return std::array<int, 2>{strip.left + 212 + 23 * number, strip.middle()[1]};
   };
   constexpr int kStop = 3;
   constexpr int kPlay = 4;
