@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "render/look.h"
 #include "render/picture_file.h"
 
 namespace mes::render {
@@ -26,15 +27,6 @@ constexpr double kMaxScale = 0x1p80;
 
 // The number of colours of a map in its texture.
 constexpr std::size_t kMapWidth = 256;
-
-// Dash and gap in logical pixels, for strokes up to two pixels; wider strokes have longer ones.
-constexpr double kDash = 5.0;
-constexpr double kGap = 4.0;
-
-/// Triangles first: the coverages of a group are summed before another kind covers them.
-constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
-    PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,
-    PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::arc,  PrimitiveKind::point};
 
 /// One coordinate of the view's centre in the forms that programs read.
 struct CenterParts {
@@ -120,9 +112,8 @@ void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUnifo
   u.map_offset = width > 0.0 ? 0.0F : 0.5F;
 }
 
-float pixels(double logical, double content_scale, double low, double high) {
-  const double size = std::isfinite(logical) ? std::clamp(logical, low, high) : low;
-  return static_cast<float>(size * content_scale);
+float pixels(double logical, double content_scale) {
+  return static_cast<float>(logical * content_scale);
 }
 
 /// The number of quads along a circle: more of them cost vertices, fewer cost fragments between chord and rim. Each
@@ -273,12 +264,9 @@ ScalarRange Scene::scalar_range(LayerIndex layer) const {
 
 ShownMap Scene::shown_map(LayerIndex layer, const LayerStyle& style) const {
   if (style.color_map.empty() || layer >= layers_.size()) return {};
-  const auto found = std::ranges::find(maps_, style.color_map, &ColorMap::name);
   const auto has_scalars = [](const InstanceBuffer& buffer) { return buffer.scalars() != BufferId{}; };
-  if (found == maps_.end() || std::ranges::none_of(layers_[layer].kinds, has_scalars)) return {};
-  ScalarRange range = scalar_range(layer);
-  if (style.range_locked) range = {style.range_low, style.range_high};
-  return {&*found, range};
+  if (std::ranges::none_of(layers_[layer].kinds, has_scalars)) return {};
+  return chosen_map(maps_, style, scalar_range(layer));
 }
 
 void Scene::draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options) {
@@ -442,22 +430,20 @@ void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look
   u.center_words = glm::uvec4(x.words, y.words);
   u.center_low_words = glm::uvec4(x.low_words, y.low_words);
   u.pixels_per_unit = static_cast<float>(placement.frame.scale);
-  const float line_width = pixels(style.line_width_px, pass.content_scale, 0.1, 64.0);
-  u.half_width_px = 0.5F * (is_point ? pixels(style.point_size_px, pass.content_scale, 0.1, 256.0) : line_width);
+  const float line_width = pixels(line_width_of(style), pass.content_scale);
+  u.half_width_px = 0.5F * (is_point ? pixels(point_size_of(style), pass.content_scale) : line_width);
   u.ring_px = is_point && look.ring ? 0.5F * line_width : 0.0F;
   u.half_view_px = 0.5F * glm::vec2(camera.width(), camera.height());
   u.view_radius_px = std::hypot(u.half_view_px.x, u.half_view_px.y);
   u.color = color;
-  const double width = std::max(1.0, style.line_width_px / 2.0);
-  u.dash_px = static_cast<float>(kDash * width * pass.content_scale);
-  u.dash_period_px = static_cast<float>((kDash + kGap) * width * pass.content_scale);
+  const DashPattern dashes = dash_of(style);
+  u.dash_px = pixels(dashes.dash, pass.content_scale);
+  u.dash_period_px = pixels(dashes.period, pass.content_scale);
   u.arc_pieces = arc_pieces(buffer.kind(), buffer.extent(), placement.frame.scale);
 
   call.program.kind = buffer.kind();
   if (!is_point && placement.reach > kNearReach) call.program.reach = Reach::far;
-  call.program.dashed =
-      style.dashed && (buffer.kind() == PrimitiveKind::segment || buffer.kind() == PrimitiveKind::ray ||
-                       buffer.kind() == PrimitiveKind::line || is_ring(buffer.kind()));
+  call.program.dashed = style.dashed && is_stroked(buffer.kind());
   if (look.map != nullptr && buffer.scalars() != BufferId{}) {
     call.program.mapped = true;
     call.scalars = buffer.scalars();
