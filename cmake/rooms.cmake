@@ -26,18 +26,19 @@ set(rooms
   "core/evolutions: core/base core/document core/structures/crust"
   "core/engine: core/base core/draw core/document core/graph core/structures/inputs"
   "render: core/base core/draw"
+  "render/figure: core/base core/draw render"
   "app/system: core/io"
   "app/actions: core/base"
   "app/model: core/* app/system render"
   "app/store: core/* app/model app/system render"
-  "app/picture: core/* app/model render"
+  "app/picture: core/* app/model render render/figure"
   "app/canvas/tools: core/base app/model app/actions"
   "app/canvas: app/model app/canvas/tools"
   "app/recording: core/* app/model app/picture app/system render"
   "app/ui: core/* app/model app/actions app/canvas render"
   "app/panels: core/* app/ui app/model app/store app/picture app/canvas app/canvas/tools app/recording app/actions render"
   "app/window: core/* app/panels app/ui app/model app/store app/picture app/canvas app/canvas/tools app/recording app/actions app/system render"
-  "app/cli: core/* app/model app/store app/picture app/recording app/actions app/system render"
+  "app/cli: core/* app/model app/store app/picture app/recording app/actions app/system render render/figure"
   "app: app/cli app/window core/base")
 
 if(NOT DEFINED ROOT)

@@ -42,6 +42,8 @@ test           catch2              catch2-devel        catch2-v2      -
 test           xvfb                xorg-x11-server-Xvfb  xorg-server-xvfb  -
 test           xdotool             xdotool             xdotool        -
 test           imagemagick         ImageMagick         imagemagick    imagemagick
+test           librsvg2-bin        librsvg2-tools      librsvg        librsvg
+test           poppler-utils       poppler-utils       poppler        poppler
 bench          libbenchmark-dev    google-benchmark-devel  benchmark  google-benchmark
 package        dpkg-dev            dpkg-dev            dpkg           dpkg
 package        file                file                file           -

@@ -14,6 +14,8 @@
 #include "app/cli/manual.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
+#include "app/cli/page_size.h"
+#include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/cli/style_request.h"
 #include "core/base/assert.h"
@@ -90,6 +92,21 @@ void add_source(CLI::App& command, Source& source) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+/// "one-column (84mm), ...".
+std::string page_preset_words() {
+  std::string out;
+  for (const PagePreset& preset : page_presets())
+    out += (out.empty() ? "" : ", ") + std::string(preset.name) + " (" + std::string(preset.size) + ')';
+  return out;
+}
+
+/// ".png, .svg, ...".
+std::string picture_extension_words() {
+  std::string out(kPixelExtension);
+  for (const figure::Format& format : figure::formats()) out += ", " + std::string(format.extension);
+  return out;
+}
+
 void add_force(CLI::App& command, bool& force) {
   command.add_flag("--force", force, "Overwrite the output even if it was read and has changed since");
 }
@@ -137,7 +154,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
   add_force(*exported, to.exported.force);
 
-  CLI::App* const render = app.add_subcommand("render", "A picture of layers, as PNG; needs no display");
+  CLI::App* const render =
+      app.add_subcommand("render", "A picture of layers, in pixels or as vector graphics; needs no display");
   add_source(*render, to.render.source);
   render->add_option("--layers", to.render.layers,
                      "Comma list of layer ids, or all; default: those visible at start.\n"
@@ -149,7 +167,20 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "(mesecina list bundles) or a file of bundles, .json or .bnd, of which\n"
                    "the first is taken, or that of FILE:NAME")
       ->excludes("--layers");
-  render->add_option("--size", to.render.size, "Width and height in pixels, WxH")->capture_default_str();
+  CLI::Option* const size = render
+                                ->add_option("--size", to.render.size,
+                                             "Width and height in pixels, WxH; in vector formats a pixel is\n"
+                                             "1/96 inch")
+                                ->capture_default_str();
+  render
+      ->add_option("--figure-size", to.render.figure_size,
+                   "Size of a vector format on paper: WxH, or a width to which the height\n"
+                   "follows, with units mm, cm, in, pt or px, as in 84mmx60mm;\n"
+                   "or " +
+                       page_preset_words())
+      ->excludes(size);
+  render->add_option("--bounds", to.render.bounds, "Of a vector format: view, or tight to cut it to what is drawn")
+      ->capture_default_str();
   render
       ->add_option("--view", to.render.view,
                    "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"
@@ -160,14 +191,15 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "Factor for line widths and point sizes, as for a denser screen;\n"
                    "dots of samples shrink where they would run together")
       ->capture_default_str();
-  render->add_option("--background", to.render.background, "RRGGBB or transparent")->capture_default_str();
+  render->add_option("--background", to.render.background, "RRGGBB, or transparent (none)")->capture_default_str();
   render
       ->add_option("--set-style", to.render.styles,
                    "Change the style of a layer, LAYER:KEY=VALUE[,KEY=VALUE...]; may be repeated.\n"
                    "Keys: " +
                        style_keys() +
                        ".\n"
-                       "color-map is the name of a map (mesecina list color-maps) or none,\n"
+                       "point-size and line-width are in pixels, or on paper with a unit, as in\n"
+                       "0.5pt; color-map is the name of a map (mesecina list color-maps) or none,\n"
                        "range is LOW:HIGH or fit, dashed and flat are on or off")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -178,7 +210,10 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_flag("--legend,!--no-legend", to.render.with_legend,
                    "With a colour map: whether its colour bar is drawn, in the corner\n"
                    "where it hides least; default: yes");
-  render->add_option("-o,--output", to.render.output, "The picture, .png; - for standard output")->required();
+  render
+      ->add_option("-o,--output", to.render.output,
+                   "The picture, " + picture_extension_words() + "; - for standard output, as PNG")
+      ->required();
   add_force(*render, to.render.force);
 
   CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");

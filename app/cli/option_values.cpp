@@ -5,6 +5,8 @@
 #include <array>
 
 #include "app/cli/completions.h"
+#include "app/cli/page_size.h"
+#include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"
@@ -51,7 +53,17 @@ std::vector<std::string> evolution_ids() {
   return out;
 }
 
-constexpr std::array<OptionValue, 24> kValues{{
+std::vector<std::string> page_sizes() {
+  std::vector<std::string> out;
+  for (const PagePreset& preset : page_presets()) out.emplace_back(preset.name);
+  return out;
+}
+
+std::vector<std::string> bounds() {
+  return {std::string(kBoundsOfView), std::string(kBoundsOfInk)};
+}
+
+constexpr std::array<OptionValue, 26> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
@@ -69,6 +81,8 @@ constexpr std::array<OptionValue, 24> kValues{{
     {"--bundle", "NAME", ValueKind::file},
     {"--frames", "FOLDER", ValueKind::folder},
     {"--size", "WxH"},
+    {"--figure-size", "SIZE", ValueKind::choice, page_sizes},
+    {"--bounds", "BOUNDS", ValueKind::choice, bounds},
     {"--view", "VIEW"},
     {"--scale", "FACTOR"},
     {"--background", "COLOR"},

@@ -100,7 +100,7 @@ std::optional<Rgb> parse_rgb(std::string_view text) {
 }
 
 Expected<std::optional<Rgb>> parse_background(const std::string& text) {
-  if (text == "transparent") return std::nullopt;
+  if (text == "transparent" || text == "none") return std::nullopt;
   const auto color = parse_rgb(text);
   if (!color) return usage_error("--background expects RRGGBB or transparent, not " + in_quotes(text));
   return color;

@@ -30,7 +30,7 @@ Expected<std::optional<Box2>> parse_view(const std::string& text);
 /// "RRGGBB", with or without #; nothing for anything else.
 std::optional<Rgb> parse_rgb(std::string_view text);
 
-/// "RRGGBB", with or without #; nothing for "transparent". Error: `usage`.
+/// "RRGGBB", with or without #; nothing for "transparent" and "none". Error: `usage`.
 Expected<std::optional<Rgb>> parse_background(const std::string& text);
 
 /// "FILE" or "FILE:X,Y,WIDTH"; without the numbers the width is 0. Whatever else follows a colon belongs to the name.

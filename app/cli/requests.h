@@ -46,6 +46,8 @@ struct RenderRequest {
   std::string layers;
   std::string bundle;  ///< name or file, instead of layers
   std::string size = "1600x1200";
+  std::string figure_size;  ///< of vector formats, on paper; empty: `size`
+  std::string bounds = "view";
   std::string view = "fit";
   std::string scale = "1";
   std::string background = "ffffff";

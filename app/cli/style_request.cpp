@@ -9,9 +9,11 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
+#include "app/cli/page_size.h"
 #include "app/cli/picture.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
+#include "render/figure/figure.h"
 
 namespace mes::cli {
 namespace {
@@ -28,8 +30,8 @@ class Setting {
   Expected<void> apply(const LayerDescriptor& layer, LayerStyle& style) const {
     if (key_ == "color") return color(style);
     if (key_ == "opacity") return number(style.opacity, 0.0, 1.0);
-    if (key_ == "point-size") return number(style.point_size_px, 0.5, 64.0);
-    if (key_ == "line-width") return number(style.line_width_px, 0.1, 64.0);
+    if (key_ == "point-size") return pixels(style.point_size_px, 0.5, 64.0);
+    if (key_ == "line-width") return pixels(style.line_width_px, 0.1, 64.0);
     if (key_ == "dashed") return flag(style.dashed);
     if (key_ == "flat") return flag(style.flat);
     if (key_ == "color-map") return color_map(layer, style);
@@ -58,6 +60,21 @@ class Setting {
       return fail(text);
     }
     out = *value;
+    return {};
+  }
+  /// A length with a unit is one on paper, where a pixel is 1/96 inch.
+  Expected<void> pixels(double& out, double low, double high) const {
+    const auto points = parse_length(value_);
+    if (!points) return number(out, low, high);
+    const double value = *points / figure::kPointsPerPixel;
+    if (value < low || value > high) {
+      std::string text = "a length from ";
+      append_number(text, low);
+      text += "px to ";
+      append_number(text, high);
+      return fail(text + "px");
+    }
+    out = value;
     return {};
   }
   Expected<void> flag(bool& out) const {

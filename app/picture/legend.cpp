@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/picture/canvas_look.h"
+#include "app/picture/internal/legend_entries.h"
 
 namespace mes {
 namespace {
@@ -213,14 +214,7 @@ PixelPlace emptiest_corner(const render::Image& image, double width, double heig
 }  // namespace
 
 std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views) {
-  std::vector<LegendEntry> out;
-  for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const render::ShownMap shown = scene.shown_map(view->layer, view->style);
-    const LayerDescriptor& layer = layer_descriptors()[view->layer];
-    if (shown.map != nullptr)
-      out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
-  }
-  return out;
+  return entries_of(views, [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); });
 }
 
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {

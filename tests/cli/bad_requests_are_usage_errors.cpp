@@ -41,7 +41,7 @@ TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"export", kDude, "--layer", "points", "--format", "xls"}, {"csv, poff or wpoff"});
   require_usage_error({"export", kDude, "--layer", "voronoi-disks", "--format", "poff"}, {"no points"});
   require_usage_error({"export", kDude, "--layer", "medial-axis", "--format", "wpoff"}, {"no disks"});
-  require_usage_error({"render", kDude, "-o", "a.svg"}, {"not available in this build"});
+  require_usage_error({"render", kDude, "-o", "a.svgz"}, {"must end in .png", ".svg"});
   require_usage_error({"render", kDude, "-o", "a.jpeg"}, {".png"});
 }
 

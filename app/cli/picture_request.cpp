@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/picture_request.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "app/cli/bundle_request.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/style_request.h"
+#include "app/picture/canvas_look.h"
+#include "core/base/lower_case.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+/// ".png, .svg, .pdf": what the name of a picture may end in.
+std::vector<std::string_view> extensions() {
+  std::vector<std::string_view> out{kPixelExtension};
+  for (const figure::Format& format : figure::formats()) out.push_back(format.extension);
+  return out;
+}
+
+Expected<const figure::Format*> format_of(const std::string& file) {
+  if (is_standard_output(file)) {
+    if (::isatty(STDOUT_FILENO) != 0) return usage_error("a picture cannot be printed on a terminal; name a file");
+    return nullptr;
+  }
+  const std::string extension = lower_case_extension(file);
+  if (extension == kPixelExtension) return nullptr;
+  if (const figure::Format* const format = figure::format_for(extension)) return format;
+  return usage_error("the name of the picture must end in " + one_of(extensions()) + ", not " + in_quotes(extension));
+}
+
+/// What is for figures only, or for pixels only.
+Expected<void> check_kind(const RenderRequest& request, const figure::Format* format) {
+  if (format != nullptr) return {};
+  if (!request.figure_size.empty()) return usage_error("--figure-size is for vector formats; a .png has --size");
+  if (request.bounds != kBoundsOfView) return usage_error("--bounds is for vector formats");
+  return {};
+}
+
+/// Layers and styles of a bundle; unknown layers in it are reported.
+Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& picture) {
+  const auto bundle = find_bundle(name_or_file, picture.sources);
+  if (!bundle) return std::unexpected(bundle.error());
+  std::size_t unknown = 0;
+  for (const LayerConfiguration::Entry& entry : bundle->layers.layers) {
+    const LayerIndex layer = find_layer(entry.layer);
+    if (layer == kNoLayer) {
+      ++unknown;
+      continue;
+    }
+    picture.styles[layer] = entry.style;
+    if (entry.visible && std::ranges::find(picture.layers, layer) == picture.layers.end())
+      picture.layers.push_back(layer);
+  }
+  std::error_code error;
+  if (const BackgroundImage& image = bundle->layers.image; !image.file.empty()) {
+    if (std::filesystem::exists(image.file, error))
+      picture.image = image;
+    else
+      say("bundle " + in_quotes(bundle->name) + ": the picture " + image.file + " is not there");
+  }
+  if (unknown != 0)
+    say("bundle " + in_quotes(bundle->name) + ": " + std::to_string(unknown) +
+        (unknown == 1 ? " layer is" : " layers are") + " not available here");
+  return {};
+}
+
+Expected<void> take_layers(const std::string& ids, PictureRequest& picture) {
+  auto layers = select_layers(ids);
+  if (!layers) return std::unexpected(layers.error());
+  picture.layers = std::move(*layers);
+  // The stacking order is the registry's, whatever the order of the words.
+  std::ranges::sort(picture.layers);
+  return {};
+}
+
+}  // namespace
+
+Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps) {
+  PictureRequest picture;
+  for (const LayerDescriptor& layer : layer_descriptors()) picture.styles.push_back(layer.style);
+  const auto taken =
+      request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
+  if (!taken) return std::unexpected(taken.error());
+  if (!request.image.empty()) {
+    picture.image = parse_image(request.image);
+    const LayerIndex layer = find_layer("image");
+    // It belongs below everything, wherever a bundle has it.
+    std::erase(picture.layers, layer);
+    picture.layers.insert(picture.layers.begin(), layer);
+  }
+  std::vector<std::string> map_names;
+  for (const render::ColorMap& map : maps) map_names.push_back(map.name);
+  auto styles = changed_styles(std::move(picture.styles), request.styles, picture.layers, map_names);
+  if (!styles) return std::unexpected(styles.error());
+  picture.styles = std::move(*styles);
+  const auto format = format_of(request.output);
+  if (!format) return std::unexpected(format.error());
+  picture.format = *format;
+  if (auto good = check_kind(request, picture.format); !good) return std::unexpected(good.error());
+  const auto size = parse_size(request.size);
+  if (!size) return std::unexpected(size.error());
+  picture.size = *size;
+  if (!request.figure_size.empty()) {
+    const auto page = parse_page_size(request.figure_size);
+    if (!page) return std::unexpected(page.error());
+    picture.page = *page;
+  }
+  if (request.bounds != kBoundsOfView && request.bounds != kBoundsOfInk)
+    return usage_error("--bounds expects view or tight, not " + in_quotes(request.bounds));
+  picture.is_tight = request.bounds == kBoundsOfInk;
+  const auto view = parse_view(request.view);
+  if (!view) return std::unexpected(view.error());
+  picture.view = *view;
+  const auto background = parse_background(request.background);
+  if (!background) return std::unexpected(background.error());
+  picture.background = *background;
+  constexpr double kLeastScale = 0.01;
+  constexpr double kMostScale = 100.0;
+  const auto scale = parse_number(request.scale);
+  if (!scale || *scale < kLeastScale || *scale > kMostScale)
+    return usage_error("--scale expects a number from 0.01 to 100, not " + in_quotes(request.scale));
+  picture.scale = *scale;
+  return picture;
+}
+
+std::vector<render::LayerView> views_of(const PictureRequest& picture, double units_per_pixel,
+                                        const std::vector<Vec2>& samples) {
+  constexpr double kShareOfSpacing = 0.7;
+  constexpr double kSmallestDot = 1.5;
+  std::vector<render::LayerView> views;
+  for (const LayerIndex layer : picture.layers) {
+    LayerStyle style = picture.styles[layer];
+    const bool is_chosen = style.point_size_px != layer_descriptors()[layer].style.point_size_px;
+    if (!is_chosen && layer_descriptors()[layer].id == "points" && samples.size() > 1) {
+      const double spacing_px = typical_spacing(samples) / units_per_pixel / picture.scale;
+      const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
+      style.point_size_px = std::min(style.point_size_px, limit);
+    }
+    views.push_back({layer, drawn_on(style, picture.background)});
+  }
+  return views;
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The legend of a figure: the one of a picture of the same size, as text and rectangles on the page.
+//
+// Cost: O(shapes of the figure). Threads: any, with a figure of its own.
+#pragma once
+
+#include "app/picture/legend.h"
+#include "render/figure/figure_of.h"
+
+namespace mes {
+
+/// Adds it in the corner where it hides the fewest shapes; nothing where no layer has a colour map.
+void add_legend(figure::Figure& figure, const figure::Drawing& drawing, const LegendFonts& fonts);
+
+/// True if `add_legend` would add something.
+bool has_legend(const figure::Drawing& drawing);
+
+}  // namespace mes

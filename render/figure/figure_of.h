@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the layers as they are shown to a figure.
+//
+// The same views (layer and style, bottom first) give a picture by `Scene` and a figure by `figure_of`; what a style
+// means is said once, in render/look.h.
+//
+// Smallest use:
+//     const Page page = page_of(camera);
+//     const Figure figure = figure_of({.mirror = mirror, .layers = layer_descriptors(), .views = views, .maps = maps}, page);
+//     const std::string bytes = svg_of(figure);
+//
+// Cost: O(n log n) for n primitives, about a microsecond each. Threads: any; nothing is kept.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/base/box2.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/draw/layer_mirror.h"
+#include "render/camera.h"
+#include "render/colormap.h"
+#include "render/figure/figure.h"
+#include "render/scene.h"
+
+namespace mes::figure {
+
+/// The part of the plane that a page shows.
+struct Page {
+  Vec2 center{};
+  Vec2 center_low{};  ///< what `center` cannot represent, as of a camera
+  double units_per_point = 1.0;
+  double width = 0.0;  ///< in points
+  double height = 0.0;
+};
+
+/// What the camera shows, on a page of the same proportions `width` points wide.
+Page page_of(const render::Camera& camera, double width);
+/// The same at its natural size.
+Page page_of(const render::Camera& camera);
+
+/// A part of the page as a page of its own; `part` in points, y downwards.
+Page part_of(const Page& page, const Box2& part);
+
+/// The picture to trace and the layer it is in.
+struct Traced {
+  LayerIndex layer = kNoSlot;
+  const render::Image* image = nullptr;  ///< null: none
+  render::PicturePlace place;
+};
+
+struct Drawing {
+  const LayerMirror& mirror;
+  std::span<const LayerDescriptor> layers;   ///< of all layers: their ids, names, and whether they have scalars
+  std::span<const render::LayerView> views;  ///< bottom first; `every` is not looked at
+  std::span<const render::ColorMap> maps{};
+  std::optional<Rgb> background{};
+  double scale = 1.0;  ///< factor for line widths and point sizes, whose logical pixels are 0.75 points
+  Traced traced{};
+};
+
+Figure figure_of(const Drawing& drawing, const Page& page);
+
+/// The colour map that a layer has, as `Scene::shown_map`.
+render::ShownMap shown_map(const Drawing& drawing, const render::LayerView& view);
+
+/// How many shapes have a part of their bounds in a box on the page. O(shapes).
+std::size_t shapes_in(const Figure& figure, const Box2& box);
+
+/// What the shapes, images and legend of a figure cover of its page, strokes included, in points; empty for none.
+Box2 ink_box(const Figure& figure);
+
+}  // namespace mes::figure

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What several writers say alike.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/color.h"
+
+namespace mes::figure {
+
+/// "#0072b2".
+inline std::string hex(Rgb color) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out = "#";
+  for (const std::uint8_t channel : {color.r, color.g, color.b}) {
+    out += kDigits[channel / 16U];
+    out += kDigits[channel % 16U];
+  }
+  return out;
+}
+
+/// For attributes and text of XML; bytes that XML forbids are left out.
+inline std::string escaped_xml(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20) out += c;
+    }
+  }
+  return out;
+}
+
+/// RFC 4648, without line breaks.
+inline std::string base64(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = bytes.size() - i;
+    const std::uint32_t word = static_cast<std::uint32_t>(bytes[i]) << 16U |
+                               (left > 1 ? static_cast<std::uint32_t>(bytes[i + 1]) << 8U : 0U) |
+                               (left > 2 ? static_cast<std::uint32_t>(bytes[i + 2]) : 0U);
+    out += kDigits[word >> 18U];
+    out += kDigits[word >> 12U & 63U];
+    out += left > 1 ? kDigits[word >> 6U & 63U] : '=';
+    out += left > 2 ? kDigits[word & 63U] : '=';
+  }
+  return out;
+}
+
+}  // namespace mes::figure

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Portable Document Format 1.5, ISO 32000-1:2008: one page, layers as optional content groups (8.11), translucent groups
+// as transparency group XObjects (11.6.6), streams compressed.
+//
+// An own writer, since the library that other programs use for PDF has no optional content.
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <new>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/figure/internal/bezier_arcs.h"
+#include "render/figure/internal/chains.h"
+#include "render/figure/internal/grid.h"
+#include "render/figure/writers.h"
+
+namespace mes::figure {
+namespace {
+
+constexpr int kColorDecimals = 4;
+
+std::string compressed(std::string_view bytes) {
+  constexpr int kLevel = 6;
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
+  return out;
+}
+
+/// The objects of a file, numbered from 1, and where each begins.
+class Objects {
+ public:
+  std::size_t reserve() {
+    bodies_.emplace_back();
+    return bodies_.size();
+  }
+  void set(std::size_t number, std::string body) { bodies_[number - 1] = std::move(body); }
+  std::size_t add(std::string body) {
+    bodies_.push_back(std::move(body));
+    return bodies_.size();
+  }
+  /// `dictionary` without its brackets.
+  static std::string stream(const std::string& dictionary, std::string_view bytes) {
+    const std::string packed = compressed(bytes);
+    return "<<" + dictionary + "/Filter/FlateDecode/Length " + std::to_string(packed.size()) + ">>\nstream\n" +
+           packed + "\nendstream";
+  }
+  static std::string reference(std::size_t number) { return std::to_string(number) + " 0 R"; }
+
+  std::string file(std::size_t catalog, std::size_t info) const {
+    // The comment of bytes above 127 marks the file as binary.
+    std::string out = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
+    std::vector<std::size_t> offsets;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      offsets.push_back(out.size());
+      out += std::to_string(i + 1) + " 0 obj\n" + bodies_[i] + "\nendobj\n";
+    }
+    const std::size_t table = out.size();
+    out += "xref\n0 " + std::to_string(bodies_.size() + 1) + "\n0000000000 65535 f \n";
+    for (const std::size_t offset : offsets) {
+      const std::string digits = std::to_string(offset);
+      out += std::string(10 - std::min<std::size_t>(digits.size(), 10), '0') + digits + " 00000 n \n";
+    }
+    out += "trailer\n<</Size " + std::to_string(bodies_.size() + 1) + "/Root " + reference(catalog) + "/Info " +
+           reference(info) + ">>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
+    return out;
+  }
+
+ private:
+  std::vector<std::string> bodies_;
+};
+
+/// A string of PDF in UTF-16, so that any title can be said.
+std::string text_string(std::string_view utf8) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string out = "<FEFF";
+  const auto unit = [&](std::uint32_t value) {
+    for (const unsigned shift : {12U, 8U, 4U, 0U}) out += kDigits[value >> shift & 15U];
+  };
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto first = static_cast<unsigned char>(utf8[i++]);
+    std::uint32_t code = first;
+    int more = 0;
+    if (first >= 0xF0) {
+      code = first & 7U;
+      more = 3;
+    } else if (first >= 0xE0) {
+      code = first & 15U;
+      more = 2;
+    } else if (first >= 0xC0) {
+      code = first & 31U;
+      more = 1;
+    }
+    for (; more > 0 && i < utf8.size(); --more) code = code << 6U | (static_cast<unsigned char>(utf8[i++]) & 63U);
+    if (code >= 0x10000) {
+      unit(0xD800U + ((code - 0x10000U) >> 10U));
+      unit(0xDC00U + ((code - 0x10000U) & 0x3FFU));
+    } else {
+      unit(code);
+    }
+  }
+  return out + '>';
+}
+
+/// A string in the encoding of the fonts; letters beyond ASCII become question marks.
+std::string shown_string(std::string_view utf8) {
+  std::string out = "(";
+  for (const char c : utf8) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 && byte < 0xC0) continue;  // the rest of a letter
+    if (c == '(' || c == ')' || c == '\\') out += '\\';
+    out += byte >= 0x20 && byte < 0x7F ? c : '?';
+  }
+  return out + ')';
+}
+
+class PdfWriter {
+ public:
+  explicit PdfWriter(const Figure& figure) : figure_(figure) {
+    for (std::size_t* const number : {&catalog_, &pages_, &page_, &resources_}) *number = objects_.reserve();
+  }
+
+  Expected<std::string> write() {
+    std::string content = "1 0 0 -1 0 ";
+    decimal(content, figure_.height);
+    content += " cm\n1 J 1 j\n";
+    if (figure_.background) {
+      paint(content, *figure_.background, true);
+      rectangle(content, {}, figure_.width, figure_.height);
+      content += "f\n";
+    }
+    for (const FigureLayer& layer : figure_.layers) write(layer, content);
+    legend(content);
+    finish(content);
+    return objects_.file(catalog_, objects_.add("<</Producer(Mesecina)>>"));
+  }
+
+ private:
+  void decimal(std::string& out, double value) const { append_decimal(out, value, figure_.decimals); }
+  void point(std::string& out, Vec2 p) const {
+    decimal(out, p.x);
+    out += ' ';
+    decimal(out, p.y);
+    out += ' ';
+  }
+  void rectangle(std::string& out, Vec2 corner, double width, double height) const {
+    point(out, corner);
+    point(out, {width, height});
+    out += "re\n";
+  }
+  static void paint(std::string& out, Rgb color, bool is_fill) {
+    for (const std::uint8_t channel : {color.r, color.g, color.b}) {
+      append_decimal(out, channel / 255.0, kColorDecimals);
+      out += ' ';
+    }
+    out += is_fill ? "rg\n" : "RG\n";
+  }
+  /// Sets the opacity of what follows.
+  void opacity(std::string& out, double value) {
+    std::string text;
+    append_decimal(text, value, kColorDecimals);
+    const auto [found, is_new] = states_.try_emplace(text, "G" + std::to_string(states_.size()));
+    out += '/' + found->second + " gs\n";
+  }
+
+  void write(const FigureLayer& layer, std::string& content) {
+    const std::size_t group = objects_.add("<</Type/OCG/Name" + text_string(layer.title) +
+                                           "/Usage<</CreatorInfo<</Creator(Mesecina)" + "/Subtype/Artwork>>>>>>");
+    ocgs_.push_back(group);
+    content += "/OC/L" + std::to_string(ocgs_.size() - 1) + " BDC\nq\n";
+    decimal(content, layer.line_width);
+    content += " w\n";
+    if (layer.image) image(*layer.image, content);
+    for (const Group& each : layer.groups) {
+      if (each.opacity >= 1.0) {
+        for (const Run& run : each.runs) write(run, content);
+        continue;
+      }
+      std::string inside;
+      decimal(inside, layer.line_width);
+      inside += " w 1 J 1 j\n";
+      for (const Run& run : each.runs) write(run, inside);
+      content += "q\n";
+      opacity(content, each.opacity);
+      content += '/' + form(inside) + " Do\nQ\n";
+    }
+    content += "Q\nEMC\n";
+  }
+
+  /// What is painted together, before it is laid on the page.
+  std::string form(const std::string& inside) {
+    std::string box;
+    point(box, {figure_.width, figure_.height});
+    const std::size_t number = objects_.add(Objects::stream("/Type/XObject/Subtype/Form/BBox[0 0 " + box +
+                                                                "]/Group<</S/Transparency/I true>>/Resources " +
+                                                                Objects::reference(resources_),
+                                                            inside));
+    return external(number);
+  }
+  std::string external(std::size_t number) {
+    externals_.push_back(number);
+    return "X" + std::to_string(externals_.size() - 1);
+  }
+
+  void image(const PlacedImage& placed, std::string& content) {
+    const render::Image& image = placed.image;
+    std::string colors;
+    std::string alphas;
+    bool is_opaque = true;
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+      for (std::size_t channel = i; channel < i + 3; ++channel) colors += static_cast<char>(image.rgba[channel]);
+      alphas += static_cast<char>(image.rgba[i + 3]);
+      is_opaque = is_opaque && image.rgba[i + 3] == 255;
+    }
+    const std::string size = "/Type/XObject/Subtype/Image/Width " + std::to_string(image.width) + "/Height " +
+                             std::to_string(image.height) + "/BitsPerComponent 8/Interpolate true";
+    std::string mask;
+    if (!is_opaque)
+      mask = "/SMask " + Objects::reference(objects_.add(Objects::stream(size + "/ColorSpace/DeviceGray", alphas)));
+    const std::string name = external(objects_.add(Objects::stream(size + "/ColorSpace/DeviceRGB" + mask, colors)));
+    content += "q\n";
+    opacity(content, placed.opacity);
+    decimal(content, placed.width);
+    content += " 0 0 ";
+    decimal(content, -placed.height);
+    content += ' ';
+    point(content, placed.corner + Vec2{0.0, placed.height});
+    content += "cm /" + name + " Do\nQ\n";
+  }
+
+  void write(const Run& run, std::string& content) {
+    const bool needs_state = run.opacity < 1.0 || run.dashes != Dashes{};
+    if (needs_state) content += "q\n";
+    if (run.opacity < 1.0) opacity(content, run.opacity);
+    if (run.dashes != Dashes{}) {
+      content += "0 J [";
+      point(content, {run.dashes.on, run.dashes.off});
+      content += "] ";
+      decimal(content, run.dashes.offset);
+      content += " d\n";
+    }
+    paint(content, run.color, run.is_filled);
+    // Where overlaps cannot be seen, one stroke or filling does for all; disks stay apart, for those who edit them.
+    const bool is_one_path = run.opacity >= 1.0;
+    const char* const ending = run.is_filled ? "f\n" : "S\n";
+    const std::span<const Shape> shapes(run.shapes);
+    bool is_open = false;
+    for (std::size_t i = 0; i < shapes.size();) {
+      const bool is_disk = shapes[i].kind == ShapeKind::disk;
+      i += path(shapes, i, is_one_path, content);
+      is_open = is_one_path && !is_disk;
+      if (!is_open) content += ending;
+    }
+    if (is_open) content += ending;
+    if (needs_state) content += "Q\n";
+  }
+
+  void curve(const Bezier& bezier, std::string& out) const {
+    point(out, bezier.first_handle);
+    point(out, bezier.second_handle);
+    point(out, bezier.end);
+    out += "c\n";
+  }
+
+  /// The shape at `i`, or the chain that begins there; gives the number of shapes.
+  std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains, std::string& out) const {
+    const Shape& shape = shapes[i];
+    const auto move = [&](Vec2 p) {
+      point(out, p);
+      out += "m\n";
+    };
+    const auto line = [&](Vec2 p) {
+      point(out, p);
+      out += "l\n";
+    };
+    switch (shape.kind) {
+      case ShapeKind::disk:
+      case ShapeKind::circle:
+        move(shape.p[0] + Vec2{shape.radius, 0.0});
+        for (const Bezier& bezier : circle_curves(shape, figure_.decimals)) curve(bezier, out);
+        out += "h\n";
+        return 1;
+      case ShapeKind::segment: {
+        const std::size_t count = with_chains ? chain_length(shapes, i) : 1;
+        const std::span<const Shape> chain = shapes.subspan(i, count);
+        move(shape.p[0]);
+        for (const Shape& segment : chain) line(segment.p[1]);
+        if (is_loop(chain)) out += "h\n";
+        return count;
+      }
+      case ShapeKind::triangle:
+        move(shape.p[0]);
+        line(shape.p[1]);
+        line(shape.p[2]);
+        out += "h\n";
+        return 1;
+      case ShapeKind::arc:
+        move(shape.p[0]);
+        for (const Bezier& bezier : arc_curves(shape, figure_.decimals)) curve(bezier, out);
+        return 1;
+      case ShapeKind::curve:
+      case ShapeKind::rim:
+        move(shape.p[0]);
+        curve({shape.p[1], shape.p[2], shape.p[3]}, out);
+        if (shape.kind == ShapeKind::rim) {
+          line(shape.p[4]);
+          line(shape.p[5]);
+          out += "h\n";
+        }
+        return 1;
+    }
+    return 1;
+  }
+
+  void legend(std::string& content) {
+    const Legend& legend = figure_.legend;
+    for (const Box& box : legend.boxes) {
+      content += "q\n";
+      if (box.opacity < 1.0) opacity(content, box.opacity);
+      paint(content, box.color, true);
+      rectangle(content, box.corner, box.width, box.height);
+      content += "f\nQ\n";
+    }
+    for (const Text& text : legend.texts) {
+      paint(content, text.color, true);
+      content += text.is_bold ? "BT /F1 " : "BT /F0 ";
+      decimal(content, text.size);
+      content += " Tf 1 0 0 -1 ";
+      point(content, text.start);
+      content += "Tm " + shown_string(text.text) + " Tj ET\n";
+    }
+  }
+
+  void finish(const std::string& content) {
+    std::string groups;
+    std::string properties;
+    for (std::size_t i = 0; i < ocgs_.size(); ++i) {
+      groups += Objects::reference(ocgs_[i]) + ' ';
+      properties += "/L" + std::to_string(i) + ' ' + Objects::reference(ocgs_[i]);
+    }
+    // A viewer lists them as it draws them: the topmost first.
+    std::string order;
+    for (auto group = ocgs_.rbegin(); group != ocgs_.rend(); ++group) order += Objects::reference(*group) + ' ';
+    std::string externals;
+    for (std::size_t i = 0; i < externals_.size(); ++i)
+      externals += "/X" + std::to_string(i) + ' ' + Objects::reference(externals_[i]);
+    std::string states;
+    for (const auto& [value, name] : states_) states += '/' + name + "<</ca " + value + "/CA " + value + ">>";
+    std::string fonts;
+    if (!figure_.legend.texts.empty())
+      fonts =
+          "/Font<</F0<</Type/Font/Subtype/Type1/BaseFont/Helvetica/Encoding/WinAnsiEncoding>>"
+          "/F1<</Type/Font/Subtype/Type1/BaseFont/Helvetica-Bold/Encoding/WinAnsiEncoding>>>>";
+    objects_.set(resources_, "<</ExtGState<<" + states + ">>/XObject<<" + externals + ">>/Properties<<" + properties +
+                                 ">>" + fonts + ">>");
+    const std::size_t stream = objects_.add(Objects::stream("", content));
+    std::string box;
+    point(box, {figure_.width, figure_.height});
+    objects_.set(page_, "<</Type/Page/Parent " + Objects::reference(pages_) + "/MediaBox[0 0 " + box +
+                            "]/Group<</S/Transparency/CS/DeviceRGB>>/Resources " + Objects::reference(resources_) +
+                            "/Contents " + Objects::reference(stream) + ">>");
+    objects_.set(pages_, "<</Type/Pages/Count 1/Kids[" + Objects::reference(page_) + "]>>");
+    objects_.set(catalog_, "<</Type/Catalog/Pages " + Objects::reference(pages_) + "/OCProperties<</OCGs[" + groups +
+                               "]/D<</Order[" + order + "]/ON[" + groups + "]>>>>>>");
+  }
+
+  const Figure& figure_;
+  Objects objects_;
+  std::size_t catalog_ = 0;
+  std::size_t pages_ = 0;
+  std::size_t page_ = 0;
+  std::size_t resources_ = 0;
+  std::vector<std::size_t> ocgs_;
+  std::vector<std::size_t> externals_;
+  std::map<std::string, std::string> states_;  // opacity to name
+};
+
+}  // namespace
+
+Expected<std::string> pdf_of(const Figure& figure) {
+  return PdfWriter(figure).write();
+}
+
+}  // namespace mes::figure

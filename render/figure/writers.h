@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vector formats, one writer a file: from a figure to the bytes of a file.
+//
+// What all of them guarantee:
+//  1. Layers, groups, runs and shapes keep their order, colours, opacities and widths; what lies beyond the page is cut
+//     at its edge.
+//  2. Each layer of the figure is a group, layer or scope with its id and title, where the format has such things.
+//  3. The same figure gives the same bytes, in every locale: no time, no name of a machine.
+//
+// Cost: some hundred nanoseconds a shape. Threads: any. Error: `out_of_memory`, or a `usage` error for a page that the
+// format cannot have.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "render/figure/figure.h"
+
+namespace mes::figure {
+
+/// Scalable Vector Graphics 1.1: layers are groups, and layers to Inkscape. Shapes of an opaque run that are not
+/// circles or disks share one path.
+Expected<std::string> svg_of(const Figure& figure);
+
+/// PDF 1.5: layers are optional content groups, which viewers switch on and off. Text is in Helvetica, by name.
+Expected<std::string> pdf_of(const Figure& figure);
+
+struct Format {
+  std::string_view extension;  ///< of file names, with its dot
+  std::string_view name;
+  Expected<std::string> (*write)(const Figure& figure);
+};
+
+/// In the order in which help and manual name them.
+std::span<const Format> formats();
+
+/// The format of a file name's extension, in lower case; null for any other.
+const Format* format_for(std::string_view extension);
+
+}  // namespace mes::figure

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vector formats, drawn by other programs, against the picture in pixels of the same view.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/support/golden_image.h"
+
+using mes::render::Image;
+using mes::test::contents_of;
+using mes::test::read_png;
+using mes::test::run;
+using mes::test::RunOptions;
+using mes::test::RunResult;
+using mes::test::TemporaryFolder;
+
+namespace {
+
+constexpr const char* kDude = "tests/data/earcut_dude.poff";
+constexpr const char* kBean = "assets/shapes/bean.poff";
+
+void render(std::vector<std::string> arguments, const std::string& file) {
+  arguments.insert(arguments.begin(), "render");
+  arguments.insert(arguments.end(), {"-o", file});
+  RunOptions headless;
+  headless.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+  const RunResult result = run(arguments, headless);
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+}
+
+void other_program(const std::string& program, const std::vector<std::string>& arguments) {
+  const RunResult result = run(arguments, {.program = program});
+  INFO(program << ": " << result.err);
+  REQUIRE(result.exit_code == 0);
+}
+
+/// The figure in pixels, as another program draws it, `width` pixels wide.
+/// With a height of 0 it follows from the width.
+Image rasterised(const std::string& file, int width, int height = 0) {
+  const std::string png = file + ".png";
+  const std::string extension = std::filesystem::path(file).extension().string();
+  const std::string size = std::to_string(width);
+  if (extension == ".svg") {
+    std::vector<std::string> arguments{"--width", size, file, "--output", png};
+    if (height > 0) arguments.insert(arguments.begin(), {"--height", std::to_string(height)});
+    other_program("rsvg-convert", arguments);
+  } else {
+    other_program("pdftoppm", {"-singlefile", "-png", "-scale-to-x", size, "-scale-to-y",
+                               height > 0 ? std::to_string(height) : "-1", file, file});
+  }
+  return read_png(png);
+}
+
+/// Mean difference of the channels, in [0, 1], without counting alpha.
+double difference(const Image& a, const Image& b) {
+  REQUIRE(a.width == b.width);
+  REQUIRE(a.height == b.height);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i)
+    if (i % 4 != 3) sum += std::abs(static_cast<int>(a.rgba[i]) - static_cast<int>(b.rgba[i]));
+  return sum / 255.0 / (0.75 * static_cast<double>(a.rgba.size()));
+}
+
+struct Case {
+  const char* name;
+  std::vector<std::string> arguments;
+  /// As measured: what rims of a pixel and the letters of another font differ by, and some more.
+  double tolerance;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> kCases{
+      {"start", {kDude}, 0.004},
+      {"crust", {kDude, "--bundle", "Voronoi and Delaunay"}, 0.004},
+      {"union", {kDude, "--bundle", "Union of balls 3: v-points"}, 0.004},
+      {"triangles", {kBean, "--bundle", "Union of balls 5: axis"}, 0.005},
+      {"every layer", {kBean, "--layers", "all"}, 0.012},
+      {"every layer, close", {kBean, "--layers", "all", "--view=100,50,104,53"}, 0.012},
+      {"maps",
+       {kBean, "--layers", "interior-voronoi-disks,medial-axis,points", "--no-legend", "--set-style",
+        "medial-axis:color-map=viridis,line-width=4", "--set-style",
+        "interior-voronoi-disks:color-map=inferno,flat=on,opacity=0.4"},
+       0.004},
+      {"dashes",
+       {kBean, "--layers", "voronoi,interior-voronoi-circles,curve,a-union-boundary", "--set-style",
+        "voronoi:dashed=on,line-width=2", "--set-style", "interior-voronoi-circles:dashed=on,line-width=1.5",
+        "--set-style", "curve:dashed=on,line-width=3"},
+       0.012},
+      {"on a dark ground", {kDude, "--background", "1b1e22", "--scale", "1.5"}, 0.006},
+  };
+  return kCases;
+}
+
+void compare_all(const std::string& extension) {
+  const TemporaryFolder folder;
+  for (const Case& each : cases()) {
+    std::vector<std::string> arguments = each.arguments;
+    arguments.insert(arguments.end(), {"--size", "640x480"});
+    const std::string pixels = (folder / "pixels.png").string();
+    const std::string figure = (folder / ("figure" + extension)).string();
+    render(arguments, pixels);
+    render(arguments, figure);
+    INFO(each.name);
+    const Image shown = read_png(pixels);
+    CHECK(difference(shown, rasterised(figure, 640, 480)) < each.tolerance);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an SVG looks as the picture of the same view") {
+  compare_all(".svg");
+}
+
+TEST_CASE("each layer that a picture shows is missed in a figure without it") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> layers{"interior-voronoi-disks", "curve", "medial-axis", "points"};
+  const auto drawn = [&](const std::string& ids) {
+    const std::string file = (folder / "part.svg").string();
+    render({kDude, "--size", "320x240", "--layers", ids}, file);
+    return rasterised(file, 320, 240);
+  };
+  const std::string pixels = (folder / "pixels.png").string();
+  render({kDude, "--size", "320x240", "--layers", "interior-voronoi-disks,curve,medial-axis,points"}, pixels);
+  const Image shown = read_png(pixels);
+  const double whole = difference(shown, drawn("interior-voronoi-disks,curve,medial-axis,points"));
+  for (const std::string& left_out : layers) {
+    std::string ids;
+    for (const std::string& layer : layers)
+      if (layer != left_out) ids += (ids.empty() ? "" : ",") + layer;
+    INFO(left_out);
+    CHECK(difference(shown, drawn(ids)) > 1.2 * whole + 0.0005);
+  }
+}
+
+TEST_CASE("a figure has the size on paper that was asked for") {
+  const TemporaryFolder folder;
+  const auto svg = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{kDude};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const std::string file = (folder / "a.svg").string();
+    render(arguments, file);
+    return contents_of(file);
+  };
+  CHECK_THAT(svg({"--figure-size", "84mmx60mm"}),
+             Catch::Contains("width=\"84mm\" height=\"60mm\" viewBox=\"0 0 238.11 170.079\""));
+  CHECK_THAT(svg({"--figure-size", "4.5inx3in"}), Catch::Contains("width=\"114.3mm\" height=\"76.2mm\""));
+  CHECK_THAT(svg({"--figure-size", "960pxx480px"}), Catch::Contains("viewBox=\"0 0 720 360\""));
+  CHECK_THAT(svg({"--figure-size", "square"}), Catch::Contains("width=\"84mm\" height=\"84mm\""));
+  CHECK_THAT(svg({"--figure-size", "one-column"}), Catch::Contains("width=\"84mm\" height=\""));
+  // The height follows from a view: half the width.
+  CHECK_THAT(svg({"--figure-size", "10cm", "--view", "0,0,200,100"}),
+             Catch::Contains("width=\"100mm\" height=\"50mm\""));
+  // Widths are those of paper, whatever the size.
+  for (const char* size : {"84mmx60mm", "200mmx150mm"})
+    CHECK_THAT(svg({"--figure-size", size, "--layers", "curve", "--set-style", "curve:line-width=0.6pt"}),
+               Catch::Contains("stroke-width=\"0.6\""));
+}
+
+TEST_CASE("a tight figure is cut to what is drawn") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "a.svg").string();
+  render({kDude, "--layers", "curve", "--size", "400x400", "--background", "none", "--bounds", "tight"}, file);
+  const Image image = rasterised(file, 300);
+  // The square was not filled.
+  CHECK(image.height > 400);
+  // Ink at each of the four sides.
+  const auto is_inked = [&](auto at, int count) {
+    for (int i = 0; i < count; ++i)
+      if (image.rgba[at(i) + 3] > 60) return true;
+    return false;
+  };
+  CHECK(is_inked([&](int x) { return image.offset(x, 0); }, image.width));
+  // The last row may be there for a part of a pixel.
+  CHECK(is_inked([&](int x) { return image.offset(x, image.height - 2); }, image.width));
+  CHECK(is_inked([&](int y) { return image.offset(0, y); }, image.height));
+  CHECK(is_inked([&](int y) { return image.offset(image.width - 1, y); }, image.height));
+}
+
+TEST_CASE("a figure needs no OpenGL") {
+  const TemporaryFolder folder;
+  RunOptions options;
+  // A driver that does not exist.
+  options.environment = {"DISPLAY=", "WAYLAND_DISPLAY=", "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"};
+  const RunResult result = run({"render", kDude, "-o", (folder / "a.svg").string()}, options);
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+}
+
+TEST_CASE("sizes that cannot be are refused in one line, and nothing is written") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "a.svg").string();
+  for (const char* size : {"", "84", "84x60", "84mmx60", "0mmx5mm", "-3mm", "9e9mm", "84furlongs", "mm", "nanmm",
+                           "84mmx60mmx3mm", "6000mmx10mm", "two-column"}) {
+    const RunResult result = run({"render", kDude, "--figure-size", size, "-o", file});
+    INFO(size << ": " << result.err);
+    CHECK(result.exit_code == 2);
+    CHECK(std::ranges::count(result.err, '\n') == 1);
+    CHECK_THAT(result.err, Catch::Contains("--figure-size"));
+  }
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{{"--bounds", "loose", "-o", file},
+                                             {"--figure-size", "84mm", "--size", "10x10", "-o", file},
+                                             {"--figure-size", "84mm", "-o", (folder / "a.png").string()},
+                                             {"--bounds", "tight", "-o", (folder / "a.png").string()},
+                                             {"-o", (folder / "a.bmp").string()}}) {
+    std::vector<std::string> arguments{"render", kDude};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    const RunResult result = run(arguments);
+    INFO(result.err);
+    CHECK(result.exit_code == 2);
+    CHECK(std::ranges::count(result.err, '\n') == 1);
+  }
+  CHECK(folder.file_count() == 0);
+  CHECK(run({"render", kDude, "-o", "/nonexistent/a.svg"}).exit_code == 4);
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <clocale>
+
+#include "layers_of_a_test.h"
+#include "render/figure/internal/grid.h"
+#include "render/figure/writers.h"
+
+using namespace mes;
+using namespace mes::figure;
+using test::count_of;
+using test::Layers;
+using test::values_of;
+
+namespace {
+
+Layers some_layers() {
+  Layers layers;
+  layers.add(0, PrimitiveKind::segment, {10, 20, 30, 40, 0, 30, 40, 50, 20, 0, 100, 10, 120, 90, 0});
+  layers.add(0, PrimitiveKind::point, {10, 20, 0, 30, 40, 0});
+  layers.add(1, PrimitiveKind::disk, {50, 50, 7, 1, 55, 50, 8, 3, 60, 50, 9, 2});
+  layers.add(2, PrimitiveKind::arc, {100, 50, 10, 110, 50, 100, 60, 0});
+  layers.add(2, PrimitiveKind::circle, {100, 50, 20, 0});
+  layers.show(1).color_map = "grey";
+  layers.show(0).color = {0x12, 0xAB, 0xEF};
+  LayerStyle& third = layers.show(2);
+  third.opacity = 0.25;
+  third.flat = true;
+  return layers;
+}
+
+std::string text_of(const char* extension, const Figure& figure) {
+  const Format* const format = format_for(extension);
+  REQUIRE(format != nullptr);
+  const auto text = format->write(figure);
+  REQUIRE(text);
+  return *text;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are written with as many digits as count, and none that do not") {
+  const auto written = [](double value, int decimals) {
+    std::string out;
+    append_decimal(out, value, decimals);
+    return out;
+  };
+  CHECK(written(0.0, 3) == "0");
+  CHECK(written(-0.0001, 3) == "0");
+  CHECK(written(12.5, 3) == "12.5");
+  CHECK(written(-12.034, 3) == "-12.034");
+  CHECK(written(0.0509, 2) == "0.05");
+  CHECK(written(-0.5, 2) == "-0.5");
+  CHECK(written(1e300, 2) == "1000000000");
+  CHECK(decimals_for(1200, 900) == 2);
+  CHECK(decimals_for(238, 170) == 3);
+  CHECK(decimals_for(2, 1) == 5);
+}
+
+TEST_CASE("an SVG has a named group for each layer, with the shapes that the layer holds") {
+  const Figure figure = some_layers().figure();
+  const std::string svg = text_of(".svg", figure);
+  CHECK(values_of(svg, "id") == std::vector<std::string>{"page", "scalars", "plain", "third"});
+  CHECK(values_of(svg, "inkscape:label") ==
+        std::vector<std::string>{"Scalars", "Plain &amp; &lt;simple&gt;", "Third"});
+  CHECK(values_of(svg, "viewBox") == std::vector<std::string>{"0 0 200 100"});
+  CHECK(values_of(svg, "width").front() == "70.5556mm");
+  CHECK(values_of(svg, "cx") == std::vector<std::string>{"50", "55", "60", "10", "30", "100"});
+  CHECK(values_of(svg, "r") == std::vector<std::string>{"7", "8", "9", "1.875", "1.875", "20"});
+  // Two segments that meet are one line; the third one belongs to the same path.
+  CHECK(values_of(svg, "d") ==
+        std::vector<std::string>{"M10 80L30 60L50 80M100 90L120 10", "M110 50A10 10 0 0 0 100 40"});
+  CHECK(count_of(svg, "#12abef") == 2);
+  CHECK(values_of(svg, "opacity") == std::vector<std::string>{"0.25"});
+  CHECK(count_of(svg, "<g") == count_of(svg, "</g>"));
+}
+
+TEST_CASE("translucent shapes of an SVG are elements of their own") {
+  Layers layers;
+  layers.add(0, PrimitiveKind::segment, {10, 20, 30, 40, 0, 30, 40, 50, 20, 0, 100, 10, 120, 90, 0});
+  layers.show(0).opacity = 0.5;
+  const std::string svg = text_of(".svg", layers.figure());
+  CHECK(values_of(svg, "d").size() == 3);
+  CHECK(values_of(svg, "stroke-opacity") == std::vector<std::string>{"0.5"});
+}
+
+TEST_CASE("long arcs of an SVG are given in pieces that do not hang on the last digit") {
+  Layers layers;
+  layers.add(0, PrimitiveKind::arc, {100, 50, 40, 140, 50, 100, 10, 0});
+  layers.show(0);
+  const std::string path = values_of(text_of(".svg", layers.figure()), "d").at(0);
+  CHECK(count_of(path, "A40 40 0 0 0 ") == 3);
+  CHECK(path.ends_with(" 100 90"));
+}
+
+TEST_CASE("the bytes depend on the figure alone, not on the locale") {
+  const Figure figure = some_layers().figure();
+  for (const Format& format : formats()) {
+    INFO(format.name);
+    const std::string before = text_of(format.extension.data(), figure);
+    // Where it is installed, numbers have a comma.
+    std::setlocale(LC_ALL, "de_DE.UTF-8");
+    const std::string after = text_of(format.extension.data(), figure);
+    std::setlocale(LC_ALL, "C");
+    CHECK(before == after);
+    CHECK_FALSE(before.empty());
+  }
+}
