@@ -136,7 +136,7 @@ TEST_CASE("where nothing is seen the reason is given, and what is offered is of 
   CHECK(offer(Plane(9, 0), {"label-conflicts"}) == ShowInstead::samples);
   CHECK(offer(Plane(9, 0), {}) == ShowInstead::samples);
   CHECK(offer(Plane(0, 5), {}) == ShowInstead::own_balls);
-  // A picture to trace is no layer of the document.
+  // A picture to trace is not made of the document.
   CHECK(offer(Plane(9, 0), {"image"}) == ShowInstead::samples);
 }
 
