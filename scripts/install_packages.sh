@@ -36,6 +36,7 @@ build          libgl1-mesa-dri     mesa-dri-drivers    mesa           -
 build          libglx-mesa0        mesa-libGL          mesa           -
 build          libstb-dev          stb-devel           stb            -
 build          libdeflate-dev      libdeflate-devel    libdeflate     libdeflate
+build          libcairo2-dev       cairo-devel         cairo          cairo
 build          libcli11-dev        cli11-devel         cli11          cli11
 build          nlohmann-json3-dev  json-devel          nlohmann-json  nlohmann-json
 test           catch2              catch2-devel        catch2-v2      -

@@ -79,6 +79,9 @@ Expected<std::string> draw_figure(const PictureRequest& request, const FigureSou
       figure = figure::figure_of(drawing, page);
     }
   }
+  if (source.traced != nullptr && !request.format->has_images)
+    say("the picture " + request.image.file + " is left out: " + std::string(request.format->name) +
+        " files hold none");
   if (source.with_legend && has_legend(drawing)) {
     if (const auto fonts = LegendFonts::read(find_assets({})))
       add_legend(figure, drawing, *fonts);

@@ -8,8 +8,9 @@ namespace mes::figure {
 namespace {
 
 constexpr std::array kFormats{
-    Format{".svg", "SVG", svg_of},
-    Format{".pdf", "PDF", pdf_of},
+    Format{".svg", "SVG", svg_of},        Format{".pdf", "PDF", pdf_of},
+    Format{".ps", "PostScript", ps_of},   Format{".eps", "Encapsulated PostScript", eps_of},
+    Format{".ipe", "Ipe", ipe_of, false}, Format{".tex", "TikZ", tikz_of, false},
 };
 
 }  // namespace

@@ -27,10 +27,23 @@ Expected<std::string> svg_of(const Figure& figure);
 /// PDF 1.5: layers are optional content groups, which viewers switch on and off. Text is in Helvetica, by name.
 Expected<std::string> pdf_of(const Figure& figure);
 
+/// PostScript of level 3 and its encapsulated form. Where something is translucent, a picture of 300 dots an inch takes
+/// its place.
+Expected<std::string> ps_of(const Figure& figure);
+Expected<std::string> eps_of(const Figure& figure);
+
+/// Ipe 7: a layer a layer. A flat layer of several colours is not flat there. Without the picture
+/// to trace.
+Expected<std::string> ipe_of(const Figure& figure);
+
+/// A LaTeX document of one TikZ picture, that compiles by itself: a scope a layer. Without the picture to trace.
+Expected<std::string> tikz_of(const Figure& figure);
+
 struct Format {
   std::string_view extension;  ///< of file names, with its dot
   std::string_view name;
   Expected<std::string> (*write)(const Figure& figure);
+  bool has_images = true;  ///< else the picture to trace is left out
 };
 
 /// In the order in which help and manual name them.

@@ -50,8 +50,10 @@ Image rasterised(const std::string& file, int width, int height = 0) {
     if (height > 0) arguments.insert(arguments.begin(), {"--height", std::to_string(height)});
     other_program("rsvg-convert", arguments);
   } else {
-    other_program("pdftoppm", {"-singlefile", "-png", "-scale-to-x", size, "-scale-to-y",
-                               height > 0 ? std::to_string(height) : "-1", file, file});
+    // pdftoppm would move thin lines to whole pixels.
+    std::vector<std::string> arguments{"-singlefile", "-png", "-scale-to-x", size, "-scale-to-y"};
+    arguments.insert(arguments.end(), {height > 0 ? std::to_string(height) : "-1", file, file});
+    other_program("pdftocairo", arguments);
   }
   return read_png(png);
 }
@@ -115,6 +117,10 @@ void compare_all(const std::string& extension) {
 
 TEST_CASE("an SVG looks as the picture of the same view") {
   compare_all(".svg");
+}
+
+TEST_CASE("a PDF looks as the picture of the same view") {
+  compare_all(".pdf");
 }
 
 TEST_CASE("each layer that a picture shows is missed in a figure without it") {

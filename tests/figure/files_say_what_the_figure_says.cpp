@@ -93,6 +93,77 @@ TEST_CASE("long arcs of an SVG are given in pieces that do not hang on the last 
   CHECK(path.ends_with(" 100 90"));
 }
 
+TEST_CASE("a PDF has an optional content group for each layer, and a table of where its objects are") {
+  const std::string pdf = text_of(".pdf", some_layers().figure());
+  CHECK(count_of(pdf, "/Type/OCG/") == 3);
+  // "Third", in UTF-16.
+  CHECK(count_of(pdf, "/Name<FEFF00540068006900720064>") == 1);
+  CHECK(count_of(pdf, "/MediaBox[0 0 200 100 ]") == 1);
+  CHECK(count_of(pdf, "/S/Transparency/I true") == 1);
+  CHECK(count_of(pdf, "<</ca 0.25/CA 0.25>>") == 1);
+  const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
+  REQUIRE(pdf.substr(table, 5) == "xref\n");
+  const std::size_t entries = pdf.find("0000000000 65535 f", table);
+  for (std::size_t number = 1; number < count_of(pdf, " obj\n"); ++number) {
+    const std::size_t offset = std::stoul(pdf.substr(entries + 20 * number, 10));
+    const std::string head = std::to_string(number) + " 0 obj\n";
+    CHECK(pdf.substr(offset, head.size()) == head);
+  }
+}
+
+TEST_CASE("an Ipe file has a layer for each layer, with the shapes that it holds") {
+  const std::string ipe = text_of(".ipe", some_layers().figure());
+  CHECK(values_of(ipe, "name") == std::vector<std::string>{"mesecina", "opacity-0.25", "scalars", "plain", "third"});
+  CHECK(values_of(ipe, "layers") == std::vector<std::string>{"scalars plain third"});
+  CHECK(values_of(ipe, "layer") == std::vector<std::string>{"scalars", "plain", "third"});
+  CHECK(values_of(ipe, "paper") == std::vector<std::string>{"200 100"});
+  // Three disks, two points, a circle.
+  CHECK(count_of(ipe, " e\n") == 6);
+  CHECK(count_of(ipe, "10 80 m\n") == 0);
+  CHECK(count_of(ipe, "10 20 m\n30 40 l\n50 20 l\n") == 1);
+  CHECK(count_of(ipe, "110 50 m\n10 0 0 10 100 50 100 60 a\n") == 1);
+  CHECK(count_of(ipe, "<path") == count_of(ipe, "</path>"));
+  CHECK(count_of(ipe, "<group") == count_of(ipe, "</group>"));
+}
+
+TEST_CASE("a TikZ picture has a scope for each layer, with the shapes that it holds") {
+  const std::string tex = text_of(".tex", some_layers().figure());
+  for (const char* const layer : {"% layer scalars:", "% layer plain:", "% layer third:"})
+    CHECK(count_of(tex, layer) == 1);
+  // And one for the flat group.
+  CHECK(count_of(tex, "\\begin{scope}") == 4);
+  CHECK(count_of(tex, "\\end{scope}") == 4);
+  CHECK(count_of(tex, " circle[radius=") == 6);
+  CHECK(count_of(tex, " (10,20) -- (30,40) -- (50,20)") == 1);
+  CHECK(count_of(tex, " (110,50) arc[start angle=0,delta angle=90,radius=10bp]") == 1);
+  CHECK(count_of(tex, "{HTML}{12ABEF}") == 1);
+  CHECK(count_of(tex, "transparency group,opacity=0.25") == 1);
+}
+
+TEST_CASE("every colour of a TikZ picture is defined above it") {
+  Figure figure = some_layers().figure();
+  figure.background = Rgb{1, 2, 3};
+  figure.legend.boxes.push_back({{0, 0}, 10, 10, {4, 5, 6}});
+  const std::string tex = text_of(".tex", figure);
+  const std::size_t begin = tex.find("\\begin{document}");
+  const std::string definitions = tex.substr(0, begin);
+  std::size_t used = 0;
+  for (std::size_t at = tex.find("mesecina", begin); at != std::string::npos; at = tex.find("mesecina", at + 1)) {
+    const std::string name = tex.substr(at, tex.find_first_of(",]", at) - at);
+    CHECK(count_of(definitions, '{' + name + '}') == 1);
+    ++used;
+  }
+  CHECK(used >= 7);
+}
+
+TEST_CASE("PostScript says its size, and nothing that changes from run to run") {
+  const Figure figure = some_layers().figure();
+  const std::string eps = text_of(".eps", figure);
+  CHECK(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n"));
+  CHECK(count_of(eps, "CreationDate") == 0);
+  CHECK(text_of(".ps", figure).starts_with("%!PS-Adobe-3.0\n"));
+}
+
 TEST_CASE("the bytes depend on the figure alone, not on the locale") {
   const Figure figure = some_layers().figure();
   for (const Format& format : formats()) {

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ipe 7, the XML format of the extensible drawing editor (its manual, "The Ipe file format"): a layer a layer.
+//
+// Ipe has no opacity of groups: each path of a flat layer that is one path has it instead, which is the same where the
+// layer has one colour.
+#include <cmath>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/figure/internal/chains.h"
+#include "render/figure/internal/grid.h"
+#include "render/figure/internal/text_tools.h"
+#include "render/figure/writers.h"
+
+namespace mes::figure {
+namespace {
+
+constexpr int kColorDecimals = 4;
+
+class IpeWriter {
+ public:
+  explicit IpeWriter(const Figure& figure) : figure_(figure) {}
+
+  std::string write() {
+    std::string layers;
+    for (const FigureLayer& layer : figure_.layers) layers += "<layer name=\"" + escaped_xml(layer.id) + "\"/>\n";
+    std::string names;
+    for (const FigureLayer& layer : figure_.layers) names += (names.empty() ? "" : " ") + escaped_xml(layer.id);
+    background();
+    for (const FigureLayer& layer : figure_.layers) write(layer);
+    legend();
+    std::string out =
+        "<?xml version=\"1.0\"?>\n<!DOCTYPE ipe SYSTEM \"ipe.dtd\">\n"
+        "<ipe version=\"70218\" creator=\"Mesecina\">\n<ipestyle name=\"mesecina\">\n<layout paper=\"" +
+        pair({figure_.width, figure_.height}) + "\" origin=\"0 0\" frame=\"" + pair({figure_.width, figure_.height}) +
+        "\" crop=\"no\"/>\n";
+    for (const auto& [value, name] : opacities_) out += "<opacity name=\"" + name + "\" value=\"" + value + "\"/>\n";
+    out += "</ipestyle>\n<page>\n";
+    if (has_background()) out += "<layer name=\"background\"/>\n";
+    out += layers;
+    if (has_legend()) out += "<layer name=\"legend\"/>\n";
+    if (has_background()) names = "background" + (names.empty() ? "" : ' ' + names);
+    if (has_legend()) names += " legend";
+    const std::string active = figure_.layers.empty() ? "background" : escaped_xml(figure_.layers.back().id);
+    if (!names.empty()) out += "<view layers=\"" + names + "\" active=\"" + active + "\"/>\n";
+    return out + body_ + "</page>\n</ipe>\n";
+  }
+
+ private:
+  bool has_background() const { return figure_.background || figure_.layers.empty(); }
+  bool has_legend() const { return !figure_.legend.boxes.empty() || !figure_.legend.texts.empty(); }
+
+  std::string number(double value) const {
+    std::string out;
+    append_decimal(out, value, figure_.decimals);
+    return out;
+  }
+  std::string pair(Vec2 p) const { return number(p.x) + ' ' + number(p.y); }
+  /// Here y grows upwards.
+  std::string text(Vec2 p) const { return pair({p.x, figure_.height - p.y}); }
+  static std::string color(Rgb color) {
+    std::string out;
+    for (const std::uint8_t channel : {color.r, color.g, color.b}) {
+      if (!out.empty()) out += ' ';
+      append_decimal(out, channel / 255.0, kColorDecimals);
+    }
+    return out;
+  }
+  /// Opacities are known by names from the style.
+  std::string opacity(double value) {
+    if (value >= 1.0) return {};
+    std::string text;
+    append_decimal(text, value, kColorDecimals);
+    const std::string& name = opacities_.try_emplace(text, "opacity-" + text).first->second;
+    return " opacity=\"" + name + "\" stroke-opacity=\"" + name + '"';
+  }
+  std::string rectangle(Vec2 corner, double width, double height) const {
+    return text(corner) + " m\n" + text(corner + Vec2{width, 0.0}) + " l\n" + text(corner + Vec2{width, height}) +
+           " l\n" + text(corner + Vec2{0.0, height}) + " l\nh\n";
+  }
+
+  void background() {
+    if (!figure_.background) return;
+    body_ += "<path layer=\"background\" fill=\"" + color(*figure_.background) + "\">\n" +
+             rectangle({}, figure_.width, figure_.height) + "</path>\n";
+  }
+
+  void write(const FigureLayer& layer) {
+    if (layer.groups.empty()) return;
+    std::string clip = rectangle({}, figure_.width, figure_.height);
+    for (char& c : clip)
+      if (c == '\n') c = ' ';
+    body_ += "<group layer=\"" + escaped_xml(layer.id) + "\" clip=\"" + clip + "\">\n";
+    for (const Group& group : layer.groups)
+      for (const Run& run : group.runs) write(run, group.opacity, layer.line_width);
+    body_ += "</group>\n";
+  }
+
+  void write(const Run& run, double group_opacity, double line_width) {
+    std::string attributes = run.is_filled ? " fill=\"" + color(run.color) + "\" fillrule=\"wind\""
+                                           : " stroke=\"" + color(run.color) + "\" pen=\"" + number(line_width) + '"';
+    if (!run.is_filled) {
+      const bool is_solid = run.dashes == Dashes{};
+      attributes += is_solid ? " cap=\"1\" join=\"1\"" : " cap=\"0\" join=\"1\"";
+      if (!is_solid)
+        attributes += " dash=\"[" + pair({run.dashes.on, run.dashes.off}) + "] " + number(run.dashes.offset) + '"';
+    }
+    attributes += opacity(run.opacity * group_opacity);
+    // Shapes that do not darken each other are one path, where they need to be.
+    const bool is_together = run.opacity >= 1.0 && group_opacity < 1.0;
+    const bool has_chains = run.opacity >= 1.0;
+    const std::span<const Shape> shapes(run.shapes);
+    if (is_together) body_ += "<path" + attributes + ">\n";
+    for (std::size_t i = 0; i < shapes.size();) {
+      if (!is_together) body_ += "<path" + attributes + ">\n";
+      i += path(shapes, i, has_chains);
+      if (!is_together) body_ += "</path>\n";
+    }
+    if (is_together) body_ += "</path>\n";
+  }
+
+  /// The shape at `i`, or the chain that begins there; gives the number of shapes.
+  std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains) {
+    const Shape& shape = shapes[i];
+    const auto line = [&](Vec2 p) { body_ += text(p) + " l\n"; };
+    const std::string r = number(shape.radius);
+    if (shape.kind == ShapeKind::disk || shape.kind == ShapeKind::circle) {
+      body_ += r + " 0 0 " + r + ' ' + text(shape.p[0]) + " e\n";
+      return 1;
+    }
+    body_ += text(shape.p[0]) + " m\n";
+    switch (shape.kind) {
+      case ShapeKind::disk:
+      case ShapeKind::circle: return 1;
+      case ShapeKind::segment: {
+        const std::size_t count = with_chains ? chain_length(shapes, i) : 1;
+        const std::span<const Shape> chain = shapes.subspan(i, count);
+        const bool closed = is_loop(chain);
+        for (std::size_t k = 0; k + (closed ? 1 : 0) < count; ++k) line(chain[k].p[1]);
+        if (closed) body_ += "h\n";
+        return count;
+      }
+      case ShapeKind::triangle:
+        line(shape.p[1]);
+        line(shape.p[2]);
+        body_ += "h\n";
+        return 1;
+      case ShapeKind::arc:
+        body_ += r + " 0 0 " + r + ' ' + text(shape.p[2]) + ' ' + text(shape.p[1]) + " a\n";
+        return 1;
+      case ShapeKind::curve:
+      case ShapeKind::rim:
+        body_ += text(shape.p[1]) + ' ' + text(shape.p[2]) + ' ' + text(shape.p[3]) + " c\n";
+        if (shape.kind == ShapeKind::rim) {
+          line(shape.p[4]);
+          line(shape.p[5]);
+          body_ += "h\n";
+        }
+        return 1;
+    }
+    return 1;
+  }
+
+  void legend() {
+    for (const Box& box : figure_.legend.boxes)
+      body_ += "<path layer=\"legend\" fill=\"" + color(box.color) + '"' + opacity(box.opacity) + ">\n" +
+               rectangle(box.corner, box.width, box.height) + "</path>\n";
+    for (const Text& each : figure_.legend.texts)
+      body_ += "<text layer=\"legend\" pos=\"" + text(each.start) + "\" stroke=\"" + color(each.color) +
+               "\" type=\"label\" valign=\"baseline\" size=\"" + number(each.size) + "\">\\textsf{" +
+               (each.is_bold ? "\\bfseries " : "") + escaped_xml(escaped_tex(each.text)) + "}</text>\n";
+  }
+
+  const Figure& figure_;
+  std::string body_;
+  std::map<std::string, std::string> opacities_;
+};
+
+}  // namespace
+
+Expected<std::string> ipe_of(const Figure& figure) {
+  return IpeWriter(figure).write();
+}
+
+}  // namespace mes::figure

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TikZ, as a LaTeX document that compiles by itself (class standalone): a scope a layer. What is between
+// \begin{tikzpicture} and \end{tikzpicture}, with the colours above it, can be copied into a paper.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/figure/internal/bezier_arcs.h"
+#include "render/figure/internal/chains.h"
+#include "render/figure/internal/grid.h"
+#include "render/figure/internal/text_tools.h"
+#include "render/figure/writers.h"
+
+namespace mes::figure {
+namespace {
+
+// TeX has no lengths of 16384 points or more; coordinates are within six diagonals of the page.
+constexpr double kLongestSide = 1900.0;
+// Angles in TeX have five decimals, which place the end of an arc of this radius within a hundredth of a point.
+constexpr double kLargestArc = 500.0;
+constexpr int kOpacityDecimals = 4;
+constexpr int kAngleDecimals = 5;
+// TeX reads a path piece by piece but keeps all of it.
+constexpr std::size_t kShapesInAPath = 200;
+
+class TikzWriter {
+ public:
+  explicit TikzWriter(const Figure& figure) : figure_(figure) {}
+
+  std::string write() {
+    const std::string page = "(0,0) rectangle " + text({figure_.width, 0.0});
+    if (figure_.background) body_ += "\\fill[" + color(*figure_.background) + "] " + page + ";\n";
+    for (const FigureLayer& layer : figure_.layers) write(layer);
+    legend();
+    std::string out =
+        "% Compiles by itself: pdflatex FILE.tex\n"
+        "\\documentclass[tikz]{standalone}\n";
+    for (const auto& [name, number] : colors_) {
+      std::string digits = name.substr(1);
+      std::ranges::transform(digits, digits.begin(), [](char c) { return c >= 'a' ? static_cast<char>(c - 32) : c; });
+      out += "\\definecolor{" + color_name(number) + "}{HTML}{" + digits + "}\n";
+    }
+    out += "\\begin{document}\n\\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round]\n";
+    out += "\\path[use as bounding box] " + page + ";\n\\clip " + page + ";\n";
+    return out + body_ + "\\end{tikzpicture}\n\\end{document}\n";
+  }
+
+ private:
+  static std::string color_name(std::size_t number) { return "mesecina" + std::to_string(number); }
+  std::string color(Rgb color) { return color_name(colors_.try_emplace(hex(color), colors_.size()).first->second); }
+  std::string number(double value) const {
+    std::string out;
+    append_decimal(out, value, figure_.decimals);
+    return out;
+  }
+  static std::string fraction(double value, int decimals = kOpacityDecimals) {
+    std::string out;
+    append_decimal(out, value, decimals);
+    return out;
+  }
+  /// Here y grows upwards.
+  std::string text(Vec2 p) const { return '(' + number(p.x) + ',' + number(figure_.height - p.y) + ')'; }
+  std::string length(double value) const { return number(value) + "bp"; }
+
+  void write(const FigureLayer& layer) {
+    body_ += "% layer " + layer.id + ": " + layer.title + "\n\\begin{scope}[line width=" + length(layer.line_width) +
+             "]\n";
+    for (const Group& group : layer.groups) {
+      if (group.opacity < 1.0)
+        body_ += "\\begin{scope}[transparency group,opacity=" + fraction(group.opacity) + "]\n";
+      for (const Run& run : group.runs) write(run);
+      if (group.opacity < 1.0) body_ += "\\end{scope}\n";
+    }
+    body_ += "\\end{scope}\n";
+  }
+
+  void write(const Run& run) {
+    std::string command = run.is_filled ? "\\fill[" : "\\draw[";
+    command += color(run.color);
+    if (run.opacity < 1.0) command += ",opacity=" + fraction(run.opacity);
+    if (run.dashes != Dashes{})
+      command += ",line cap=butt,dash pattern=on " + length(run.dashes.on) + " off " + length(run.dashes.off) +
+                 ",dash phase=" + length(run.dashes.offset);
+    command += ']';
+    const bool is_one_path = run.opacity >= 1.0;
+    const std::span<const Shape> shapes(run.shapes);
+    std::size_t in_path = 0;
+    for (std::size_t i = 0; i < shapes.size();) {
+      if (in_path == 0) body_ += command;
+      const std::size_t count = path(shapes, i, is_one_path);
+      i += count;
+      in_path += count;
+      if (is_one_path && in_path < kShapesInAPath && i < shapes.size()) {
+        body_ += '\n';
+        continue;
+      }
+      body_ += ";\n";
+      in_path = 0;
+    }
+  }
+
+  void curves(const std::vector<Bezier>& beziers) {
+    for (const Bezier& bezier : beziers)
+      body_ += " .. controls " + text(bezier.first_handle) + " and " + text(bezier.second_handle) + " .. " +
+               text(bezier.end);
+  }
+
+  /// The shape at `i`, or the chain that begins there; gives the number of shapes.
+  std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains) {
+    const Shape& shape = shapes[i];
+    body_ += ' ' + text(shape.p[0]);
+    switch (shape.kind) {
+      case ShapeKind::disk:
+      case ShapeKind::circle: body_ += " circle[radius=" + length(shape.radius) + ']'; return 1;
+      case ShapeKind::segment: {
+        const std::size_t count = std::min(with_chains ? chain_length(shapes, i) : 1, kShapesInAPath);
+        const std::span<const Shape> chain = shapes.subspan(i, count);
+        for (std::size_t k = 0; k + 1 < count; ++k) body_ += " -- " + text(chain[k].p[1]);
+        body_ += is_loop(chain) ? std::string(" -- cycle") : " -- " + text(chain.back().p[1]);
+        return count;
+      }
+      case ShapeKind::triangle:
+        body_ += " -- " + text(shape.p[1]) + " -- " + text(shape.p[2]) + " -- cycle";
+        return 1;
+      case ShapeKind::arc: {
+        if (shape.radius > kLargestArc) {
+          curves(arc_curves(shape, figure_.decimals));
+          return 1;
+        }
+        constexpr double kDegree = 180.0 / std::numbers::pi;
+        const Vec2 from = shape.p[0] - shape.p[2];
+        const double start = kDegree * std::atan2(-from.y, from.x);
+        body_ += " arc[start angle=" + fraction(start, kAngleDecimals) +
+                 ",delta angle=" + fraction(kDegree * shape.sweep, kAngleDecimals) +
+                 ",radius=" + length(shape.radius) + ']';
+        return 1;
+      }
+      case ShapeKind::curve: curves({{shape.p[1], shape.p[2], shape.p[3]}}); return 1;
+      case ShapeKind::rim:
+        curves({{shape.p[1], shape.p[2], shape.p[3]}});
+        body_ += " -- " + text(shape.p[4]) + " -- " + text(shape.p[5]) + " -- cycle";
+        return 1;
+    }
+    return 1;
+  }
+
+  void legend() {
+    const Legend& legend = figure_.legend;
+    if (legend.boxes.empty() && legend.texts.empty()) return;
+    body_ += "% legend\n\\begin{scope}\n";
+    for (const Box& box : legend.boxes) {
+      body_ += "\\fill[" + color(box.color);
+      if (box.opacity < 1.0) body_ += ",opacity=" + fraction(box.opacity);
+      body_ += "] " + text(box.corner) + " rectangle " + text(box.corner + Vec2{box.width, box.height}) + ";\n";
+    }
+    for (const Text& each : legend.texts) {
+      const std::string size = number(each.size) + "bp";
+      body_ += "\\node[anchor=base west,inner sep=0pt," + color(each.color) + ",font=\\sffamily" +
+               (each.is_bold ? "\\bfseries" : "") + "\\fontsize{" + size + "}{" + size + "}\\selectfont] at " +
+               text(each.start) + " {" + escaped_tex(each.text) + "};\n";
+    }
+    body_ += "\\end{scope}\n";
+  }
+
+  const Figure& figure_;
+  std::string body_;
+  std::map<std::string, std::size_t> colors_;
+};
+
+}  // namespace
+
+Expected<std::string> tikz_of(const Figure& figure) {
+  if (std::max(figure.width, figure.height) > kLongestSide)
+    return std::unexpected(Error{ErrorCode::usage, "a page in TikZ has sides of 1900 points (26 inches) at most"});
+  return TikzWriter(figure).write();
+}
+
+}  // namespace mes::figure
