@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "app/model/statistics_text.h"
+
 namespace mes {
 namespace {
 
@@ -32,7 +34,6 @@ constexpr auto kNames = std::to_array<Name>({
     {"axis-nodes", "the nodes of the axis"},
     {kCertificate, "the theorem"},
     {"axis-difference", "the difference of the two axes"},
-    {"precision-difference", "the difference of the number types"},
     {"poles", "the poles"},
     {"pole-labels", "inside and outside of the poles"},
     {"polar-diagram", "the power diagram of the poles"},
@@ -44,10 +45,11 @@ constexpr auto kNames = std::to_array<Name>({
 // The families of balls and what is made of each, for ids like "a-power-diagram".
 constexpr std::array<Name, 3> kFamilies{
     {{"a-", "the inner balls"}, {"p-", "the polar balls"}, {"b-", "your own balls"}}};
-constexpr std::array<Name, 4> kOfBalls{{{"union", "the union of "},
+constexpr std::array<Name, 5> kOfBalls{{{"union", "the union of "},
                                         {"power-diagram", "the power diagram of "},
                                         {"v-diagram", "the Voronoi diagram of the v-points of "},
-                                        {"ball-sampling", "the sampled balls of "}}};
+                                        {"ball-sampling", "the sampled balls of "},
+                                        {"precision-difference", "the difference of the number types for "}}};
 
 // What findings are called here, of several and of one.
 struct Spoken {
@@ -123,7 +125,7 @@ std::string text_of(const Finding& finding, std::string_view structure) {
   if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
   if (const auto found = std::ranges::find(kSpoken, text, &Spoken::text); found != kSpoken.end())
     text = finding.count == 1 ? found->one : found->several;
-  const std::string out = std::to_string(finding.count) + ' ' + std::string(text);
+  const std::string out = grouped(static_cast<std::size_t>(finding.count)) + ' ' + std::string(text);
   return family == nullptr ? out : out + " (union of " + std::string(family->name) + ')';
 }
 
