@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -72,6 +73,34 @@ TEST_CASE("the curve is exported as the loops it consists of") {
   REQUIRE(lines.size() == 8);
   CHECK(lines.back().starts_with("# loop closed "));
   CHECK(std::ranges::count(lines.back(), ' ') == 8);
+}
+
+TEST_CASE("what is not a loop is exported as chains between ends and branch points") {
+  // The inner axis of a shape without holes has no loop: half as many chains as edges meet at ends and branches.
+  std::map<std::string, int> edges_at;
+  int edges = 0;
+  const std::vector<std::string> segments = lines_of(exported(kDude, "medial-axis", "csv"));
+  for (std::size_t i = 1; i < segments.size(); ++i) {
+    const std::string& line = segments[i];
+    const std::size_t middle = line.find(',', line.find(',') + 1);
+    const std::size_t end = line.find(',', line.find(',', middle + 1) + 1);
+    ++edges_at[line.substr(0, middle)];
+    ++edges_at[line.substr(middle + 1, end - middle - 1)];
+    ++edges;
+  }
+  int ends = 0;
+  for (const auto& [point, count] : edges_at) ends += count != 2 ? count : 0;
+  REQUIRE(ends > 2);
+
+  int chains = 0;
+  int links = 0;
+  for (const std::string& line : lines_of(exported(kDude, "medial-axis", "poff"))) {
+    if (!line.starts_with("# loop open")) continue;
+    ++chains;
+    links += static_cast<int>(std::ranges::count(line, ' ')) - 3;
+  }
+  CHECK(chains == ends / 2);
+  CHECK(links == edges);
 }
 
 TEST_CASE("exports are equal from run to run") {

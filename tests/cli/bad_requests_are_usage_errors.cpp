@@ -25,7 +25,7 @@ void require_usage_error(const std::vector<std::string>& arguments, const std::v
 }  // namespace
 
 TEST_CASE("an unknown layer names the nearest ones") {
-  require_usage_error({"compute", kDude, "--layers", "medial-axs"}, {"\"medial-axs\"", "did you mean medial-axis"});
+  require_usage_error({"compute", kDude, "--layers", "medial-axs"}, {"\"medial-axs\"", "did you mean medial-axis?"});
   require_usage_error({"compute", kDude, "--layers", "points,interior-voronoi-disk"}, {"interior-voronoi-disks"});
   require_usage_error({"compute", kDude, "--layers", "axis"}, {"medial-axis"});
   require_usage_error({"compute", kDude, "--layers", "points,,curve"}, {"unknown layer \"\""});

@@ -79,6 +79,25 @@ TEST_CASE("the order of the listed layers does not matter: stacking is the regis
         picture({kDude, "--size", "200x150", "--layers", "medial-axis,points,curve"}));
 }
 
+TEST_CASE("a layer that is named twice is drawn once") {
+  const std::vector<std::string> plain{kDude, "--size", "200x150", "--layers"};
+  const auto with = [&](const char* layers) {
+    std::vector<std::string> all = plain;
+    all.emplace_back(layers);
+    return picture(all);
+  };
+  CHECK(with("interior-voronoi-disks,points,interior-voronoi-disks") == with("interior-voronoi-disks,points"));
+}
+
+TEST_CASE("samples that stand close get smaller dots, unless their size was asked for") {
+  const auto with = [](const char* size, const char* style) {
+    return picture({kDude, "--size", size, "--layers", "points", "--set-style", style});
+  };
+  // Where there is room the size of the dots counts; where there is none, one that was asked for.
+  CHECK(with("1600x1200", "points:opacity=1") != with("1600x1200", "points:point-size=9"));
+  CHECK(with("80x60", "points:opacity=1") != with("80x60", "points:point-size=9"));
+}
+
 TEST_CASE("two corners of a view may be given in any order") {
   CHECK(picture({kDude, "--size", "100x100", "--view", "300,300,400,500"}) ==
         picture({kDude, "--size", "100x100", "--view", "400,500,300,300"}));
