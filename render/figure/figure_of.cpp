@@ -154,7 +154,10 @@ class LayerBuilder {
   void put(Shape shape, const Dashes& dashes = {}) {
     const bool filled = is_filled(shape.kind);
     for (Vec2& p : shape.p) p = grid_(p);
-    shape.radius = grid_(shape.radius);
+    // Not zero: programs stop at a circle that is squeezed into a point.
+    const bool is_round =
+        shape.kind == ShapeKind::disk || shape.kind == ShapeKind::circle || shape.kind == ShapeKind::arc;
+    if (is_round) shape.radius = std::max(grid_(shape.radius), grid_.step());
     std::vector<Run>& runs = group_->runs;
     if (runs.empty() || runs.back().is_filled != filled || runs.back().color != color_ ||
         runs.back().opacity != opacity_ || runs.back().dashes != dashes)

@@ -152,6 +152,17 @@ TEST_CASE("a huge disk covers the part of the page that it covers") {
   }
 }
 
+TEST_CASE("no circle is without extent, however small it is") {
+  for (const double radius : {0.0, 1e-300, 1e-5}) {
+    for (const PrimitiveKind kind : {PrimitiveKind::disk, PrimitiveKind::circle}) {
+      const std::vector<Shape> shapes = seen(kind, {50, 50, radius, 0});
+      REQUIRE(shapes.size() == 1);
+      CHECK(shapes[0].radius > 0.0);
+      CHECK(shapes[0].radius <= 0.01);
+    }
+  }
+}
+
 TEST_CASE("a huge triangle is cut to pieces that cover the same of the page") {
   const std::vector<Shape> shapes = seen(PrimitiveKind::triangle, {-1e8, -1e8, 1e8, -1e8, 100, 50, 0});
   REQUIRE_FALSE(shapes.empty());
