@@ -69,7 +69,7 @@ inline Table<VEdgeSlot, VEdge> with_kinds(Table<VEdgeSlot, VEdge> edges, const T
 }
 
 /// Moves the dual complex into tables.
-inline void give(const UnionTriangulation& triangulation, DualComplex& complex, UnionTables& out) {
+inline void publish(const UnionTriangulation& triangulation, DualComplex& complex, UnionTables& out) {
   out.counts.triangulation_edges = static_cast<std::int64_t>(triangulation.tables.edges.size());
   out.counts.triangulation_faces = complex.finite_faces;
   out.counts.sign_flips = complex.sign_flips;
@@ -81,7 +81,7 @@ inline void give(const UnionTriangulation& triangulation, DualComplex& complex, 
 
 /// Moves the v-points and their Voronoi diagram into tables.
 template <class Points>
-void give(VPoints<Points>& points, VTriangulation& v, const EdgeCuts& cuts, UnionFaces& faces, UnionTables& out) {
+void publish(VPoints<Points>& points, VTriangulation& v, const EdgeCuts& cuts, UnionFaces& faces, UnionTables& out) {
   out.counts.raw_v_points = points.raw_v_points;
   out.counts.negative_radicands = points.negative_radicands;
   out.counts.near_duplicates = v.near_duplicates;
@@ -116,8 +116,8 @@ UnionTables run(const PipelineInput& input, CrossingRule rule, JobControl& job) 
   out.balls = by_row(balls, circles.state);
   out.arcs = by_row(balls, centers.arcs);
   out.axis = std::move(axis.pieces);
-  give(triangulation, complex, out);
-  give(points, v, cuts, faces, out);
+  publish(triangulation, complex, out);
+  publish(points, v, cuts, faces, out);
   out.counts.lost_crossings = centers.lost_crossings;
   out.counts.contradictions = cuts.contradictions + axis.contradictions;
   return out;
@@ -131,7 +131,7 @@ UnionTables run_dual_complex(const PipelineInput& input, JobControl& job) {
   DualComplex complex = dual_complex(balls, triangulation, job);
   UnionTables out;
   out.balls = by_row(balls, triangulation.tables.state);
-  give(triangulation, complex, out);
+  publish(triangulation, complex, out);
   return out;
 }
 
@@ -145,7 +145,7 @@ UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known,
   const EdgeCuts cuts = cut_edges(balls, points, v, std::move(centers.events), centers.ball_of_face);
   UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts);
   UnionTables out;
-  give(points, v, cuts, faces, out);
+  publish(points, v, cuts, faces, out);
   return out;
 }
 
