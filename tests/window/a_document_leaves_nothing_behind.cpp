@@ -51,11 +51,16 @@ struct Window {
     const auto file = folder / name;
     // The dialog's field holds a name that is replaced.
     static_cast<void>(screen.settled());
-    press("ctrl+a");
+    // Fields of text look once a frame which keys are down, so these are held until they were seen.
+    screen.xdotool("keydown ctrl keydown a");
+    static_cast<void>(screen.settled());
+    screen.xdotool("keyup a keyup ctrl");
     screen.xdotool("type --delay 20 '" + file.string() + "'");
     static_cast<void>(screen.settled());
-    press("Return");
-    REQUIRE(eventually([&] { return std::filesystem::exists(file); }));
+    screen.xdotool("keydown Return");
+    const bool is_saved = eventually([&] { return std::filesystem::exists(file); });
+    screen.xdotool("keyup Return");
+    REQUIRE(is_saved);
     auto session = read_session(bytes_of(file), name);
     REQUIRE(session);
     return *session;
