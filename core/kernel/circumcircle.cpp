@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/power_of_two.h"
 #include "core/kernel/two_doubles.h"
 
 namespace mes {
@@ -28,8 +29,8 @@ std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   int exponent = 0;
   if (!(size > 0x1p-60 && size < 0x1p60)) {
     exponent = std::ilogb(size);
-    u = {std::ldexp(u.x, -exponent), std::ldexp(u.y, -exponent)};
-    v = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)};
+    u = {times_power_of_two(u.x, -exponent), times_power_of_two(u.y, -exponent)};
+    v = {times_power_of_two(v.x, -exponent), times_power_of_two(v.y, -exponent)};
   }
   // What differences and products have lost is below 2^-50 of the terms.
   constexpr double kSure = 0x1p-26;
@@ -44,7 +45,8 @@ std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   const Vec2 d{n.x * scale, n.y * scale};
   const double radius = std::sqrt(dot(d, d));
   if (exponent == 0) return Circle{a + d, radius};
-  return Circle{a + Vec2{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent)}, std::ldexp(radius, exponent)};
+  return Circle{a + Vec2{times_power_of_two(d.x, exponent), times_power_of_two(d.y, exponent)},
+                times_power_of_two(radius, exponent)};
 }
 
 // The same with numbers of two doubles, which tell slivers from segments where doubles cannot: nothing where fewer
@@ -56,7 +58,7 @@ std::optional<Circle> careful_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   if (!(size > 0.0 && std::isfinite(size))) return std::nullopt;
   const int exponent = size > 0x1p-60 && size < 0x1p60 ? 0 : std::ilogb(size);
   const auto between = [exponent](double from, double to) {
-    return TwoDoubles::difference(std::ldexp(to, -exponent), std::ldexp(from, -exponent));
+    return TwoDoubles::difference(times_power_of_two(to, -exponent), times_power_of_two(from, -exponent));
   };
   const TwoDoubles ux = between(a.x, b.x), uy = between(a.y, b.y), vx = between(a.x, c.x), vy = between(a.y, c.y);
   const TwoDoubles four_areas = 2.0 * (ux * vy - uy * vx);
@@ -69,7 +71,8 @@ std::optional<Circle> careful_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   if (!(four_areas.error() < kSure * std::abs(four_areas.value()))) return std::nullopt;
   if (!(std::max(x.error(), y.error()) < kSure * reach)) return std::nullopt;
   const Vec2 d{x.value() / four_areas.value(), y.value() / four_areas.value()};
-  return Circle{a + Vec2{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent)}, std::ldexp(length(d), exponent)};
+  return Circle{a + Vec2{times_power_of_two(d.x, exponent), times_power_of_two(d.y, exponent)},
+                times_power_of_two(length(d), exponent)};
 }
 
 Circle exact_circumcircle(Vec2 a, Vec2 b, Vec2 c) {

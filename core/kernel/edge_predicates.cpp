@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/power_of_two.h"
+
 namespace mes {
 namespace {
 
@@ -104,7 +106,7 @@ Vec2 direction_between(Vec2 from, Vec2 to) {
   const double size = std::max(std::abs(d.x), std::abs(d.y));
   if (size == 0.0) return d;
   const int exponent = std::ilogb(size);
-  return {std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent)};
+  return {times_power_of_two(d.x, -exponent), times_power_of_two(d.y, -exponent)};
 }
 
 // A positive multiple of the phase, whatever the sizes: when a product may have left the range of doubles, each leg

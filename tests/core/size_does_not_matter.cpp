@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same input in another unit of length: what is drawn is the same in that unit, bit for bit.
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "core/base/power_of_two.h"
 #include "core/base/rng.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/kernel/rounding.h"
@@ -61,6 +63,20 @@ SampleData random_doubles() {
 }
 
 }  // namespace
+
+TEST_CASE("a product with a power of two is what the C library makes of it, to the last bit") {
+  Rng rng(5);
+  for (int i = 0; i < 200'000; ++i) {
+    const auto x = std::bit_cast<double>(rng.next());
+    const int exponent = static_cast<int>(rng.below(4400)) - 2200;
+    const double product = times_power_of_two(x, exponent);
+    INFO(x << " times 2^" << exponent);
+    if (std::isnan(x))
+      REQUIRE(std::isnan(product));
+    else
+      REQUIRE(std::bit_cast<std::uint64_t>(product) == std::bit_cast<std::uint64_t>(std::ldexp(x, exponent)));
+  }
+}
 
 TEST_CASE("every layer scales with its input by powers of two, bit for bit") {
   struct Run {

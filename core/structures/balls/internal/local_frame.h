@@ -10,6 +10,7 @@
 
 #include "core/base/box2.h"
 #include "core/base/disk.h"
+#include "core/base/power_of_two.h"
 #include "core/base/vec2.h"
 
 namespace mes {
@@ -20,10 +21,10 @@ struct LocalFrame {
   int exponent = 0;
 
   Vec2 to_local(Vec2 p) const { return {to_local_length(p.x - origin.x), to_local_length(p.y - origin.y)}; }
-  double to_local_length(double length) const { return std::ldexp(length, -exponent); }
+  double to_local_length(double length) const { return times_power_of_two(length, -exponent); }
   Vec2 to_document(Vec2 p) const { return origin + vector_to_document(p); }
   Vec2 vector_to_document(Vec2 v) const { return {to_document_length(v.x), to_document_length(v.y)}; }
-  double to_document_length(double length) const { return std::ldexp(length, exponent); }
+  double to_document_length(double length) const { return times_power_of_two(length, exponent); }
 };
 
 /// Collects what a frame is to hold.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "core/base/power_of_two.h"
 #include "core/base/vec2.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
@@ -78,7 +79,7 @@ double coordinate_in_document(const Number& exact, double local, double origin, 
   if constexpr (!std::is_same_v<Number, double>) {
     if (origin != 0.0) return rounded(Number(exact * Number(std::ldexp(1.0, exponent)) + Number(origin)));
   }
-  return origin + std::ldexp(local, exponent);
+  return origin + times_power_of_two(local, exponent);
 }
 
 /// A point in both systems of coordinates.
