@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class T>
-bool is_ready(const std::future<T>& future) {
-  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
-
 std::string counted_frames(std::size_t n) {
   return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
 }
@@ -56,6 +51,8 @@ RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<con
       fonts_(std::move(fonts)),
       wake_(std::move(wake)),
       capture_(picture.device()),
+      finished_(wake_),
+      written_snapshot_(wake_),
       video_(wake_) {}
 
 void RecordDesk::start(const RecordSettings& settings, int width, int height, const Insets& panels,
@@ -91,9 +88,8 @@ void RecordDesk::stop() {
   while (auto raw = capture_.wait()) hand_on(std::move(*raw));
   recorder_.reset();
   // Of two takes in quick succession the first is waited for.
-  if (finished_.valid()) finished_.wait();
-  take_results();
-  finished_ = std::async(std::launch::async, [writer = std::move(writer_), wake = wake_] {
+  if (const auto done = finished_.finish()) tell_end(*done);
+  finished_.begin([writer = std::shared_ptr<FrameWriter>(std::move(writer_))](const std::stop_token&) {
     Finished out{writer->take().folder, 0, writer->finish()};
     out.frames = writer->written();
     if (out.frames == 0) {
@@ -101,7 +97,6 @@ void RecordDesk::stop() {
       fs::remove(out.folder / kManifestName, ignored);
       fs::remove(out.folder, ignored);
     }
-    wake();
     return out;
   });
 }
@@ -109,8 +104,8 @@ void RecordDesk::stop() {
 void RecordDesk::end() {
   stop();
   while (auto raw = capture_.wait()) hand_on(std::move(*raw));
-  if (finished_.valid()) finished_.wait();
-  if (written_snapshot_.valid()) written_snapshot_.wait();
+  if (const auto done = finished_.finish()) tell_end(*done);
+  if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
 }
 
 void RecordDesk::snapshot(const RecordSettings& settings) {
@@ -229,16 +224,9 @@ void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay, co
     messages_.problem("No snapshot: the home folder is not known; choose a folder for pictures");
     return;
   }
-  if (written_snapshot_.valid()) {
-    written_snapshot_.wait();
-    take_results();
-  }
-  written_snapshot_ =
-      std::async(std::launch::async, [raw = std::move(raw), overlay = std::move(overlay), folder, wake = wake_] {
-        auto out = write_picture(raw, overlay, folder);
-        wake();
-        return out;
-      });
+  if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
+  written_snapshot_.begin([raw = std::make_shared<render::RawImage>(std::move(raw)), overlay = std::move(overlay),
+                           folder](const std::stop_token&) { return write_picture(*raw, overlay, folder); });
 }
 
 bool RecordDesk::follow() {
@@ -247,27 +235,33 @@ bool RecordDesk::follow() {
   return take_results();
 }
 
+void RecordDesk::tell_end(const Finished& done) {
+  if (done.frames != 0) last_take_ = done.folder;
+  if (!done.result)
+    messages_.problem("Recording stopped after " + counted_frames(done.frames) + ": " +
+                      done.result.error().message());
+  else if (done.frames == 0)
+    messages_.remark("Nothing was recorded");
+  else
+    messages_.remark("Recorded " + counted_frames(done.frames) + " in " + done.folder.string());
+}
+
+void RecordDesk::tell_snapshot(const Expected<fs::path>& file) {
+  if (file)
+    messages_.remark("Snapshot in " + file->string());
+  else
+    messages_.problem("No snapshot: " + file.error().message());
+}
+
 bool RecordDesk::take_results() {
   bool told = false;
-  if (is_ready(finished_)) {
+  if (const auto done = finished_.poll()) {
     told = true;
-    const Finished done = finished_.get();
-    if (done.frames != 0) last_take_ = done.folder;
-    if (!done.result)
-      messages_.problem("Recording stopped after " + counted_frames(done.frames) + ": " +
-                        done.result.error().message());
-    else if (done.frames == 0)
-      messages_.remark("Nothing was recorded");
-    else
-      messages_.remark("Recorded " + counted_frames(done.frames) + " in " + done.folder.string());
+    tell_end(*done);
   }
-  if (is_ready(written_snapshot_)) {
+  if (const auto file = written_snapshot_.poll()) {
     told = true;
-    const auto file = written_snapshot_.get();
-    if (file)
-      messages_.remark("Snapshot in " + file->string());
-    else
-      messages_.problem("No snapshot: " + file.error().message());
+    tell_snapshot(*file);
   }
   if (const auto done = video_.take_result()) {
     told = true;

@@ -6,7 +6,6 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "app/recording/frame_writer.h"
 #include "app/recording/recorder.h"
 #include "app/recording/video.h"
+#include "app/system/background_job.h"
 #include "render/frame_capture.h"
 
 namespace mes {
@@ -75,7 +75,7 @@ class RecordDesk {
   std::size_t frames() const { return frames_; }
   std::size_t unwritten() const { return writer_ ? capture_.pending() + writer_->pending() : 0; }
   bool is_waiting_for_disk() const { return writer_ && !has_room(); }
-  bool is_finishing() const { return finished_.valid(); }
+  bool is_finishing() const { return finished_.is_under_way(); }
 
   /// Of the last take, if it has frames.
   bool can_make_video() const {
@@ -107,6 +107,8 @@ class RecordDesk {
   void hand_on(render::RawImage raw);
   void write_snapshot(render::RawImage raw, PictureOverlay overlay, const std::filesystem::path& folder);
   bool take_results();
+  void tell_end(const Finished& done);
+  void tell_snapshot(const Expected<std::filesystem::path>& file);
 
   Picture& picture_;
   Messages& messages_;
@@ -122,11 +124,11 @@ class RecordDesk {
   std::unique_ptr<FrameWriter> writer_;
   std::size_t frames_ = 0;
   std::chrono::steady_clock::time_point began_{};
-  std::future<Finished> finished_;
+  BackgroundJob<Finished> finished_;
   std::filesystem::path last_take_;
 
   std::optional<RecordSettings> snapshot_{};  // wanted
-  std::future<Expected<std::filesystem::path>> written_snapshot_;
+  BackgroundJob<Expected<std::filesystem::path>> written_snapshot_;
   VideoJob video_;
 };
 

@@ -129,17 +129,9 @@ Expected<void> make_video(const fs::path& take, double fps, const fs::path& outp
 void VideoJob::start(fs::path take, double fps, fs::path output, VideoPace pace) {
   output_ = std::move(output);
   stop_ = {};
-  result_ = std::async(std::launch::async,
-                       [take = std::move(take), fps, output = output_, stop = stop_.get_token(), wake = wake_, pace] {
-                         auto done = make_video(take, fps, output, stop, pace);
-                         wake();
-                         return done;
-                       });
-}
-
-std::optional<Expected<void>> VideoJob::take_result() {
-  if (!result_.valid() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-  return result_.get();
+  job_.begin([take = std::move(take), fps, output = output_, stop = stop_.get_token(), pace](const std::stop_token&) {
+    return make_video(take, fps, output, stop, pace);
+  });
 }
 
 }  // namespace mes

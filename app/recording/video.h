@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <optional>
 #include <stop_token>
 #include <utility>
 
+#include "app/system/background_job.h"
 #include "core/base/error.h"
 
 namespace mes {
@@ -34,7 +34,7 @@ Expected<void> make_video(const std::filesystem::path& take, double fps, const s
 /// The same beside the window. Threads: one; `wake` is called from another when it is done.
 class VideoJob {
  public:
-  explicit VideoJob(std::function<void()> wake) : wake_(std::move(wake)) {}
+  explicit VideoJob(std::function<void()> wake) : job_(std::move(wake)) {}
   ~VideoJob() { cancel(); }
   VideoJob(const VideoJob&) = delete;
   VideoJob& operator=(const VideoJob&) = delete;
@@ -43,16 +43,15 @@ class VideoJob {
   void start(std::filesystem::path take, double fps, std::filesystem::path output,
              VideoPace pace = VideoPace::steady);
   void cancel() { stop_.request_stop(); }
-  bool is_running() const { return result_.valid(); }
+  bool is_running() const { return job_.is_under_way(); }
   const std::filesystem::path& output() const { return output_; }
   /// The result, once, when there is one.
-  std::optional<Expected<void>> take_result();
+  std::optional<Expected<void>> take_result() { return job_.poll(); }
 
  private:
-  std::function<void()> wake_;
   std::filesystem::path output_;
-  std::stop_source stop_;
-  std::future<Expected<void>> result_;
+  std::stop_source stop_;  // a video that is cancelled has a result too
+  BackgroundJob<Expected<void>> job_;
 };
 
 }  // namespace mes

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/work_keeper.h"
 
-#include <chrono>
 #include <utility>
 
 #include "core/io/temporary.h"
@@ -14,12 +13,12 @@ WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Sessio
       messages_(messages),
       session_now_(std::move(session_now)),
       autosave_(default_autosave_folder(), wake),
-      left_work_(std::async(std::launch::async, [folder = default_autosave_folder(), wake] {
-        remove_abandoned_scratch();
-        FoundWork found = find_left_work(folder);
-        wake();
-        return found;
-      })) {}
+      left_work_(wake) {
+  left_work_.begin([folder = default_autosave_folder()](const std::stop_token&) {
+    remove_abandoned_scratch();
+    return find_left_work(folder);
+  });
+}
 
 void WorkKeeper::follow(const Rest& rest, const Box2& view) {
   Editor& editor = work_.editor();
@@ -31,12 +30,6 @@ void WorkKeeper::follow(const Rest& rest, const Box2& view) {
 
 void WorkKeeper::take_as_noted(const Box2& view) {
   notes_.take_as_noted(work_.editor(), surroundings(view));
-}
-
-std::optional<FoundWork> WorkKeeper::take_left_work() {
-  const bool is_there =
-      left_work_.valid() && left_work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  return is_there ? std::optional(left_work_.get()) : std::nullopt;
 }
 
 }  // namespace mes

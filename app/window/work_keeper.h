@@ -3,12 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <future>
 #include <optional>
 
 #include "app/model/messages.h"
 #include "app/model/surroundings.h"
 #include "app/store/autosave.h"
+#include "app/system/background_job.h"
 #include "app/window/workspace.h"
 
 namespace mes {
@@ -36,7 +36,7 @@ class WorkKeeper {
   void flush() { autosave_.flush(); }
 
   /// What an earlier run has left behind, once, when it has been found.
-  std::optional<FoundWork> take_left_work();
+  std::optional<FoundWork> take_left_work() { return left_work_.poll(); }
 
  private:
   Surroundings surroundings(const Box2& view) const { return {work_.computation().settings(), view}; }
@@ -46,7 +46,7 @@ class WorkKeeper {
   std::function<Session()> session_now_;
   SurroundingsNotes notes_;
   Autosave autosave_;
-  std::future<FoundWork> left_work_;
+  BackgroundJob<FoundWork> left_work_;
 };
 
 }  // namespace mes
