@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace mes {
 
@@ -27,6 +28,34 @@ void Explanation::about(const Element& element) {
   };
   if (element.type.owner != nullptr) return ask(*element.type.owner);
   for (const auto& structure : set_.all()) ask(*structure);
+}
+
+void Explanation::say_itself(std::string name, std::string rest, ProvenanceShapes& shapes) {
+  named_ = lines_.size();
+  lines_.push_back({{ProvenanceRole::itself, std::move(name) + rest, shapes.take()}, std::move(rest)});
+}
+
+void Explanation::rename(std::string name) {
+  if (!named_) return;
+  Draft& draft = lines_[*named_];
+  draft.line.text = std::move(name) + draft.key;
+}
+
+void Explanation::say_any(ProvenanceRole role, const std::string& one, const std::string& many,
+                          ProvenanceShapes& shapes) {
+  if (shapes.size() == 0) return;
+  auto draft =
+      std::ranges::find_if(lines_, [&](const Draft& other) { return other.line.role == role && other.key == one; });
+  if (draft == lines_.end()) draft = lines_.insert(draft, {{role, {}, {}}, one});
+  std::ranges::move(shapes.take(), std::back_inserter(draft->line.shapes));
+  draft->line.text = count_text(draft->line.shapes.size(), one, many);
+}
+
+std::vector<ProvenanceLine> Explanation::take() {
+  std::vector<ProvenanceLine> out;
+  for (Draft& draft : lines_) out.push_back(std::move(draft.line));
+  std::ranges::stable_sort(out, {}, &ProvenanceLine::role);
+  return out;
 }
 
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,

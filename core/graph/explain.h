@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ std::string place_text(Vec2 p);
 /// "1 edge", "2 edges".
 std::string count_text(std::size_t count, const std::string& one, const std::string& many);
 
-/// The lines about one element. Structures add theirs in `Structure::explain`.
+/// The lines about one element. Structures add theirs in `Structure::explain`, inputs before consumers; each says what
+/// its own tables know, so several may speak of one row.
 class Explanation {
  public:
   Explanation(const StructureSet& set, const std::function<bool(const Structure&)>& is_current)
@@ -60,18 +62,29 @@ class Explanation {
   }
 
   void say(ProvenanceRole role, std::string text, ProvenanceShapes& shapes) {
-    lines_.push_back({role, std::move(text), shapes.take()});
+    lines_.push_back({{role, std::move(text), shapes.take()}, {}});
   }
-  /// Only if there is something to show.
-  void say_any(ProvenanceRole role, const std::string& one, const std::string& many, ProvenanceShapes& shapes) {
-    if (const std::size_t count = shapes.size(); count != 0) say(role, count_text(count, one, many), shapes);
-  }
-  std::vector<ProvenanceLine> take() { return std::move(lines_); }
+  /// What the element is, as its name and the rest of the line. A structure that knows more calls it by another name.
+  void say_itself(std::string name, std::string rest, ProvenanceShapes& shapes);
+  /// Replaces the name that `say_itself` gave last; does nothing before it.
+  void rename(std::string name);
+  /// Adds shapes of one sort, one for each thing counted: to the line that has them already, or as a new line. Nothing
+  /// when there are none.
+  void say_any(ProvenanceRole role, const std::string& one, const std::string& many, ProvenanceShapes& shapes);
+  /// By role: itself, origins, products. Within a role in the order in which they were said.
+  std::vector<ProvenanceLine> take();
 
  private:
+  /// A line, and what is counted in it or what follows the name in it.
+  struct Draft {
+    ProvenanceLine line;
+    std::string key;
+  };
+
   const StructureSet& set_;
   const std::function<bool(const Structure&)>& is_current_;
-  std::vector<ProvenanceLine> lines_;
+  std::vector<Draft> lines_;
+  std::optional<std::size_t> named_;  ///< the line of the last `say_itself`
 };
 
 /// Reads only structures for which `is_current` holds; the others are passed over in silence. Empty when the row is

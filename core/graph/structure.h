@@ -17,6 +17,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -73,7 +74,7 @@ class StructureSet {
   template <class T>
   T& get() const {
     for (const auto& structure : structures_)
-      if (auto* found = dynamic_cast<T*>(structure.get())) return *found;
+      if (typeid(*structure) == typeid(T)) return static_cast<T&>(*structure);
     assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
   }
   void add(std::unique_ptr<Structure> structure) { structures_.push_back(std::move(structure)); }

@@ -42,7 +42,7 @@ TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and uni
     CHECK(answer.layer == find_layer("interior-voronoi-vertices"));
     CHECK(answer.lines.front().role == ProvenanceRole::itself);
     CHECK(answer.lines.front().text.starts_with("Inner Voronoi ball at ("));
-    CHECK(shapes_of(answer, ProvenanceRole::origin, "touches 3 samples") == 3);
+    CHECK(shapes_of(answer, ProvenanceRole::origin, "3 samples on its circle") == 3);
     CHECK(shapes_of(answer, ProvenanceRole::origin, "1 Delaunay triangle") == 1);
     CHECK(shapes_of(answer, ProvenanceRole::product, "medial axis edges end here") == 2);
     CHECK(shapes_of(answer, ProvenanceRole::product, "of its power cell") >= 3);
@@ -83,7 +83,7 @@ TEST_CASE("a v-point names the balls whose circles cross there, and a circle all
       if (x * x + y * y == 25) circle.push_back({static_cast<double>(x), static_cast<double>(y)});
   bench.replace(circle);
   const Provenance answer = bench.ask({0, 0}, 1e-9, {"interior-voronoi-vertices"});
-  CHECK(shapes_of(answer, ProvenanceRole::origin, "touches 12 samples") == 12);
+  CHECK(shapes_of(answer, ProvenanceRole::origin, "12 samples on its circle") == 12);
   CHECK(shapes_of(answer, ProvenanceRole::origin, "triangles on one circle") == 10);
 }
 

@@ -41,6 +41,7 @@ class MedialAxis final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return edge_changes().size(); }
   StatList statistics() const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
   int axis_edges_at(FaceSlot face) const;

@@ -43,6 +43,7 @@ class Labels final : public Structure {
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
   void find(std::vector<Finding>& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
   /// The label must change across the face's edge i.

@@ -56,6 +56,7 @@ class OneStepCrust final : public Structure {
   StatList statistics() const override;
   std::string_view kernel() const override { return "doubles with a proved bound, intervals, rationals"; }
   void find(std::vector<Finding>& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
   static constexpr std::uint8_t kCrust = 1;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shapes of rows of `Delaunay`, for the explanations of the structures that share its rows.
+#pragma once
+
+#include "core/graph/explain.h"
+#include "core/structures/delaunay/delaunay.h"
+
+namespace mes {
+
+/// The Voronoi edge dual to a Delaunay edge; one that leads to infinity as a ray, and between collinear sites as a line.
+void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, EdgeSlot edge);
+/// A finite face.
+void add_triangle(ProvenanceShapes& shapes, const Delaunay& delaunay, FaceSlot face);
+
+inline Disk circumdisk(const Delaunay& delaunay, FaceSlot face) {
+  return {delaunay.circumcenter(face), delaunay.circumradius(face)};
+}
+
+// Lines to which several structures add.
+void say_samples_on_circle(Explanation& out, ProvenanceShapes& samples);
+void say_triangles_on_circle(Explanation& out, ProvenanceShapes& triangles);
+
+}  // namespace mes
