@@ -18,6 +18,14 @@
 
 namespace mes {
 
+/// False under the address sanitizer: another thread that allocates while the child is forked leaves it a locked
+/// allocator, which that of the C library does not.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kForksBesideThreads = false;
+#else
+inline constexpr bool kForksBesideThreads = true;
+#endif
+
 struct IsolationLimits {
   double seconds = 0.0;     ///< of wall clock; 0 = none
   std::size_t bytes = 0;    ///< of memory above what this process has; 0 = none
