@@ -105,7 +105,7 @@ void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> da
   timeline_.restart(std::move(data), std::move(entries));
   take_layers_as_noted();
   saved_layers_.reset();
-  // For those who follow it is one replacement.
+  // Observers see one replacement.
   const auto change = std::make_shared<const DocumentDelta>(replacement());
   follow(*change);
   tell(change);
@@ -227,7 +227,7 @@ Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const S
     changes.push_back(*delta);
   }
   if (changes.empty()) return {};
-  // Whoever follows the document sees one change.
+  // Observers of the document see one change.
   const auto change = std::make_shared<const DocumentDelta>(one_after_the_other(changes));
   const auto go_back = [&] {
     if (replaces && history_.raise_edit()) history_.step_back();

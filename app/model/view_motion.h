@@ -46,7 +46,7 @@ class ViewMotion {
   void pan(Vec2 delta_px);
   /// Glides to show the box, or jumps when nothing was seen before.
   void fit(const Box2& box, double margin_px, bool at_once = false);
-  /// Nobody zoomed, panned or went back since it was fitted.
+  /// Not zoomed, panned or taken back since it was fitted.
   bool is_as_fitted() const { return is_as_fitted_; }
   /// How often something was fitted.
   std::uint64_t fits() const { return fits_; }

@@ -30,7 +30,7 @@ FrameWriter::FrameWriter(Take take, FrameWriterOptions options)
 }
 
 FrameWriter::~FrameWriter() {
-  // Whoever wants to know of a problem has asked before.
+  // A caller that wants the result has called `finish` before.
   static_cast<void>(finish());
 }
 

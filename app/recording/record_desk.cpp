@@ -254,17 +254,17 @@ void RecordDesk::tell_snapshot(const Expected<fs::path>& file) {
 }
 
 bool RecordDesk::take_results() {
-  bool told = false;
+  bool has_news = false;
   if (const auto done = finished_.poll()) {
-    told = true;
+    has_news = true;
     tell_end(*done);
   }
   if (const auto file = written_snapshot_.poll()) {
-    told = true;
+    has_news = true;
     tell_snapshot(*file);
   }
   if (const auto done = video_.take_result()) {
-    told = true;
+    has_news = true;
     if (done->has_value())
       messages_.remark("Video in " + video_.output().string());
     else if (done->error().code == ErrorCode::cancelled)
@@ -272,7 +272,7 @@ bool RecordDesk::take_results() {
     else
       messages_.problem(done->error().message());
   }
-  return told;
+  return has_news;
 }
 
 void RecordDesk::start_video(const RecordSettings& settings) {

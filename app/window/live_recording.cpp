@@ -50,7 +50,7 @@ bool LiveRecording::holds_input() const {
   return desk_.is_recording() && desk_.holds_input(shown_state(), at_rest(), uses_.work.engine().status().cancelled);
 }
 
-// Whatever is asked of the engine from now on makes another state, or waits for the demand to be told.
+// A later request to the engine makes another state, or waits until this one is noted.
 void LiveRecording::note_if_complete(bool is_reading) {
   const bool is_complete = uses_.work.is_complete() && !is_reading;
   desk_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);

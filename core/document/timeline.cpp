@@ -257,7 +257,7 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
 }
 
 Expected<void> DocumentReplay::apply_replacement(const TimelineEdit& edit) {
-  if (!history_.raise_edit()) return refuse("there is no step to take the place of");
+  if (!history_.raise_edit()) return refuse("a replacement has no step before it");
   std::vector<DocumentDelta> changes = history_.undo();
   for (const DocumentDelta& back : changes) document_.apply(back);
   const auto delta = delta_of(document_, edit);
@@ -295,16 +295,16 @@ Expected<void> DocumentReplay::apply_layers(const LayersChanged& change) {
         if (history_.in_gesture()) return refuse("a change of the layers within a gesture");
         history_.record_layers(std::move(layers), change.name);
       } else if (!history_.join_layers(std::move(layers))) {
-        return refuse("there is no step that a change of the layers could be part of");
+        return refuse("a change of the layers has no step to be part of");
       }
       return {};
     }
     case Role::undone:
-      if (!history_.undoes_layers()) return refuse("there is no change of the layers to undo");
+      if (!history_.undoes_layers()) return refuse("the step to undo is not a change of the layers");
       history_.undo();
       return {};
     case Role::redone:
-      if (!history_.redoes_layers()) return refuse("there is no change of the layers to redo");
+      if (!history_.redoes_layers()) return refuse("the step to redo is not a change of the layers");
       history_.redo();
       return {};
   }

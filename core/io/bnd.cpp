@@ -257,10 +257,10 @@ class BundleReader {
       left_out_.insert(name);
       return;
     }
-    // Nobody could choose these then.
+    // The program of then had neither.
     entry.style.dashed = layer->style.dashed;
     entry.style.flat = layer->style.flat;
-    // Two layers of old can be one of ours; it looks as the first of those that were shown.
+    // Two layers of then can be one of ours, which looks as the first of them that was shown.
     const auto twin = std::ranges::find(to.layers, entry.layer, &LayerConfiguration::Entry::layer);
     if (twin != to.layers.end()) {
       if (twin->visible || !entry.visible) return;

@@ -29,7 +29,7 @@ std::expected<LockedFile, int> create_locked(const std::filesystem::path& path, 
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
   if (descriptor < 0) return std::unexpected(errno);
   const LockTry lock = try_lock(descriptor);
-  // Whoever looked at it before it was locked may have removed it.
+  // Another process may have found it unlocked, and removed it.
   const bool is_ours = lock != LockTry::taken && is_named(path, descriptor);
   if (is_ours) return LockedFile{descriptor, lock == LockTry::locked};
   if (lock == LockTry::taken && is_named(path, descriptor)) ::unlink(path.c_str());

@@ -51,7 +51,7 @@ struct Session {
 };
 
 std::string write_session(const Session& session);
-/// Error: `bad_input` with file, and line and column if it is no JSON.
+/// Error: `bad_input` with file, and line and column if it is not JSON.
 Expected<Session> read_session(std::string_view text, const std::string& file);
 /// Whether text is meant to be a session, from how it begins.
 bool looks_like_session(std::string_view text);

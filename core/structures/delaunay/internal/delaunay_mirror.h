@@ -402,7 +402,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
         edge.f[edge.v[0] == row.v[next3(i)] ? 0 : 1] = row_of(f);
       }
     }
-    // Inner edges take the rows of those that died.
+    // New inner edges take the rows of dead ones.
     std::size_t spare = 0;
     const auto is_spare = [&](EdgeSlot e) { return d_.edge_[e].mark == mark; };
     for (const FaceHandle f : zone_) {
