@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +20,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/cli/style_request.h"
+#include "app/store/layer_text.h"
 #include "core/base/assert.h"
 #include "core/base/coordinate_range.h"
 #include "core/io/format.h"
@@ -25,6 +28,15 @@
 
 namespace mes::cli {
 namespace {
+
+std::string help_of_export_formats() {
+  std::string out;
+  for (const LayerTextFormat& format : layer_text_formats()) {
+    if (!out.empty()) out += ";\n";
+    out += fmt::format("{}: {}", format.name, format.help);
+  }
+  return out;
+}
 
 constexpr const char* kExamples = R"(Examples:
   mesecina shape.poff
@@ -142,15 +154,13 @@ void describe_commands(CLI::App& app, Arguments& to) {
   compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
   add_force(*compute, to.compute.force);
 
-  CLI::App* const exported = app.add_subcommand("export", "The geometry of one layer, as text");
+  CLI::App* const exported = app.add_subcommand("export", "The geometry of layers, as text");
   add_source(*exported, to.exported.source);
-  exported->add_option("--layer", to.exported.layer, "Layer id (mesecina list layers)")->required();
   exported
-      ->add_option("--format", to.exported.format,
-                   "csv: one primitive a line, segments without length left out;\n"
-                   "poff: points, or the ends of segments with the chains they form;\n"
-                   "wpoff: disks, or circles")
+      ->add_option("--layer", to.exported.layer,
+                   "Layer id (mesecina list layers);\nfor geojson, wkt and svg-path also a comma list, or all")
       ->required();
+  exported->add_option("--format", to.exported.format, help_of_export_formats())->required();
   exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
   add_force(*exported, to.exported.force);
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/base/arc.h"
 #include "core/draw/layer_mirror.h"
+#include "core/draw/primitive_values.h"
 
 namespace mes::cli {
 
@@ -24,15 +24,5 @@ LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer);
 
 /// "points", "disks", ...
 std::string_view plural_of(PrimitiveKind kind);
-
-/// True for a segment (as in patches) whose ends are equal.
-constexpr bool is_zero_length(const double* segment) {
-  return segment[0] == segment[2] && segment[1] == segment[3];
-}
-
-/// An arc as in patches.
-constexpr Arc arc_of(const double* values) {
-  return {{values[0], values[1]}, values[2], {values[3], values[4]}, {values[5], values[6]}};
-}
 
 }  // namespace mes::cli

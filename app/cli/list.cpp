@@ -12,6 +12,7 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "app/store/color_maps.h"
+#include "app/store/layer_text.h"
 #include "app/store/sample_shapes.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
@@ -102,6 +103,18 @@ std::vector<Entry> formats() {
                     {"read", format.can_read},
                     {"write", format.can_write},
                     {"export", is_exported}}});
+  }
+  for (const LayerTextFormat& format : layer_text_formats()) {
+    const std::string id(format.name);
+    if (std::ranges::find(out, id, &Entry::id) != out.end()) continue;
+    out.push_back({id,
+                   fmt::format("{}, exported", format.title),
+                   {{"id", id},
+                    {"name", format.title},
+                    {"extensions", Json::array()},
+                    {"read", false},
+                    {"write", false},
+                    {"export", true}}});
   }
   return out;
 }

@@ -13,6 +13,7 @@
 #include "app/cli/requests.h"
 #include "app/store/bundles.h"
 #include "app/store/color_maps.h"
+#include "app/store/layer_text.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/coordinate_range.h"
 #include "core/document/parameter.h"
@@ -187,8 +188,20 @@ void write_formats(Markdown& page) {
                     format.can_write ? "yes" : ""});
   page.table({"Format of samples", "Id", "Names end in", "Read", "Written"}, rows);
   page.paragraph(
-      "The format is found by what a file holds, then by its name; `--from ID` overrides both. `mesecina export`\n"
-      "writes the geometry of a layer. Files appear complete or not at all.");
+      "The format is found by what a file holds, then by its name; `--from ID` overrides both. Files appear\n"
+      "complete or not at all.");
+
+  page.subsection("Geometry of layers");
+  Rows exported;
+  for (const LayerTextFormat& format : layer_text_formats())
+    exported.push_back({plain(format.title), code(format.name), plain(format.help), format.is_of_many ? "yes" : ""});
+  page.table({"Format", "Id", "What `mesecina export` writes", "Several layers"}, exported);
+  page.paragraph(
+      "Coordinates are those of the document, with all their digits. GeoJSON and WKT have no circles: a circle, a "
+      "disk\n"
+      "or an arc has 96 sides a turn there, and GeoJSON names its centre and radius. Chains of GeoJSON have the "
+      "scalar\n"
+      "of each of their segments. Rays and lines are in `csv` alone; elsewhere they are left out, with a message.");
 
   page.subsection("The range of coordinates");
   page.paragraph(

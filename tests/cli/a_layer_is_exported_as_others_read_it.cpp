@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -23,6 +24,15 @@ std::string exported(const std::string& file, const std::string& layer, const st
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
   return result.out;
+}
+
+/// Twice the signed area of a closed ring of positions.
+double doubled_area(const Json& ring) {
+  double out = 0.0;
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    out += ring[i - 1][0].get<double>() * ring[i][1].get<double>() -
+           ring[i - 1][1].get<double>() * ring[i][0].get<double>();
+  return out;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -146,4 +156,92 @@ TEST_CASE("the disks of any layer are exported as balls that can be read again")
   CHECK(read["input"]["balls"] == made["layers"]["interior-voronoi-disks"]["disks"]);
   CHECK(read["layers"]["b-inner-disks"]["radius_sum"].get<double>() ==
         Approx(made["layers"]["interior-voronoi-disks"]["radius_sum"].get<double>()));
+}
+
+TEST_CASE("GeoJSON has a feature for each primitive, and rings that are closed and counter-clockwise") {
+  const Json counts =
+      Json::parse(run({"compute", kDude, "--layers", "points,a-dual-faces,interior-voronoi-disks"}).out)["layers"];
+  const Json all = Json::parse(exported(kDude, "points,a-dual-faces,interior-voronoi-disks", "geojson"));
+  CHECK(all["type"] == "FeatureCollection");
+  std::map<std::string, std::map<std::string, int>> seen;
+  for (const Json& feature : all["features"]) {
+    const Json& geometry = feature["geometry"];
+    const Json& properties = feature["properties"];
+    ++seen[properties["layer"]][properties["kind"]];
+    if (geometry["type"] != "Polygon") continue;
+    const Json& ring = geometry["coordinates"][0];
+    CHECK(ring.front() == ring.back());
+    CHECK(doubled_area(ring) > 0.0);
+    if (properties["kind"] == "disk") {
+      const double r = properties["radius"];
+      CHECK(doubled_area(ring) / 2.0 == Approx(3.14159265358979 * r * r).epsilon(0.002));
+    }
+  }
+  CHECK(seen["points"]["point"] == counts["points"]["points"]);
+  CHECK(seen["a-dual-faces"]["triangle"] == counts["a-dual-faces"]["triangles"]);
+  CHECK(seen["interior-voronoi-disks"]["disk"] == counts["interior-voronoi-disks"]["disks"]);
+  CHECK(seen.size() == 3);
+}
+
+TEST_CASE("the curve is one closed line in GeoJSON, WKT and SVG, upright in each") {
+  const std::string square = "0 0\n4 0\n4 3\n0 3\n";
+  const Json all = Json::parse(exported("-", "curve", "geojson", square));
+  REQUIRE(all["features"].size() == 1);
+  const Json& line = all["features"][0]["geometry"];
+  CHECK(line["type"] == "LineString");
+  REQUIRE(line["coordinates"].size() == 5);
+  CHECK(line["coordinates"].front() == line["coordinates"].back());
+  // The certainty of each side, in their order.
+  CHECK(all["features"][0]["properties"]["scalars"].size() == 4);
+
+  const std::vector<std::string> wkt = lines_of(exported("-", "curve", "wkt", square));
+  REQUIRE(wkt.size() == 1);
+  CHECK(wkt[0].starts_with("LINESTRING ("));
+  CHECK(std::ranges::count(wkt[0], ',') == 4);
+  CHECK(exported("-", "points", "wkt", "0.1 -2\n") == "POINT (0.1 -2)\n");
+
+  const std::string path = exported("-", "curve", "svg-path", square);
+  CHECK(path.starts_with("M "));
+  CHECK(path.ends_with(" Z\n"));
+  CHECK_THAT(path, Catch::Contains(" 4 -3"));
+  CHECK_THAT(path, !Catch::Contains("-0"));
+}
+
+TEST_CASE("circles and arcs keep their radius in a path of SVG") {
+  CHECK(exported("-", "b-inner-circles", "svg-path", "WPOFF 1 0 0\n1 2 3\n") ==
+        "M 4 -2 A 3 3 0 0 0 -2 -2 A 3 3 0 0 0 4 -2 Z\n");
+  const std::string arcs = exported("-", "b-union-boundary", "svg-path", "WPOFF 2 0 0\n0 0 5\n6 0 5\n");
+  // Both arcs of two equal disks turn by more than half a circle, counter-clockwise in the plane.
+  REQUIRE(lines_of(arcs).size() == 2);
+  for (const std::string& arc : lines_of(arcs)) CHECK_THAT(arc, Catch::Contains(" A 5 5 0 1 0 "));
+}
+
+TEST_CASE("samples of the curve are exported with their normals, a block a chain") {
+  // Two concentric circles: a ring.
+  std::string ring;
+  for (const double radius : {2.0, 1.0})
+    for (int i = 0; i < 40; ++i)
+      ring += std::to_string(radius * std::cos(0.157079632679 * i + 0.1)) + ' ' +
+              std::to_string(radius * std::sin(0.157079632679 * i + 0.1)) + '\n';
+  const std::vector<std::string> lines = lines_of(exported("-", "curve", "npoff", ring));
+  REQUIRE(lines.size() == 81);
+  CHECK(std::ranges::count(lines, std::string()) == 1);
+  CHECK(lines[40].empty());
+  for (const std::string& line : lines) {
+    if (line.empty()) continue;
+    std::istringstream in(line);
+    double x = 0.0, y = 0.0, nx = 0.0, ny = 0.0;
+    in >> x >> y >> nx >> ny;
+    CHECK(std::hypot(nx, ny) == Approx(1.0));
+    // Outside is away from the centre on the outer circle, and towards it on the inner one.
+    const bool is_outer = std::hypot(x, y) > 1.5;
+    CHECK((x * nx + y * ny > 0.0) == is_outer);
+  }
+}
+
+TEST_CASE("rays and lines are counted where a format cannot hold them") {
+  const RunResult result = run({"export", kHawaii, "--layer", "voronoi", "--format", "wkt"});
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err, Catch::Contains("rays and lines are left out: wkt holds finite shapes only"));
+  CHECK(result.out.starts_with("LINESTRING ("));
 }

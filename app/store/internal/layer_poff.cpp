@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "app/store/internal/layer_writers.h"
+#include "app/store/internal/segment_chains.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+std::string poff_text(std::span<const Vec2> points, std::span<const SegmentChain> chains) {
+  std::string out = fmt::format("POFF {} 0 0\n", points.size());
+  for (const Vec2 p : points) {
+    append_number(out, p.x);
+    out += ' ';
+    append_number(out, p.y);
+    out += '\n';
+  }
+  for (const SegmentChain& chain : chains) {
+    out += chain.closed ? "# loop closed" : "# loop open";
+    for (const std::uint32_t point : chain.points) {
+      out += ' ';
+      out += std::to_string(point);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+struct Before {
+  bool operator()(Vec2 a, Vec2 b) const { return lexicographically_less(a, b); }
+};
+using Normals = std::map<Vec2, Vec2, Before>;
+
+// The layer of normals draws each as a segment that begins at its sample.
+Normals normals_in(const LayerMirror& mirror) {
+  Normals out;
+  const std::span<const double> segments = mirror.instances(find_layer("curve-normals"), PrimitiveKind::segment);
+  for (std::size_t at = 0; at < segments.size(); at += stride_of(PrimitiveKind::segment)) {
+    const Vec2 from{segments[at], segments[at + 1]};
+    const Vec2 way = Vec2{segments[at + 2], segments[at + 3]} - from;
+    const double size = length(way);
+    if (size > 0.0) out[from] = {way.x / size, way.y / size};
+  }
+  return out;
+}
+
+}  // namespace
+
+LayerText wpoff_of(const LayerGeometry& geometry) {
+  const LayerIndex layer = geometry.layers.front();
+  if (layer_descriptors()[layer].id == "b-inner-centers") return {write_wpoff(geometry.document)};
+  std::vector<Disk> balls;
+  const PrimitiveKind kind = emits(layer, PrimitiveKind::disk) ? PrimitiveKind::disk : PrimitiveKind::circle;
+  const std::span<const double> instances = geometry.mirror.instances(layer, kind);
+  for (std::size_t at = 0; at < instances.size(); at += stride_of(kind))
+    balls.push_back({{instances[at], instances[at + 1]}, instances[at + 2]});
+  return {write_wpoff(balls)};
+}
+
+LayerText poff_of(const LayerGeometry& geometry) {
+  const LayerIndex layer = geometry.layers.front();
+  // In input order and with the curve order that came with them.
+  if (layer_descriptors()[layer].id == "points") return {write_poff(geometry.document)};
+  if (!emits(layer, PrimitiveKind::point)) {
+    const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
+    return {poff_text(found.points, found.chains)};
+  }
+  std::vector<Vec2> points;
+  const std::span<const double> instances = geometry.mirror.instances(layer, PrimitiveKind::point);
+  for (std::size_t at = 0; at < instances.size(); at += stride_of(PrimitiveKind::point))
+    points.push_back({instances[at], instances[at + 1]});
+  return {poff_text(points, {})};
+}
+
+LayerText npoff_of(const LayerGeometry& geometry) {
+  const Normals normals = normals_in(geometry.mirror);
+  const SegmentChains found = chains_of(geometry.mirror.instances(find_layer("curve"), PrimitiveKind::segment));
+  LayerText out;
+  for (const SegmentChain& chain : found.chains) {
+    bool is_first = true;
+    for (const std::uint32_t point : chain.points) {
+      const Vec2 at = found.points[point];
+      const auto normal = normals.find(at);
+      if (normal == normals.end()) continue;  // ends and branch points have none
+      if (std::exchange(is_first, false) && !out.text.empty()) out.text += '\n';
+      append_number(out.text, at.x);
+      out.text += ' ';
+      append_number(out.text, at.y);
+      out.text += "  ";
+      append_number(out.text, normal->second.x);
+      out.text += ' ';
+      append_number(out.text, normal->second.y);
+      out.text += '\n';
+    }
+  }
+  return out;
+}
+
+}  // namespace mes

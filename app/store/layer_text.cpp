@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/layer_text.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+
+#include "app/store/internal/layer_writers.h"
+
+namespace mes {
+namespace {
+
+bool holds_all(LayerIndex /*layer*/) {
+  return true;
+}
+bool holds_points(LayerIndex layer) {
+  return emits(layer, PrimitiveKind::point) || emits(layer, PrimitiveKind::segment);
+}
+bool holds_balls(LayerIndex layer) {
+  return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) ||
+         layer_descriptors()[layer].id == "b-inner-centers";
+}
+bool holds_curve(LayerIndex layer) {
+  return layer_descriptors()[layer].id == "curve" || layer_descriptors()[layer].id == "curve-normals";
+}
+
+// One line a format.
+constexpr std::array<LayerTextFormat, 7> kFormats{{
+    {"csv", "CSV table", "one primitive a line, segments without length left out", false, false, "", holds_all,
+     csv_of},
+    {"poff", "POFF points", "points, or the ends of segments with the chains they form", false, false, "points",
+     holds_points, poff_of},
+    {"wpoff", "WPOFF balls", "disks, or circles", false, false, "disks", holds_balls, wpoff_of},
+    {"npoff", "NPOFF points with normals", "samples of the curve in order with unit normals, a block a chain", false,
+     true, "curve with normals", holds_curve, npoff_of},
+    {"geojson", "GeoJSON", "features with layer, kind and scalar, segments as the chains they form", true, false, "",
+     holds_all, geojson_of},
+    {"wkt", "WKT", "well-known text, a geometry a line", true, false, "", holds_all, wkt_of},
+    {"svg-path", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
+}};
+
+}  // namespace
+
+std::span<const LayerTextFormat> layer_text_formats() {
+  return kFormats;
+}
+
+const LayerTextFormat* find_layer_text_format(std::string_view name) {
+  const auto found = std::ranges::find(kFormats, name, &LayerTextFormat::name);
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+Expected<void> check_layers(const LayerTextFormat& format, std::span<const LayerIndex> layers) {
+  const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
+  if (layers.size() > 1 && !format.is_of_many)
+    return refuse(
+        fmt::format("a file of format {} holds one layer; geojson, wkt and svg-path hold several", format.name));
+  for (const LayerIndex layer : layers)
+    if (!format.holds(layer))
+      return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", layer_descriptors()[layer].id,
+                                format.contents, format.name));
+  return {};
+}
+
+}  // namespace mes

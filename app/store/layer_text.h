@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The geometry of layers as text that other programs read.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/document/document.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/draw/layer_mirror.h"
+
+namespace mes {
+
+/// What is written.
+struct LayerGeometry {
+  std::span<const LayerIndex> layers;  ///< in drawing order
+  const LayerMirror& mirror;           ///< holds them, and the layers that `LayerTextFormat::needs` adds
+  const Document& document;
+};
+
+struct LayerText {
+  std::string text;
+  std::uint64_t left_out = 0;  ///< rays and lines, which the format cannot hold
+};
+
+/// A format. Numbers are in shortest round-trip form in all of them; segments of length zero are left out, as they are
+/// from the counts of `compute`. Equal geometry gives equal bytes.
+struct LayerTextFormat {
+  std::string_view name;        ///< as on the command line; also the extension of file names, but for `svg-path`
+  std::string_view title;       ///< as in a menu
+  std::string_view help;        ///< one line
+  bool is_of_many = false;      ///< it holds several layers at once
+  bool needs_curve = false;     ///< the layers `curve` and `curve-normals` have to be computed too
+  std::string_view contents{};  ///< what a layer needs for it: "points"; empty: any layer
+  bool (*holds)(LayerIndex layer) = nullptr;
+  LayerText (*write)(const LayerGeometry& geometry) = nullptr;
+};
+
+/// In the order in which help and menus name them.
+std::span<const LayerTextFormat> layer_text_formats();
+/// Null for any other name.
+const LayerTextFormat* find_layer_text_format(std::string_view name);
+
+/// Checks that the format holds these layers. Error: `usage`, with the layer and a format that holds it.
+Expected<void> check_layers(const LayerTextFormat& format, std::span<const LayerIndex> layers);
+
+}  // namespace mes
