@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The one of this name, whatever the case if that leaves one; nothing: there is none.
+/// The bundle of this name, ignoring case where that leaves a single one; empty when none matches.
 const Bundle* named(const std::vector<Bundle>& bundles, const std::string& name) {
   const Bundle* similar = nullptr;
   for (const Bundle& bundle : bundles) {
@@ -40,7 +40,7 @@ Error unknown(const std::string& name, const std::vector<Bundle>& bundles, const
               (names.empty() ? std::string() : "; did you mean " + one_of(nearest_names(name, names)) + '?')};
 }
 
-/// Of this name in the file; without one the first.
+/// The bundle of this name in the file; the first for an empty name.
 Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std::string>& name,
                                 std::vector<SourceFile>& sources) {
   if (const auto fingerprint = fingerprint_of_file(file)) sources.push_back({file, *fingerprint});

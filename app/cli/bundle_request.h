@@ -20,9 +20,9 @@ struct AvailableBundle {
 /// reported and left alone.
 std::vector<AvailableBundle> available_bundles();
 
-/// The bundle of this name, whatever the case if that leaves one; or the first of the file of this name; or of
-/// FILE:NAME the one of that name in the file. Error: `usage` with the nearest names, or `bad_input` for a file that
-/// holds none. A file that it is read from is added to the sources.
+/// The bundle of this name, ignoring case where that leaves a single one; or the first bundle of the file of this name;
+/// or, for FILE:NAME, the bundle of that name in the file. Error: `usage` with the nearest names, or `bad_input` for a
+/// file without bundles. The file that is read is added to the sources.
 Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<SourceFile>& sources);
 
 }  // namespace mes::cli

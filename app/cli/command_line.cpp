@@ -269,7 +269,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
-  // A variable of a script that is not set: hardly what was meant, and never the same as no option.
+  // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
   for (CLI::App* const command : app.get_subcommands({}))
     for (CLI::Option* const option : command->get_options())

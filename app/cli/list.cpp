@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina list`: what there is, for people as a table and for programs as JSON.
+// `mesecina list`: layers, structures, formats and more, for people as a table and for programs as JSON.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>

@@ -60,7 +60,7 @@ Expected<void> write_output(const std::string& file, std::string_view bytes, Int
     const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0 && errno == EPIPE) {
-      // Whoever read has had enough, as in "| head": no failure, and nothing to say. End as other programs do.
+      // The reader has closed the pipe, as in "| head": not a failure, and without a message. End as other programs do.
       std::signal(SIGPIPE, SIG_DFL);
       static_cast<void>(std::raise(SIGPIPE));
     }

@@ -15,10 +15,10 @@ namespace mes::cli {
 /// True for no name and for "-".
 bool is_standard_output(const std::string& file);
 
-/// Says no to an output that cannot be, before the work for it begins.
+/// Checks that the output can be written, before the work for it begins.
 Expected<void> check_output(const std::string& file);
 
-/// What must not get lost by writing a result.
+/// Files that writing a result must not destroy.
 struct Overwriting {
   std::vector<SourceFile>
       sources{};       ///< files the result was made of: none of them is overwritten once it has changed

@@ -8,8 +8,8 @@
 
 namespace mes::cli {
 
-/// Writes to stderr, only if that is a terminal and only if the work takes longer than a glance. The line is gone
-/// when the object is.
+/// Writes to stderr, only if that is a terminal and only if the work takes longer than 0.4 s. The line is
+/// removed with the object.
 class Progress {
  public:
   Progress();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands, and what they are asked for. Each writes its result and nothing else, or says why it cannot.
+// The commands and their requests. Each writes its result and nothing else, or reports why it cannot.
 #pragma once
 
 #include <span>

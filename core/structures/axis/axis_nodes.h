@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// The degree of a node depends on the labels of the faces around it, so nodes next to a change change too. Kept
-/// apart from `MedialAxis` because only layers of nodes need it. Rows are Delaunay face rows.
+/// The degree of a node depends on the labels of the faces around it, so the change set holds the neighbours of changed
+/// nodes as well. Separate from `MedialAxis` because only layers of nodes need it. Rows are Delaunay face rows.
 class AxisNodes final : public Structure {
  public:
   AxisNodes(Delaunay& delaunay, InnerBalls& balls, MedialAxis& axis);

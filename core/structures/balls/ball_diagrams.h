@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two diagrams of a union of balls that only those need who look at them: the regular triangulation with the power
+// Two diagrams of a union of balls, computed only where a layer shows them: the regular triangulation with the power
 // diagram of the balls, and the Voronoi diagram of the v-points.
 #pragma once
 

@@ -43,8 +43,7 @@ class BallFamily {
     return {plain.center, plain.radius * scale_};
   }
   virtual bool is_from_samples() const = 0;
-  /// Every ball touches samples: its circle and its crossings with others are to be had from them. Scaled balls do
-  /// not.
+  /// Every ball touches samples, which give its circle and its crossings with others exactly. False for scaled balls.
   bool touch_samples() const { return is_from_samples() && scale_ == 1.0; }
   virtual BallOrigin origin(FamilySlot) const {
     return is_from_samples() ? BallOrigin::circumdisk : BallOrigin::disk;

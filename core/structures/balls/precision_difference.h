@@ -11,8 +11,8 @@ namespace mes {
 
 /// Compared are the classes of dual edges (none, singular, regular, interior) and which triangles belong to the dual
 /// complex. Where more than three balls have a point of equal power, as around every sample that several balls touch,
-/// the triangulation of their centres is arbitrary and says nothing: there an edge between two triangles does not
-/// count against no edge, and the triangles are compared by how many there are.
+/// the triangulation of their centres is arbitrary: there an edge between two triangles counts as equal to none, and
+/// triangles are compared by number.
 ///
 /// Nothing to do while the union is exact; otherwise a dual complex in rationals, or from the certificate.
 class PrecisionDifference : public Structure {

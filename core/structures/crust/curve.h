@@ -21,8 +21,8 @@ using ChainSlot = Slot<struct ChainTag>;
 ///  3. A site of degree two has a unit normal, pointing outside where the chain has an inside: the normalised sum of
 ///     the unit normals of its two edges, or at a cusp where that sum vanishes the normal of the edge before it.
 ///
-/// Cost: rebuild O(n); an update traces the chains through changed sites again, so O(length of those chains), and
-/// tells of those sites only whose normals are other ones.
+/// Cost: rebuild O(n); an update traces the chains through changed sites again, so O(length of those chains); its
+/// change set holds only sites whose normal differs from before.
 class Curve final : public Structure {
  public:
   struct Chain {
@@ -43,7 +43,7 @@ class Curve final : public Structure {
   /// Mean length of the two curve edges at a site with a normal.
   double spacing(SiteSlot site) const { return spacing_[site]; }
 
-  /// Sites that moved, came or went, and those whose normal or spacing is another one.
+  /// Sites that moved, came or went, and those whose normal or spacing differs from before.
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;

@@ -30,8 +30,8 @@ void Labels::explain(ElementKind kind, RowNumber row, Explanation& out) const {
     out.rename(is_inside(face) ? "Inner Voronoi ball" : "Outer Voronoi ball");
 }
 
-// The triangulation has spoken of the one face; what it shares its circle with, and where Voronoi edges have a length,
-// is known here.
+// `Delaunay` explains the face itself. The other faces on its circle, and which Voronoi edges have positive length, are
+// known here.
 void VoronoiVertices::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const FaceSlot face(row);
   if (kind != ElementKind::voronoi_vertex || !delaunay_.is_finite_face(face)) return;

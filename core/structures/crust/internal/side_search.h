@@ -50,7 +50,7 @@ class SideSearch {
     }
     return entry->second;
   }
-  // The smaller joins the larger; what either has still to leave stays to be left.
+  // The smaller joins the larger. Faces that either has not searched from yet remain to be searched from.
   std::uint32_t merge(std::uint32_t a, std::uint32_t b) {
     if (fronts_[a].faces.size() < fronts_[b].faces.size()) std::swap(a, b);
     Front& large = fronts_[a];

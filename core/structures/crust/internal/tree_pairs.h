@@ -28,15 +28,15 @@ struct TreePair {
 /// them not counted, are the edges of the tree with an odd number of odd sites on either side; unlike that set the
 /// pairs depend on the order as well.
 ///
-/// Cost: O(sites, times nearly nothing, and the lengths of all paths).
+/// Cost: O(sites times the inverse Ackermann function, and the lengths of all paths).
 class TreePairs {
  public:
   struct Edge {
     EdgeSlot edge;
     TreeSlot a, b;
   };
-  /// What is returned may be taken apart by moving. `odd[site]` is 1 for odd sites, of which there is an even number,
-  /// and 0 for others.
+  /// `odd[site]` is 1 for odd sites, of which there is an even number, and 0 for others. The caller may move from the
+  /// result, which is valid until the next call.
   std::vector<TreePair>& find(const std::vector<Edge>& edges, const Table<TreeSlot, std::uint8_t>& odd);
 
  private:
