@@ -45,6 +45,9 @@ class Canvas {
   /// The cursor if it is here, else the middle of the free area: where keys zoom.
   Vec2 zoom_center() const { return is_hovered_ ? pointer_px_ : view_.middle(); }
 
+  /// Where the pointer is, as tools see it.
+  Pointer pointer() const { return pointer(pointer_px_, modifiers_); }
+
   void choose_tool(ToolId tool);
   ToolId tool_id() const { return tool_id_; }
   Tool& tool() { return *tools_[static_cast<std::size_t>(tool_id_)]; }

@@ -2,13 +2,11 @@
 #include "app/panels/provenance_card.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "app/panels/shape_pen.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
-#include "core/base/arc.h"
 #include "core/draw/layer_descriptor.h"
 
 namespace mes {
@@ -17,8 +15,6 @@ namespace {
 constexpr double kReachPx = 7.0;
 constexpr std::size_t kMostShapes = 4000;
 constexpr double kMarginPx = 160.0;  // around what is shown by a click on its row
-// ImGui draws circles as polygons of corners all around; a far too large one is left out.
-constexpr double kLargestCirclePx = 2.0e4;
 
 struct Look {
   Rgb color;
@@ -54,114 +50,26 @@ Box2 box_of(const ProvenanceShape& shape) {
   return out;
 }
 
-/// The part of a + t d, low <= t <= high, within the rectangle from (0, 0) to `size` and somewhat more.
-struct Piece {
-  Vec2 a, b;
-};
-std::optional<Piece> clipped(Vec2 a, Vec2 d, double low, double high, Vec2 size) {
-  constexpr double kMargin = 20.0;
-  const auto cut = [&](double from, double along, double least, double most) {
-    if (along == 0.0) return from >= least && from <= most;
-    const double t = (least - from) / along;
-    const double u = (most - from) / along;
-    low = std::max(low, std::min(t, u));
-    high = std::min(high, std::max(t, u));
-    return low <= high;
-  };
-  if (!cut(a.x, d.x, -kMargin, size.x + kMargin) || !cut(a.y, d.y, -kMargin, size.y + kMargin)) return std::nullopt;
-  return Piece{a + low * d, a + high * d};
+PenLook pen_look(const Gui& gui, ProvenanceRole role, bool is_dim) {
+  const Look look = look_of(role);
+  const PenMark mark = role == ProvenanceRole::itself   ? PenMark::dot
+                       : role == ProvenanceRole::origin ? PenMark::ring
+                                                        : PenMark::square;
+  return {to_imgui(look.color, is_dim ? 0.25 : 1.0), look.width * gui.unit(), mark};
 }
-
-class Overlay {
- public:
-  Overlay(const Gui& gui, const Canvas& canvas, ProvenanceRole role, bool is_dim)
-      : camera_(canvas.view().camera()),
-        unit_(gui.unit()),
-        to_logical_(1.0 / canvas.content_scale()),
-        look_(look_of(role)),
-        role_(role),
-        color_(to_imgui(look_.color, is_dim ? 0.25 : 1.0)),
-        size_{static_cast<double>(ImGui::GetIO().DisplaySize.x), static_cast<double>(ImGui::GetIO().DisplaySize.y)},
-        list_(*ImGui::GetBackgroundDrawList()) {}
-
-  void draw(const ProvenanceShape& shape) const {
-    const auto& v = shape.values;
-    const Vec2 a{v[0], v[1]};
-    switch (shape.kind) {
-      case PrimitiveKind::point: return point(a);
-      case PrimitiveKind::disk:
-      case PrimitiveKind::circle: return circle(a, v[2]);
-      case PrimitiveKind::arc: return arc({a, v[2], {v[3], v[4]}, {v[5], v[6]}});
-      case PrimitiveKind::segment: return line(a, {v[2], v[3]});
-      case PrimitiveKind::ray: return unbounded(a, {v[2], v[3]}, 0.0);
-      case PrimitiveKind::line: return unbounded(a, {v[2], v[3]}, -std::numeric_limits<double>::infinity());
-      case PrimitiveKind::triangle:
-        line(a, {v[2], v[3]});
-        line({v[2], v[3]}, {v[4], v[5]});
-        line({v[4], v[5]}, a);
-        return;
-    }
-  }
-
- private:
-  Vec2 on_screen(Vec2 world) const { return (to_logical_ * static_cast<double>(unit_)) * camera_.to_screen(world); }
-  static ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
-  // A dot, a ring, a square: distinguishable without colours.
-  void point(Vec2 world) const {
-    const Vec2 p = on_screen(world);
-    if (!(std::abs(p.x) < 1e5 && std::abs(p.y) < 1e5)) return;
-    const ImVec2 at = to_im(p);
-    const float r = 5.0F * unit_;
-    switch (role_) {
-      case ProvenanceRole::itself: list_.AddCircleFilled(at, r, color_); break;
-      case ProvenanceRole::origin: list_.AddCircle(at, r + unit_, color_, 0, look_.width * unit_); break;
-      case ProvenanceRole::product:
-        list_.AddRect({at.x - r, at.y - r}, {at.x + r, at.y + r}, color_, 0.0F, 0, look_.width * unit_);
-        break;
-    }
-  }
-  void circle(Vec2 center, double radius) const {
-    const double r = radius / camera_.units_per_pixel() * to_logical_ * static_cast<double>(unit_);
-    const int corners = static_cast<int>(std::clamp(r, 48.0, 720.0));
-    if (r < kLargestCirclePx)
-      list_.AddCircle(to_im(on_screen(center)), static_cast<float>(r), color_, corners, look_.width * unit_);
-  }
-  void stroke(const std::optional<Piece>& piece) const {
-    if (piece) list_.AddLine(to_im(piece->a), to_im(piece->b), color_, look_.width * unit_);
-  }
-  void arc(const Arc& arc) const {
-    const double r = arc.radius / camera_.units_per_pixel() * to_logical_ * static_cast<double>(unit_);
-    if (!(r < kLargestCirclePx)) return line(arc.from, arc.to);
-    // Angles of the screen run the other way.
-    const Vec2 start = arc.from - arc.center;
-    const auto from = static_cast<float>(-std::atan2(start.y, start.x));
-    list_.PathArcTo(to_im(on_screen(arc.center)), static_cast<float>(r), from - static_cast<float>(sweep_of(arc)),
-                    from, static_cast<int>(std::clamp(r, 24.0, 360.0)));
-    list_.PathStroke(color_, 0, look_.width * unit_);
-  }
-  void line(Vec2 a, Vec2 b) const {
-    const Vec2 from = on_screen(a);
-    stroke(clipped(from, on_screen(b) - from, 0.0, 1.0, size_));
-  }
-  void unbounded(Vec2 a, Vec2 d, double low) const {
-    stroke(clipped(on_screen(a), {d.x, -d.y}, low, std::numeric_limits<double>::infinity(), size_));
-  }
-
-  const render::Camera& camera_;
-  float unit_;
-  double to_logical_;
-  Look look_;
-  ProvenanceRole role_;
-  ImU32 color_;
-  Vec2 size_;
-  ImDrawList& list_;
-};
 
 }  // namespace
 
+ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers) {
+  ProvenanceQuestion out{0, pointer.world, kReachPx * pointer.units_per_px, layers.visible_layers()};
+  std::ranges::reverse(out.layers);
+  return out;
+}
+
 void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor) {
-  ProvenanceQuestion question{++ticket_, pointer.world, kReachPx * pointer.units_per_px, layers.visible_layers()};
-  std::ranges::reverse(question.layers);
+  ProvenanceQuestion question = question_at(pointer, layers);
+  question.ticket = ++ticket_;
+  is_asking_ = true;
   document_revision_ = editor.document().revision();
   selection_revision_ = editor.selection().revision();
   answer_.reset();
@@ -170,12 +78,14 @@ void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer
 
 void ProvenanceCard::take(std::unique_ptr<Provenance> answer) {
   if (!answer || answer->ticket != ticket_) return;
+  is_asking_ = false;
   answer_ = answer->lines.empty() ? nullptr : std::move(answer);
   pointed_at_ = 0;
 }
 
 bool ProvenanceCard::clear() {
   ++ticket_;  // an answer on its way comes too late
+  is_asking_ = false;
   return std::exchange(answer_, nullptr) != nullptr;
 }
 
@@ -184,9 +94,9 @@ void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   // The thing itself last, on top of the others.
   for (std::size_t i = answer_->lines.size(); i-- > 0;) {
     const ProvenanceLine& line = answer_->lines[i];
-    const Overlay overlay(gui, canvas, line.role, pointed_at_ != 0 && pointed_at_ != i + 1);
+    const ShapePen pen(gui, canvas, pen_look(gui, line.role, pointed_at_ != 0 && pointed_at_ != i + 1));
     for (const ProvenanceShape& shape : line.shapes)
-      if (++shapes <= kMostShapes) overlay.draw(shape);
+      if (++shapes <= kMostShapes) pen.draw(shape);
   }
 }
 

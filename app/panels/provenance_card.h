@@ -15,6 +15,9 @@
 
 namespace mes {
 
+/// What lies under the pointer in the visible layers, top first; the ticket is left to the asker.
+ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers);
+
 /// It holds for one state of the document and one selection: an edit takes it away, and so does selecting something
 /// else. It can be dragged by its head. Threads: the window's.
 class ProvenanceCard {
@@ -26,18 +29,21 @@ class ProvenanceCard {
   /// True when there was something to take away.
   bool clear();
   const Provenance* shown() const { return answer_.get(); }
+  /// A question has no answer yet.
+  bool is_asking() const { return is_asking_; }
 
   /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is.
   void draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room);
 
  private:
-  std::uint64_t ticket_ = 0;
   void draw_shapes(const Gui& gui, const Canvas& canvas) const;
   /// The line that was clicked.
   const ProvenanceLine* draw_lines(const Gui& gui, float width);
   /// True when it was closed.
   bool draw_head(const Gui& gui, float width);
 
+  std::uint64_t ticket_ = 0;
+  bool is_asking_ = false;
   std::uint64_t document_revision_ = 0;
   std::uint64_t selection_revision_ = 0;
   ImVec2 moved_{};  ///< from its corner, by hand

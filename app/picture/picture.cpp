@@ -63,12 +63,16 @@ bool Picture::brings_all(const FramePatch& patch) {
 bool Picture::take_from(Engine& engine) {
   bool took = false;
   while (auto patch = engine.poll()) {
+    if (patch->provenance) provenance_ = std::move(patch->provenance);
     // What builds on a patch that was lost is lost too, until the layers are sent whole.
     if (is_lost_ && !brings_all(*patch)) {
       engine.recycle(std::move(patch));
       continue;
     }
+    const bool was_lost = is_lost_;
     is_lost_ = !apply(*patch);
+    const bool brings_news = patch->layer_count != 0 || patch->frame != last_frame_ || is_lost_ != was_lost;
+    last_frame_ = patch->frame;
     if (mirror_ && !is_lost_) check(*patch);
     document_revision_ = patch->document_revision;
     reports_.swap(patch->reports);
@@ -80,10 +84,9 @@ bool Picture::take_from(Engine& engine) {
         report.reason = kOutOfMemory;
       }
     }
-    if (patch->provenance) provenance_ = std::move(patch->provenance);
     engine.recycle(std::move(patch));
     took = true;
-    ++patches_;
+    if (brings_news) ++patches_;
   }
   return took;
 }

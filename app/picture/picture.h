@@ -125,7 +125,8 @@ class Picture {
   double spacing_ = 0.0;            // of the samples, in units of the document
   std::size_t measured_count_ = 0;  // samples when it was measured
   std::uint64_t measured_at_ = 0;   // `expected_` then
-  std::uint64_t patches_ = 0;
+  std::uint64_t patches_ = 0;       // those that bring something to draw
+  DrawingFrame last_frame_;
   Rgb canvas_ = kWhiteCanvas;
   std::uint64_t background_revision_ = 0;  // grows with the picture and its place
   double background_aspect_ = 0.0;

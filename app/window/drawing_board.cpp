@@ -82,7 +82,8 @@ bool DrawingBoard::is_at_rest() const {
 
 void DrawingBoard::take_results() {
   if (picture_.take_from(work_.engine())) watch_memory();
-  provenance_.take(picture_.take_provenance());
+  auto answer = picture_.take_provenance();
+  if (answer && !pointed_.take(*answer)) provenance_.take(std::move(answer));
 }
 
 void DrawingBoard::watch_memory() {
@@ -142,6 +143,8 @@ void DrawingBoard::draw_pointer(Vec2 pointer_px) {
   else
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
   screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
+  pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), over_canvas, !provenance_.is_asking()});
+  pointed_.draw(screen_.gui, canvas_);
   if (over_canvas) PointerMarks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas())}.draw();
 }
 

@@ -9,6 +9,7 @@
 #include "app/model/memory_watch.h"
 #include "app/model/settings.h"
 #include "app/model/view_fitter.h"
+#include "app/panels/pointed_element.h"
 #include "app/panels/provenance_card.h"
 #include "app/picture/picture.h"
 #include "app/ui/screen.h"
@@ -68,6 +69,7 @@ class DrawingBoard {
   Screen& screen_;
   Picture picture_;
   ProvenanceCard provenance_;
+  PointedElement pointed_;
   ToolContext tool_context_;
   Canvas canvas_;
   ViewFitter fitter_;

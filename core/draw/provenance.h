@@ -51,6 +51,7 @@ struct ProvenanceQuestion {
   Vec2 at{};
   double reach = 0.0;              ///< in units of the document
   std::vector<LayerIndex> layers;  ///< to look at, top first
+  bool wants_story = true;         ///< false: the first line alone, with the shape and no text
 };
 
 struct ProvenanceShape {

@@ -48,16 +48,18 @@ struct Engine::Impl {
     status.cancelled = false;
   }
 
-  bool has_work() const {
+  bool has_to_compute() const {
     return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics ||
-           want_findings != has_findings || question || unfinished;
+           want_findings != has_findings || unfinished;
   }
+  bool has_work() const { return has_to_compute() || question; }
 
   void work(const std::stop_token& stop) {
     std::unique_lock lock(mutex);
     for (;;) {
       work_there.wait(lock, [&] { return stop.stop_requested() || (has_work() && !status.cancelled); });
       if (stop.stop_requested()) return;
+      status.busy = has_to_compute();
       for (auto& delta : deltas) graph.post(std::move(delta));
       deltas.clear();
       if (settings) graph.post_settings(*settings);
@@ -74,19 +76,21 @@ struct Engine::Impl {
       job_stop = std::stop_source();
       if (stopping) job_stop.request_stop();
       job.set_token(job_stop.get_token());
-      status.busy = true;
+      is_running = true;
       started = std::chrono::steady_clock::now();
       std::unique_ptr<FramePatch> patch = take_spare();
+      const bool is_news = status.busy;
       lock.unlock();
-      wake();
+      if (is_news) wake();
 
       graph.run(*patch, job);
 
       lock.lock();
       if (!patch->complete) unfinished = true;
       finished.push_back(std::move(patch));
+      is_running = false;
       status.busy = false;
-      if (!has_work()) status.cancelled = false;  // too late: it was done already
+      if (!has_to_compute()) status.cancelled = false;  // too late: it was done already
       status.task.clear();
       idle.notify_all();
       lock.unlock();
@@ -130,6 +134,7 @@ struct Engine::Impl {
   bool has_findings = false;
   std::optional<ProvenanceQuestion> question;
   bool unfinished = false;
+  bool is_running = false;  // the graph is at work; `status.busy` says whether it computes
   bool stopping = false;
   std::stop_source job_stop;
   EngineStatus status;
@@ -202,7 +207,7 @@ void Engine::ask(ProvenanceQuestion question) {
 
 void Engine::cancel() {
   const std::lock_guard lock(impl_->mutex);
-  if (!impl_->status.busy && !impl_->has_work()) return;
+  if (!impl_->status.busy && !impl_->has_to_compute()) return;
   impl_->status.cancelled = true;
   impl_->job_stop.request_stop();
   impl_->idle.notify_all();
@@ -223,7 +228,7 @@ std::unique_ptr<FramePatch> Engine::poll() {
 
 std::unique_ptr<FramePatch> Engine::sync() {
   std::unique_lock lock(impl_->mutex);
-  impl_->idle.wait(lock, [this] { return !impl_->status.busy && (!impl_->has_work() || impl_->status.cancelled); });
+  impl_->idle.wait(lock, [this] { return !impl_->is_running && (!impl_->has_work() || impl_->status.cancelled); });
   return impl_->take_finished();
 }
 
@@ -241,7 +246,7 @@ EngineStatus Engine::status() const {
     out.busy_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - impl_->started).count();
   }
-  out.busy = out.busy || (impl_->has_work() && !out.cancelled);
+  out.busy = out.busy || (impl_->has_to_compute() && !out.cancelled);
   return out;
 }
 

@@ -38,7 +38,7 @@ struct EngineStep {
 };
 
 struct EngineStatus {
-  bool busy = false;       ///< something is being computed or waits to be
+  bool busy = false;       ///< something is being computed or waits to be; answering questions does not count
   bool cancelled = false;  ///< work is pending after `cancel`
   std::string task;        ///< public id of the structure or layer at work; empty when idle
   double progress = 0.0;   ///< of that task, in [0, 1]; 0 when unknown
@@ -68,7 +68,8 @@ class Engine {
   void set_want_statistics(bool wanted);
   /// The next patches carry `NodeReport::findings`, of the theorem's judges too.
   void set_want_findings(bool wanted);
-  /// The patch of the next complete run carries the answer. Does not hold up what is being computed.
+  /// The patch of the next complete run carries the answer. Does not hold up what is being computed, and what does
+  /// nothing but answer does not count as busy. A later question takes the place of one that is not answered.
   void ask(ProvenanceQuestion question);
   void cancel();
   void resume();

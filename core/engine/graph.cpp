@@ -391,6 +391,10 @@ Provenance Graph::answer(const ProvenanceQuestion& question) const {
       return found != nodes_.end() && found->needed && found->state == NodeState::up_to_date;
     };
     out.layer = layer;
+    if (!question.wants_story) {
+      out.lines.push_back({ProvenanceRole::itself, {}, {search.best()->shape}});
+      break;
+    }
     out.lines = explain(structures_, is_current, search.best()->element);
     if (out.lines.empty())
       out.lines.push_back({ProvenanceRole::itself, std::string(layers_[layer].descriptor.tooltip), {}});

@@ -499,3 +499,31 @@ TEST_CASE("any mixture of edits, undo and demand ends in the right picture") {
     check_layers(client, shown);
   }
 }
+
+TEST_CASE("answering a question is not computing: the engine is not busy with it, and sends no layer again") {
+  Client client;
+  client.demand({"points"});
+  client.replace({{0, 0}, {1, 0}, {0, 1}});
+  client.sync();
+  client.engine().ask({7, {1.0, 0.1}, 0.2, {find_layer("points")}, false});
+  CHECK_FALSE(client.engine().status().busy);
+  const auto patch = client.engine().sync();
+  REQUIRE(patch);
+  CHECK(patch->layer_count == 0);
+  REQUIRE(patch->provenance);
+  CHECK(patch->provenance->ticket == 7);
+  // The shape alone was wanted.
+  REQUIRE(patch->provenance->lines.size() == 1);
+  CHECK(patch->provenance->lines.front().text.empty());
+  REQUIRE(patch->provenance->lines.front().shapes.size() == 1);
+  CHECK(patch->provenance->lines.front().shapes.front().values[0] == 1.0);
+  CHECK_FALSE(client.engine().status().cancelled);
+  // With nothing being computed there is nothing to cancel.
+  client.engine().ask({8, {5.0, 5.0}, 0.2, {find_layer("points")}, false});
+  client.engine().cancel();
+  CHECK_FALSE(client.engine().status().cancelled);
+  const auto next = client.engine().sync();
+  REQUIRE(next);
+  REQUIRE(next->provenance);
+  CHECK(next->provenance->lines.empty());
+}

@@ -194,3 +194,21 @@ TEST_CASE("a click beside all samples asks what is there; on a sample only with 
   CHECK(bench.selected().empty());
   CHECK_FALSE(bench.editor.can_undo());
 }
+
+TEST_CASE("the select tool says when a click would ask: beside samples, in no gesture, without Shift") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  tool.hover(at(100, 300));
+  CHECK_FALSE(tool.feedback().asks);  // nothing would answer
+  bench.context.ask_about = [](const Pointer&) {};
+  CHECK(tool.feedback().asks);
+  tool.hover(at(100, 300, kShift));
+  CHECK_FALSE(tool.feedback().asks);
+  tool.hover(at(101, 100));
+  CHECK_FALSE(tool.feedback().asks);
+  tool.hover(at(100, 300));
+  tool.press(at(100, 300));
+  CHECK_FALSE(tool.feedback().asks);
+  tool.release(at(100, 300));
+  CHECK(tool.feedback().asks);
+}

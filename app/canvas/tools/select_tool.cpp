@@ -167,6 +167,7 @@ ToolFeedback SelectTool::feedback() const {
   const Document& document = context_.editor.document();
   if (document.is_alive(shown.sample)) out.hovered = shown.sample;
   if (document.is_ball_alive(shown.ball)) out.hovered_ball = shown.ball;
+  out.asks = state_ == State::idle && !shown.is_any() && context_.ask_about && !now_.modifiers.shift;
   return out;
 }
 

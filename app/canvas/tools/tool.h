@@ -32,6 +32,7 @@ struct ToolContext {
 struct ToolFeedback {
   SampleSlot hovered;             ///< the sample a press would take
   BallSlot hovered_ball;          ///< the ball it would take; never both
+  bool asks = false;              ///< a click would ask what lies here
   std::optional<Disk> ball;       ///< a ball being drawn
   std::optional<Box2> box_px;     ///< the selection box being drawn
   std::optional<Vec2> marker_px;  ///< where a press would put a sample

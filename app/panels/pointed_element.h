@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a click on the canvas would ask about lights up under the pointer.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "app/canvas/canvas.h"
+#include "app/model/editor.h"
+#include "app/model/layer_stack.h"
+#include "app/ui/gui.h"
+#include "core/engine/engine.h"
+
+namespace mes {
+
+/// What it guarantees: at most one question is under way, and none while the engine computes, the view moves or a
+/// gesture has the pointer; so the mark may trail a fast pointer, and nothing waits for it. It is of the document and
+/// the layers that are on screen, or gone. Threads: the window's.
+class PointedElement {
+ public:
+  struct Scene {
+    const Canvas& canvas;
+    const Editor& editor;
+    const LayerStack& layers;
+    bool is_over_canvas = false;
+    bool may_ask = false;  ///< not while a click waits for its answer
+  };
+
+  /// Once a frame: asks about what lies under the pointer if it has moved.
+  void follow(Engine& engine, const Scene& scene);
+  /// True when the answer was to a question of this object.
+  bool take(const Provenance& answer);
+  void draw(const Gui& gui, const Canvas& canvas) const;
+
+ private:
+  struct Place {
+    Vec2 world{};
+    double units_per_px = 0.0;
+    std::uint64_t document = 0;
+    std::uint64_t layers = 0;
+    friend bool operator==(const Place&, const Place&) = default;
+  };
+
+  // Cards count theirs from one.
+  static constexpr std::uint64_t kFirstTicket = std::uint64_t{1} << 63U;
+  std::uint64_t ticket_ = kFirstTicket;
+  bool is_asking_ = false;
+  std::optional<Place> asked_;  // empty: nothing is pointed at
+  std::optional<ProvenanceShape> shape_;
+};
+
+}  // namespace mes

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws single shapes of the document over the picture, behind all panels.
+#pragma once
+
+#include "app/canvas/canvas.h"
+#include "app/ui/gui.h"
+#include "core/base/arc.h"
+#include "core/draw/provenance.h"
+
+namespace mes {
+
+/// How a point is marked; each can be told from the others without colours.
+enum class PenMark : std::uint8_t { dot, ring, square };
+
+struct PenLook {
+  ImU32 color = 0;
+  float width = 1.0F;  ///< of lines, in screen coordinates
+  PenMark mark = PenMark::dot;
+};
+
+/// What it guarantees: what lies outside the window is cut off before it is rounded to single precision. Areas are drawn
+/// as their outlines. Lives for one frame.
+class ShapePen {
+ public:
+  ShapePen(const Gui& gui, const Canvas& canvas, const PenLook& look);
+
+  void draw(const ProvenanceShape& shape) const;
+
+ private:
+  Vec2 on_screen(Vec2 world) const;
+  void point(Vec2 world) const;
+  void circle(Vec2 center, double radius) const;
+  void arc(const Arc& arc) const;
+  void line(Vec2 a, Vec2 b) const;
+  void unbounded(Vec2 a, Vec2 d, double low) const;
+
+  const render::Camera& camera_;
+  float unit_;
+  double to_screen_;  ///< screen coordinates for each framebuffer pixel
+  PenLook look_;
+  Vec2 size_;
+  ImDrawList& list_;
+};
+
+}  // namespace mes
