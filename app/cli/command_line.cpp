@@ -210,7 +210,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                        ".\n"
                        "point-size and line-width are in pixels, or on paper with a unit, as in\n"
                        "0.5pt; color-map is the name of a map (mesecina list color-maps) or none,\n"
-                       "range is LOW:HIGH or fit, dashed and flat are on or off")
+                       "range is LOW:HIGH or fit; dashed, flat and thin-when-dense are on or off")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   render->add_option("--image", to.render.image,

@@ -66,7 +66,8 @@ std::vector<Entry> layers() {
                       {"point_size_px", layer.style.point_size_px},
                       {"line_width_px", layer.style.line_width_px},
                       {"dashed", layer.style.dashed},
-                      {"flat", layer.style.flat}}}}});
+                      {"flat", layer.style.flat},
+                      {"thin_when_dense", layer.style.thin_when_dense}}}}});
   }
   return out;
 }

@@ -141,7 +141,7 @@ std::vector<render::LayerView> views_of(const PictureRequest& picture, double un
   for (const LayerIndex layer : picture.layers) {
     LayerStyle style = picture.styles[layer];
     const bool is_chosen = style.point_size_px != layer_descriptors()[layer].style.point_size_px;
-    if (!is_chosen && layer_descriptors()[layer].id == "points" && samples.size() > 1) {
+    if (!is_chosen && style.thin_when_dense && layer_descriptors()[layer].id == "points" && samples.size() > 1) {
       const double spacing_px = typical_spacing(samples) / units_per_pixel / picture.scale;
       const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
       style.point_size_px = std::min(style.point_size_px, limit);

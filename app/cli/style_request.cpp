@@ -18,8 +18,8 @@
 namespace mes::cli {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKeys{"color",  "opacity", "point-size", "line-width",
-                                                "dashed", "flat",    "color-map",  "range"};
+constexpr std::array<std::string_view, 9> kKeys{"color", "opacity",   "point-size", "line-width",     "dashed",
+                                                "flat",  "color-map", "range",      "thin-when-dense"};
 
 /// One KEY=VALUE of one layer.
 class Setting {
@@ -34,6 +34,7 @@ class Setting {
     if (key_ == "line-width") return pixels(style.line_width_px, 0.1, 64.0);
     if (key_ == "dashed") return flag(style.dashed);
     if (key_ == "flat") return flag(style.flat);
+    if (key_ == "thin-when-dense") return flag(style.thin_when_dense);
     if (key_ == "color-map") return color_map(layer, style);
     if (key_ == "range") return range(style);
     return usage_error(

@@ -53,13 +53,17 @@ double typical_spacing(const Document& document, const SampleIndex& index) {
   return *middle;
 }
 
+bool is_made_of_samples(const LayerDescriptor& descriptor) {
+  return descriptor.group != LayerGroup::union_b && !descriptor.kinds.empty();
+}
+
 LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double spacing_px) {
   constexpr double kDense = 2.0;     // logical pixels
   constexpr double kThinnest = 0.2;  // of the width in the style
   constexpr double kSmallestDot = 1.0;
   constexpr double kThinnestLine = 0.3;
-  const bool is_of_samples = descriptor.group != LayerGroup::union_b && !descriptor.kinds.empty();
-  if (!is_of_samples || !(spacing_px > 0.0) || spacing_px >= kDense) return style;
+  if (!style.thin_when_dense || !is_made_of_samples(descriptor) || !(spacing_px > 0.0) || spacing_px >= kDense)
+    return style;
   const double factor = std::max(kThinnest, spacing_px / kDense);
   style.point_size_px = std::min(style.point_size_px, std::max(kSmallestDot, factor * style.point_size_px));
   style.line_width_px = std::min(style.line_width_px, std::max(kThinnestLine, factor * style.line_width_px));

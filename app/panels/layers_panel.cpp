@@ -7,6 +7,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
+#include "app/model/sample_spacing.h"
 #include "app/ui/icons.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
@@ -213,6 +214,12 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
   if (has_strokes(descriptor)) {
     slider(gui_, "Line width", style.line_width_px, 0.1, 64.0, in_pixels);
     ImGui::Checkbox("Dashed", &style.dashed);
+  }
+  if (is_made_of_samples(descriptor) && (has_points(descriptor) || has_strokes(descriptor))) {
+    ImGui::Checkbox("Thinner where dense", &style.thin_when_dense);
+    tooltip(gui_,
+            "Where samples stand closer than two pixels, dots and lines are drawn finer than these numbers, so that "
+            "they do not run together");
   }
   if (!is_picture) ImGui::Checkbox("Flat", &style.flat);
   if (!is_picture)

@@ -140,7 +140,7 @@ void each(auto& archive, Some<LayerStyle> auto& style) {
   if (!archive.differs(style, LayerStyle{})) return;
   fields(archive, style.color.r, style.color.g, style.color.b, style.opacity, style.point_size_px,
          style.line_width_px, style.dashed, style.flat, style.color_map, style.range_locked, style.range_low,
-         style.range_high);
+         style.range_high, style.thin_when_dense);
 }
 void each(auto& archive, Some<LayerConfiguration::Entry> auto& entry) {
   fields(archive, entry.layer, entry.visible, entry.style);

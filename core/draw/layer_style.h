@@ -19,6 +19,8 @@ struct LayerStyle {
   bool range_locked = false;   ///< the map spans the range below, whatever is shown; else what is shown now
   double range_low = 0.0;      ///< scalar at the map's first colour, in the scalar's unit
   double range_high = 1.0;     ///< at its last colour; not below `range_low`
+  bool thin_when_dense =
+      true;  ///< points and lines are thinner than said above where samples stand closer than pixels
   friend bool operator==(const LayerStyle&, const LayerStyle&) = default;
 };
 

@@ -29,6 +29,7 @@ json to_json(const LayerStyle& style) {
               {"line_width", style.line_width_px}, {"dashed", style.dashed},   {"flat", style.flat}};
   if (!style.color_map.empty()) out["color_map"] = style.color_map;
   if (style.range_locked) out["range_locked"] = true;
+  if (!style.thin_when_dense) out["thin_when_dense"] = false;
   if (style.range_low != 0.0 || style.range_high != 1.0) out["range"] = {style.range_low, style.range_high};
   return out;
 }
@@ -119,6 +120,7 @@ LayerStyle style_from(JsonView object, LayerStyle out, const std::string& where,
   reader.flag("flat", out.flat);
   reader.text("color_map", kLongestName, out.color_map);
   reader.flag("range_locked", out.range_locked);
+  reader.flag("thin_when_dense", out.thin_when_dense);
   reader.numbers("range", out.range_low, out.range_high);
   out.range_high = std::max(out.range_low, out.range_high);
   return out;

@@ -40,6 +40,7 @@ LayerStyle some_style(Rng& random) {
   out.dashed = random.below(2) == 0;
   out.color_map = some_text(random);
   out.range_low = some_number(random);
+  out.thin_when_dense = random.below(2) == 0;
   return out;
 }
 

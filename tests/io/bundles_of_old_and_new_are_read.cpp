@@ -34,6 +34,7 @@ LayerStyle odd_style() {
   style.range_locked = true;
   style.range_low = -1e-300;
   style.range_high = 0.1;
+  style.thin_when_dense = false;
   return style;
 }
 
@@ -285,7 +286,8 @@ TEST_CASE("what a style does not say is the layer's own") {
   CHECK(layers[0].style == LayerStyle{.opacity = 0.5, .line_width_px = 2.0, .flat = true});
   CHECK(layers[1].style.dashed);
   CHECK(layers[2].style == LayerStyle{});
-
+  // Files of earlier versions do not know it.
+  CHECK(layers[0].style.thin_when_dense);
   const auto bnd = read_bundles(file(text(u"a") + bundle(layer(u"Local crust", state(true)))), "x.bnd", kLayers);
   REQUIRE(bnd);
   CHECK(bnd->bundles.at(0).layers.layers.at(0).style.flat);

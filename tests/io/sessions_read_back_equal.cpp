@@ -20,6 +20,7 @@ Session sample_session() {
   style.color_map = "viridis";
   style.range_locked = true;
   style.range_low = -0.1;
+  style.thin_when_dense = false;
   session.layers = {{{"points", true, style}, {"curve", false, {}}}, {"traced.png", {0.5, 0.25}, 3}};
   session.settings.precision = Precision::exact;
   session.settings[Parameter::medial_sampling_angle] = 171.7;
