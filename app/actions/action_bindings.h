@@ -5,9 +5,10 @@
 #include <array>
 #include <functional>
 #include <new>
+#include <string>
 #include <utility>
 
-#include "app/actions/actions.h"
+#include "app/actions/keymap.h"
 
 namespace mes {
 
@@ -33,12 +34,22 @@ class ActionBindings {
     }
     return true;
   }
+  /// The keys that are in force.
+  const Keymap& keymap() const { return keymap_; }
+  void set_keymap(Keymap keymap) { keymap_ = std::move(keymap); }
+  /// "Undo (Ctrl+Z)", and below it what it does: what a tooltip says.
+  std::string tooltip_of(ActionId id) const {
+    const ActionDescriptor& action = descriptor_of(id);
+    const std::string key = keymap_.key_of(id);
+    return action.name + (key.empty() ? "" : " (" + key + ")") + '\n' + action.tooltip;
+  }
   /// What is done then.
   void when_out_of_memory(std::function<void()> act) { out_of_memory_ = std::move(act); }
 
  private:
   const Binding& at(ActionId id) const { return bindings_[static_cast<std::size_t>(id)]; }
   std::array<Binding, kActionCount> bindings_;
+  Keymap keymap_ = Keymap::standard();
   std::function<void()> out_of_memory_;
 };
 

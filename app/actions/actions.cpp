@@ -138,6 +138,13 @@ constexpr auto kEvolutionRows = std::to_array<Row>({
 
 constexpr auto kHelpRows = std::to_array<Row>({
     {Id::demo, "demo", "Demo", "Play the paper's video, computed live; Esc ends it"},
+    {Id::classic_keys, "classic-keys", "Classic Mesecina keys",
+     "Use the keys of the program of 2007, or those of this one again; the manual lists what differs"},
+    {Id::write_keys, "write-keys", "Write the file of keys",
+     "Write a file with all commands and their keys, to be changed by hand, unless it is there already"},
+    {Id::command_palette, "command-palette", "Find anything...",
+     "Find a command, layer, bundle, parameter, evolution, shape or recent file by some letters of its name",
+     "Ctrl+Shift+P Ctrl+K"},
     {Id::help, "help", "Keys and gestures", "Show every key", "? F1"},
 });
 
@@ -216,10 +223,6 @@ Table make_table() {
   return out;
 }
 
-bool applies(ActionContext context, bool has_selection) {
-  return context == always || has_selection;
-}
-
 }  // namespace
 
 std::string_view title_of(ActionGroup group) {
@@ -236,23 +239,6 @@ const ActionDescriptor& descriptor_of(ActionId id) {
   const ActionDescriptor& found = action_descriptors()[static_cast<std::size_t>(id)];
   MES_ASSERT(found.id == id);
   return found;
-}
-
-std::optional<ActionId> find_action(const KeyChord& chord, bool has_selection) {
-  for (const ActionDescriptor& action : action_descriptors()) {
-    if (!applies(action.context, has_selection)) continue;
-    for (const std::string_view key : action.keys)
-      if (parse_chord(key) == chord) return action.id;
-  }
-  return std::nullopt;
-}
-
-std::string tooltip_of(ActionId id) {
-  const ActionDescriptor& action = descriptor_of(id);
-  std::string out = action.name;
-  if (!action.keys.empty()) out += " (" + std::string(action.keys.front()) + ")";
-  out += '\n';
-  return out += action.tooltip;
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of actions. Keys, menus, toolbar tooltips, the help overlay and `mesecina list actions` all read it;
+// The one table of actions. Keys, menus, toolbar tooltips, the help overlay and `mesecina list actions` all read it,
+// the keys through a `Keymap`;
 // what an action does and when it is possible is bound to it elsewhere (window/action_bindings.h).
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -76,6 +76,9 @@ enum class ActionId : std::uint8_t {
   evolution_previous,
   evolution_next,
   demo,
+  classic_keys,
+  write_keys,
+  command_palette,
   help,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;
@@ -104,18 +107,12 @@ struct ActionDescriptor {
   ActionGroup group = ActionGroup::file;
   ActionContext context = ActionContext::always;
   bool repeats = false;                ///< holding the key down does it again
-  std::vector<std::string_view> keys;  ///< the first one is shown in menus
+  std::vector<std::string_view> keys;  ///< as long as they are not changed (keymap.h)
 };
 
 /// Every action, in the order of `ActionId`.
 std::span<const ActionDescriptor> action_descriptors();
 const ActionDescriptor& descriptor_of(ActionId id);
-
-/// The action of a key, given whether anything is selected.
-std::optional<ActionId> find_action(const KeyChord& chord, bool has_selection);
-
-/// "Undo (Ctrl+Z): take back the last step": what a tooltip says.
-std::string tooltip_of(ActionId id);
 
 /// Mouse gestures, which are not actions but belong on the same help page.
 struct GestureDescriptor {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/actions/actions.h"
+#include "app/actions/keymap.h"
 #include "app/cli/man_page.h"
 #include "app/cli/markdown.h"
 #include "app/cli/output.h"
@@ -31,9 +31,31 @@ namespace {
 namespace fs = std::filesystem;
 using Rows = std::vector<std::vector<std::string>>;
 
+// "`Ctrl+L` Open..., `Ctrl+X` Quit": the keys that only the classic keymap has.
+std::string classic_keys() {
+  const Keymap standard = Keymap::standard();
+  const Keymap classic = Keymap::classic();
+  std::string out;
+  for (const ActionDescriptor& action : action_descriptors())
+    for (const std::string& key : classic.keys_of(action.id))
+      if (std::ranges::count(standard.keys_of(action.id), key) == 0)
+        out += (out.empty() ? "" : ", ") + ("`" + key + "` " + plain(action.name));
+  return out;
+}
+
 void write_actions(Markdown& page) {
   page.section("Keys and commands of the window");
-  page.paragraph("Each command has a key, a place in a menu or a button; `?` shows the keys in the window.");
+  page.paragraph(
+      "Each command has a key, a place in a menu or a button; `?` shows the keys in the window. `Ctrl+K` finds\n"
+      "commands, layers, bundles, parameters, evolutions, shapes and recent files by some letters of their names.");
+  page.paragraph(
+      "The file `$XDG_CONFIG_HOME/mesecina/keys.conf` (`~/.config/mesecina/keys.conf`) gives commands other keys,\n"
+      "by lines such as `tool-spray = D Ctrl+Shift+D`: the id of a command, and its keys; none take all keys away.\n"
+      "A key is taken from the command that had it. *Help > Write the file of keys* makes that file with every\n"
+      "command in it; it is read when the program starts, and lines that cannot be used are named in one message.");
+  page.paragraph(
+      "*Help > Classic Mesecina keys* chooses those that the program of 2007 to 2009 had, where they differ:\n" +
+      classic_keys() + ". It had no keys for tools, but ways of pressing the mouse; those are as below.");
   for (const ActionGroup group : {ActionGroup::file, ActionGroup::edit, ActionGroup::tools, ActionGroup::view,
                                   ActionGroup::compute, ActionGroup::help}) {
     Rows rows;

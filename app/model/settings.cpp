@@ -116,6 +116,7 @@ Settings from_json(const json& object) {
   out.bundles_height = number_in(object, "bundles_height", 0.0, 4000.0, out.bundles_height);
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
+  out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
   out.last_folder = text_in(object, "last_folder");
   if (const auto record = object.find("record"); record != object.end() && record->is_object())
     out.record = record_from_json(*record);
@@ -188,6 +189,7 @@ json to_json(const Settings& settings) {
           {"bundles_height", settings.bundles_height},
           {"show_legend", settings.show_legend},
           {"show_evolution", settings.show_evolution},
+          {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},
           {"record", to_json(settings.record)}};
 }

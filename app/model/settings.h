@@ -39,7 +39,8 @@ struct Settings {
   double bundles_height = 0.0;                ///< logical pixels, [0, 4000]; 0: what they need
   bool show_legend = true;                    ///< of the colour maps in use
   bool show_evolution = false;
-  std::string last_folder;  ///< of the file browser
+  bool classic_keys = false;  ///< those of the program of 2007
+  std::string last_folder;    ///< of the file browser
   RecordSettings record;
 };
 

@@ -28,7 +28,7 @@ bool head_button(const Gui& gui, const char* label, const std::string& explanati
 void menu_item(const Gui& gui, const ActionBindings& actions, ActionId id) {
   const ActionDescriptor& action = descriptor_of(id);
   const std::string name(action.name);
-  const std::string key = action.keys.empty() ? std::string() : std::string(action.keys.front());
+  const std::string key = actions.keymap().key_of(id);
   if (ImGui::MenuItem(name.c_str(), key.c_str(), false, actions.is_enabled(id))) actions.run(id);
   tooltip(gui, std::string(action.tooltip));
 }
@@ -105,7 +105,7 @@ void BundlesPanel::draw_head() {
   list.AddText({at.x + 15 * unit, at.y + 0.5F * (height - ImGui::GetFontSize())}, uses_.gui.colors().text, "Bundles");
   ImGui::PopFont();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 54 * unit);
-  if (head_button(uses_.gui, "+", tooltip_of(ActionId::save_bundle))) asks_name_ = true;
+  if (head_button(uses_.gui, "+", uses_.actions.tooltip_of(ActionId::save_bundle))) asks_name_ = true;
   ImGui::SameLine(0, 2 * unit);
   if (head_button(uses_.gui, "...", "More to do with bundles")) ImGui::OpenPopup("bundles-menu");
   draw_menu();

@@ -26,7 +26,7 @@ void DetailsPanel::draw(const PanelArea& area) {
     for (const Page& page : kPages) {
       if (page.page != kPages.front().page) ImGui::SameLine(0, 2 * unit);
       if (choice_button(page.title, shown_ == page.page)) shown_ = page.page;
-      tooltip(gui_, tooltip_of(page.toggle));
+      tooltip(gui_, actions_.tooltip_of(page.toggle));
     }
     const float size = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetContentRegionMax().x - size);

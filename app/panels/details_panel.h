@@ -2,6 +2,7 @@
 // The lower right panel, with a page at a time: statistics, parameters, log.
 #pragma once
 
+#include "app/actions/action_bindings.h"
 #include "app/model/settings.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
@@ -13,14 +14,22 @@ namespace mes {
 class DetailsPanel {
  public:
   /// Which page is shown is in `shown`.
-  DetailsPanel(const Gui& gui, DetailsPage& shown, StatisticsPanel statistics, ParametersPanel parameters,
-               LogPanel log)
-      : gui_(gui), shown_(shown), statistics_(statistics), parameters_(std::move(parameters)), log_(log) {}
+  DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
+               ParametersPanel parameters, LogPanel log)
+      : gui_(gui),
+        actions_(actions),
+        shown_(shown),
+        statistics_(statistics),
+        parameters_(std::move(parameters)),
+        log_(log) {}
 
   void draw(const PanelArea& area);
+  /// Lists the parameters of this name.
+  void search_parameters(const std::string& name) { parameters_.search(name); }
 
  private:
   const Gui& gui_;
+  const ActionBindings& actions_;
   DetailsPage& shown_;
   StatisticsPanel statistics_;
   ParametersPanel parameters_;

@@ -8,6 +8,7 @@
 #include "app/panels/ask_conflict.h"
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
+#include "app/panels/command_palette.h"
 #include "app/panels/help.h"
 #include "app/ui/file_browser.h"
 
@@ -21,6 +22,7 @@ class Dialogs {
   AskConflict conflict;
   FileBrowser browser;
   HelpPage help;
+  CommandPalette palette;
 
   /// Those that are open, topmost last.
   std::vector<const Dialog*> open() const;
@@ -29,7 +31,7 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 5> all_{&unsaved, &recover, &conflict, &browser, &help};  // topmost last
+  std::array<Dialog*, 6> all_{&unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

@@ -35,9 +35,7 @@ void EmptyHint::draw(ImVec2 middle) const {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   float y = middle.y - 0.5F * line * static_cast<float>(kOffers.size());
   for (const Offer& offer : kOffers) {
-    const std::vector<std::string_view>& keys = descriptor_of(offer.action).keys;
-    if (!keys.empty()) {
-      const std::string key(keys.front());
+    if (const std::string key = actions.keymap().key_of(offer.action); !key.empty()) {
       const float width = gui.bold()->CalcTextSizeA(size, 1e9F, 0.0F, key.c_str()).x;
       list.AddText(gui.bold(), size, {middle.x - 60 * unit - gap - width, y}, color, key.c_str());
     }

@@ -56,7 +56,7 @@ void buttons(const EvolutionStrip& strip, float size) {
     const bool enabled = strip.actions.is_enabled(id);
     if (icon_button(descriptor_of(id).public_id.data(), icon, size, on ? ButtonLook::on : ButtonLook::plain, enabled))
       strip.actions.run(id);
-    tooltip(strip.gui, tooltip_of(id));
+    tooltip(strip.gui, strip.actions.tooltip_of(id));
     ImGui::SameLine(0, 0);
   };
   button(ActionId::evolution_first, Icon::to_start, false);

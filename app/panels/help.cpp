@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/actions/actions.h"
 #include "app/ui/icons.h"
 #include "app/ui/widgets.h"
 
@@ -44,28 +43,35 @@ constexpr std::array<Series, 3> kSeries{
      {nth(ActionId::first_nudge, kNudges / 2), ActionId::last_nudge, "Shift+arrow keys", "Nudge by ten pixels"},
      {ActionId::first_bundle, ActionId::last_bundle, "1 to 9", "Show a bundle"}}};
 
+bool has_keys_of_table(const Keymap& keymap, const Series& series) {
+  for (auto id = series.first; id <= series.last; id = nth(id, 1))
+    if (!std::ranges::equal(keymap.keys_of(id), descriptor_of(id).keys)) return false;
+  return true;
+}
+
 struct Line {
   std::vector<std::string_view> keys;
   std::string_view text;
 };
 
-std::vector<Line> lines_of(ActionGroup group) {
+std::vector<Line> lines_of(const Keymap& keymap, ActionGroup group) {
   std::vector<Line> out;
   for (const ActionDescriptor& action : action_descriptors()) {
-    if (action.group != group || action.keys.empty()) continue;
+    const std::vector<std::string>& keys = keymap.keys_of(action.id);
+    if (action.group != group || keys.empty()) continue;
     const auto series = std::ranges::find_if(
         kSeries, [&](const Series& one) { return one.first <= action.id && action.id <= one.last; });
-    if (series == kSeries.end())
-      out.push_back({action.keys, action.name});
+    if (series == kSeries.end() || !has_keys_of_table(keymap, *series))
+      out.push_back({{keys.begin(), keys.end()}, action.name});
     else if (series->first == action.id)
       out.push_back({{series->keys}, series->name});
   }
   return out;
 }
 
-void draw_group(const Gui& gui, ActionGroup group) {
+void draw_group(const Gui& gui, const Keymap& keymap, ActionGroup group) {
   const float unit = gui.unit();
-  const std::vector<Line> lines = lines_of(group);
+  const std::vector<Line> lines = lines_of(keymap, group);
   heading(gui, title_of(group));
   float text_at = 0.0F;
   for (const Line& line : lines) {
@@ -98,7 +104,7 @@ void draw_gesture(const Gui& gui, const GestureDescriptor& gesture) {
 }
 
 /// Groups in the order of reading, in columns of about the same height.
-void draw_columns(const Gui& gui, float width) {
+void draw_columns(const Gui& gui, const Keymap& keymap, float width) {
   constexpr std::array<ActionGroup, 6> kOrder{ActionGroup::file, ActionGroup::tools,   ActionGroup::edit,
                                               ActionGroup::view, ActionGroup::compute, ActionGroup::help};
   constexpr float kColumnWidth = 285.0F;  // logical pixels; less, and lines are broken
@@ -107,7 +113,7 @@ void draw_columns(const Gui& gui, float width) {
   constexpr std::size_t kHeading = 2;
   constexpr std::size_t kGestureLines = 2;
   std::size_t left = kGestureLines * gesture_descriptors().size() + kHeading;
-  for (const ActionGroup group : kOrder) left += lines_of(group).size() + kHeading;
+  for (const ActionGroup group : kOrder) left += lines_of(keymap, group).size() + kHeading;
   const std::size_t most = (left + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
   ImGui::TableNextColumn();
   std::size_t filled = 0;
@@ -121,8 +127,8 @@ void draw_columns(const Gui& gui, float width) {
     filled += lines;
   };
   for (const ActionGroup group : kOrder) {
-    next(lines_of(group).size() + kHeading);
-    draw_group(gui, group);
+    next(lines_of(keymap, group).size() + kHeading);
+    draw_group(gui, keymap, group);
   }
   next(kHeading + kGestureLines);
   heading(gui, "With the mouse");
@@ -133,10 +139,22 @@ void draw_columns(const Gui& gui, float width) {
   ImGui::EndTable();
 }
 
+void draw_foot(const Gui& gui, const std::string& keys_file) {
+  if (keys_file.empty()) return;
+  ImGui::Dummy({0, 8 * gui.unit()});
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
+  ImGui::TextWrapped(
+      "Keys are changed in %s, which Help > Write the file of keys begins with all commands. What has no key here is "
+      "found "
+      "by its name with Help > Find anything.",
+      keys_file.c_str());
+  ImGui::PopStyleColor();
+}
+
 }  // namespace
 
 bool HelpPage::is_cancelled_by(const KeyChord& chord) const {
-  return Dialog::is_cancelled_by(chord) || find_action(chord, false) == ActionId::help;
+  return Dialog::is_cancelled_by(chord) || keymap_->find(chord, false) == ActionId::help;
 }
 
 void HelpPage::draw(const Gui& gui) {
@@ -155,7 +173,8 @@ void HelpPage::draw(const Gui& gui) {
     if (icon_button("close", Icon::close, 24 * unit)) is_open_ = false;
     tooltip(gui, "Close (Esc)");
     ImGui::BeginChild("page");
-    draw_columns(gui, ImGui::GetContentRegionAvail().x);
+    draw_columns(gui, *keymap_, ImGui::GetContentRegionAvail().x);
+    draw_foot(gui, keys_file_);
     ImGui::EndChild();
     const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);

@@ -2,6 +2,10 @@
 // Every key and gesture on one page, from the action table.
 #pragma once
 
+#include <string>
+#include <utility>
+
+#include "app/actions/keymap.h"
 #include "app/ui/dialog.h"
 
 namespace mes {
@@ -9,6 +13,11 @@ namespace mes {
 /// A click beside it or on its cross closes it, and so do the keys that open it.
 class HelpPage final : public Dialog {
  public:
+  /// The keys to show, which outlive the page, and the file that changes them.
+  void set_keys(const Keymap& keymap, std::string keys_file) {
+    keymap_ = &keymap;
+    keys_file_ = std::move(keys_file);
+  }
   void toggle() { is_open_ = !is_open_; }
 
   bool is_open() const override { return is_open_; }
@@ -17,6 +26,8 @@ class HelpPage final : public Dialog {
   bool is_cancelled_by(const KeyChord& chord) const override;
 
  private:
+  const Keymap* keymap_ = nullptr;
+  std::string keys_file_;
   bool is_open_ = false;
 };
 

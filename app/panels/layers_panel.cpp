@@ -149,7 +149,7 @@ void LayersPanel::draw_families() const {
     const ActionId id = nth(ActionId::balls_inner, place);
     ImGui::SameLine(0, (place == 0 ? 8 : 2) * unit);
     if (choice_button(kWords[place], actions_.is_checked(id))) actions_.run(id);
-    tooltip(gui_, tooltip_of(id));
+    tooltip(gui_, actions_.tooltip_of(id));
   }
 }
 

@@ -17,7 +17,7 @@ namespace {
 void action_item(const MenuBar& menu, ActionId id, const std::string& label = {}) {
   const ActionDescriptor& action = descriptor_of(id);
   const std::string name = label.empty() ? std::string(action.name) : label;
-  const std::string key = action.keys.empty() ? std::string() : std::string(action.keys.front());
+  const std::string key = menu.actions.keymap().key_of(id);
   if (ImGui::MenuItem(name.c_str(), key.c_str(), menu.actions.is_checked(id), menu.actions.is_enabled(id)))
     menu.actions.run(id);
   tooltip(menu.gui, std::string(action.tooltip));
@@ -191,8 +191,11 @@ float MenuBar::draw() const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
+    action_item(*this, ActionId::command_palette);
     action_item(*this, ActionId::help);
     action_item(*this, ActionId::demo);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::classic_keys, ActionId::write_keys}) action_item(*this, id);
     ImGui::Separator();
     ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
     ImGui::EndMenu();

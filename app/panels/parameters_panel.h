@@ -14,6 +14,7 @@ class ParametersPanel {
   ParametersPanel(const Gui& gui, ComputationControl& computation) : gui_(gui), computation_(computation) {}
 
   void draw();
+  void search(const std::string& text) { search_ = text; }
 
  private:
   void draw_parameter(Parameter parameter);

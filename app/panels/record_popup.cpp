@@ -131,7 +131,7 @@ void draw_contents(const RecordPopup& popup) {
   ImGui::BeginDisabled(!popup.actions.is_enabled(ActionId::make_video));
   if (ImGui::Button("Make video")) popup.actions.run(ActionId::make_video);
   ImGui::EndDisabled();
-  tooltip(gui, tooltip_of(ActionId::make_video));
+  tooltip(gui, popup.actions.tooltip_of(ActionId::make_video));
   if (const auto good = check(record); !good) {
     ImGui::PushStyleColor(ImGuiCol_Text, popup.gui.colors().warning);
     ImGui::PushTextWrapPos(column + 230 * unit);

@@ -22,7 +22,7 @@ void action_button(const Toolbar& toolbar, ActionId id, Icon icon, float size) {
   if (toolbar.actions.is_checked(id))
     look = descriptor_of(id).group == ActionGroup::tools ? ButtonLook::chosen : ButtonLook::on;
   if (icon_button(descriptor_of(id).public_id.data(), icon, size, look, enabled)) toolbar.actions.run(id);
-  tooltip(toolbar.gui, tooltip_of(id));
+  tooltip(toolbar.gui, toolbar.actions.tooltip_of(id));
 }
 
 struct Button {

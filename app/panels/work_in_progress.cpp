@@ -82,13 +82,13 @@ bool WorkInProgress::draw() const {
     ImGui::PopStyleColor();
     ImGui::SameLine();
     if (ImGui::SmallButton("Resume")) actions.run(ActionId::resume_computation);
-    tooltip(gui, tooltip_of(ActionId::resume_computation));
+    tooltip(gui, actions.tooltip_of(ActionId::resume_computation));
     return true;
   }
   if (!status.busy || status.busy_ms < kShownAfterMs) return false;
   progress(gui, task_text(status.task), status.progress);
   if (ImGui::SmallButton("Cancel")) actions.run(ActionId::cancel_computation);
-  tooltip(gui, tooltip_of(ActionId::cancel_computation));
+  tooltip(gui, actions.tooltip_of(ActionId::cancel_computation));
   return true;
 }
 

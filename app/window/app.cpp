@@ -32,6 +32,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       recording_({screen_, work_, board_, demo_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
       documents_({work_, board_, demo_, dialogs_, messages_, settings_.settings(), screen_.clock}, assets,
                  GlfwWindow::wake),
+      keys_(settings_.settings(), actions_, messages_),
       panels_({screen_, work_, board_, demo_, recording_, documents_, actions_, settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), dialogs_, documents_, recording_, actions_,
               messages_}) {
@@ -49,6 +50,10 @@ void App::bind_actions() {
   recording_.bind(actions_);
   documents_.bind(actions_);
   panels_.bind(actions_);
+  keys_.bind();
+  dialogs_.help.set_keys(actions_.keymap(), KeyDesk::file().string());
+  dialogs_.palette.set_source([this] { return panels_.palette_entries(); });
+  actions_.bind(ActionId::command_palette, {[this] { dialogs_.palette.toggle(); }});
   actions_.bind(ActionId::help, {[this] { dialogs_.help.toggle(); }});
   actions_.bind(ActionId::deselect, {[this] { deselect(); }});
   actions_.when_out_of_memory([this] { refuse_for_memory(); });

@@ -14,6 +14,7 @@
 #include "app/window/demo_run.h"
 #include "app/window/document_flow.h"
 #include "app/window/drawing_board.h"
+#include "app/window/key_desk.h"
 #include "app/window/live_recording.h"
 #include "app/window/panels.h"
 #include "app/window/run_window.h"
@@ -58,6 +59,7 @@ class App {
   Dialogs dialogs_;
   DocumentFlow documents_;
   ActionBindings actions_;
+  KeyDesk keys_;
   Panels panels_;
   WindowInput input_;
 };

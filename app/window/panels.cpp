@@ -8,6 +8,7 @@
 #include "app/panels/empty_view_note.h"
 #include "app/panels/evolution_strip.h"
 #include "app/panels/problem_note.h"
+#include "app/window/palette_entries.h"
 
 namespace mes {
 namespace {
@@ -50,9 +51,18 @@ Panels::Panels(const Uses& uses)
                       [&flow = uses.documents](std::size_t bundle) { flow.ask_export(bundle); }}),
       layers_panel_(uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(),
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
-      details_panel_(uses.screen.gui, uses.settings.details,
+      details_panel_(uses.screen.gui, uses.actions, uses.settings.details,
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
                      {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages}) {}
+
+std::vector<PaletteEntry> Panels::palette_entries() {
+  Uses uses = uses_;
+  uses.show_parameter = [this](const std::string& name) {
+    are_shown_ = true;
+    details_panel_.search_parameters(name);
+  };
+  return mes::palette_entries(uses);
+}
 
 void Panels::bind(ActionBindings& actions) {
   bind_shown(actions);
@@ -103,8 +113,9 @@ Panels::Room Panels::draw() {
   const float width = screen.x - sides.left - sides.right;
   const ImVec2 middle(sides.left + 0.5F * width, sides.top + 0.5F * (screen.y - sides.top - sides.bottom));
   const Gui& gui = uses_.screen.gui;
-  EmptyHint{gui, uses_.work.document(), uses_.documents.files(), uses_.board.picture(), uses_.board.canvas()}.draw(
-      middle);
+  EmptyHint{
+      gui, uses_.actions, uses_.work.document(), uses_.documents.files(), uses_.board.picture(), uses_.board.canvas()}
+      .draw(middle);
   if (!uses_.demo.is_running())
     EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
         middle, width);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
+#include "app/model/palette.h"
 #include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
 #include "app/panels/layers_panel.h"
@@ -27,11 +28,14 @@ class Panels {
     const ActionBindings& actions;
     Settings& settings;
     Messages& messages;
+    std::function<void(const std::string&)> show_parameter{};  ///< lists those with this name
   };
   explicit Panels(const Uses& uses);
 
   /// What is shown, and how it looks.
   void bind(ActionBindings& actions);
+  /// Everything that has a name, as it is now.
+  std::vector<PaletteEntry> palette_entries();
   /// Those around the canvas are shown, and not only what lies on it.
   bool are_shown() const { return are_shown_; }
 

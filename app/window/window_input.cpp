@@ -75,7 +75,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (gui.wants_text()) return;
   if (chord.symbol == key::escape && gui.close_popup()) return;
   if (gui.has_popup()) return;
-  const auto action = find_action(chord, !uses_.selection.is_empty());
+  const auto action = uses_.actions.keymap().find(chord, !uses_.selection.is_empty());
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   // A gesture under way is ended only by Esc; the document must not change beneath it.
   if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;
@@ -84,7 +84,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
 
 void WindowInput::on_key(const KeyChord& chord, bool repeated) {
   // What a recording waits for may be what is to be cancelled.
-  if (uses_.recording.holds_input() && find_action(chord, false) == ActionId::cancel_computation) {
+  if (uses_.recording.holds_input() && uses_.actions.keymap().find(chord, false) == ActionId::cancel_computation) {
     run_by_key(chord, repeated);
     return;
   }

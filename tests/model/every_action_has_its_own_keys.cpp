@@ -34,7 +34,7 @@ TEST_CASE("every key is readable, written in its one spelling, and no two action
         CHECK(to_string(*chord) == key);
         CHECK(owner[key].empty());
         owner[key] = action.public_id;
-        CHECK(find_action(*chord, has_selection) == action.id);
+        CHECK(Keymap::standard().find(*chord, has_selection) == action.id);
       }
     }
   }
@@ -43,11 +43,11 @@ TEST_CASE("every key is readable, written in its one spelling, and no two action
 TEST_CASE("Backspace deletes what is selected and does nothing else; the previous view has a key of its own") {
   const auto backspace = parse_chord("Backspace");
   REQUIRE(backspace);
-  CHECK(find_action(*backspace, true) == ActionId::delete_selection);
-  CHECK_FALSE(find_action(*backspace, false));
-  CHECK_FALSE(find_action(*parse_chord("Delete"), false));
+  CHECK(Keymap::standard().find(*backspace, true) == ActionId::delete_selection);
+  CHECK_FALSE(Keymap::standard().find(*backspace, false));
+  CHECK_FALSE(Keymap::standard().find(*parse_chord("Delete"), false));
   for (const bool has_selection : {false, true})
-    CHECK(find_action(*parse_chord("Alt+Left"), has_selection) == ActionId::previous_view);
+    CHECK(Keymap::standard().find(*parse_chord("Alt+Left"), has_selection) == ActionId::previous_view);
 }
 
 TEST_CASE("chords are read and written") {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/palette.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "app/model/fuzzy_match.h"
+
+namespace mes {
+namespace {
+
+constexpr double kByOtherWords = -20.0;  // what is found by its name comes first
+
+struct Found {
+  PaletteHit hit;
+  double score = 0.0;
+  std::size_t age = 0;
+  bool is_enabled = true;
+};
+
+std::optional<FuzzyMatch> match(const PaletteEntry& entry, std::string_view query) {
+  if (auto by_name = fuzzy_match(query, entry.name)) return by_name;
+  auto by_all = fuzzy_match(query, entry.name + ' ' + entry.kind + ' ' + entry.more);
+  if (!by_all) return std::nullopt;
+  by_all->score += kByOtherWords;
+  std::erase_if(by_all->letters, [&](std::size_t at) { return at >= entry.name.size(); });
+  return by_all;
+}
+
+}  // namespace
+
+std::string recent_name_of(const PaletteEntry& entry) {
+  return entry.kind + ": " + entry.name;
+}
+
+std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std::string_view query,
+                                     std::span<const std::string> recent) {
+  const bool is_empty = query.find_first_not_of(' ') == std::string_view::npos;
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto fit = match(entries[i], query);
+    if (!fit) continue;
+    const auto age = std::ranges::find(recent, recent_name_of(entries[i])) - recent.begin();
+    // Without a query the length of a name says nothing.
+    found.push_back({{i, fit->letters},
+                     is_empty ? 0.0 : fit->score,
+                     static_cast<std::size_t>(age),
+                     is_empty || entries[i].is_enabled});
+  }
+  std::ranges::stable_sort(found, [](const Found& a, const Found& b) {
+    if (a.score != b.score) return a.score > b.score;
+    if (a.age != b.age) return a.age < b.age;
+    return a.is_enabled && !b.is_enabled;
+  });
+  std::vector<PaletteHit> out;
+  out.reserve(found.size());
+  for (Found& one : found) out.push_back(std::move(one.hit));
+  return out;
+}
+
+void PaletteList::set_entries(std::vector<PaletteEntry> entries) {
+  entries_ = std::move(entries);
+  search();
+}
+
+void PaletteList::set_query(const std::string& query) {
+  if (query == query_) return;
+  query_ = query;
+  search();
+}
+
+void PaletteList::search() {
+  hits_ = find_entries(entries_, query_, recent_);
+  marked_ = 0;
+}
+
+void PaletteList::mark(std::size_t row) {
+  if (row < hits_.size()) marked_ = row;
+}
+
+void PaletteList::move(int rows) {
+  if (hits_.empty()) return;
+  const auto last = static_cast<std::ptrdiff_t>(hits_.size()) - 1;
+  std::ptrdiff_t to = static_cast<std::ptrdiff_t>(marked_) + rows;
+  const bool goes_round = rows == 1 || rows == -1;
+  if (to < 0) to = goes_round ? last : 0;
+  if (to > last) to = goes_round ? 0 : last;
+  marked_ = static_cast<std::size_t>(to);
+}
+
+std::function<void()> PaletteList::take(std::size_t row) {
+  if (row >= hits_.size()) return {};
+  const PaletteEntry& entry = entries_[hits_[row].entry];
+  if (!entry.is_enabled) return {};
+  const std::string name = recent_name_of(entry);
+  std::erase(recent_, name);
+  recent_.insert(recent_.begin(), name);
+  if (recent_.size() > kRecent) recent_.pop_back();
+  return entry.run;
+}
+
+}  // namespace mes

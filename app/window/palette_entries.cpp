@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/palette_entries.h"
+
+#include <fmt/core.h>
+#include <filesystem>
+
+#include "app/model/parameter_words.h"
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+namespace {
+
+using Entries = std::vector<PaletteEntry>;
+
+bool is_series(ActionId id) {
+  return id >= ActionId::first_bundle && id <= ActionId::last_bundle;
+}
+
+void add_actions(const Panels::Uses& uses, Entries& out) {
+  const ActionBindings& actions = uses.actions;
+  for (const ActionDescriptor& action : action_descriptors()) {
+    // Bundles have their own names below; the palette is open already.
+    if (!actions.is_bound(action.id) || is_series(action.id) || action.id == ActionId::command_palette) continue;
+    out.push_back({.kind = std::string(title_of(action.group)),
+                   .name = action.name,
+                   .key = actions.keymap().key_of(action.id),
+                   .explanation = action.tooltip,
+                   .more = action.public_id,
+                   .is_enabled = actions.is_enabled(action.id),
+                   .is_checked = actions.is_checked(action.id),
+                   .run = [&actions, id = action.id] { actions.run(id); }});
+  }
+}
+
+void add_bundles(const Panels::Uses& uses, Entries& out) {
+  const BundleDesk& bundles = uses.work.bundles();
+  for (std::size_t i = 0; i < bundles.bundles().size(); ++i) {
+    const Bundle& bundle = bundles.bundles()[i];
+    out.push_back({.kind = "Bundle",
+                   .name = bundle.name,
+                   .key = i < kNumberedBundles ? uses.actions.keymap().key_of(nth(ActionId::first_bundle, i)) : "",
+                   .explanation = bundle.description,
+                   .is_checked = bundles.current() == i,
+                   .run = [&work = uses.work, i, name = bundle.name] {
+                     if (i < work.bundles().bundles().size() && work.bundles().bundles()[i].name == name)
+                       work.choose_bundle(i);
+                   }});
+  }
+}
+
+void add_layers(const Panels::Uses& uses, Entries& out) {
+  LayerStack& layers = uses.work.layers();
+  for (LayerIndex layer = 0; layer < layers.size(); ++layer) {
+    const LayerDescriptor& descriptor = layers.descriptor(layer);
+    out.push_back({.kind = "Layer",
+                   .name = std::string(descriptor.name),
+                   .explanation = std::string(descriptor.tooltip),
+                   .more = std::string(descriptor.id) + ' ' + std::string(title_of(descriptor.group)),
+                   .is_checked = layers.is_visible(layer),
+                   .run = [&layers, layer] { layers.set_visible(layer, !layers.is_visible(layer)); }});
+  }
+}
+
+void add_parameters(const Panels::Uses& uses, Entries& out) {
+  for (std::size_t i = 0; i < parameter_descriptors().size(); ++i) {
+    const auto parameter = static_cast<Parameter>(i);
+    const ParameterDescriptor& descriptor = descriptor_of(parameter);
+    out.push_back({.kind = "Parameter",
+                   .name = title_of(descriptor),
+                   .explanation = spoken_explanation(descriptor),
+                   .more = std::string(descriptor.id),
+                   .run = [&settings = uses.settings, show = uses.show_parameter, name = title_of(descriptor)] {
+                     settings.details = DetailsPage::parameters;
+                     if (show) show(name);
+                   }});
+  }
+}
+
+void add_evolutions(const Panels::Uses& uses, Entries& out) {
+  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
+    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+    out.push_back({.kind = "Evolution",
+                   .name = std::string(evolution.name),
+                   .explanation = std::string(evolution.tooltip),
+                   .more = std::string(evolution.id),
+                   .is_checked = uses.work.evolution().choice().evolution == i,
+                   .run = [&work = uses.work, &settings = uses.settings, i] {
+                     settings.show_evolution = true;
+                     work.evolution().choose(i);
+                   }});
+  }
+}
+
+void add_files(const Panels::Uses& uses, Entries& out) {
+  for (const SampleShape& shape : uses.documents.shapes())
+    out.push_back({.kind = "Shape",
+                   .name = shape.name,
+                   .explanation = shape.description,
+                   .run = [&documents = uses.documents, &shape] { documents.open_shape(shape); }});
+  for (const std::string& file : uses.settings.recent_files)
+    out.push_back({.kind = "Recent file",
+                   .name = std::filesystem::path(file).filename().string(),
+                   .explanation = file,
+                   .more = file,
+                   .run = [&documents = uses.documents, file] { documents.open({file}); }});
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
+  Entries out;
+  add_actions(uses, out);
+  add_bundles(uses, out);
+  add_layers(uses, out);
+  add_parameters(uses, out);
+  add_evolutions(uses, out);
+  add_files(uses, out);
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that has a name in the window, as entries of the palette.
+#pragma once
+
+#include <vector>
+
+#include "app/model/palette.h"
+#include "app/window/panels.h"
+
+namespace mes {
+
+/// Actions, bundles, layers, parameters, evolutions, shapes and recent files, as they are now; what an entry does uses
+/// the members of `uses` when it is done. Cost: O(names).
+std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses);
+
+}  // namespace mes

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The palette by keyboard alone, and a file of keys.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/io/temporary_folder.h"
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+// Between toolbar and panels.
+constexpr PixelBox kCanvas{80, 40, 970, 760};
+
+struct Window {
+  TemporaryFolder folder;
+  VirtualScreen screen;
+  Child program;
+
+  explicit Window(const std::string& keys = {}) {
+    std::ofstream(folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+    std::filesystem::create_directories(folder / "config" / "mesecina");
+    if (!keys.empty()) std::ofstream(keys_file()) << keys;
+    program = Child({MESECINA_BINARY, (folder / "house.poff").string()},
+                    {{"DISPLAY", screen.display()},
+                     {"WAYLAND_DISPLAY", ""},
+                     {"XDG_CONFIG_HOME", (folder / "config").string()},
+                     {"XDG_DATA_HOME", (folder / "data").string()},
+                     {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                     {"ASAN_OPTIONS", "detect_leaks=0"}},
+                    folder / "errors");
+    REQUIRE(eventually([&] { return title().starts_with("house.poff"); }));
+    screen.xdotool("mousemove 1200 6");
+  }
+  std::filesystem::path keys_file() const { return folder / "config" / "mesecina" / "keys.conf"; }
+  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
+  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  bool shows(const Screenshot& look) const {
+    return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
+  }
+  Screenshot other_than(const Screenshot& look) const {
+    REQUIRE(eventually([&] { return !screen.shoot().box_of_changes(kCanvas, look).is_empty(); }));
+    return screen.settled();
+  }
+  /// Opens the palette, types and presses Enter, each when the one before is on screen.
+  void find(const std::string& letters) const {
+    const Screenshot before = screen.settled();
+    press("ctrl+k");
+    const Screenshot open = other_than(before);
+    screen.xdotool("type --delay 20 '" + letters + "'");
+    static_cast<void>(other_than(open));
+    press("Return");
+    // The dialog dims the canvas down to its lower edge.
+    REQUIRE(eventually([&] {
+      const Screenshot shot = screen.shoot();
+      return shot.is_white(500, 755) || shot.is_white(85, 755);
+    }));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a bundle and a layer are found by some letters and shown, and Esc leaves everything as it was") {
+  const Window window;
+  const Screenshot first = window.screen.settled();
+  window.press("ctrl+shift+p");
+  static_cast<void>(window.other_than(first));
+  window.press("Escape");
+  CHECK(window.shows(first));
+  window.press("2");
+  const Screenshot second = window.other_than(first);
+  window.press("ctrl+z");
+  CHECK(window.shows(first));
+  window.find("vor del");
+  CHECK(window.shows(second));
+  window.press("ctrl+z");
+  CHECK(window.shows(first));
+  // What is typed at once is not lost, nor is Enter taken for an answer of something else.
+  window.screen.xdotool("key ctrl+k v o r space d e l Return");
+  CHECK(window.shows(second));
+}
+
+TEST_CASE("a file gives commands other keys, bad lines are named, and the rest of it holds") {
+  const Window window("bundle-2 = W\nbundle-9 = W W\nno-such = Q\nundo = Ctrl+U\n");
+  // Its cross is beside its first line.
+  const auto is_warning = [](Color c) { return c.r == 0xFD && c.g == 0xF1 && c.b == 0xE7; };
+  REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kCanvas, is_warning).is_empty(); }));
+  const PixelBox note = window.screen.settled().box_of(kCanvas, is_warning);
+  window.screen.click({note.right - 20, note.top + 17});
+  REQUIRE(eventually([&] { return window.screen.shoot().box_of(kCanvas, is_warning).is_empty(); }));
+  window.screen.xdotool("mousemove 1200 6");
+  const Screenshot first = window.screen.settled();
+  // The key of the table is not that of the bundle any more.
+  window.press("2");
+  window.press("w");
+  const Screenshot second = window.other_than(first);
+  window.press("ctrl+u");
+  CHECK(window.shows(first));
+  window.find("voronoi and delaunay");
+  CHECK(window.shows(second));
+}
+
+TEST_CASE("the file of keys is written with every command, and never over one that is there") {
+  const Window window;
+  window.find("write the file of keys");
+  REQUIRE(eventually([&] { return std::filesystem::exists(window.keys_file()); }));
+  CHECK(bytes_of(window.keys_file()).find("#tool-spray = S") != std::string::npos);
+  std::ofstream(window.keys_file()) << "# mine\n";
+  window.find("write the file of keys");
+  static_cast<void>(window.screen.settled());
+  CHECK(bytes_of(window.keys_file()) == "# mine\n");
+}
