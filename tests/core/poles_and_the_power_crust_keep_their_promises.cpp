@@ -10,6 +10,7 @@
 
 #include "core/base/rng.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/kernel/pole_predicates.h"
 #include "core/structures/crust/curve.h"
 #include "core/structures/poles/polar_diagram.h"
 #include "tests/support/shapes.h"
@@ -116,6 +117,29 @@ double distance_to(Vec2 p, const PowerEdge& edge) {
 }
 
 }  // namespace
+
+TEST_CASE("triangles in one circle are equally far, whatever rounding says") {
+  // Points with whole coordinates on the circle of radius 65, counter-clockwise from (65, 0); times a number so large
+  // that the products of doubles are rounded.
+  constexpr double kScale = 123456789.0;
+  const std::vector<Vec2> on_circle{{63, 16},   {60, 25},   {56, 33},   {52, 39},  {39, 52},  {33, 56},
+                                    {25, 60},   {16, 63},   {0, 65},    {-16, 63}, {-25, 60}, {-33, 56},
+                                    {-39, 52},  {-52, 39},  {-56, 33},  {-60, 25}, {-63, 16}, {-65, 0},
+                                    {-63, -16}, {-52, -39}, {-33, -56}, {0, -65},  {39, -52}, {60, -25}};
+  std::vector<StarTriangle> triangles;
+  for (std::size_t i = 0; i < on_circle.size(); ++i)
+    for (std::size_t j = i + 1; j < on_circle.size(); ++j)
+      triangles.push_back({{65 * kScale, 0}, kScale * on_circle[i], kScale * on_circle[j]});
+  std::size_t rounded_apart = 0;
+  for (const StarTriangle& f : triangles) {
+    const StarTriangle& g = triangles.front();
+    const RadiusKey key_f = radius_key(f);
+    const RadiusKey key_g = radius_key(g);
+    rounded_apart += key_f.value != key_g.value ? 1U : 0U;
+    REQUIRE(compare_pole_distance(f, key_f, g, key_g) == 0);
+  }
+  CHECK(rounded_apart > 10);
+}
 
 TEST_CASE("poles are the farthest Voronoi vertices") {
   Rng rng(5);
