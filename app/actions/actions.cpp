@@ -81,9 +81,17 @@ constexpr auto kViewRows = std::to_array<Row>({
      "Change between dark and light panels, and the canvas with them unless it has a colour of its own", "Shift+D"},
     {Id::projector_mode, "projector-mode", "Projector mode", "Larger writing and lines, and the strongest contrast",
      "Shift+P"},
+    {Id::presenter_mode, "presenter-mode", "Presenter mode",
+     "Hide the panels, show the keys that are pressed and a large pointer; bundles are the slides, next and back by "
+     "the "
+     "Page keys",
+     "F5"},
 });
 
 constexpr auto kBundleRows = std::to_array<Row>({
+    {Id::next_bundle, "next-bundle", "Next bundle", "Show the layers as the bundle below has them", "PageDown"},
+    {Id::previous_bundle, "previous-bundle", "Previous bundle", "Show the layers as the bundle above has them",
+     "PageUp"},
     {Id::balls_inner, "balls-inner", "Inner balls",
      "Balls around the Voronoi vertices inside the curve: show their union where that of others is shown"},
     {Id::balls_polar, "balls-polar", "Polar balls",

@@ -50,8 +50,11 @@ enum class ActionId : std::uint8_t {
   toggle_evolution,
   toggle_theme,
   projector_mode,
+  presenter_mode,
   first_bundle,  // those of the digits 1 to 9
   last_bundle = first_bundle + 8,
+  next_bundle,
+  previous_bundle,
   balls_inner,  // the three in the order of `BallFamily`
   balls_polar,
   balls_own,

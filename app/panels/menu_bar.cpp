@@ -106,7 +106,8 @@ void view_menu(const MenuBar& menu) {
       action_item(menu, id);
     ImGui::EndMenu();
   }
-  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(menu, id);
+  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode, ActionId::presenter_mode})
+    action_item(menu, id);
   if (ImGui::BeginMenu("Canvas")) {
     canvas_menu(menu);
     ImGui::EndMenu();

@@ -35,7 +35,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       keys_(settings_.settings(), actions_, messages_),
       panels_({screen_, work_, board_, demo_, recording_, documents_, actions_, settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), dialogs_, documents_, recording_, actions_,
-              messages_}) {
+              messages_, panels_.presenter()}) {
   bind_actions();
 }
 
@@ -63,7 +63,7 @@ void App::bind_actions() {
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
-  else if (!board_.canvas().cancel_gesture() && !board_.provenance().clear())
+  else if (!board_.canvas().cancel_gesture() && !board_.provenance().clear() && !panels_.end_presentation())
     work_.editor().selection().clear();
 }
 
@@ -72,7 +72,8 @@ double App::next_wait() const {
   const FileDesk& files = documents_.files();
   const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || files.is_reading() ||
                        files.is_saving() || board_.traced().is_reading() || screen_.gui.is_about_to_rest();
-  return FrameClock::sleep({demo_.next_due(now), work_.computation().next_due(now), work_.evolution().next_due(now)},
+  return FrameClock::sleep({demo_.next_due(now), work_.computation().next_due(now), work_.evolution().next_due(now),
+                            panels_.presenter().next_due(now)},
                            is_busy);
 }
 
@@ -114,7 +115,8 @@ void App::turn() {
   screen_.clock.frame_done();
   // A tooltip that comes up now is measured in its first frame and seen in its second.
   if (was_about_to_rest && !screen_.gui.is_about_to_rest()) screen_.clock.settle();
-  if (screen_.gui.is_fading()) screen_.clock.want(1);
+  const auto fade = panels_.presenter().next_due(ImGui::GetTime());
+  if (screen_.gui.is_fading() || (fade && *fade <= 0.0)) screen_.clock.want(1);
 }
 
 void App::frame() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 
 #include "app/panels/canvas_legend.h"
@@ -93,8 +94,34 @@ void Panels::bind_shown(ActionBindings& actions) {
                }});
 }
 
+void Panels::begin_presentation() {
+  were_shown_ = are_shown_;
+  are_shown_ = false;
+  presenter_.set_on(true);
+}
+
+bool Panels::end_presentation() {
+  if (!presenter_.is_on()) return false;
+  are_shown_ = were_shown_;
+  presenter_.set_on(false);
+  return true;
+}
+
+// "3 of 13: Crust".
+std::string Panels::slide() const {
+  const BundleDesk& bundles = uses_.work.bundles();
+  const auto current = bundles.current();
+  if (!current || bundles.is_changed()) return {};
+  return fmt::format("{} of {}: {}", *current + 1, bundles.bundles().size(), bundles.bundles()[*current].name);
+}
+
 void Panels::bind_look(ActionBindings& actions) {
   Settings& settings = uses_.settings;
+  actions.bind(ActionId::presenter_mode, {[this] {
+                                            if (!end_presentation()) begin_presentation();
+                                          },
+                                          {},
+                                          [this] { return presenter_.is_on(); }});
   actions.bind(ActionId::projector_mode, {[&settings] { settings.for_projector = !settings.for_projector; },
                                           {},
                                           [&settings] { return settings.for_projector; }});
@@ -120,6 +147,7 @@ Panels::Room Panels::draw() {
     EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
         middle, width);
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
+  presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());
   ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };

@@ -8,6 +8,7 @@
 #include "app/panels/details_panel.h"
 #include "app/panels/layers_panel.h"
 #include "app/panels/menu_bar.h"
+#include "app/panels/presenter.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/toolbar.h"
 #include "app/window/document_flow.h"
@@ -34,6 +35,10 @@ class Panels {
 
   /// What is shown, and how it looks.
   void bind(ActionBindings& actions);
+  Presenter& presenter() { return presenter_; }
+  const Presenter& presenter() const { return presenter_; }
+  /// Ends the presentation, with the panels as they were before; false when there was none.
+  bool end_presentation();
   /// Everything that has a name, as it is now.
   std::vector<PaletteEntry> palette_entries();
   /// Those around the canvas are shown, and not only what lies on it.
@@ -54,6 +59,8 @@ class Panels {
     float right = 0.0F;
     float bottom = 0.0F;
   };
+  void begin_presentation();
+  std::string slide() const;
   Sides draw_around();
   float draw_column(float top, float height);
   void draw_layers(const PanelArea& area);
@@ -72,6 +79,8 @@ class Panels {
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
   bool are_shown_ = true;
+  bool were_shown_ = true;  // before the presentation
+  Presenter presenter_;
   ImVec2 legend_moved_{};  // from its corner, by hand
 };
 

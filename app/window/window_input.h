@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
+#include "app/panels/presenter.h"
 #include "app/window/document_flow.h"
 #include "app/window/event_queue.h"
 #include "app/window/live_recording.h"
@@ -26,6 +27,7 @@ class WindowInput final : private WindowListener {
     const LiveRecording& recording;
     const ActionBindings& actions;
     Messages& messages;
+    Presenter& presenter;
   };
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;

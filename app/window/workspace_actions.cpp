@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the table do to the document, its layers and its computation.
 #include <fmt/core.h>
+#include <algorithm>
 
 #include "app/window/workspace.h"
 #include "core/io/text_numbers.h"
@@ -103,6 +104,20 @@ void Workspace::bind_bundles(ActionBindings& actions) {
                   [this, index] { return index < bundles_.bundles().size(); },
                   [this, index] { return bundles_.current() == index; }});
   }
+  const auto bind_step = [&](ActionId id, bool is_forward) {
+    actions.bind(id, {[this, is_forward] {
+                        const std::size_t last = bundles_.bundles().size() - 1;
+                        const auto now = bundles_.current();
+                        const std::size_t next = !now         ? 0
+                                                 : is_forward ? std::min(*now + 1, last)
+                                                              : *now - std::min<std::size_t>(*now, 1);
+                        choose_bundle(next);
+                        messages_.remark(fmt::format("Bundle {}: {}", next + 1, bundles_.bundles()[next].name));
+                      },
+                      [this] { return !bundles_.bundles().empty(); }});
+  };
+  bind_step(ActionId::next_bundle, true);
+  bind_step(ActionId::previous_bundle, false);
   for (const BallFamily family : kBallFamilies)
     actions.bind(
         nth(ActionId::balls_inner, static_cast<std::size_t>(family)),
