@@ -2,6 +2,7 @@
 #include "app/panels/command_palette.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/ui/widgets.h"
@@ -168,7 +169,7 @@ void CommandPalette::draw(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = std::min(kWidth * unit, screen.x - 24 * unit);
-  const float rows = std::min(kMostRows * kRow * unit, 0.62F * screen.y);
+  const float rows = kRow * unit * std::min(kMostRows, std::floor(0.62F * screen.y / (kRow * unit)));
   ImGui::SetNextWindowPos({0.5F * (screen.x - width), 0.1F * screen.y});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 10 * unit});

@@ -104,10 +104,12 @@ void view_menu(const MenuBar& menu) {
     ImGui::Separator();
     for (const ActionId id : {ActionId::balls_inner, ActionId::balls_polar, ActionId::balls_own})
       action_item(menu, id);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::next_bundle, ActionId::previous_bundle, ActionId::presenter_mode})
+      action_item(menu, id);
     ImGui::EndMenu();
   }
-  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode, ActionId::presenter_mode})
-    action_item(menu, id);
+  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(menu, id);
   if (ImGui::BeginMenu("Canvas")) {
     canvas_menu(menu);
     ImGui::EndMenu();
