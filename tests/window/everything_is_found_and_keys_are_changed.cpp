@@ -113,3 +113,20 @@ TEST_CASE("the file of keys is written with every command, and never over one th
   static_cast<void>(window.screen.settled());
   CHECK(bytes_of(window.keys_file()) == "# mine\n");
 }
+
+TEST_CASE("a presentation hides the panels, steps through bundles, and Esc brings the panels back") {
+  const Window window;
+  const Screenshot first = window.screen.settled();
+  CHECK_FALSE(first.is_white(1270, 700));
+  window.press("2");
+  const Screenshot second = window.other_than(first);
+  window.press("ctrl+z");
+  CHECK(window.shows(first));
+  window.press("F5");
+  CHECK(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  window.press("Next");
+  window.press("Prior");
+  window.press("Next");
+  window.press("Escape");
+  CHECK(window.shows(second));
+}
