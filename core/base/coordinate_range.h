@@ -81,10 +81,12 @@ struct Magnitudes {
   }
 };
 
-/// The number, or zero if it is too small for a document whose largest number has this binary exponent. For what
-/// comes from a hand or from rounding, where so small a number means zero.
+/// The number, or zero if it is too small for a document whose largest number has this binary exponent; any exponent,
+/// also that of `Magnitudes` without numbers. For what comes from a hand or from rounding, where so small a number means
+/// zero.
 constexpr double without_traces(double x, int most_exponent) {
-  return exponent_of(x) < std::max(kLeastExponent, most_exponent - kMostExponentsApart) ? 0.0 : x;
+  const int least = std::max(kLeastExponent + kMostExponentsApart, most_exponent) - kMostExponentsApart;
+  return exponent_of(x) < least ? 0.0 : x;
 }
 
 /// How many numbers have which binary exponent. Constant time a change; 4 KiB. What is added must keep the first

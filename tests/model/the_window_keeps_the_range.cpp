@@ -32,6 +32,10 @@ Pointer at(Vec2 world) {
 
 }  // namespace
 
+// Beside nothing but zeros no number is too small; a constant expression does not overflow.
+static_assert(without_traces(1.0, Magnitudes{}.most) == 1.0);
+static_assert(without_traces(0x1p-120, 0) == 0.0);
+
 TEST_CASE("a click that is nothing beside the drawing is a click on the axis") {
   Bench bench;
   InsertTool tool(bench.context);
