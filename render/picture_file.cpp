@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -20,7 +21,25 @@
 #define STBI_NO_STDIO
 #define STBI_FAILURE_USERMSG
 #define STBI_MAX_DIMENSIONS 32768
+#define STBI_MALLOC(size) allocate_zeros(size)
+#define STBI_REALLOC(block, size) std::realloc(block, size)
+#define STBI_FREE(block) std::free(block)
+
+namespace {
+
+/// stb_image 2.27 decodes with the Huffman tables of a JPEG whether or not the file has defined them. Zeros are a table
+/// in which each code is the symbol 0; uninitialized memory is one whose symbols lie outside it.
+void* allocate_zeros(std::size_t bytes) {
+  return std::calloc(1, bytes);
+}
+
+}  // namespace
+
+// A macro of ours that ends in a call lets the compiler take the old casts of the library for ours.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
 #include <stb_image.h>
+#pragma GCC diagnostic pop
 
 namespace mes::render {
 namespace {

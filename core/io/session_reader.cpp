@@ -305,7 +305,8 @@ std::optional<TimelineEntry> entry_from(JsonView object) {
   if (caption) {
     constexpr double kLongest = 600.0;
     const double shown = seconds ? number_of(seconds, "caption") : 0.0;
-    return Captioned{text_from(caption, "caption", "caption"), std::clamp(shown, 0.0, kLongest)};
+    // Not a clamp, which would keep a negative zero: entries are compared by their bytes.
+    return Captioned{text_from(caption, "caption", "caption"), shown > 0.0 ? std::min(shown, kLongest) : 0.0};
   }
   return std::nullopt;
 }

@@ -69,6 +69,20 @@ TEST_CASE("a session reads back equal, and equal sessions are equal bytes") {
   CHECK(equal(*empty, {}));
 }
 
+TEST_CASE("a caption shown for no time is equal to one shown for less than that") {
+  const std::string zero = R"({"mesecina":"session","schema":1,"timeline":[{"caption":"Now","seconds":0}]})";
+  const auto expected = read_session(zero, "zero.json");
+  REQUIRE(expected);
+  for (const std::string seconds : {"-0.0", "-1"}) {
+    std::string text = zero;
+    text.replace(text.rfind('0'), 1, seconds);
+    const auto session = read_session(text, "negative.json");
+    REQUIRE(session);
+    CHECK(session->entries == expected->entries);
+    CHECK(write_session(*session) == write_session(*expected));
+  }
+}
+
 TEST_CASE("a session is a source of samples and balls: those of its last state") {
   const auto file = read_sample_bytes(write_session(sample_session()), "a.json");
   REQUIRE(file);
