@@ -144,8 +144,10 @@ bool AxisCertificate::update(JobControl& job) {
     note_watchers(face);
     for (const SiteSlot site : delaunay_.face(face).v) note_site(site);
   };
+  // Faces that went need no note. A search came to such a face through a chain of neighbours that begins beside its
+  // edge. Of the first face in the chain that went or changed, the one before it has a changed neighbour now, and is
+  // watched or at an end of the edge; or it is the face beside the edge, and that one's place is taken by a changed face.
   const auto note_around = [&](const ChangeSet<FaceSlot>& faces) {
-    for (const FaceSlot face : faces.removed) note_watchers(face);
     for (const FaceSlot face : faces.touched) {
       note_face(face);
       for (const FaceSlot other : delaunay_.face(face).n) note_face(other);

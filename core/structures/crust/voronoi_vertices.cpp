@@ -84,10 +84,11 @@ bool VoronoiVertices::update(JobControl&) {
   for (const FaceSlot face : faces.touched) recorder_.note(face, true);
   work_.assign(faces.touched.begin(), faces.touched.end());
   // A group that met the change may have lost, gained or been split; its other faces, and groups across changed
-  // edges, are asked again.
+  // edges, are asked again. A group lost nothing across an edge that is not cocircular: the face that it was cocircular
+  // with is among those that went or changed, and stands for the group below.
   for (const EdgeSlot edge : delaunay_.edge_changes().touched)
-    for (const FaceSlot face : delaunay_.edge(edge).f)
-      if (crust_.is_cocircular(edge) || (!group_of_.empty() && group_of_.contains(face))) work_.push_back(face);
+    if (crust_.is_cocircular(edge))
+      for (const FaceSlot face : delaunay_.edge(edge).f) work_.push_back(face);
   if (!group_of_.empty()) {
     work_.insert(work_.end(), faces.removed.begin(), faces.removed.end());
     for (std::size_t next = 0; next < work_.size(); ++next) {
