@@ -32,13 +32,14 @@ set(rooms
   "app/model: core/* app/system render"
   "app/store: core/* app/model app/system render"
   "app/picture: core/* app/model render render/figure"
+  "app/export: core/* app/picture app/store render render/figure"
   "app/canvas/tools: core/base app/model app/actions"
   "app/canvas: app/model app/canvas/tools"
   "app/recording: core/* app/model app/picture app/system render"
   "app/ui: core/* app/model app/actions app/canvas render"
-  "app/panels: core/* app/ui app/model app/store app/picture app/canvas app/canvas/tools app/recording app/actions render"
-  "app/window: core/* app/panels app/ui app/model app/store app/picture app/canvas app/canvas/tools app/recording app/actions app/system render"
-  "app/cli: core/* app/model app/store app/picture app/recording app/actions app/system render render/figure"
+  "app/panels: core/* app/ui app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions render"
+  "app/window: core/* app/panels app/ui app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
+  "app/cli: core/* app/model app/store app/picture app/export app/recording app/actions app/system render render/figure"
   "app: app/cli app/window core/base")
 
 if(NOT DEFINED ROOT)

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "app/cli/computation.h"
 #include "app/cli/input.h"
 #include "app/cli/layer_summary.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
+#include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/model/statistics_text.h"
 #include "core/draw/layer_descriptor.h"
@@ -74,11 +74,11 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
 
   LayerMirror mirror;
   const auto result =
-      run_computation(input->data, {.layers = *layers,
-                                    .settings = *settings,
-                                    .want_statistics = true,
-                                    .want_findings = true,
-                                    .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
+      compute_with_progress(input->data, {.layers = *layers,
+                                          .settings = *settings,
+                                          .want_statistics = true,
+                                          .want_findings = true,
+                                          .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
   if (!result) return std::unexpected(result.error());
 
   Json out;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/cli/computation.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
+#include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/store/layer_text.h"
 #include "core/io/text_numbers.h"
@@ -55,9 +55,9 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
 
   LayerMirror mirror;
   const auto result =
-      run_computation(input->data, {.layers = layers_for(**format, *layers),
-                                    .settings = *settings,
-                                    .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
+      compute_with_progress(input->data, {.layers = layers_for(**format, *layers),
+                                          .settings = *settings,
+                                          .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
   if (!result) return std::unexpected(result.error());
   const LayerText out = (*format)->write({.layers = *layers, .mirror = mirror, .document = result->document});
   if (out.left_out != 0)

@@ -5,9 +5,9 @@
 #include <array>
 
 #include "app/cli/completions.h"
-#include "app/cli/page_size.h"
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
+#include "app/export/page_size.h"
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"

@@ -2,45 +2,18 @@
 #include "app/cli/picture.h"
 
 #include <fmt/core.h>
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <string_view>
 
-#include "app/cli/layer_summary.h"
 #include "app/cli/messages.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
 
 constexpr std::uint64_t kLongestSide = 32768;
-
-Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
-  Box2 box;
-  for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-    const std::span<const double> instances = mirror.instances(layer, kind);
-    for (std::size_t at = 0; at < instances.size(); at += stride_of(kind)) {
-      const double* const v = instances.data() + at;
-      switch (kind) {
-        case PrimitiveKind::disk:
-        case PrimitiveKind::circle:
-          box.add(Vec2{v[0] - v[2], v[1] - v[2]});
-          box.add(Vec2{v[0] + v[2], v[1] + v[2]});
-          break;
-        case PrimitiveKind::arc: box.add(bounding_box_of(arc_of(v))); break;
-        case PrimitiveKind::triangle: box.add(Vec2{v[4], v[5]}); [[fallthrough]];
-        case PrimitiveKind::segment: box.add(Vec2{v[2], v[3]}); [[fallthrough]];
-        case PrimitiveKind::point: box.add(Vec2{v[0], v[1]}); break;
-        case PrimitiveKind::ray:
-        case PrimitiveKind::line: break;
-      }
-    }
-  }
-  return box;
-}
 
 /// Exactly as many numbers with commas between them.
 bool read_numbers(std::string_view text, std::span<double> numbers) {
@@ -113,43 +86,6 @@ BackgroundImage parse_image(const std::string& text) {
       !(numbers[2] > 0.0))
     return {.file = text};
   return {text.substr(0, colon), {numbers[0], numbers[1]}, numbers[2]};
-}
-
-Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers) {
-  Box2 box = samples;
-  for (const LayerIndex layer : layers)
-    if (layer_descriptors()[layer].in_fit_box) box.add(box_of(mirror, layer));
-  if (samples.is_empty()) return box;
-  constexpr double kReach = 0.1;
-  const double reach = kReach * std::max(samples.width(), samples.height());
-  if (!(reach > 0.0)) return box;
-  const auto within = [reach](double value, double low, double high) {
-    return std::clamp(value, low - reach, high + reach);
-  };
-  box.low = {within(box.low.x, samples.low.x, samples.high.x), within(box.low.y, samples.low.y, samples.high.y)};
-  box.high = {within(box.high.x, samples.low.x, samples.high.x), within(box.high.y, samples.low.y, samples.high.y)};
-  return box;
-}
-
-double typical_spacing(std::vector<Vec2> samples) {
-  constexpr std::size_t kProbes = 500;
-  std::ranges::sort(samples, lexicographically_less);
-  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
-  if (samples.size() < 2) return 0.0;
-  std::vector<double> nearest;
-  const std::size_t step = std::max<std::size_t>(1, samples.size() / kProbes);
-  for (std::size_t i = 0; i < samples.size(); i += step) {
-    // Outwards in x on both sides until x alone is farther than the best.
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t k = i; k-- > 0 && samples[i].x - samples[k].x < best;)
-      best = std::min(best, distance(samples[i], samples[k]));
-    for (std::size_t k = i + 1; k < samples.size() && samples[k].x - samples[i].x < best; ++k)
-      best = std::min(best, distance(samples[i], samples[k]));
-    nearest.push_back(best);
-  }
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::ranges::nth_element(nearest, middle);
-  return *middle;
 }
 
 }  // namespace mes::cli

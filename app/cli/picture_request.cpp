@@ -12,7 +12,6 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/style_request.h"
-#include "app/picture/canvas_look.h"
 #include "core/base/lower_case.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
@@ -57,9 +56,9 @@ Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& pict
       ++unknown;
       continue;
     }
-    picture.styles[layer] = entry.style;
-    if (entry.visible && std::ranges::find(picture.layers, layer) == picture.layers.end())
-      picture.layers.push_back(layer);
+    picture.shown.styles[layer] = entry.style;
+    if (entry.visible && std::ranges::find(picture.shown.layers, layer) == picture.shown.layers.end())
+      picture.shown.layers.push_back(layer);
   }
   std::error_code error;
   if (const BackgroundImage& image = bundle->layers.image; !image.file.empty()) {
@@ -77,9 +76,9 @@ Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& pict
 Expected<void> take_layers(const std::string& ids, PictureRequest& picture) {
   auto layers = select_layers(ids);
   if (!layers) return std::unexpected(layers.error());
-  picture.layers = std::move(*layers);
+  picture.shown.layers = std::move(*layers);
   // The stacking order is the registry's, whatever the order of the words.
-  std::ranges::sort(picture.layers);
+  std::ranges::sort(picture.shown.layers);
   return {};
 }
 
@@ -87,7 +86,7 @@ Expected<void> take_layers(const std::string& ids, PictureRequest& picture) {
 
 Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps) {
   PictureRequest picture;
-  for (const LayerDescriptor& layer : layer_descriptors()) picture.styles.push_back(layer.style);
+  for (const LayerDescriptor& layer : layer_descriptors()) picture.shown.styles.push_back(layer.style);
   const auto taken =
       request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
   if (!taken) return std::unexpected(taken.error());
@@ -95,14 +94,14 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
     picture.image = parse_image(request.image);
     const LayerIndex layer = find_layer("image");
     // It belongs below everything, wherever a bundle has it.
-    std::erase(picture.layers, layer);
-    picture.layers.insert(picture.layers.begin(), layer);
+    std::erase(picture.shown.layers, layer);
+    picture.shown.layers.insert(picture.shown.layers.begin(), layer);
   }
   std::vector<std::string> map_names;
   for (const render::ColorMap& map : maps) map_names.push_back(map.name);
-  auto styles = changed_styles(std::move(picture.styles), request.styles, picture.layers, map_names);
+  auto styles = changed_styles(std::move(picture.shown.styles), request.styles, picture.shown.layers, map_names);
   if (!styles) return std::unexpected(styles.error());
-  picture.styles = std::move(*styles);
+  picture.shown.styles = std::move(*styles);
   const auto format = format_of(request.output);
   if (!format) return std::unexpected(format.error());
   picture.format = *format;
@@ -112,7 +111,7 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
   picture.size = *size;
   if (!request.figure_size.empty()) {
     const auto page = parse_page_size(request.figure_size);
-    if (!page) return std::unexpected(page.error());
+    if (!page) return usage_error("--figure-size " + page.error().text);
     picture.page = *page;
   }
   if (request.bounds != kBoundsOfView && request.bounds != kBoundsOfInk)
@@ -123,32 +122,14 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
   picture.view = *view;
   const auto background = parse_background(request.background);
   if (!background) return std::unexpected(background.error());
-  picture.background = *background;
+  picture.shown.background = *background;
   constexpr double kLeastScale = 0.01;
   constexpr double kMostScale = 100.0;
   const auto scale = parse_number(request.scale);
   if (!scale || *scale < kLeastScale || *scale > kMostScale)
     return usage_error("--scale expects a number from 0.01 to 100, not " + in_quotes(request.scale));
-  picture.scale = *scale;
+  picture.shown.scale = *scale;
   return picture;
-}
-
-std::vector<render::LayerView> views_of(const PictureRequest& picture, double units_per_pixel,
-                                        const std::vector<Vec2>& samples) {
-  constexpr double kShareOfSpacing = 0.7;
-  constexpr double kSmallestDot = 1.5;
-  std::vector<render::LayerView> views;
-  for (const LayerIndex layer : picture.layers) {
-    LayerStyle style = picture.styles[layer];
-    const bool is_chosen = style.point_size_px != layer_descriptors()[layer].style.point_size_px;
-    if (!is_chosen && style.thin_when_dense && layer_descriptors()[layer].id == "points" && samples.size() > 1) {
-      const double spacing_px = typical_spacing(samples) / units_per_pixel / picture.scale;
-      const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
-      style.point_size_px = std::min(style.point_size_px, limit);
-    }
-    views.push_back({layer, drawn_on(style, picture.background)});
-  }
-  return views;
 }
 
 }  // namespace mes::cli

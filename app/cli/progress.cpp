@@ -49,4 +49,10 @@ void Progress::show(std::string_view task, double fraction) {
   last_ = now;
 }
 
+Expected<ComputationResult> compute_with_progress(const SampleData& data, ComputationRequest request) {
+  Progress progress;
+  request.on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); };
+  return run_computation(data, request);
+}
+
 }  // namespace mes::cli

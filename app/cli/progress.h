@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/export/computation.h"
+
 namespace mes::cli {
 
 /// Writes to stderr, only if that is a terminal and only if the work takes longer than 0.4 s. The line is
@@ -28,6 +30,9 @@ class Progress {
   Clock::time_point started_ = Clock::now();
   Clock::time_point last_;
 };
+
+/// `run_computation`, whose progress a terminal shows until it ends.
+Expected<ComputationResult> compute_with_progress(const SampleData& data, ComputationRequest request);
 
 /// "3 s", "2 min 05 s", "1 h 02 min".
 std::string duration_text(double seconds);

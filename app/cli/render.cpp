@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/cli/computation.h"
-#include "app/cli/figure.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
@@ -16,6 +14,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/export/figure.h"
 #include "app/picture/legend.h"
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
@@ -47,7 +46,7 @@ render::Camera camera_for(const PictureRequest& picture, const Box2& samples, co
   if (picture.view) {
     camera.fit(*picture.view, 0.0);
   } else {
-    camera.fit(fit_box(samples, mirror, picture.layers),
+    camera.fit(fit_box(samples, mirror, picture.shown.layers),
                kFitMargin * std::min(picture.size.width, picture.size.height));
   }
   return camera;
@@ -95,14 +94,33 @@ Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& sce
 /// A picture in pixels, as the bytes of a PNG file.
 Expected<std::string> draw_pixels(const PictureRequest& picture, render::Device& device, render::Scene& scene,
                                   const render::Camera& camera, const std::vector<Vec2>& samples, bool with_legend) {
-  const std::vector<render::LayerView> views = views_of(picture, camera.units_per_pixel(), samples);
-  auto image =
-      draw_in_bands(device, scene, camera, views, {.background = picture.background, .content_scale = picture.scale});
+  const std::vector<render::LayerView> views = views_of(picture.shown, camera.units_per_pixel(), samples);
+  auto image = draw_in_bands(device, scene, camera, views,
+                             {.background = picture.shown.background, .content_scale = picture.shown.scale});
   if (!image) return std::unexpected(image.error());
-  if (with_legend) add_legend(*image, scene, views, picture.scale, picture.background);
+  if (with_legend) add_legend(*image, scene, views, picture.shown.scale, picture.shown.background);
   const auto png = render::encode_png(*image, render::kPngSmall);
   if (!png) return std::unexpected(png.error());
   return std::string(reinterpret_cast<const char*>(png->data()), png->size());
+}
+
+/// The bytes of a vector format.
+Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSource& source, bool with_legend) {
+  FigureRequest request{.shown = picture.shown,
+                        .part = Everything{},
+                        .page = picture.page,
+                        .pixels = {picture.size.width, picture.size.height},
+                        .is_tight = picture.is_tight,
+                        .with_legend = with_legend,
+                        .image = picture.image};
+  if (picture.view) request.part = *picture.view;
+  const auto drawn = draw_figure(request, source);
+  if (!drawn) return std::unexpected(drawn.error());
+  if (source.traced != nullptr && !picture.format->has_images)
+    say("the picture " + picture.image.file + " is left out: " + std::string(picture.format->name) +
+        " files hold none");
+  for (const std::string& remark : drawn->remarks) say(remark);
+  return picture.format->write(drawn->figure);
 }
 
 /// What a picture in pixels is drawn with.
@@ -122,7 +140,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   auto picture = understand(request, maps.maps);
   if (!picture) return std::unexpected(picture.error());
   if (auto good = check_output(request.output); !good) return good;
-  if (std::ranges::any_of(picture->styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
+  if (std::ranges::any_of(picture->shown.styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
     for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
   const auto input = read_input(request.source.file, request.source.from);
   if (!input) return std::unexpected(input.error());
@@ -143,8 +161,8 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
     canvas->scene.place_picture({picture->image.center, picture->image.width});
   }
   LayerMirror mirror;
-  const auto result = run_computation(
-      input->data, {.layers = picture->layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {
+  const auto result = compute_with_progress(
+      input->data, {.layers = picture->shown.layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {
                       if (canvas) canvas->scene.apply(patch);
                       mirror.apply(patch);
                     }});
@@ -154,12 +172,13 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   const auto bytes = canvas
                          ? draw_pixels(*picture, canvas->device, canvas->scene, camera_for(*picture, bounds, mirror),
                                        input->data.positions, request.with_legend)
-                         : draw_figure(*picture, {.mirror = mirror,
-                                                  .samples = input->data.positions,
-                                                  .bounds = bounds,
-                                                  .maps = maps.maps,
-                                                  .traced = *traced ? &**traced : nullptr,
-                                                  .with_legend = request.with_legend});
+                         : draw_vectors(*picture,
+                                        {.mirror = mirror,
+                                         .samples = input->data.positions,
+                                         .bounds = bounds,
+                                         .maps = maps.maps,
+                                         .traced = *traced ? &**traced : nullptr},
+                                        request.with_legend);
   if (!bytes) return std::unexpected(bytes.error());
   std::vector<SourceFile> sources = std::move(picture->sources);
   sources.insert(sources.end(), input->sources.begin(), input->sources.end());

@@ -9,8 +9,8 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
-#include "app/cli/page_size.h"
 #include "app/cli/picture.h"
+#include "app/export/page_size.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 #include "render/figure/figure.h"

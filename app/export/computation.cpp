@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/computation.h"
+#include "app/export/computation.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,11 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/progress.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/engine/engine.h"
 
-namespace mes::cli {
+namespace mes {
 namespace {
 
 /// Lets the engine's thread rouse this one.
@@ -95,7 +94,6 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
   result.document.apply(*delta);
 
   Bell bell;
-  Progress progress;
   TaskList tasks(request.layers);
   Engine engine({.wake = [&bell] { bell.ring(); }});
   engine.set_settings(request.settings);
@@ -116,7 +114,9 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
       engine.recycle(std::move(patch));
     }
     if (!status.busy) break;
-    progress.show(status.task, tasks.fraction(status));
+    if (request.stop.stop_requested())
+      return std::unexpected(Error{ErrorCode::cancelled, "the computation was stopped", {}, 0, 0});
+    if (request.on_progress) request.on_progress(status.task, tasks.fraction(status));
     constexpr std::chrono::milliseconds kBetweenLooks{100};
     bell.wait(kBetweenLooks);
   }
@@ -129,4 +129,4 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
   return result;
 }
 
-}  // namespace mes::cli
+}  // namespace mes

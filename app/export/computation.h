@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples in, finished layers out: the engine run to its end.
+// Samples in, finished layers out: an engine of its own, run to its end.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "core/document/commands.h"
@@ -12,7 +14,7 @@
 #include "core/document/document.h"
 #include "core/draw/patch.h"
 
-namespace mes::cli {
+namespace mes {
 
 struct ComputationRequest {
   std::vector<LayerIndex> layers;
@@ -21,6 +23,10 @@ struct ComputationRequest {
   bool want_findings = false;
   /// Gets every patch in order; the last one's reports are final.
   std::function<void(const FramePatch&)> on_patch;
+  /// What is being computed, and how much of the whole is done, in [0, 1]; some ten times a second. May be empty.
+  std::function<void(std::string_view task, double fraction)> on_progress{};
+  /// Ends it early, with the error `cancelled`.
+  std::stop_token stop{};
 };
 
 struct ComputationResult {
@@ -29,8 +35,8 @@ struct ComputationResult {
   std::vector<LayerReport> reports;  ///< by layer
 };
 
-/// Shows progress on a terminal. Error: `cannot_compute` with the reason when a structure failed, `usage` when the
-/// samples do not make a document.
+/// Error: `cannot_compute` with the reason when a structure failed, `usage` when the samples do not make a document.
+/// The functions of the request are called on the calling thread, any one.
 Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request);
 
-}  // namespace mes::cli
+}  // namespace mes

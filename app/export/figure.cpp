@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/figure.h"
+#include "app/export/figure.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/messages.h"
 #include "app/picture/figure_legend.h"
-#include "app/store/background_loader.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
 #include "render/camera.h"
-#include "render/figure/figure_of.h"
+#include "render/figure/raster.h"
 
-namespace mes::cli {
+namespace mes {
 namespace {
 
-/// What the page shows: the view as asked for, or what "fit" shows.
-struct Shown {
+/// A box to fill the page with, or all but a margin of it.
+struct FittedBox {
   Box2 box;
   double margin = 0.0;  // as a part of the shorter side
 };
 
-Shown shown_by(const PictureRequest& request, const FigureSource& source) {
-  if (request.view) return {*request.view, 0.0};
-  return {fit_box(source.bounds, source.mirror, request.layers), kFitMargin};
+FittedBox fitted_box(const FigureRequest& request, const FigureSource& source) {
+  if (const Box2* const box = std::get_if<Box2>(&request.part)) return {*box, 0.0};
+  return {fit_box(source.bounds, source.mirror, request.shown.layers), kFitMargin};
 }
 
 /// The height of a page such that what is shown fills it, margins included.
-double natural_height(const Shown& shown, double width) {
+double natural_height(const FittedBox& shown, double width) {
   constexpr double kLeast = 0.1;
   constexpr double kMost = 3.0;
   const double ratio = shown.box.is_empty() || !(shown.box.width() > 0.0)
@@ -38,11 +36,23 @@ double natural_height(const Shown& shown, double width) {
   return ratio < 1.0 ? ratio * width / (1.0 - both + both * ratio) : (1.0 - both) * width * ratio + both * width;
 }
 
-figure::Page page_for(const PictureRequest& request, const Shown& shown) {
+/// All of the natural page on one of another size, in its middle.
+figure::Page resized(const figure::Page& natural, const PageSize& size) {
+  figure::Page page = natural;
+  page.width = size.width;
+  page.height = size.height.value_or(natural.height * size.width / natural.width);
+  page.units_per_point *= std::max(natural.width / page.width, natural.height / page.height);
+  return page;
+}
+
+figure::Page page_for(const FigureRequest& request, const FigureSource& source) {
+  if (const figure::Page* const natural = std::get_if<figure::Page>(&request.part))
+    return request.page ? resized(*natural, *request.page) : *natural;
+  const FittedBox shown = fitted_box(request, source);
   render::Camera camera;
   if (!request.page) {
-    camera.set_viewport(request.size.width, request.size.height);
-    camera.fit(shown.box, shown.margin * std::min(request.size.width, request.size.height));
+    camera.set_viewport(request.pixels[0], request.pixels[1]);
+    camera.fit(shown.box, shown.margin * std::min(request.pixels[0], request.pixels[1]));
     return figure::page_of(camera);
   }
   // A camera counts whole pixels: enough of them that the rounding of the page's sides cannot be seen.
@@ -59,36 +69,35 @@ figure::Page page_for(const PictureRequest& request, const Shown& shown) {
 
 }  // namespace
 
-Expected<std::string> draw_figure(const PictureRequest& request, const FigureSource& source) {
-  figure::Page page = page_for(request, shown_by(request, source));
+Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source) {
+  figure::Page page = page_for(request, source);
   const std::vector<render::LayerView> views =
-      views_of(request, page.units_per_point * figure::kPointsPerPixel, source.samples);
+      views_of(request.shown, page.units_per_point * figure::kPointsPerPixel, source.samples);
   const figure::Drawing drawing{
       .mirror = source.mirror,
       .layers = layer_descriptors(),
       .views = views,
       .maps = source.maps,
-      .background = request.background,
-      .scale = request.scale,
+      .background = request.shown.background,
+      .scale = request.shown.scale,
       .traced = {find_layer("image"), source.traced, {request.image.center, request.image.width}}};
-  figure::Figure figure = figure::figure_of(drawing, page);
+  DrawnFigure out{figure::figure_of(drawing, page), {}};
   if (request.is_tight) {
-    const Box2 ink = figure::ink_box(figure);
+    const Box2 ink = figure::ink_box(out.figure);
     if (!ink.is_empty() && ink.width() > 0.0 && ink.height() > 0.0) {
       page = figure::part_of(page, ink);
-      figure = figure::figure_of(drawing, page);
+      out.figure = figure::figure_of(drawing, page);
     }
   }
-  if (source.traced != nullptr && !request.format->has_images)
-    say("the picture " + request.image.file + " is left out: " + std::string(request.format->name) +
-        " files hold none");
-  if (source.with_legend && has_legend(drawing)) {
+  if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
+    return std::unexpected(good.error());
+  if (request.with_legend && has_legend(drawing)) {
     if (const auto fonts = LegendFonts::read(find_assets({})))
-      add_legend(figure, drawing, *fonts);
+      add_legend(out.figure, drawing, *fonts);
     else
-      say("the legend is left out: " + fonts.error().message());
+      out.remarks.push_back("the legend is left out: " + fonts.error().message());
   }
-  return request.format->write(figure);
+  return out;
 }
 
-}  // namespace mes::cli
+}  // namespace mes

@@ -1,18 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of layers: what `mesecina render` writes into a vector format.
+// A figure of layers for a page: what `mesecina render` writes into a vector format, and the window exports.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <variant>
+#include <vector>
 
-#include "app/cli/picture_request.h"
+#include "app/export/page_size.h"
+#include "app/export/shown_layers.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
+#include "core/document/layer_configuration.h"
 #include "core/draw/layer_mirror.h"
 #include "render/colormap.h"
+#include "render/figure/figure_of.h"
 #include "render/image.h"
 
-namespace mes::cli {
+namespace mes {
+
+/// What "fit" shows.
+struct Everything {};
+
+/// The part of the plane that is shown: what "fit" shows, a box, or a page at its natural size.
+using ShownPart = std::variant<Everything, Box2, figure::Page>;
+
+struct FigureRequest {
+  ShownLayers shown;
+  ShownPart part;
+  /// None: the size of `part` if that is a page, or else `pixels`. A height that `part` does not fill shows more.
+  std::optional<PageSize> page{};
+  int pixels[2] = {1600, 1200};  ///< width and height, of 1/96 inch
+  bool is_tight = false;         ///< the page is cut to what is drawn
+  bool with_legend = true;
+  BackgroundImage image{};                ///< the place of the picture to trace
+  std::vector<std::string> rasterized{};  ///< ids of layers that become pictures
+  double dots_per_inch = 300.0;           ///< of these
+};
 
 /// What a figure is made of.
 struct FigureSource {
@@ -21,10 +46,14 @@ struct FigureSource {
   const Box2& bounds;  ///< of the document
   std::span<const render::ColorMap> maps;
   const render::Image* traced = nullptr;  ///< null: none
-  bool with_legend = true;
 };
 
-/// The bytes of the file. Error: as of the writers, and `usage` for a page that cannot hold the figure.
-Expected<std::string> draw_figure(const PictureRequest& request, const FigureSource& source);
+struct DrawnFigure {
+  figure::Figure figure;
+  std::vector<std::string> remarks;  ///< what was left out, one sentence each
+};
 
-}  // namespace mes::cli
+/// Error: `usage` for pictures in it that would be too large, `out_of_memory`. O(n log n) for n primitives. Any thread.
+Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source);
+
+}  // namespace mes

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/page_size.h"
+#include "app/export/page_size.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include "app/cli/messages.h"
 #include "core/io/text_numbers.h"
 #include "render/figure/figure.h"
 
-namespace mes::cli {
+namespace mes {
 namespace {
 
 struct Unit {
@@ -27,12 +27,15 @@ constexpr std::array kPresets{PagePreset{"one-column", "84mm"}, PagePreset{"two-
 constexpr double kLeast = kMillimeter;
 constexpr double kMost = 200.0 * figure::kPointsPerInch;
 
+std::unexpected<Error> usage_error(std::string text) {
+  return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
+}
+
 std::unexpected<Error> refused(const std::string& text) {
   std::string presets;
   for (const PagePreset& preset : kPresets) presets += ", " + std::string(preset.name);
-  return usage_error(
-      "--figure-size expects WxH or a width, with units mm, cm, in, pt or px, as in 84mmx60mm, or one of " +
-      presets.substr(2) + ", not " + in_quotes(text));
+  return usage_error("expects WxH or a width, with units mm, cm, in, pt or px, as in 84mmx60mm, or one of " +
+                     presets.substr(2) + ", not " + in_quotes(text));
 }
 
 }  // namespace
@@ -66,9 +69,8 @@ Expected<PageSize> parse_page_size(const std::string& text) {
     if (!out.height) return refused(text);
   }
   for (const double side : {out.width, out.height.value_or(out.width)})
-    if (side < kLeast || side > kMost)
-      return usage_error("--figure-size takes sides from 1 mm to 5080 mm, not " + in_quotes(text));
+    if (side < kLeast || side > kMost) return usage_error("takes sides from 1 mm to 5080 mm, not " + in_quotes(text));
   return out;
 }
 
-}  // namespace mes::cli
+}  // namespace mes

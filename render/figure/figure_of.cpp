@@ -394,24 +394,29 @@ std::size_t shapes_in(const Figure& figure, const Box2& box) {
   return out;
 }
 
-Box2 ink_box(const Figure& figure) {
+Box2 ink_box(const FigureLayer& layer) {
   Box2 box;
-  for (const FigureLayer& layer : figure.layers) {
-    if (layer.image) {
-      box.add(layer.image->corner);
-      box.add(layer.image->corner + Vec2{layer.image->width, layer.image->height});
-    }
-    for (const Group& group : layer.groups) {
-      for (const Run& run : group.runs) {
-        const double reach = run.is_filled ? 0.0 : 0.5 * layer.line_width;
-        for (const Shape& shape : run.shapes) {
-          const Box2 bounds = bounds_of(shape);
-          box.add(bounds.low - Vec2{reach, reach});
-          box.add(bounds.high + Vec2{reach, reach});
-        }
+  if (layer.image) {
+    box.add(layer.image->corner);
+    box.add(layer.image->corner + Vec2{layer.image->width, layer.image->height});
+  }
+  for (const Group& group : layer.groups) {
+    for (const Run& run : group.runs) {
+      const double reach = run.is_filled ? 0.0 : 0.5 * layer.line_width;
+      for (const Shape& shape : run.shapes) {
+        const Box2 bounds = bounds_of(shape);
+        box.add(bounds.low - Vec2{reach, reach});
+        box.add(bounds.high + Vec2{reach, reach});
       }
     }
   }
+  return box;
+}
+
+Box2 ink_box(const Figure& figure) {
+  Box2 box;
+  for (const FigureLayer& layer : figure.layers)
+    if (const Box2 ink = ink_box(layer); !ink.is_empty()) box.add(ink);
   for (const Box& part : figure.legend.boxes) {
     box.add(part.corner);
     box.add(part.corner + Vec2{part.width, part.height});

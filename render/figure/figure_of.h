@@ -69,5 +69,7 @@ std::size_t shapes_in(const Figure& figure, const Box2& box);
 
 /// What the shapes, images and legend of a figure cover of its page, strokes included, in points; empty for none.
 Box2 ink_box(const Figure& figure);
+/// The same for one layer, which may extend beyond the page.
+Box2 ink_box(const FigureLayer& layer);
 
 }  // namespace mes::figure

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which layers a picture for keeps shows, how they look, and where they lie.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/base/color.h"
+#include "core/draw/layer_mirror.h"
+#include "core/draw/layer_style.h"
+#include "render/scene.h"
+
+namespace mes {
+
+/// Between what "fit" shows and the edge of a picture, as a part of its shorter side.
+inline constexpr double kFitMargin = 0.05;
+
+struct ShownLayers {
+  std::vector<LayerIndex> layers{};  ///< bottom first
+  std::vector<LayerStyle> styles{};  ///< of all layers, by index
+  std::optional<Rgb> background{};   ///< none: transparent
+  double scale = 1.0;                ///< factor for line widths and point sizes
+};
+
+/// The layers with their styles; but samples that stand closer than their dots are wide get smaller dots, so that they
+/// are seen one by one where the size allows, and the curve under them. `units_per_pixel` is in units of the document
+/// per pixel of the picture.
+std::vector<render::LayerView> views_of(const ShownLayers& shown, double units_per_pixel,
+                                        const std::vector<Vec2>& samples);
+
+/// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
+/// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of
+/// the curve must not shrink everything else to a dot.
+Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
+
+/// Median distance from a sample to the nearest other one, 0 when there are fewer than two; from a few hundred samples when
+/// there are many. O(n log n).
+double typical_spacing(std::vector<Vec2> samples);
+
+}  // namespace mes
