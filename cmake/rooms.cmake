@@ -32,7 +32,7 @@ set(rooms
   "app/model: core/* app/system render"
   "app/store: core/* app/model app/system render"
   "app/picture: core/* app/model render render/figure"
-  "app/export: core/* app/picture app/store render render/figure"
+  "app/export: core/* app/model app/picture app/store app/system render render/figure"
   "app/canvas/tools: core/base app/model app/actions"
   "app/canvas: app/model app/canvas/tools"
   "app/recording: core/* app/model app/picture app/system render"

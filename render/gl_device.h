@@ -51,6 +51,8 @@ class GlDevice final : public Device {
   /// Renderer and version, as the driver reports them.
   std::string description() const;
   bool uses_double() const { return uses_double_; }
+  /// The name that OpenGL has for the texture, for others that draw in the same context.
+  std::uint32_t name_of(TextureId texture) { return texture_of(texture).get(); }
   /// Makes the next glReadPixels read this target, multisampled or not.
   void bind_for_reading(FramebufferId source);
   /// Writes into each pixel of `to` the mean of two by two pixels of `from`, which is twice as wide and high.

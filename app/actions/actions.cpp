@@ -36,6 +36,8 @@ constexpr auto kFileRows = std::to_array<Row>({
      "Write what is shown to a new picture, in the folder that the button with three dots names", "F3"},
     {Id::record, "record", "Record", "Write a numbered picture after each change from now on, or end doing so", "F4"},
     {Id::make_video, "make-video", "Make video", "Make a video of the last take with ffmpeg"},
+    {Id::export_figure, "export-figure", "Export a figure...",
+     "Write what is shown as PDF, SVG, PostScript, Ipe or TikZ, with its size on paper", "Ctrl+E"},
     {Id::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
 });
 

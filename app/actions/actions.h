@@ -23,6 +23,7 @@ enum class ActionId : std::uint8_t {
   snapshot,
   record,
   make_video,
+  export_figure,
   quit,
   undo,
   redo,

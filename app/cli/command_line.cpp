@@ -191,6 +191,11 @@ void describe_commands(CLI::App& app, Arguments& to) {
       ->excludes(size);
   render->add_option("--bounds", to.render.bounds, "Of a vector format: view, or tight to cut it to what is drawn")
       ->capture_default_str();
+  render->add_option("--rasterize", to.render.rasterized,
+                     "Layers that become pictures in a vector format: of thousands of shapes\n"
+                     "a picture is smaller");
+  render->add_option("--dpi", to.render.dpi, "Dots an inch of these pictures, from 10 to 2400")
+      ->capture_default_str();
   render
       ->add_option("--view", to.render.view,
                    "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"

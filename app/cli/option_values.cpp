@@ -63,7 +63,7 @@ std::vector<std::string> bounds() {
   return {std::string(kBoundsOfView), std::string(kBoundsOfInk)};
 }
 
-constexpr std::array<OptionValue, 26> kValues{{
+constexpr std::array<OptionValue, 28> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
@@ -83,6 +83,8 @@ constexpr std::array<OptionValue, 26> kValues{{
     {"--size", "WxH"},
     {"--figure-size", "SIZE", ValueKind::choice, page_sizes},
     {"--bounds", "BOUNDS", ValueKind::choice, bounds},
+    {"--rasterize", "IDS", ValueKind::choices, layers},
+    {"--dpi", "N"},
     {"--view", "VIEW"},
     {"--scale", "FACTOR"},
     {"--background", "COLOR"},

@@ -42,6 +42,24 @@ Expected<void> check_kind(const RenderRequest& request, const figure::Format* fo
   if (format != nullptr) return {};
   if (!request.figure_size.empty()) return usage_error("--figure-size is for vector formats; a .png has --size");
   if (request.bounds != kBoundsOfView) return usage_error("--bounds is for vector formats");
+  if (!request.rasterized.empty()) return usage_error("--rasterize is for vector formats");
+  return {};
+}
+
+/// The layers that are to be pictures in a vector format.
+Expected<void> take_rasterized(const RenderRequest& request, PictureRequest& picture) {
+  constexpr double kLeast = 10.0;
+  constexpr double kMost = 2400.0;
+  const auto dpi = parse_number(request.dpi);
+  if (!dpi || *dpi < kLeast || *dpi > kMost)
+    return usage_error("--dpi expects a number from 10 to 2400, not " + in_quotes(request.dpi));
+  picture.dots_per_inch = *dpi;
+  if (request.rasterized.empty()) return {};
+  if (!picture.format->has_images)
+    return usage_error("--rasterize: " + std::string(picture.format->name) + " files hold no pictures");
+  const auto layers = select_layers(request.rasterized);
+  if (!layers) return std::unexpected(layers.error());
+  for (const LayerIndex layer : *layers) picture.rasterized.emplace_back(layer_descriptors()[layer].id);
   return {};
 }
 
@@ -117,6 +135,7 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
   if (request.bounds != kBoundsOfView && request.bounds != kBoundsOfInk)
     return usage_error("--bounds expects view or tight, not " + in_quotes(request.bounds));
   picture.is_tight = request.bounds == kBoundsOfInk;
+  if (auto good = take_rasterized(request, picture); !good) return std::unexpected(good.error());
   const auto view = parse_view(request.view);
   if (!view) return std::unexpected(view.error());
   picture.view = *view;

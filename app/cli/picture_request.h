@@ -31,7 +31,9 @@ struct PictureRequest {
   bool is_tight = false;         // a figure is cut to what is drawn
   std::optional<Box2> view;
   BackgroundImage image;
-  std::vector<SourceFile> sources;  // bundle and image
+  std::vector<std::string> rasterized;  // ids of layers
+  double dots_per_inch = 300.0;         // of these
+  std::vector<SourceFile> sources;      // bundle and image
 };
 
 /// Error: `usage`, or `bad_input` for a bundle that cannot be read.

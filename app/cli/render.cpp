@@ -2,6 +2,7 @@
 // `mesecina render`: a picture of layers without a display.
 #include "render/egl_context.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -112,7 +113,9 @@ Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSo
                         .pixels = {picture.size.width, picture.size.height},
                         .is_tight = picture.is_tight,
                         .with_legend = with_legend,
-                        .image = picture.image};
+                        .image = picture.image,
+                        .rasterized = picture.rasterized,
+                        .dots_per_inch = picture.dots_per_inch};
   if (picture.view) request.part = *picture.view;
   const auto drawn = draw_figure(request, source);
   if (!drawn) return std::unexpected(drawn.error());
@@ -120,7 +123,15 @@ Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSo
     say("the picture " + picture.image.file + " is left out: " + std::string(picture.format->name) +
         " files hold none");
   for (const std::string& remark : drawn->remarks) say(remark);
-  return picture.format->write(drawn->figure);
+  auto bytes = picture.format->write(drawn->figure);
+  if (bytes && bytes->size() > kLargeFigure) {
+    std::string text = fmt::format("the figure has {:.0f} MB", 1e-6 * static_cast<double>(bytes->size()));
+    if (const figure::FigureLayer* const layer = largest_layer(drawn->figure); layer && picture.format->has_images)
+      text += fmt::format(", most of it perhaps the {} shapes of one layer: --rasterize {} makes it a picture",
+                          figure::shape_count(*layer), layer->id);
+    say(text);
+  }
+  return bytes;
 }
 
 /// What a picture in pixels is drawn with.

@@ -48,6 +48,8 @@ struct RenderRequest {
   std::string size = "1600x1200";
   std::string figure_size;  ///< of vector formats, on paper; empty: `size`
   std::string bounds = "view";
+  std::string rasterized;   ///< ids of layers that are pictures in a vector format; empty: none
+  std::string dpi = "300";  ///< of these
   std::string view = "fit";
   std::string scale = "1";
   std::string background = "ffffff";

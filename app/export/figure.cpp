@@ -69,6 +69,12 @@ figure::Page page_for(const FigureRequest& request, const FigureSource& source) 
 
 }  // namespace
 
+const figure::FigureLayer* largest_layer(const figure::Figure& figure) {
+  const auto largest = std::ranges::max_element(
+      figure.layers, {}, [](const figure::FigureLayer& layer) { return figure::shape_count(layer); });
+  return largest != figure.layers.end() && figure::shape_count(*largest) != 0 ? &*largest : nullptr;
+}
+
 Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source) {
   figure::Page page = page_for(request, source);
   const std::vector<render::LayerView> views =

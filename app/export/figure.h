@@ -48,6 +48,12 @@ struct FigureSource {
   const render::Image* traced = nullptr;  ///< null: none
 };
 
+/// Files of figures above this are worth a warning: mail refuses them, viewers are slow.
+inline constexpr std::size_t kLargeFigure = 20'000'000;
+
+/// The layer with the most shapes; null when none has any.
+const figure::FigureLayer* largest_layer(const figure::Figure& figure);
+
 struct DrawnFigure {
   figure::Figure figure;
   std::vector<std::string> remarks;  ///< what was left out, one sentence each

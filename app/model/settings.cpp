@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
 
 #include "app/system/data_folder.h"
@@ -94,6 +95,44 @@ json to_json(const RecordSettings& record) {
           {"folder", record.folder}};
 }
 
+// In the order of `FigureExtent` and `FigurePaper`.
+constexpr std::array<std::string_view, 3> kExtents{"view", "everything", "ink"};
+constexpr std::array<std::string_view, 3> kPapers{"white", "canvas", "transparent"};
+
+template <class Choice>
+void choice_in(const json& object, const char* key, std::span<const std::string_view> names, Choice& out) {
+  const auto found = std::ranges::find(names, text_in(object, key));
+  if (found != names.end()) out = static_cast<Choice>(found - names.begin());
+}
+
+FigureSettings figure_from_json(const json& object) {
+  FigureSettings out;
+  if (std::string extension = text_in(object, "extension"); !extension.empty()) out.extension = std::move(extension);
+  out.width_mm = number_in(object, "width_mm", kLeastFigureSide, kMostFigureSide, out.width_mm);
+  out.height_mm = number_in(object, "height_mm", 0.0, kMostFigureSide, out.height_mm);
+  out.in_inches = flag_in(object, "in_inches", out.in_inches);
+  choice_in(object, "extent", kExtents, out.extent);
+  choice_in(object, "paper", kPapers, out.paper);
+  out.as_on_screen = flag_in(object, "as_on_screen", out.as_on_screen);
+  out.line_scale = number_in(object, "line_scale", 0.1, 10.0, out.line_scale);
+  out.with_legend = flag_in(object, "with_legend", out.with_legend);
+  out.dots_per_inch = number_in(object, "dots_per_inch", kLeastDotsPerInch, kMostDotsPerInch, out.dots_per_inch);
+  return out;
+}
+
+json to_json(const FigureSettings& figure) {
+  return {{"extension", figure.extension},
+          {"width_mm", figure.width_mm},
+          {"height_mm", figure.height_mm},
+          {"in_inches", figure.in_inches},
+          {"extent", kExtents[static_cast<std::size_t>(figure.extent)]},
+          {"paper", kPapers[static_cast<std::size_t>(figure.paper)]},
+          {"as_on_screen", figure.as_on_screen},
+          {"line_scale", figure.line_scale},
+          {"with_legend", figure.with_legend},
+          {"dots_per_inch", figure.dots_per_inch}};
+}
+
 Settings from_json(const json& object) {
   Settings out;
   if (const auto recent = object.find("recent_files"); recent != object.end() && recent->is_array()) {
@@ -120,6 +159,8 @@ Settings from_json(const json& object) {
   out.last_folder = text_in(object, "last_folder");
   if (const auto record = object.find("record"); record != object.end() && record->is_object())
     out.record = record_from_json(*record);
+  if (const auto figure = object.find("figure"); figure != object.end() && figure->is_object())
+    out.figure = figure_from_json(*figure);
   return out;
 }
 
@@ -191,7 +232,8 @@ json to_json(const Settings& settings) {
           {"show_evolution", settings.show_evolution},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},
-          {"record", to_json(settings.record)}};
+          {"record", to_json(settings.record)},
+          {"figure", to_json(settings.figure)}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/model/figure_settings.h"
 #include "app/model/record_settings.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
@@ -42,6 +43,7 @@ struct Settings {
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser
   RecordSettings record;
+  FigureSettings figure;
 };
 
 inline constexpr std::size_t kRecentFiles = 12;

@@ -9,6 +9,7 @@
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
 #include "app/panels/command_palette.h"
+#include "app/panels/figure_dialog.h"
 #include "app/panels/help.h"
 #include "app/ui/file_browser.h"
 
@@ -20,6 +21,7 @@ class Dialogs {
   AskUnsaved unsaved;
   AskRecover recover;
   AskConflict conflict;
+  FigureDialog figure;
   FileBrowser browser;
   HelpPage help;
   CommandPalette palette;
@@ -31,7 +33,7 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 6> all_{&unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 7> all_{&figure, &unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

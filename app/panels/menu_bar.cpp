@@ -47,6 +47,7 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::save_as);
   ImGui::Separator();
   action_item(menu, ActionId::trace_picture);
+  action_item(menu, ActionId::export_figure);
   for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(menu, id);
   ImGui::Separator();
   action_item(menu, ActionId::quit);

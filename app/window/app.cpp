@@ -30,7 +30,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       board_(work_, settings_.settings(), messages_, screen_, assets, GlfwWindow::wake),
       demo_(work_, board_.fitter(), messages_),
       recording_({screen_, work_, board_, demo_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
-      documents_({work_, board_, demo_, dialogs_, messages_, settings_.settings(), screen_.clock}, assets,
+      documents_({work_, board_, demo_, dialogs_, messages_, settings_.settings(), screen_}, assets,
                  GlfwWindow::wake),
       keys_(settings_.settings(), actions_, messages_),
       panels_({screen_, work_, board_, demo_, recording_, documents_, actions_, settings_.settings(), messages_}),
@@ -71,7 +71,8 @@ double App::next_wait() const {
   const double now = ImGui::GetTime();
   const FileDesk& files = documents_.files();
   const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || files.is_reading() ||
-                       files.is_saving() || board_.traced().is_reading() || screen_.gui.is_about_to_rest();
+                       files.is_saving() || board_.traced().is_reading() || documents_.figures().is_busy() ||
+                       screen_.gui.is_about_to_rest();
   return FrameClock::sleep({demo_.next_due(now), work_.computation().next_due(now), work_.evolution().next_due(now),
                             panels_.presenter().next_due(now)},
                            is_busy);

@@ -22,11 +22,15 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
           },
           wake),
       keeper_(
-          uses_.work, uses_.messages, [this] { return session_now(); }, wake) {}
+          uses_.work, uses_.messages, [this] { return session_now(); }, wake),
+      figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
+                [this] { return files_.title(); }, [this] { return browse_folder(); }},
+               wake) {}
 
 void DocumentFlow::bind(ActionBindings& actions) {
   bind_files(actions);
   bind_bundles(actions);
+  figures_.bind(actions);
 }
 
 void DocumentFlow::bind_files(ActionBindings& actions) {
@@ -136,12 +140,13 @@ void DocumentFlow::start_demo() {
   uses_.demo.start(*session);
   // What was selected or clicked belongs to another document.
   uses_.board.provenance().clear();
-  uses_.clock.settle();
+  uses_.screen.clock.settle();
 }
 
 void DocumentFlow::take_results() {
   take_read_file();
   take_saved();
+  figures_.take_results();
   offer_left_work();
 }
 

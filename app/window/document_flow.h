@@ -16,6 +16,7 @@
 #include "app/store/sample_shapes.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
+#include "app/window/figure_flow.h"
 #include "app/window/work_keeper.h"
 
 namespace mes {
@@ -35,11 +36,12 @@ class DocumentFlow {
     Dialogs& dialogs;
     Messages& messages;
     Settings& settings;
-    FrameClock& clock;
+    Screen& screen;
   };
   DocumentFlow(Uses uses, const std::filesystem::path& assets, const std::function<void()>& wake);
 
   FileDesk& files() { return files_; }
+  const FigureFlow& figures() const { return figures_; }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }
   void bind(ActionBindings& actions);
@@ -101,6 +103,7 @@ class DocumentFlow {
   std::vector<SampleShape> shapes_;
   FileDesk files_;
   WorkKeeper keeper_;
+  FigureFlow figures_;
   std::function<void()> after_save_;        // what waits for a save, under a new name perhaps
   std::filesystem::path traced_with_next_;  // when what is being read is there
   bool had_first_file_ = false;

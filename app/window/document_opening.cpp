@@ -84,7 +84,7 @@ void DocumentFlow::take_read_file() {
   const auto outcome = files_.poll();
   if (!outcome) return;
   const fs::path picture = std::exchange(traced_with_next_, {});
-  uses_.clock.settle();
+  uses_.screen.clock.settle();
   if (outcome->error) {
     report(*outcome->error);
     if (!fs::exists(outcome->file)) std::erase(uses_.settings.recent_files, outcome->file.string());
@@ -148,7 +148,7 @@ void DocumentFlow::offer_left_work() {
   AskRecover& question = uses_.dialogs.recover;
   question.offer(std::move(found->works),
                  [this, &question] { with_saved_work([this, &question] { recover(question.take()); }); });
-  uses_.clock.settle();
+  uses_.screen.clock.settle();
 }
 
 void DocumentFlow::recover(LeftWork work) {

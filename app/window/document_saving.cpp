@@ -33,7 +33,7 @@ void DocumentFlow::ask_save_as() {
 void DocumentFlow::take_saved() {
   const auto saved = files_.poll_saved();
   if (!saved) return;
-  uses_.clock.settle();
+  uses_.screen.clock.settle();
   if (saved->error) {
     report(*saved->error);
     after_save_ = {};

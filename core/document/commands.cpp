@@ -221,4 +221,23 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
   return fitting(document, std::move(delta));
 }
 
+SampleData data_of(const Document& document) {
+  SampleData out;
+  const std::vector<SampleSlot> slots = document.slots_in_input_order();
+  out.positions.reserve(slots.size());
+  Table<SampleSlot, std::uint32_t> place(document.slot_count(), 0);
+  for (const SampleSlot slot : slots) {
+    place[slot] = static_cast<std::uint32_t>(out.positions.size());
+    out.positions.push_back(document.position(slot));
+  }
+  for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
+    SampleData::Contour kept{.closed = contour.closed, .points = {}};
+    for (const SampleId id : contour.samples)
+      if (const SampleSlot slot = document.slot_of(id); slot != kNoSlot) kept.points.push_back(place[slot]);
+    if (!kept.points.empty()) out.contours.push_back(std::move(kept));
+  }
+  for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
+  return out;
+}
+
 }  // namespace mes

@@ -62,6 +62,9 @@ struct SampleData {
   std::vector<Disk> balls{};
 };
 
+/// All of the document: samples and balls in input order. `replace_all` makes it again, with other ids. O(n log n).
+SampleData data_of(const Document& document);
+
 /// Moves the live samples, in input order, to the first of `positions`, and adds samples at the others. `contours`,
 /// if any, become the curve order; they name samples by their place in `positions`. Error: fewer positions than
 /// samples, otherwise as when samples are moved, inserted and replaced.

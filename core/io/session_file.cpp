@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as a source of samples and balls: their last state.
-#include <unordered_map>
-
+#include "core/document/commands.h"
 #include "core/io/format_registry.h"
 #include "core/io/session.h"
 
@@ -10,23 +9,6 @@ namespace {
 
 Match match(std::string_view bytes) {
   return looks_like_session(bytes) ? Match::surely : Match::no;
-}
-
-SampleData data_of(const Document& document) {
-  SampleData out;
-  std::unordered_map<SampleId, std::uint32_t> number;
-  for (const SampleSlot slot : document.slots_in_input_order()) {
-    number.emplace(document.id(slot), static_cast<std::uint32_t>(out.positions.size()));
-    out.positions.push_back(document.position(slot));
-  }
-  for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
-    SampleData::Contour to{contour.closed, {}};
-    for (const SampleId id : contour.samples)
-      if (const auto found = number.find(id); found != number.end()) to.points.push_back(found->second);
-    if (!to.points.empty()) out.contours.push_back(std::move(to));
-  }
-  for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
-  return out;
 }
 
 Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {

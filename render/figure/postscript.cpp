@@ -4,8 +4,10 @@
 #include <cairo-ps.h>
 
 #include <string>
+#include <vector>
 
 #include "render/figure/internal/cairo_painter.h"
+#include "render/figure/raster.h"
 #include "render/figure/writers.h"
 
 namespace mes::figure {
@@ -26,7 +28,29 @@ void remove_comments_that_vary(std::string& text) {
   }
 }
 
+std::size_t translucent_shapes(const FigureLayer& layer) {
+  std::size_t count = 0;
+  for (const Group& group : layer.groups)
+    for (const Run& run : group.runs)
+      if (group.opacity < 1.0 || run.opacity < 1.0) count += run.shapes.size();
+  return count;
+}
+
+/// The layers of which cairo would make a picture shape by shape, for minutes.
+std::vector<std::string> layers_to_rasterize(const Figure& figure) {
+  constexpr std::size_t kMostTranslucent = 1000;
+  std::vector<std::string> out;
+  for (const FigureLayer& layer : figure.layers)
+    if (translucent_shapes(layer) > kMostTranslucent) out.push_back(layer.id);
+  return out;
+}
+
 Expected<std::string> postscript(const Figure& figure, bool is_encapsulated) {
+  if (const std::vector<std::string> layers = layers_to_rasterize(figure); !layers.empty()) {
+    Figure reduced = figure;
+    if (auto good = rasterize_layers(reduced, layers, kDotsPerInch); !good) return std::unexpected(good.error());
+    return postscript(reduced, is_encapsulated);
+  }
   std::string out;
   cairo_surface_t* const surface = cairo_ps_surface_create_for_stream(append, &out, figure.width, figure.height);
   cairo_ps_surface_set_eps(surface, is_encapsulated ? 1 : 0);

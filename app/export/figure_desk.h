@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure of what the window shows, while its settings are being chosen: a preview, the bytes of its file, the file.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/export/figure.h"
+#include "app/model/figure_settings.h"
+#include "app/system/background_job.h"
+#include "core/document/commands.h"
+#include "core/document/computation_settings.h"
+#include "render/figure/writers.h"
+
+namespace mes {
+
+/// What a figure is of, as it was when it was asked for.
+struct FigureSubject {
+  SampleData data;
+  ComputationSettings settings;
+  ShownLayers shown;  ///< its background is the canvas
+  BackgroundImage image;
+  std::vector<render::ColorMap> maps;
+  figure::Page view;          ///< what the window shows; of its width and height only the proportion counts
+  double canvas_width = 0.0;  ///< of the view, in logical pixels of the window
+};
+
+/// A figure as its settings have it. Plain data.
+struct FigurePreview {
+  render::Image image;
+  double width = 0.0;  ///< of the page, points
+  double height = 0.0;
+  struct Layer {
+    std::string id;
+    std::string title;
+    std::size_t shapes = 0;
+    bool is_picture = false;
+  };
+  std::vector<Layer> layers;  ///< bottom first
+  std::size_t shapes = 0;     ///< of all
+  std::vector<std::string> remarks;
+};
+
+/// What it guarantees:
+///  1. Nothing waits for computing, drawing, or the disk: each is a call on a thread of its own, of which `wake` is
+///     called from there. What is no longer wanted is given up.
+///  2. The figure is of the subject, whatever becomes of the document meanwhile, and computed afresh.
+///  3. The file has the bytes whose size was shown, and appears complete or not at all.
+///
+/// Smallest use:
+///     desk.begin(subject);
+///     ... each frame: desk.want(settings, rasterized, 600); if (desk.follow()) show(desk.preview());
+///     desk.save(file);
+/// Threads: the window's.
+class FigureDesk {
+ public:
+  explicit FigureDesk(std::function<void()> wake);
+
+  void begin(FigureSubject subject);
+  /// Gives up everything but a file that is being saved.
+  void end();
+  bool is_open() const { return is_open_; }
+
+  /// What the figure is to be; `rasterized` are ids of layers, `preview_px` the longest side of the preview.
+  void want(const FigureSettings& settings, const std::vector<std::string>& rasterized, int preview_px);
+  /// Takes what has come. True when there is something new to show.
+  bool follow();
+
+  /// Null until the first is there; then the last one that could be drawn.
+  const FigurePreview* preview() const { return preview_ ? &*preview_ : nullptr; }
+  /// Grows with each new preview.
+  std::uint64_t preview_number() const { return preview_number_; }
+  /// The preview is not yet of what is wanted.
+  bool is_drawing() const { return is_open_ && !(problem_ || (preview_ && shown_ == wanted_)); }
+  /// Of the file as wanted, once it is known.
+  const std::string* bytes() const { return bytes_ ? bytes_.get() : nullptr; }
+  /// Why there is no figure of what is wanted.
+  const std::optional<Error>& problem() const { return problem_; }
+
+  /// Writes the figure as wanted, once it is drawn. The file is replaced if it exists.
+  void save(const std::filesystem::path& file);
+  bool is_saving() const { return saving_.is_under_way() || save_to_; }
+  struct Saved {
+    std::filesystem::path file;
+    Expected<void> outcome;
+  };
+  /// What came of `save`, once.
+  std::optional<Saved> take_saved() { return std::exchange(saved_, std::nullopt); }
+
+ private:
+  struct Wanted {
+    FigureSettings settings;
+    std::vector<std::string> rasterized;
+    int preview_px = 0;
+    friend bool operator==(const Wanted&, const Wanted&) = default;
+  };
+  struct Contents;
+  struct Drawn {
+    Wanted wanted;
+    Expected<std::pair<std::shared_ptr<const figure::Figure>, FigurePreview>> figure;
+  };
+  struct Written {
+    Wanted wanted;
+    Expected<std::string> bytes;
+  };
+  static Expected<std::shared_ptr<const Contents>> compute(const FigureSubject& subject, const std::stop_token& stop);
+  static Drawn draw(const Contents& contents, const Wanted& wanted);
+  void begin_drawing();
+  void begin_writing();
+  void begin_saving();
+  void fail(const Error& error);
+  bool take_contents();
+  bool take_drawn();
+  bool take_written();
+
+  bool is_open_ = false;
+  Wanted wanted_;
+  std::shared_ptr<const Contents> contents_;
+  Wanted shown_;
+  std::optional<FigurePreview> preview_;
+  std::uint64_t preview_number_ = 0;
+  std::shared_ptr<const figure::Figure> figure_;  // of `shown_`
+  std::shared_ptr<const std::string> bytes_;      // of `wanted_`
+  std::optional<Error> problem_;                  // of `wanted_`
+  std::optional<std::filesystem::path> save_to_;
+  std::optional<Saved> saved_;
+  BackgroundJob<Expected<std::shared_ptr<const Contents>>> computing_;
+  BackgroundJob<Drawn> drawing_;
+  BackgroundJob<Written> writing_;
+  BackgroundJob<Saved> saving_;
+};
+
+}  // namespace mes

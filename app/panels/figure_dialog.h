@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Export a figure": its settings, with the figure as it will be beside them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/export/figure_desk.h"
+#include "app/ui/dialog.h"
+
+namespace mes {
+
+/// Threads: the window's.
+class FigureDialog final : public Dialog {
+ public:
+  /// All of them outlive the dialog.
+  struct Uses {
+    FigureDesk& desk;
+    FigureSettings& settings;
+    std::function<void()> ask_file;          ///< where the figure goes
+    std::function<ImTextureID()> texture{};  ///< of the preview; null while there is none
+    std::function<void()> closed;            ///< cancelled, or done
+  };
+  void set_uses(Uses uses) { uses_.emplace(std::move(uses)); }
+
+  void open();
+  void close();
+  /// Another dialog lies over it: it is not seen until that is answered.
+  void set_covered(bool is_covered) { is_covered_ = is_covered; }
+
+  bool is_open() const override { return is_open_; }
+  void cancel() override { close(); }
+  void draw(const Gui& gui) override;
+  /// Enter exports, unless a number is being typed.
+  void press(const KeyChord& chord) override;
+
+ private:
+  void draw_settings(const Gui& gui) const;
+  void draw_size(const Gui& gui) const;
+  void draw_look(const Gui& gui) const;
+  void draw_layers(const Gui& gui);
+  void draw_facts(const Gui& gui);
+  void draw_buttons(const Gui& gui);
+  void draw_preview(const Gui& gui) const;
+
+  std::optional<Uses> uses_;
+  bool is_open_ = false;
+  bool is_covered_ = false;
+  bool is_accepted_ = false;
+  std::vector<std::string> rasterized_;  // ids of layers; of this figure alone
+};
+
+}  // namespace mes

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+#include "app/export/figure_desk.h"
+#include "core/draw/layer_descriptor.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes;
+using test::TemporaryFolder;
+
+namespace {
+
+SampleData circle(int n) {
+  SampleData out;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n;
+    out.positions.push_back({10.0 + 3.0 * std::cos(angle), 20.0 + 3.0 * std::sin(angle)});
+  }
+  return out;
+}
+
+/// What a window of 800 x 600 logical pixels shows, 0.01 units each.
+FigureSubject subject_of(SampleData data) {
+  FigureSubject out;
+  out.data = std::move(data);
+  for (const LayerDescriptor& layer : layer_descriptors()) out.shown.styles.push_back(layer.style);
+  out.shown.layers = {find_layer("delaunay"), find_layer("points")};
+  out.shown.background = Rgb{27, 30, 34};
+  out.maps = render::builtin_color_maps();
+  out.view = {.center = {10.0, 20.0}, .units_per_point = 0.01 / 0.75, .width = 600.0, .height = 450.0};
+  out.canvas_width = 800.0;
+  return out;
+}
+
+/// Waits as the window does, frame by frame.
+struct Desk {
+  std::atomic<int> wakes = 0;
+  FigureDesk desk{[this] {
+    ++wakes;
+    wakes.notify_all();
+  }};
+
+  template <class Condition>
+  void until(Condition condition) {
+    for (;;) {
+      const int seen = wakes;
+      desk.follow();
+      if (condition()) return;
+      wakes.wait(seen);
+    }
+  }
+  void until_written() {
+    until([this] { return desk.bytes() != nullptr || desk.problem(); });
+  }
+};
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+TEST_CASE("a figure is previewed as it is written, with the size asked for") {
+  Desk test;
+  test.desk.begin(subject_of(circle(60)));
+  const FigureSettings settings{.extension = ".svg", .width_mm = 254.0};
+  test.desk.want(settings, {}, 400);
+  CHECK(test.desk.is_drawing());
+  test.until_written();
+  REQUIRE(test.desk.preview() != nullptr);
+  REQUIRE(test.desk.bytes() != nullptr);
+  CHECK_FALSE(test.desk.is_drawing());
+  const FigurePreview& preview = *test.desk.preview();
+  CHECK(preview.width == Approx(720.0));
+  CHECK(preview.height == Approx(540.0));
+  CHECK(preview.image.width == 400);
+  CHECK(preview.image.height == 300);
+  REQUIRE(preview.layers.size() == 2);
+  CHECK(preview.layers[0].id == "delaunay");
+  // 2n - 3 edges of points in convex position; all are in view.
+  CHECK(preview.layers[0].shapes == 117);
+  CHECK(preview.layers[1].shapes == 60);
+  CHECK(preview.shapes == 177);
+  CHECK(test.desk.bytes()->find("width=\"254mm\"") != std::string::npos);
+}
+
+TEST_CASE("everything is seen where the view shows a part, and paper and lines are as chosen") {
+  Desk test;
+  FigureSubject subject = subject_of(circle(60));
+  subject.view.units_per_point = 0.001;
+  test.desk.begin(std::move(subject));
+  test.desk.want({.extension = ".svg"}, {}, 200);
+  test.until_written();
+  CHECK(test.desk.preview()->layers[1].shapes == 0);
+  test.desk.want({.extension = ".svg", .extent = FigureExtent::everything, .paper = FigurePaper::transparent}, {},
+                 200);
+  test.until_written();
+  CHECK(test.desk.preview()->layers[1].shapes == 60);
+  CHECK(test.desk.preview()->image.rgba[3] == 0);
+  const std::string screen = *test.desk.bytes();
+  test.desk.want({.extension = ".svg", .extent = FigureExtent::everything, .as_on_screen = false, .line_scale = 2.0},
+                 {}, 200);
+  test.until_written();
+  CHECK(test.desk.preview()->image.rgba[3] == 255);
+  CHECK(*test.desk.bytes() != screen);
+}
+
+TEST_CASE("a layer that is to be a picture is one, in formats that hold pictures") {
+  Desk test;
+  test.desk.begin(subject_of(circle(60)));
+  test.desk.want({.extension = ".pdf"}, {"delaunay"}, 200);
+  test.until_written();
+  REQUIRE(test.desk.preview() != nullptr);
+  CHECK(test.desk.preview()->layers[0].is_picture);
+  CHECK(test.desk.preview()->layers[0].shapes == 0);
+  test.desk.want({.extension = ".ipe"}, {"delaunay"}, 200);
+  test.until_written();
+  CHECK_FALSE(test.desk.preview()->layers[0].is_picture);
+}
+
+TEST_CASE("a file has the bytes that were shown, and what cannot be written is said") {
+  TemporaryFolder folder;
+  Desk test;
+  test.desk.begin(subject_of(circle(30)));
+  test.desk.want({.extension = ".svg"}, {}, 100);
+  // Asked for before it is drawn.
+  test.desk.save(folder / "a.svg");
+  std::optional<FigureDesk::Saved> saved;
+  const auto is_saved = [&] {
+    saved = test.desk.take_saved();
+    return saved.has_value();
+  };
+  test.until(is_saved);
+  CHECK(saved->outcome);
+  REQUIRE(test.desk.bytes() != nullptr);
+  CHECK(content(folder / "a.svg") == *test.desk.bytes());
+  test.desk.save(folder / "missing" / "a.svg");
+  test.until(is_saved);
+  REQUIRE_FALSE(saved->outcome);
+  CHECK(saved->outcome.error().code == ErrorCode::cannot_write);
+  CHECK_FALSE(test.desk.is_saving());
+}
+
+TEST_CASE("what a figure cannot be is said, and the next settings are tried") {
+  Desk test;
+  FigureSubject subject = subject_of(circle(30));
+  test.desk.begin(subject);
+  test.desk.want({.extension = ".gif"}, {}, 100);
+  test.until_written();
+  REQUIRE(test.desk.problem());
+  CHECK(test.desk.problem()->code == ErrorCode::usage);
+  test.desk.want({.extension = ".pdf"}, {}, 100);
+  test.until_written();
+  CHECK_FALSE(test.desk.problem());
+  // A picture of a page 5 metres wide at 2400 dots an inch.
+  test.desk.want({.extension = ".pdf", .width_mm = 5080.0, .dots_per_inch = 2400.0}, {"delaunay"}, 100);
+  test.until_written();
+  REQUIRE(test.desk.problem());
+  CHECK(test.desk.problem()->code == ErrorCode::usage);
+}
+
+TEST_CASE("a figure of nothing is an empty page") {
+  for (const int n : {0, 1, 2}) {
+    Desk test;
+    test.desk.begin(subject_of(circle(n)));
+    for (const FigureExtent extent : {FigureExtent::view, FigureExtent::everything, FigureExtent::ink})
+      for (const figure::Format& format : figure::formats()) {
+        test.desk.want({.extension = std::string(format.extension), .extent = extent}, {"points"}, 64);
+        test.until_written();
+        INFO(n << " samples, " << format.name);
+        CHECK_FALSE(test.desk.problem());
+        CHECK(test.desk.bytes() != nullptr);
+      }
+  }
+}
+
+TEST_CASE("what is given up leaves nothing behind, and the next one is another") {
+  Desk test;
+  test.desk.begin(subject_of(circle(2000)));
+  test.desk.want({.extension = ".svg"}, {}, 100);
+  test.desk.end();
+  CHECK_FALSE(test.desk.is_open());
+  CHECK(test.desk.preview() == nullptr);
+  test.desk.begin(subject_of(circle(7)));
+  test.until_written();
+  CHECK(test.desk.preview()->layers[1].shapes == 7);
+}
