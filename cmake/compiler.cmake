@@ -14,8 +14,8 @@ set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 if(MESECINA_SANITIZE)
   add_compile_options(-fsanitize=${MESECINA_SANITIZE} -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${MESECINA_SANITIZE})
-  # The instrumented code confuses this warning: it fires inside the standard library.
-  target_compile_options(mes_options INTERFACE -Wno-maybe-uninitialized)
+  # The instrumented code confuses these warnings: they fire inside the standard library.
+  target_compile_options(mes_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict)
   if(MESECINA_SANITIZE MATCHES "undefined")
     add_compile_options(-fno-sanitize-recover=undefined)
   endif()

@@ -10,6 +10,7 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/export/geometry_export.h"
 #include "app/store/layer_text.h"
 #include "core/io/text_numbers.h"
 
@@ -22,12 +23,16 @@ Expected<const LayerTextFormat*> select_format(const std::string& name) {
       fmt::format("unknown export format {}; it is one of {}", in_quotes(name), one_of(export_formats())));
 }
 
-/// What is computed: the layers, and what else the format needs.
-std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<LayerIndex> layers) {
-  if (format.needs_curve)
-    for (const std::string_view id : {"curve", "curve-normals"})
-      if (std::ranges::find(layers, find_layer(id)) == layers.end()) layers.push_back(find_layer(id));
-  return layers;
+// The line of the progress is gone when it returns.
+Expected<LayerText> compute_text(const SampleData& data, const LayerTextFormat& format,
+                                 const std::vector<LayerIndex>& layers, const ComputationSettings& settings) {
+  Progress progress;
+  return compute_layer_text(
+      data, format,
+      {.layers = layers,
+       .settings = settings,
+       .on_patch = {},
+       .on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); }});
 }
 
 }  // namespace
@@ -53,16 +58,10 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
   const auto input = read_input(request.source.file, request.source.from);
   if (!input) return std::unexpected(input.error());
 
-  LayerMirror mirror;
-  const auto result =
-      compute_with_progress(input->data, {.layers = layers_for(**format, *layers),
-                                          .settings = *settings,
-                                          .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
-  if (!result) return std::unexpected(result.error());
-  const LayerText out = (*format)->write({.layers = *layers, .mirror = mirror, .document = result->document});
-  if (out.left_out != 0)
-    say(fmt::format("{} rays and lines are left out: {} holds finite shapes only", out.left_out, request.format));
-  return write_output(request.output, out.text, interruption, {input->sources, request.force});
+  const auto out = compute_text(input->data, **format, *layers, *settings);
+  if (!out) return std::unexpected(out.error());
+  if (const std::string remark = remark_about(*out, **format); !remark.empty()) say(remark);
+  return write_output(request.output, out->text, interruption, {input->sources, request.force});
 }
 
 }  // namespace mes::cli

@@ -113,9 +113,9 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
       result.reports = patch->reports;
       engine.recycle(std::move(patch));
     }
-    if (!status.busy) break;
     if (request.stop.stop_requested())
       return std::unexpected(Error{ErrorCode::cancelled, "the computation was stopped", {}, 0, 0});
+    if (!status.busy) break;
     if (request.on_progress) request.on_progress(status.task, tasks.fraction(status));
     constexpr std::chrono::milliseconds kBetweenLooks{100};
     bell.wait(kBetweenLooks);

@@ -249,7 +249,21 @@ void LayersPanel::draw_context_menu(LayerIndex layer) {
     layers_.set_style(layer,
                       style_for(layers_.descriptor(layer), layers_.descriptor(copied_->layer), copied_->style));
   if (ImGui::MenuItem("Reset style", nullptr, false, !layers_.has_default_style(layer))) layers_.reset_style(layer);
+  ImGui::Separator();
+  draw_export_menu(layer);
   ImGui::EndPopup();
+}
+
+void LayersPanel::draw_export_menu(LayerIndex layer) const {
+  const auto formats = layer_text_formats();
+  const auto holds = [layer](const LayerTextFormat& format) { return format.holds(layer); };
+  if (!ImGui::BeginMenu("Export geometry", std::ranges::any_of(formats, holds))) return;
+  for (const LayerTextFormat& format : formats) {
+    if (!holds(format)) continue;
+    if (ImGui::MenuItem(std::string(format.title).c_str())) ask_export_(layer, format);
+    tooltip(gui_, std::string(format.help));
+  }
+  ImGui::EndMenu();
 }
 
 void LayersPanel::draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end) {

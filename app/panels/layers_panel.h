@@ -2,6 +2,7 @@
 // The list of layers: what is drawn, in which order, in which style.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "app/model/layer_list.h"
 #include "app/panels/color_map_controls.h"
 #include "app/panels/image_controls.h"
+#include "app/store/layer_text.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
@@ -28,6 +30,8 @@ class LayersPanel {
         color_maps_(gui, layers, picture) {}
 
   void draw(const PanelArea& area);
+  /// Asks for a file for the geometry of a layer.
+  void set_export(std::function<void(LayerIndex, const LayerTextFormat&)> ask) { ask_export_ = std::move(ask); }
 
  private:
   void draw_head();
@@ -43,6 +47,7 @@ class LayersPanel {
   void draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const;
   void draw_style_popup(LayerIndex layer);
   void draw_context_menu(LayerIndex layer);
+  void draw_export_menu(LayerIndex layer) const;
   void draw_filter_note();
   void follow();
   bool is_without_content(LayerIndex layer) const;
@@ -67,6 +72,7 @@ class LayersPanel {
     LayerStyle style;
   };
   std::optional<CopiedStyle> copied_;
+  std::function<void(LayerIndex, const LayerTextFormat&)> ask_export_;
 };
 
 }  // namespace mes

@@ -38,6 +38,17 @@ void recent_files_menu(const MenuBar& menu) {
   ImGui::EndMenu();
 }
 
+// All that is shown in one file.
+void geometry_menu(const MenuBar& menu) {
+  if (!ImGui::BeginMenu("Export geometry")) return;
+  for (const LayerTextFormat& format : layer_text_formats()) {
+    if (!format.is_of_many) continue;
+    if (ImGui::MenuItem(std::string(format.title).c_str())) menu.export_geometry(format);
+    tooltip(menu.gui, "All layers that are shown: " + std::string(format.help));
+  }
+  ImGui::EndMenu();
+}
+
 void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::new_document);
   action_item(menu, ActionId::open);
@@ -48,6 +59,7 @@ void file_menu(const MenuBar& menu) {
   ImGui::Separator();
   action_item(menu, ActionId::trace_picture);
   action_item(menu, ActionId::export_figure);
+  geometry_menu(menu);
   for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(menu, id);
   ImGui::Separator();
   action_item(menu, ActionId::quit);

@@ -11,6 +11,7 @@
 #include "app/model/evolution_player.h"
 #include "app/model/layer_stack.h"
 #include "app/model/settings.h"
+#include "app/store/layer_text.h"
 #include "app/store/sample_shapes.h"
 #include "app/ui/gui.h"
 
@@ -24,8 +25,9 @@ struct MenuBar {
   LayerStack& layers;
   EvolutionPlayer& evolution;
   std::span<const SampleShape> shapes;
-  std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost
-  std::function<void(const SampleShape&)> open_shape;  ///< the same
+  std::function<void(const std::string&)> open_file;            ///< asks before unsaved work is lost
+  std::function<void(const SampleShape&)> open_shape;           ///< the same
+  std::function<void(const LayerTextFormat&)> export_geometry;  ///< of what is shown
 
   /// Across the window; its height in screen coordinates.
   float draw() const;

@@ -26,17 +26,18 @@ bool holds_curve(LayerIndex layer) {
 
 // One line a format.
 constexpr std::array<LayerTextFormat, 7> kFormats{{
-    {"csv", "CSV table", "one primitive a line, segments without length left out", false, false, "", holds_all,
+    {"csv", "csv", "CSV table", "one primitive a line, segments without length left out", false, false, "", holds_all,
      csv_of},
-    {"poff", "POFF points", "points, or the ends of segments with the chains they form", false, false, "points",
-     holds_points, poff_of},
-    {"wpoff", "WPOFF balls", "disks, or circles", false, false, "disks", holds_balls, wpoff_of},
-    {"npoff", "NPOFF points with normals", "samples of the curve in order with unit normals, a block a chain", false,
-     true, "curve with normals", holds_curve, npoff_of},
-    {"geojson", "GeoJSON", "features with layer, kind and scalar, segments as the chains they form", true, false, "",
-     holds_all, geojson_of},
-    {"wkt", "WKT", "well-known text, a geometry a line", true, false, "", holds_all, wkt_of},
-    {"svg-path", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
+    {"poff", "poff", "POFF points", "points, or the ends of segments with the chains they form", false, false,
+     "points", holds_points, poff_of},
+    {"wpoff", "wpoff", "WPOFF balls", "disks, or circles", false, false, "disks", holds_balls, wpoff_of},
+    {"npoff", "npoff", "NPOFF points with normals",
+     "samples of the curve in order with unit normals, a block a chain", false, true, "curve with normals",
+     holds_curve, npoff_of},
+    {"geojson", "geojson", "GeoJSON", "features with layer, kind and scalar, segments as the chains they form", true,
+     false, "", holds_all, geojson_of},
+    {"wkt", "wkt", "WKT", "well-known text, a geometry a line", true, false, "", holds_all, wkt_of},
+    {"svg-path", "txt", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
 }};
 
 }  // namespace

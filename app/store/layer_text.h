@@ -30,7 +30,8 @@ struct LayerText {
 /// A format. Numbers are in shortest round-trip form in all of them; segments of length zero are left out, as they are
 /// from the counts of `compute`. Equal geometry gives equal bytes.
 struct LayerTextFormat {
-  std::string_view name;        ///< as on the command line; also the extension of file names, but for `svg-path`
+  std::string_view name;        ///< as on the command line
+  std::string_view extension;   ///< of file names, without its dot
   std::string_view title;       ///< as in a menu
   std::string_view help;        ///< one line
   bool is_of_many = false;      ///< it holds several layers at once

@@ -41,6 +41,7 @@ class DocumentFlow {
   DocumentFlow(Uses uses, const std::filesystem::path& assets, const std::function<void()>& wake);
 
   FileDesk& files() { return files_; }
+  FigureFlow& figures() { return figures_; }
   const FigureFlow& figures() const { return figures_; }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/figure_flow.h"
 
+#include <fmt/core.h>
 #include <algorithm>
+#include <new>
 #include <utility>
 
+#include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/io/atomic_file.h"
 
 namespace mes {
 
-FigureFlow::FigureFlow(Uses uses, std::function<void()> wake) : uses_(std::move(uses)), desk_(std::move(wake)) {
+FigureFlow::FigureFlow(Uses uses, std::function<void()> wake)
+    : uses_(std::move(uses)), desk_(wake), writing_geometry_(std::move(wake)) {
   uses_.dialogs.figure.set_uses({.desk = desk_,
                                  .settings = uses_.settings.figure,
                                  .ask_file = [this] { ask_file(); },
@@ -56,20 +62,77 @@ FigureSubject FigureFlow::subject() const {
   return out;
 }
 
-void FigureFlow::ask_file() {
+std::string FigureFlow::document_name() const {
   std::string name = std::filesystem::path(uses_.title()).stem().string();
   std::ranges::replace(name, '/', '-');
+  return name;
+}
+
+void FigureFlow::ask_file() {
   const std::string& extension = uses_.settings.figure.extension;
-  uses_.dialogs.browser.ask_save(uses_.folder(), name + extension,
-                                 [this](const std::filesystem::path& file) {
-                                   uses_.settings.last_folder = file.parent_path().string();
-                                   desk_.save(file);
-                                   uses_.dialogs.figure.close();
-                                 },
+  const auto save = [this](const std::filesystem::path& file) {
+    uses_.settings.last_folder = file.parent_path().string();
+    desk_.save(file);
+    uses_.dialogs.figure.close();
+  };
+  uses_.dialogs.browser.ask_save(uses_.folder(), document_name() + extension, save,
                                  {.heading = "Export a figure", .extensions = {extension}});
 }
 
+void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format) {
+  if (layers.empty()) {
+    uses_.messages.problem("No layer is shown whose geometry could be exported");
+    return;
+  }
+  if (auto good = check_layers(format, layers); !good) {
+    uses_.messages.problem(good.error().message());
+    return;
+  }
+  const std::string extension = "." + std::string(format.extension);
+  const std::string layer = layers.size() == 1 ? "-" + std::string(layer_descriptors()[layers.front()].id) : "";
+  const auto save = [this, layers = std::move(layers), &format](const std::filesystem::path& file) {
+    uses_.settings.last_folder = file.parent_path().string();
+    write_geometry(file, layers, format);
+  };
+  uses_.dialogs.browser.ask_save(
+      uses_.folder(), document_name() + layer + extension, save,
+      {.heading = fmt::format("Export geometry as {}", format.title), .extensions = {extension}});
+}
+
+void FigureFlow::write_geometry(const std::filesystem::path& file, std::vector<LayerIndex> layers,
+                                const LayerTextFormat& format) {
+  const ComputationRequest request{
+      .layers = std::move(layers), .settings = uses_.work.computation().settings(), .on_patch = {}};
+  writing_geometry_.begin([file, data = data_of(uses_.work.document()), request,
+                           &format](const std::stop_token& stop) -> WrittenGeometry {
+    try {
+      ComputationRequest stoppable = request;
+      stoppable.stop = stop;
+      const auto text = compute_layer_text(data, format, std::move(stoppable));
+      if (!text) return {file, std::unexpected(text.error())};
+      if (auto written = write_file_atomically(file, text->text); !written)
+        return {file, std::unexpected(written.error())};
+      return {file, remark_about(*text, format)};
+    } catch (const std::bad_alloc&) {
+      return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for this geometry"})};
+    }
+  });
+}
+
+void FigureFlow::take_geometry() {
+  const auto written = writing_geometry_.poll();
+  if (!written) return;
+  uses_.screen.clock.settle();
+  if (!written->remark)
+    uses_.messages.problem(written->remark.error().message());
+  else if (written->remark->empty())
+    uses_.messages.remark("Exported " + written->file.string());
+  else
+    uses_.messages.problem("Exported " + written->file.string() + "; " + *written->remark);
+}
+
 void FigureFlow::take_results() {
+  take_geometry();
   uses_.dialogs.figure.set_covered(uses_.dialogs.browser.is_open());
   if (!desk_.follow()) return;
   uses_.screen.clock.settle();

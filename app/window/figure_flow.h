@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures leave the window: the dialog, what it shows, and the file.
+// Figures and geometry leave the window: dialogs, what they show, and files.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,8 @@
 #include "app/export/figure_desk.h"
 #include "app/model/settings.h"
 #include "app/panels/dialogs.h"
+#include "app/store/layer_text.h"
+#include "app/system/background_job.h"
 #include "app/window/drawing_board.h"
 
 namespace mes {
@@ -35,15 +37,26 @@ class FigureFlow {
   FigureFlow& operator=(const FigureFlow&) = delete;
 
   void bind(ActionBindings& actions);
+  /// Asks for a file for the geometry of these layers, which are computed afresh for it.
+  void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
   /// Once a turn, before the frame.
   void take_results();
   /// A figure is being drawn or written.
   bool is_busy() const {
-    return (desk_.is_open() && desk_.bytes() == nullptr && !desk_.problem()) || desk_.is_saving();
+    const bool is_drawing = desk_.is_open() && desk_.bytes() == nullptr && !desk_.problem();
+    return is_drawing || desk_.is_saving() || writing_geometry_.is_under_way();
   }
 
  private:
+  struct WrittenGeometry {
+    std::filesystem::path file;
+    Expected<std::string> remark;  ///< empty: nothing is left out
+  };
   void open();
+  void write_geometry(const std::filesystem::path& file, std::vector<LayerIndex> layers,
+                      const LayerTextFormat& format);
+  void take_geometry();
+  std::string document_name() const;
   void ask_file();
   FigureSubject subject() const;
   /// Of the preview, made when it is asked for.
@@ -52,6 +65,7 @@ class FigureFlow {
 
   Uses uses_;
   FigureDesk desk_;
+  BackgroundJob<WrittenGeometry> writing_geometry_;
   std::optional<render::TextureId> texture_;
   std::uint64_t textured_ = 0;  // number of the preview in it
 };

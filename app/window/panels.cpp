@@ -32,7 +32,10 @@ Panels::Panels(const Uses& uses)
                 uses.work.evolution(),
                 uses.documents.shapes(),
                 [&flow = uses.documents](const std::string& file) { flow.open({file}); },
-                [&flow = uses.documents](const SampleShape& shape) { flow.open_shape(shape); }},
+                [&flow = uses.documents](const SampleShape& shape) { flow.open_shape(shape); },
+                [&flow = uses.documents, &layers = uses.work.layers()](const LayerTextFormat& format) {
+                  flow.figures().ask_geometry(layers.visible_layers(), format);
+                }},
       status_bar_{uses.screen.gui,
                   uses.work.editor(),
                   uses.board.canvas(),
@@ -54,7 +57,11 @@ Panels::Panels(const Uses& uses)
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
       details_panel_(uses.screen.gui, uses.actions, uses.settings.details,
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
-                     {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages}) {}
+                     {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages}) {
+  layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
+    flow.figures().ask_geometry({layer}, format);
+  });
+}
 
 std::vector<PaletteEntry> Panels::palette_entries() {
   Uses uses = uses_;

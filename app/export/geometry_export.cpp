@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/geometry_export.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace mes {
+
+std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<LayerIndex> layers) {
+  if (format.needs_curve)
+    for (const std::string_view id : {"curve", "curve-normals"})
+      if (std::ranges::find(layers, find_layer(id)) == layers.end()) layers.push_back(find_layer(id));
+  return layers;
+}
+
+Expected<LayerText> compute_layer_text(const SampleData& data, const LayerTextFormat& format,
+                                       ComputationRequest request) {
+  const std::vector<LayerIndex> layers = request.layers;
+  if (auto good = check_layers(format, layers); !good) return std::unexpected(good.error());
+  LayerMirror mirror;
+  request.layers = layers_for(format, layers);
+  request.on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); };
+  const auto result = run_computation(data, request);
+  if (!result) return std::unexpected(result.error());
+  return format.write({.layers = layers, .mirror = mirror, .document = result->document});
+}
+
+std::string remark_about(const LayerText& text, const LayerTextFormat& format) {
+  if (text.left_out == 0) return {};
+  return fmt::format("{} rays and lines are left out: {} holds finite shapes only", text.left_out, format.name);
+}
+
+}  // namespace mes
