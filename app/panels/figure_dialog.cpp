@@ -38,11 +38,22 @@ void title(const Gui& gui, const char* text) {
   ImGui::SameLine(kTitle * gui.unit());
 }
 
+/// On the same line as the last item where `label` fits there; otherwise below it, beside the titles.
+void go_on(const Gui& gui, const std::string& label) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2 * style.FramePadding.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right)
+    ImGui::SameLine();
+  else
+    ImGui::SetCursorPosX(kTitle * gui.unit());
+}
+
 /// One of several words; `chosen` is its place.
 template <class Choice, std::size_t N>
 void choice(const Gui& gui, const std::array<std::pair<const char*, const char*>, N>& words, Choice& chosen) {
   for (std::size_t i = 0; i < N; ++i) {
-    if (i != 0) ImGui::SameLine();
+    if (i != 0) go_on(gui, words[i].first);
     if (choice_button(words[i].first, static_cast<std::size_t>(chosen) == i)) chosen = static_cast<Choice>(i);
     tooltip(gui, words[i].second);
   }
@@ -121,7 +132,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
   title(gui, "Size");
   const auto presets = page_presets();
   for (std::size_t i = 0; i < presets.size() && i < kPresetTitles.size(); ++i) {
-    if (i != 0) ImGui::SameLine();
+    if (i != 0) go_on(gui, kPresetTitles[i]);
     const auto size = parse_page_size(std::string(presets[i].size));
     constexpr double kMillimetersPerPoint = figure::kMillimetersPerInch / figure::kPointsPerInch;
     const double width = size ? kMillimetersPerPoint * size->width : 0.0;
@@ -149,12 +160,13 @@ void FigureDialog::draw_size(const Gui& gui) const {
   if (length_field(gui, "##height", settings, height)) settings.height_mm = height;
   ImGui::EndDisabled();
   tooltip(gui, "Height of the page");
-  ImGui::SameLine();
   for (const bool inches : {false, true}) {
+    go_on(gui, "mm");
     if (choice_button(inches ? "in" : "mm", settings.in_inches == inches)) settings.in_inches = inches;
-    ImGui::SameLine();
   }
-  if (ImGui::Checkbox("As needed", &follows))
+  constexpr const char* kFollows = "As needed";
+  go_on(gui, std::string("[x] ") + kFollows);
+  if (ImGui::Checkbox(kFollows, &follows))
     settings.height_mm = follows ? 0.0 : std::clamp(height, kLeastFigureSide, kMostFigureSide);
   tooltip(gui, "The height follows from the width");
 }
@@ -187,10 +199,10 @@ void FigureDialog::draw_settings(const Gui& gui) const {
   title(gui, "Format");
   bool is_first = true;
   for (const figure::Format& format : figure::formats()) {
-    if (!is_first) ImGui::SameLine();
+    const std::string name = short_name(format);
+    if (!is_first) go_on(gui, name);
     is_first = false;
-    if (choice_button(short_name(format).c_str(), settings.extension == format.extension))
-      settings.extension = format.extension;
+    if (choice_button(name.c_str(), settings.extension == format.extension)) settings.extension = format.extension;
     tooltip(gui, fmt::format("{}, *{}", format.name, format.extension));
   }
   draw_size(gui);
@@ -214,8 +226,8 @@ void FigureDialog::draw_layers(const Gui& gui) {
   if (number_field("dpi", dots, "%.0f"))
     settings.dots_per_inch = std::clamp(dots, kLeastDotsPerInch, kMostDotsPerInch);
   tooltip(gui, "Dots an inch of these pictures");
-  const float foot = 118 * unit;
-  ImGui::BeginChild("layers", {0, std::max(60 * unit, ImGui::GetContentRegionAvail().y - foot)}, true);
+  const float foot = 92 * unit;  // what is said below
+  ImGui::BeginChild("layers", {0, std::max(96 * unit, ImGui::GetContentRegionAvail().y - foot)}, true);
   for (auto layer = preview->layers.rbegin(); layer != preview->layers.rend(); ++layer) {
     const auto chosen = std::ranges::find(rasterized_, layer->id);
     bool is_picture = chosen != rasterized_.end();
@@ -260,7 +272,8 @@ void FigureDialog::draw_facts(const Gui& gui) {
 
 void FigureDialog::draw_buttons(const Gui& gui) {
   const FigureDesk& desk = uses_->desk;
-  const ImVec2 size(104 * gui.unit(), 0);
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size(std::min(104 * gui.unit(), (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3), 0);
   const bool is_possible = desk.preview() != nullptr && !desk.problem() && !desk.is_saving();
   ImGui::BeginDisabled(!is_possible);
   const bool is_clicked = default_button(gui, "Export...", size, true);
@@ -315,11 +328,11 @@ void FigureDialog::draw(const Gui& gui) {
     ImGui::TextUnformatted("Export a figure");
     ImGui::PopFont();
     ImGui::Dummy({1, 2 * unit});
+    ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_settings(gui);
     draw_layers(gui);
     draw_facts(gui);
-    const float buttons = ImGui::GetFrameHeight();
-    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), ImGui::GetWindowHeight() - buttons));
+    ImGui::EndChild();
     draw_buttons(gui);
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
