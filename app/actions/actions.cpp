@@ -34,6 +34,8 @@ constexpr auto kFileRows = std::to_array<Row>({
      "Lay a PNG or JPEG picture below the drawing, to set samples along it"},
     {Id::snapshot, "snapshot", "Snapshot",
      "Write what is shown to a new picture, in the folder that the button with three dots names", "F3"},
+    {Id::copy_picture, "copy-picture", "Copy picture", "Put what is shown on the clipboard, as a picture",
+     "Ctrl+Shift+C"},
     {Id::record, "record", "Record", "Write a numbered picture after each change from now on, or end doing so", "F4"},
     {Id::make_video, "make-video", "Make video", "Make a video of the last take with ffmpeg"},
     {Id::export_figure, "export-figure", "Export a figure...",

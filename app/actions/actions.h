@@ -21,6 +21,7 @@ enum class ActionId : std::uint8_t {
   save_as,
   trace_picture,
   snapshot,
+  copy_picture,
   record,
   make_video,
   export_figure,

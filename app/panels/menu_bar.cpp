@@ -60,7 +60,8 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::trace_picture);
   action_item(menu, ActionId::export_figure);
   geometry_menu(menu);
-  for (const ActionId id : {ActionId::snapshot, ActionId::record, ActionId::make_video}) action_item(menu, id);
+  for (const ActionId id : {ActionId::snapshot, ActionId::copy_picture, ActionId::record, ActionId::make_video})
+    action_item(menu, id);
   ImGui::Separator();
   action_item(menu, ActionId::quit);
 }

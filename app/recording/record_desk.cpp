@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/recording/picture_clipboard.h"
 #include "render/png.h"
 
 namespace mes {
@@ -18,10 +19,14 @@ std::string counted_frames(std::size_t n) {
   return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
 }
 
-Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder) {
+Expected<std::vector<std::byte>> png_of(const render::RawImage& raw, const PictureOverlay& overlay) {
   render::Image image = render::to_image(raw);
   overlay.paint(image);
-  const auto png = render::encode_png(image, render::kPngSmall);
+  return render::encode_png(image, render::kPngSmall);
+}
+
+Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder) {
+  const auto png = png_of(raw, overlay);
   if (!png) return std::unexpected(png.error());
   const auto file = claim_file(folder, "mesecina", "png");
   if (!file) return std::unexpected(file.error());
@@ -53,6 +58,7 @@ RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<con
       capture_(picture.device()),
       finished_(wake_),
       written_snapshot_(wake_),
+      written_copy_(wake_),
       video_(wake_) {}
 
 void RecordDesk::start(const RecordSettings& settings, int width, int height, const Insets& panels,
@@ -111,8 +117,15 @@ void RecordDesk::end() {
 void RecordDesk::snapshot(const RecordSettings& settings) {
   if (const auto good = check(settings); !good)
     messages_.problem("No snapshot: " + good.error().message());
-  else
+  else {
     snapshot_ = settings;
+    is_copy_ = false;
+  }
+}
+
+void RecordDesk::copy() {
+  snapshot_ = RecordSettings{};
+  is_copy_ = true;
 }
 
 void RecordDesk::note_complete(const std::optional<ShownState>& state) {
@@ -144,7 +157,7 @@ bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
 
 void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
   const Change change = recorder_->change(drawn.state);
-  asked_.push_back({false,
+  asked_.push_back({Use::frame,
                     {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest(),
                      std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count()},
                     std::move(overlay),
@@ -181,7 +194,7 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
     if (auto overlay = ask(drawn, *snapshot_, drawn.panels))
-      asked_.push_back({.is_snapshot = true, .overlay = std::move(*overlay), .folder = folder_of(*snapshot_)});
+      asked_.push_back({.use = use_of_snapshot(), .overlay = std::move(*overlay), .folder = folder_of(*snapshot_)});
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
@@ -197,7 +210,7 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
   if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
     capture_.take({}, all);
-    asked_.push_back({.is_snapshot = true, .folder = folder_of(*snapshot_)});
+    asked_.push_back({.use = use_of_snapshot(), .folder = folder_of(*snapshot_)});
     snapshot_.reset();
   }
   if (!settings_.with_panels || !is_frame_due(drawn)) return;
@@ -213,8 +226,10 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
 void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
-  if (asked.is_snapshot)
+  if (asked.use == Use::snapshot)
     write_snapshot(std::move(raw), std::move(asked.overlay), asked.folder);
+  else if (asked.use == Use::copy)
+    write_copy(std::move(raw), std::move(asked.overlay));
   else if (writer_)
     writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
 }
@@ -227,6 +242,22 @@ void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay, co
   if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
   written_snapshot_.begin([raw = std::make_shared<render::RawImage>(std::move(raw)), overlay = std::move(overlay),
                            folder](const std::stop_token&) { return write_picture(*raw, overlay, folder); });
+}
+
+void RecordDesk::write_copy(render::RawImage raw, PictureOverlay overlay) {
+  written_copy_.begin([raw = std::make_shared<render::RawImage>(std::move(raw)),
+                       overlay = std::move(overlay)](const std::stop_token& stop) -> Expected<void> {
+    const auto png = png_of(*raw, overlay);
+    if (!png) return std::unexpected(png.error());
+    return copy_png(*png, stop);
+  });
+}
+
+void RecordDesk::tell_copy(const Expected<void>& done) {
+  if (done)
+    messages_.remark("The picture is on the clipboard");
+  else
+    messages_.problem("Not copied: " + done.error().message());
 }
 
 bool RecordDesk::follow() {
@@ -262,6 +293,10 @@ bool RecordDesk::take_results() {
   if (const auto file = written_snapshot_.poll()) {
     has_news = true;
     tell_snapshot(*file);
+  }
+  if (const auto done = written_copy_.poll()) {
+    has_news = true;
+    tell_copy(*done);
   }
   if (const auto done = video_.take_result()) {
     has_news = true;

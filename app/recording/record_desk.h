@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -47,6 +48,8 @@ class RecordDesk {
   void end();
   /// One picture into the folder for pictures, as soon as what is shown is complete.
   void snapshot(const RecordSettings& settings);
+  /// The same picture, with everything else as usual, to the clipboard.
+  void copy();
 
   void note_complete(const std::optional<ShownState>& state);
   bool holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const;
@@ -92,8 +95,9 @@ class RecordDesk {
     Expected<void> result{};
   };
   /// Where a captured picture goes: a frame, or a snapshot.
+  enum class Use : std::uint8_t { frame, snapshot, copy };
   struct Asked {
-    bool is_snapshot = false;
+    Use use = Use::frame;
     FrameInfo info{};
     PictureOverlay overlay{};
     std::filesystem::path folder{};  ///< of a snapshot
@@ -106,9 +110,12 @@ class RecordDesk {
   std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
   void hand_on(render::RawImage raw);
   void write_snapshot(render::RawImage raw, PictureOverlay overlay, const std::filesystem::path& folder);
+  void write_copy(render::RawImage raw, PictureOverlay overlay);
+  Use use_of_snapshot() const { return is_copy_ ? Use::copy : Use::snapshot; }
   bool take_results();
   void tell_end(const Finished& done);
   void tell_snapshot(const Expected<std::filesystem::path>& file);
+  void tell_copy(const Expected<void>& done);
 
   Picture& picture_;
   Messages& messages_;
@@ -128,7 +135,9 @@ class RecordDesk {
   std::filesystem::path last_take_;
 
   std::optional<RecordSettings> snapshot_{};  // wanted
+  bool is_copy_ = false;                      // what is wanted goes to the clipboard
   BackgroundJob<Expected<std::filesystem::path>> written_snapshot_;
+  BackgroundJob<Expected<void>> written_copy_;
   VideoJob video_;
 };
 

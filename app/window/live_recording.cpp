@@ -21,6 +21,7 @@ LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std
 void LiveRecording::bind(ActionBindings& actions) {
   const RecordSettings& settings = uses_.settings.record;
   actions.bind(ActionId::snapshot, {[this, &settings] { desk_.snapshot(settings); }});
+  actions.bind(ActionId::copy_picture, {[this] { desk_.copy(); }});
   actions.bind(ActionId::record, {[this, &settings] {
                                     const auto size = uses_.screen.window->framebuffer_size();
                                     if (desk_.is_recording())

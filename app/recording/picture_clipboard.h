@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures on the clipboard of the desktop.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stop_token>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+/// Puts a PNG file on the clipboard through `xclip`, which also serves it after this program has ended. Waits for that
+/// program. Error: `cannot_write` where it is missing or fails, and what `ScratchFolder` and writing say.
+/// Any thread.
+Expected<void> copy_png(std::span<const std::byte> png, const std::stop_token& stop);
+
+}  // namespace mes
