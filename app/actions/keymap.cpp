@@ -30,6 +30,7 @@ constexpr auto kClassic = std::to_array<ClassicKeys>({
     {ActionId::evolution_next, "Ctrl+Up"},
     {ActionId::evolution_previous, "Ctrl+Down"},
     {ActionId::help, "F1 ?"},
+    {ActionId::export_figure, "Ctrl+Shift+E"},
     {ActionId::select_all, "Ctrl+Shift+A"},
     {ActionId::invert_selection, "Ctrl+Shift+I"},
 });
