@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <signal.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "core/io/session.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;
@@ -14,30 +14,10 @@ using namespace mes::test;
 
 namespace {
 
-// Without panels, status bar and toolbar, whose buttons for undo change.
-constexpr PixelBox kCanvas{80, 40, 980, 760};
-
-struct Window {
-  TemporaryFolder folder;
-  VirtualScreen screen;
-  Child program;
-
+struct Window : DrivenProgram {
   explicit Window(const std::string& name) {
-    std::ofstream(folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+    folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
     start(name);
-  }
-  void start(const std::string& name) {
-    program = Child();
-    program = Child({MESECINA_BINARY, (folder / name).string()},
-                    {{"DISPLAY", screen.display()},
-                     {"WAYLAND_DISPLAY", ""},
-                     {"XDG_CONFIG_HOME", (folder / "config").string()},
-                     {"XDG_DATA_HOME", (folder / "data").string()},
-                     {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                     {"ASAN_OPTIONS", "detect_leaks=0"}},
-                    folder / "errors");
-    REQUIRE(eventually([&] { return title().starts_with(name); }));
-    screen.xdotool("mousemove 1200 6");
   }
   /// The journal says that a file holds everything; until then a crash leaves work to recover.
   bool has_journaled_save() const {
@@ -47,25 +27,6 @@ struct Window {
       if (!journal || journal->unsaved_edits != 0) return false;
     }
     return true;
-  }
-  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
-  bool shows(const Screenshot& look) const {
-    return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
-  }
-  /// The screen when it shows something else and has come to rest.
-  Screenshot other_than(const Screenshot& look) const {
-    REQUIRE(eventually([&] { return !screen.shoot().box_of_changes(kCanvas, look).is_empty(); }));
-    return screen.settled();
-  }
-  void save_as(const std::string& name) const {
-    press("ctrl+shift+s");
-    static_cast<void>(screen.settled());
-    press("ctrl+a");
-    screen.xdotool("type --delay 20 '" + (folder / name).string() + "'");
-    static_cast<void>(screen.settled());
-    press("Return");
-    REQUIRE(eventually([&] { return title().starts_with(name); }));
   }
 };
 
@@ -112,4 +73,48 @@ TEST_CASE("in a session changes of layers are unsaved work, and its file brings 
   CHECK(window.shows(second));
   window.press("ctrl+z");
   CHECK(window.shows(first));
+}
+
+TEST_CASE("a typed range of a colour map counts when Tab leaves its field") {
+  Window window("house.poff");
+  Session session;
+  session.data = std::make_shared<const SampleData>(SampleData{{{0, 0}, {4, 0}, {5, 3}, {2, 4}}, {}, {}});
+  LayerStyle style;
+  style.color_map = "viridis";
+  session.layers.layers = {{"interior-voronoi-disks", true, style}};
+  window.folder.write("mapped.json", write_session(session));
+  window.start("mapped.json");
+  // The swatch of the only layer that is shown has the colours of the map, the first of which is a dark purple.
+  const auto is_purple = [](Color c) { return c.r > 50 && c.r < 80 && c.g < 30 && c.b > 70 && c.b < 110; };
+  constexpr PixelBox kRows{1200, 380, 1270, 760};
+  REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kRows, is_purple).is_empty(); }));
+  const Screenshot before = window.screen.settled();
+  const PixelBox swatch = before.box_of({kRows.left, kRows.top, kRows.right, kRows.top + 60}, is_purple);
+  window.screen.click({swatch.left + 4, swatch.middle()[1]});
+  REQUIRE(eventually([&] { return window.screen.shoot().differences(before, 30) > 5000; }));
+  Screenshot look = window.screen.settled();
+  const auto press = [&](const std::string& keys) {
+    window.screen.xdotool(keys);
+    REQUIRE(eventually([&] { return window.screen.shoot().differences(look, 0) > 0; }));
+    look = window.screen.settled();
+  };
+  // Tab goes to the first field of a popup, and from there to the second.
+  press("key Tab");
+  press("type --delay 20 0.25");
+  press("key Tab");
+  press("type --delay 20 2.5");
+  press("key Tab");
+  press("key Escape");
+  press("key Escape");
+  window.press("ctrl+s");
+  const auto saved = [&] {
+    const auto now = read_session(bytes_of(window.folder / "mapped.json"), "mapped.json");
+    if (!now) return LayerStyle();
+    const auto& layers = now->layers.layers;
+    const auto found = std::ranges::find(layers, "interior-voronoi-disks", &LayerConfiguration::Entry::layer);
+    return found == layers.end() ? LayerStyle() : found->style;
+  };
+  CHECK(eventually([&] { return saved().range_locked; }));
+  CHECK(saved().range_low == 0.25);
+  CHECK(saved().range_high == 2.5);
 }

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;
@@ -12,39 +11,14 @@ using namespace mes::test;
 
 namespace {
 
-// Between toolbar and panels.
-constexpr PixelBox kCanvas{80, 40, 970, 760};
-
-struct Window {
-  TemporaryFolder folder;
-  VirtualScreen screen;
-  Child program;
-
+struct Window : DrivenProgram {
   explicit Window(const std::string& keys = {}) {
-    std::ofstream(folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
-    std::filesystem::create_directories(folder / "config" / "mesecina");
+    folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+    std::filesystem::create_directories(keys_file().parent_path());
     if (!keys.empty()) std::ofstream(keys_file()) << keys;
-    program = Child({MESECINA_BINARY, (folder / "house.poff").string()},
-                    {{"DISPLAY", screen.display()},
-                     {"WAYLAND_DISPLAY", ""},
-                     {"XDG_CONFIG_HOME", (folder / "config").string()},
-                     {"XDG_DATA_HOME", (folder / "data").string()},
-                     {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                     {"ASAN_OPTIONS", "detect_leaks=0"}},
-                    folder / "errors");
-    REQUIRE(eventually([&] { return title().starts_with("house.poff"); }));
-    screen.xdotool("mousemove 1200 6");
+    start("house.poff");
   }
   std::filesystem::path keys_file() const { return folder / "config" / "mesecina" / "keys.conf"; }
-  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
-  bool shows(const Screenshot& look) const {
-    return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
-  }
-  Screenshot other_than(const Screenshot& look) const {
-    REQUIRE(eventually([&] { return !screen.shoot().box_of_changes(kCanvas, look).is_empty(); }));
-    return screen.settled();
-  }
   /// Opens the palette, types and presses Enter, each when the one before is on screen.
   void find(const std::string& letters) const {
     const Screenshot before = screen.settled();

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;
@@ -13,31 +12,13 @@ using namespace mes::test;
 
 namespace {
 
-// Between toolbar and panels.
-constexpr PixelBox kCanvas{80, 40, 970, 760};
-
-struct Window {
-  TemporaryFolder folder;
-  VirtualScreen screen;
-  Child program;
-
+struct Window : DrivenProgram {
   explicit Window(const std::string& name) {
-    std::ofstream(folder / "balls.wpoff") << "WPOFF 5 0 0\n0 0 2\n2 1 1.5\n4 0 2\n5 3 1\n1 3 1.2\n";
-    std::ofstream(folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
-    std::ofstream(folder / "square.poff") << "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n";
-    program = Child({MESECINA_BINARY, (folder / name).string()},
-                    {{"DISPLAY", screen.display()},
-                     {"WAYLAND_DISPLAY", ""},
-                     {"XDG_CONFIG_HOME", (folder / "config").string()},
-                     {"XDG_DATA_HOME", (folder / "data").string()},
-                     {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                     {"ASAN_OPTIONS", "detect_leaks=0"}},
-                    folder / "errors");
-    REQUIRE(eventually([&] { return title().starts_with(name); }));
-    screen.xdotool("mousemove 1200 6");
+    folder.write("balls.wpoff", "WPOFF 5 0 0\n0 0 2\n2 1 1.5\n4 0 2\n5 3 1\n1 3 1.2\n");
+    folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+    folder.write("square.poff", "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n");
+    start(name);
   }
-  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
   /// Pixels of the canvas with the green of the dual complex.
   int green() const {
     const Screenshot shot = screen.shoot();

@@ -240,6 +240,46 @@ void VirtualScreen::click(std::array<int, 2> at) const {
   xdotool(fmt::format("mousemove {} {} click 1", at[0], at[1]));
 }
 
+void DrivenProgram::start(const std::string& name, const Environment& extra) {
+  program = Child();
+  Environment environment{{"DISPLAY", screen.display()},
+                          {"WAYLAND_DISPLAY", ""},
+                          {"DBUS_SESSION_BUS_ADDRESS", "unix:path=/nonexistent"},
+                          {"XDG_CONFIG_HOME", (folder / "config").string()},
+                          {"XDG_DATA_HOME", (folder / "data").string()},
+                          {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                          // Under a sanitizer: what the graphics driver forgets is not ours to find.
+                          {"ASAN_OPTIONS", "detect_leaks=0"}};
+  for (const auto& [variable, value] : extra) environment[variable] = value;
+  program = Child({MESECINA_BINARY, (folder / name).string()}, environment, folder / "errors");
+  const bool is_open = eventually([&] { return title().starts_with(name); });
+  INFO("title: " << title() << ", errors: " << bytes_of(folder / "errors"));
+  REQUIRE(is_open);
+  screen.xdotool("mousemove 1200 6");
+}
+
+bool DrivenProgram::shows(const Screenshot& look) const {
+  return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
+}
+
+Screenshot DrivenProgram::other_than(const Screenshot& look) const {
+  REQUIRE(eventually([&] { return !screen.shoot().box_of_changes(kCanvas, look).is_empty(); }));
+  return screen.settled();
+}
+
+void DrivenProgram::save_as(const std::string& name) const {
+  press("ctrl+shift+s");
+  static_cast<void>(screen.settled());
+  // Fields of text look once a frame which keys are down, so these are held until they were seen.
+  screen.xdotool("keydown ctrl keydown a");
+  static_cast<void>(screen.settled());
+  screen.xdotool("keyup a keyup ctrl");
+  screen.xdotool("type --delay 20 '" + (folder / name).string() + "'");
+  static_cast<void>(screen.settled());
+  press("Return");
+  REQUIRE(eventually([&] { return title().starts_with(name); }));
+}
+
 bool eventually(const std::function<bool()>& condition) {
   for (int i = 0; i < 450; ++i) {
     if (condition()) return true;

@@ -12,6 +12,8 @@
 
 #include <sys/types.h>
 
+#include "tests/io/temporary_folder.h"
+
 namespace mes::test {
 
 using Environment = std::map<std::string, std::string>;
@@ -100,6 +102,27 @@ class VirtualScreen {
  private:
   std::string display_;
   Child server_;
+};
+
+/// What of a window of the screen's size lies between toolbar and panels, without the status bar.
+inline constexpr PixelBox kCanvas{80, 40, 970, 760};
+
+/// The program with its window on a screen, in a folder of its own for its files, settings and data.
+struct DrivenProgram {
+  TemporaryFolder folder;
+  VirtualScreen screen;
+  Child program;
+
+  /// Opens this file of the folder, and moves the pointer where nothing lies. What ran before is ended.
+  void start(const std::string& name, const Environment& extra = {});
+  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
+  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  /// True once the canvas looks as in this picture.
+  bool shows(const Screenshot& look) const;
+  /// The screen when its canvas looks otherwise and has come to rest.
+  Screenshot other_than(const Screenshot& look) const;
+  /// Saves by the dialog; the title names the file afterwards.
+  void save_as(const std::string& name) const;
 };
 
 /// Asks again until it is true; false after a minute and a half.
