@@ -36,7 +36,7 @@ set(rooms
   "app/canvas/tools: core/base app/model app/actions"
   "app/canvas: app/model app/canvas/tools"
   "app/recording: core/* app/model app/picture app/system render"
-  "app/ui: core/* app/model app/actions app/canvas render"
+  "app/ui: core/* app/model app/actions app/canvas app/system render"
   "app/panels: core/* app/ui app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions render"
   "app/window: core/* app/panels app/ui app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
   "app/cli: core/* app/model app/store app/picture app/export app/recording app/actions app/system render render/figure"

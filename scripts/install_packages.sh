@@ -37,12 +37,14 @@ build          libglx-mesa0        mesa-libGL          mesa           -
 build          libstb-dev          stb-devel           stb            -
 build          libdeflate-dev      libdeflate-devel    libdeflate     libdeflate
 build          libcairo2-dev       cairo-devel         cairo          cairo
+build          libglib2.0-dev      glib2-devel         glib2          glib
 build          libcli11-dev        cli11-devel         cli11          cli11
 build          nlohmann-json3-dev  json-devel          nlohmann-json  nlohmann-json
 test           catch2              catch2-devel        catch2-v2      -
 test           xvfb                xorg-x11-server-Xvfb  xorg-server-xvfb  -
 test           xdotool             xdotool             xdotool        -
 test           imagemagick         ImageMagick         imagemagick    imagemagick
+test           dbus-daemon         dbus-daemon         dbus           -
 test           librsvg2-bin        librsvg2-tools      librsvg        librsvg
 test           poppler-utils       poppler-utils       poppler        poppler
 bench          libbenchmark-dev    google-benchmark-devel  benchmark  google-benchmark

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 #include <utility>
 
 #include "app/ui/theme.h"
@@ -24,6 +25,15 @@ bool is_known(const std::string& name) {
   return extension == ".txt" || extension == ".bnd";
 }
 
+std::vector<std::string> known_patterns() {
+  std::vector<std::string> out{"*.txt", "*.bnd"};
+  for (const FormatDescriptor& format : format_descriptors())
+    for (const std::string_view extension : format.extensions)
+      if (format.can_read && std::ranges::count(out, fmt::format("*{}", extension)) == 0)
+        out.push_back(fmt::format("*{}", extension));
+  return out;
+}
+
 std::string size_text(std::uintmax_t bytes) {
   const auto value = static_cast<double>(bytes);
   if (bytes < 1000) return fmt::format("{} B", bytes);
@@ -37,8 +47,89 @@ fs::path home() {
 }
 
 constexpr const char* kTitle = "##file-browser";
+constexpr const char* kDesktopTitle = "##desktop-dialog";
 
 }  // namespace
+
+FileBrowser::FileBrowser() = default;
+FileBrowser::~FileBrowser() = default;
+
+void FileBrowser::use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle) {
+  settle_ = std::move(settle);
+  if (may_have_desktop_dialog()) desktop_ = std::make_unique<Desktop>(window, std::move(wake));
+}
+
+void FileBrowser::cancel() {
+  is_open_ = false;
+  if (desktop_) desktop_->asking.give_up();
+}
+
+std::string FileBrowser::heading() const {
+  const char* const usual = is_saving_ ? "Save as" : "Open a session, samples, balls or bundles";
+  return purpose_.heading.empty() ? usual : purpose_.heading;
+}
+
+// As long as it was not asked, or has failed, the own dialog is there.
+void FileBrowser::ask_desktop_first() {
+  if (!desktop_) return;
+  DesktopQuestion question{.is_saving = is_saving_,
+                           .heading = heading(),
+                           .folder = files_.folder(),
+                           .name = is_saving_ ? name_ : std::string(),
+                           .window = desktop_->window};
+  if (!is_saving_) {
+    std::vector<std::string> patterns;
+    for (const std::string& extension : purpose_.extensions) patterns.push_back('*' + extension);
+    if (patterns.empty()) patterns = known_patterns();
+    question.filters = {{"What can be opened", std::move(patterns)}, {"All files", {"*"}}};
+  }
+  try {
+    desktop_->asking.begin(
+        [question = std::move(question)](const std::stop_token& stop) { return ask_desktop(question, stop); });
+  } catch (const std::system_error&) {
+    desktop_.reset();
+  }
+}
+
+// The file, if one was chosen that can be taken as it is; otherwise the own dialog goes on from there.
+std::optional<fs::path> FileBrowser::take_desktop_answer() {
+  if (!is_desktop_asked()) return std::nullopt;
+  const std::optional<DesktopAnswer> answer = desktop_->asking.poll();
+  if (!answer) return std::nullopt;
+  settle_();
+  switch (answer->kind) {
+    case DesktopAnswer::Kind::cancelled: is_open_ = false; return std::nullopt;
+    case DesktopAnswer::Kind::unavailable: desktop_.reset(); return std::nullopt;
+    case DesktopAnswer::Kind::chosen: break;
+  }
+  std::error_code error;
+  const bool is_folder = fs::is_directory(answer->file, error);
+  if (!is_folder) enter(answer->file.parent_path());
+  name_ = is_folder ? answer->file.string() : answer->file.filename().string();
+  // What was agreed to there is the name as it was chosen.
+  const bool is_agreed = is_saving_ && !is_folder && answer->file.has_extension();
+  std::optional<fs::path> out = is_agreed ? std::optional(answer->file) : accept();
+  followed_name_ = name_;
+  return out;
+}
+
+// Below the desktop's dialog; without it, such as when it lies behind other windows, there is a way out.
+void FileBrowser::draw_desktop_note(const Gui& gui) {
+  const float unit = gui.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5F * screen.x, 0.45F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
+  if (Gui::begin_dialog(kDesktopTitle, is_open_ && is_desktop_asked(),
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
+    ImGui::TextUnformatted("The file is chosen in the dialog of the desktop");
+    ImGui::Dummy({1, 6 * unit});
+    if (ImGui::Button("Choose it here")) desktop_->asking.give_up();
+    ImGui::SameLine(0, 8 * unit);
+    if (ImGui::Button("Cancel")) cancel();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
 
 void FileBrowser::ask(const fs::path& folder, Then then, FilePurpose purpose) {
   is_open_ = true;
@@ -52,6 +143,7 @@ void FileBrowser::ask(const fs::path& folder, Then then, FilePurpose purpose) {
   std::error_code error;
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
   followed_name_ = name_;
+  ask_desktop_first();
 }
 
 void FileBrowser::ask_open(const fs::path& folder, Then then, FilePurpose purpose) {
@@ -103,6 +195,7 @@ void FileBrowser::follow_name() {
 }
 
 void FileBrowser::press(const KeyChord& chord) {
+  if (is_desktop_asked()) return;
   constexpr int kPage = 10;
   const char32_t symbol = chord.symbol;
   if (!overwrite_.empty()) {
@@ -225,7 +318,11 @@ bool FileBrowser::draw_overwrite_question(const Gui& gui) {
 }
 
 void FileBrowser::draw(const Gui& gui) {
-  if (const auto chosen = draw_choice(gui))
+  std::optional<fs::path> chosen = take_desktop_answer();
+  if (chosen) is_open_ = false;
+  draw_desktop_note(gui);
+  if (!chosen) chosen = draw_choice(gui);
+  if (chosen)
     if (const Then then = std::exchange(then_, {})) then(*chosen);
 }
 
@@ -236,10 +333,11 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.45F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
   std::optional<fs::path> out;
-  if (!Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return out;
+  if (!Gui::begin_dialog(kTitle, is_open_ && !is_desktop_asked(),
+                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove))
+    return out;
   ImGui::PushFont(gui.bold());
-  const char* const usual = is_saving_ ? "Save as" : "Open a session, samples, balls or bundles";
-  ImGui::TextUnformatted(purpose_.heading.empty() ? usual : purpose_.heading.c_str());
+  ImGui::TextUnformatted(heading().c_str());
   ImGui::PopFont();
   draw_path(gui);
   const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +

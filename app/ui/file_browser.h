@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A dialog that chooses a file to open, or a name to save under.
+// A dialog that chooses a file to open, or a name to save under: the desktop's, or this program's own.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/model/file_list.h"
+#include "app/system/background_job.h"
+#include "app/system/desktop_dialog.h"
 #include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
 
@@ -27,6 +30,8 @@ struct FilePurpose {
 ///  3. A name without an extension gets that of the proposed name.
 ///  4. The keyboard does everything: arrows and Page keys mark a file, letters jump to one, Enter opens what is marked,
 ///     Alt+Up shows the folder above.
+///  5. After `use_desktop` the desktop's dialog is shown instead, as long as there is one: the first time that it fails,
+///     the own one takes its place for good. No frame waits for it.
 ///
 /// Smallest use:
 ///     browser.ask_open(folder, [](const std::filesystem::path& file) { open(file); });
@@ -35,17 +40,33 @@ class FileBrowser final : public Dialog {
  public:
   using Then = std::function<void(const std::filesystem::path&)>;
 
+  FileBrowser();
+  ~FileBrowser() override;
+  /// `window`: above which it is to lie, as in DesktopQuestion. `wake` is called from another thread when an answer
+  /// has come, `settle` when it was taken and other dialogs are to be drawn.
+  void use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle);
+
   /// `then` gets the file, once it is chosen.
   void ask_open(const std::filesystem::path& folder, Then then, FilePurpose purpose = {});
   void ask_save(const std::filesystem::path& folder, const std::string& name, Then then, FilePurpose purpose = {});
 
   bool is_open() const override { return is_open_; }
-  void cancel() override { is_open_ = false; }
+  void cancel() override;
   void draw(const Gui& gui) override;
   void press(const KeyChord& chord) override;
 
  private:
+  struct Desktop {
+    Desktop(std::string above, std::function<void()> wake) : window(std::move(above)), asking(std::move(wake)) {}
+    std::string window;
+    BackgroundJob<DesktopAnswer> asking;
+  };
   void ask(const std::filesystem::path& folder, Then then, FilePurpose purpose);
+  void ask_desktop_first();
+  bool is_desktop_asked() const { return desktop_ && desktop_->asking.is_under_way(); }
+  std::optional<std::filesystem::path> take_desktop_answer();
+  void draw_desktop_note(const Gui& gui);
+  std::string heading() const;
   /// The chosen file, once.
   std::optional<std::filesystem::path> draw_choice(const Gui& gui);
   void list_wanted();
@@ -59,6 +80,8 @@ class FileBrowser final : public Dialog {
   /// Returns the content of the name field as a path; enters it if it is a folder.
   std::optional<std::filesystem::path> accept();
 
+  std::unique_ptr<Desktop> desktop_;  // null: the own dialog is shown
+  std::function<void()> settle_;
   bool is_open_ = false;
   bool is_saving_ = false;
   bool all_files_ = false;

@@ -3,6 +3,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -305,6 +306,14 @@ double GlfwWindow::content_scale() const {
   float y = 1.0F;
   glfwGetWindowContentScale(window_, &x, &y);
   return std::clamp(static_cast<double>(std::max(x, y)), 0.5, 8.0);
+}
+
+// GLFW has this function only when it was built for X11, and may be exchanged for one that was not.
+std::string GlfwWindow::desktop_handle() const {
+  using Number = unsigned long (*)(GLFWwindow*);
+  const auto number_of = reinterpret_cast<Number>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+  const unsigned long number = number_of == nullptr ? 0 : number_of(window_);
+  return number == 0 ? std::string() : fmt::format("x11:{:x}", number);
 }
 
 bool GlfwWindow::is_minimized() const {

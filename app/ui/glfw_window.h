@@ -76,6 +76,8 @@ class GlfwWindow {
   /// Framebuffer pixels per logical pixel, as the desktop wants it.
   double content_scale() const;
   bool is_minimized() const;
+  /// What other programs put above it: "x11:" and its number in hexadecimal; empty where it has none.
+  std::string desktop_handle() const;
 
  private:
   explicit GlfwWindow(GLFWwindow* window);

@@ -37,6 +37,8 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       input_({screen_, board_.canvas(), work_.editor().selection(), dialogs_, documents_, recording_, actions_,
               messages_, panels_.presenter()}) {
   bind_actions();
+  dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
+                               [this] { screen_.clock.settle(); });
 }
 
 App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded)

@@ -34,7 +34,7 @@ struct Window : DrivenProgram {
 
 TEST_CASE("a bundle chosen by a key is undone and redone, and no file of samples asks to be saved for it") {
   const Window window("house.poff");
-  const Screenshot first = window.screen.settled();
+  const Screenshot first = window.drawn();
   window.press("2");
   const Screenshot second = window.other_than(first);
   window.press("4");
@@ -54,7 +54,7 @@ TEST_CASE("a bundle chosen by a key is undone and redone, and no file of samples
 
 TEST_CASE("in a session changes of layers are unsaved work, and its file brings their undo back") {
   Window window("house.poff");
-  const Screenshot first = window.screen.settled();
+  const Screenshot first = window.drawn();
   window.save_as("house.json");
   window.press("2");
   CHECK(eventually([&] { return window.title().starts_with("* house.json"); }));

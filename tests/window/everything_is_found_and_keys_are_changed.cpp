@@ -39,7 +39,7 @@ struct Window : DrivenProgram {
 
 TEST_CASE("a bundle and a layer are found by some letters and shown, and Esc leaves everything as it was") {
   const Window window;
-  const Screenshot first = window.screen.settled();
+  const Screenshot first = window.drawn();
   window.press("ctrl+shift+p");
   static_cast<void>(window.other_than(first));
   window.press("Escape");
@@ -66,7 +66,7 @@ TEST_CASE("a file gives commands other keys, bad lines are named, and the rest o
   window.screen.click({note.right - 20, note.top + 17});
   REQUIRE(eventually([&] { return window.screen.shoot().box_of(kCanvas, is_warning).is_empty(); }));
   window.screen.xdotool("mousemove 1200 6");
-  const Screenshot first = window.screen.settled();
+  const Screenshot first = window.drawn();
   // The key of the table is not that of the bundle any more.
   window.press("2");
   window.press("w");
@@ -90,7 +90,7 @@ TEST_CASE("the file of keys is written with every command, and never over one th
 
 TEST_CASE("a presentation hides the panels, steps through bundles, and Esc brings the panels back") {
   const Window window;
-  const Screenshot first = window.screen.settled();
+  const Screenshot first = window.drawn();
   CHECK_FALSE(first.is_white(1270, 700));
   window.press("2");
   const Screenshot second = window.other_than(first);

@@ -28,15 +28,17 @@ bool has_program(const std::string& name) {
 }
 
 void require_tools() {
-  for (const char* tool : {"Xvfb", "xdotool", "import", "convert"}) {
-    if (has_program(tool)) continue;
-    if (const char* ci = std::getenv("CI"); ci != nullptr && ci[0] != '\0') FAIL(tool << " is missing");
-    std::fprintf(stderr, "skipped: %s is missing\n", tool);
-    std::exit(77);
-  }
+  for (const char* tool : {"Xvfb", "xdotool", "import", "convert"}) require_program(tool);
 }
 
 }  // namespace
+
+void require_program(const std::string& name) {
+  if (has_program(name)) return;
+  if (const char* ci = std::getenv("CI"); ci != nullptr && ci[0] != '\0') FAIL(name << " is missing");
+  std::fprintf(stderr, "skipped: %s is missing\n", name.c_str());
+  std::exit(77);
+}
 
 Child::Child(const std::vector<std::string>& arguments, const Environment& extra,
              const std::filesystem::path& error_file) {
@@ -260,6 +262,13 @@ void DrivenProgram::start(const std::string& name, const Environment& extra) {
 
 bool DrivenProgram::shows(const Screenshot& look) const {
   return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
+}
+
+Screenshot DrivenProgram::drawn() const {
+  constexpr PixelBox kLight{1130, 775, 1160, 798};
+  const auto is_colored = [](Color c) { return std::max({c.r, c.g, c.b}) > std::min({c.r, c.g, c.b}) + 60; };
+  REQUIRE(eventually([&] { return !screen.shoot().box_of(kLight, is_colored).is_empty(); }));
+  return screen.settled();
 }
 
 Screenshot DrivenProgram::other_than(const Screenshot& look) const {

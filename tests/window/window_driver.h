@@ -84,8 +84,10 @@ class Screenshot {
 /// Reads any picture ImageMagick can; empty when there is none.
 Screenshot read_picture(const std::filesystem::path& file);
 
-/// A virtual screen of 1280 x 800 pixels. Where the tools for it are missing the test is skipped (exit code 77), on a
-/// build machine (CI set) it fails.
+/// Where the program is missing the test is skipped (exit code 77), on a build machine (CI set) it fails.
+void require_program(const std::string& name);
+
+/// A virtual screen of 1280 x 800 pixels, if the tools for it are there (`require_program`).
 class VirtualScreen {
  public:
   VirtualScreen();
@@ -117,6 +119,8 @@ struct DrivenProgram {
   void start(const std::string& name, const Environment& extra = {});
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
   std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  /// The screen once the light has its verdict on a document with samples, and nothing moves any more.
+  Screenshot drawn() const;
   /// True once the canvas looks as in this picture.
   bool shows(const Screenshot& look) const;
   /// The screen when its canvas looks otherwise and has come to rest.
