@@ -152,8 +152,9 @@ constexpr auto kHelpRows = std::to_array<Row>({
     {Id::demo, "demo", "Demo", "Play the paper's video, computed live; Esc ends it"},
     {Id::classic_keys, "classic-keys", "Classic Mesecina keys",
      "Use the keys of the program of 2007, or those of this one again; the manual lists what differs"},
-    {Id::write_keys, "write-keys", "Write the file of keys",
-     "Write a file with all commands and their keys, to be changed by hand, unless it is there already"},
+    {Id::write_keys, "write-keys", "Write or reread the file of keys",
+     "Write a file with all commands and their keys, to be changed by hand; where it is there already, take the keys "
+     "from it as it is now"},
     {Id::command_palette, "command-palette", "Find anything...",
      "Find a command, layer, bundle, parameter, evolution, shape or recent file by some letters of its name",
      "Ctrl+Shift+P Ctrl+K"},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/base/lower_case.h"
@@ -118,7 +119,9 @@ class Reader {
     if (!lines_.emplace(*id, number_).second)
       return complain(fmt::format("{} has its keys from line {} already", names.front(), lines_[*id]));
     std::vector<KeyChord> chords;
+    std::set<std::string_view> seen;
     for (const std::string_view word : words_of(line.substr(sign + 1))) {
+      if (!seen.insert(word).second) continue;
       const auto chord = chord_of(word);
       if (!chord)
         complain(fmt::format("\"{}\" is not a key; keys are written as Ctrl+Shift+Z, F5, PageUp, +", word));
@@ -206,10 +209,11 @@ std::string keymap_template(const Keymap& keymap) {
       "#     tool-spray = D Ctrl+Shift+D\n"
       "#\n"
       "# Nothing after the sign takes all keys away. A key that is given to one command is taken from the others.\n"
-      "# What is not said here stays as it is. The file is read when the program starts.\n";
+      "# What is not said here stays as it is. The file is read when the program starts, and\n"
+      "# again by Help > Write or reread the file of keys.\n";
   ActionGroup group = ActionGroup::help;
   for (const ActionDescriptor& action : action_descriptors()) {
-    if (action.group != group || out.ends_with("starts.\n")) out += fmt::format("\n# {}\n", title_of(action.group));
+    if (action.group != group || out.ends_with("keys.\n")) out += fmt::format("\n# {}\n", title_of(action.group));
     group = action.group;
     std::string keys;
     for (const std::string& key : keymap.keys_of(action.id)) keys += ' ' + key;

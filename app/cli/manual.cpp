@@ -51,8 +51,10 @@ void write_actions(Markdown& page) {
   page.paragraph(
       "The file `$XDG_CONFIG_HOME/mesecina/keys.conf` (`~/.config/mesecina/keys.conf`) gives commands other keys,\n"
       "by lines such as `tool-spray = D Ctrl+Shift+D`: the id of a command, and its keys; none take all keys away.\n"
-      "A key is taken from the command that had it. *Help > Write the file of keys* makes that file with every\n"
-      "command in it; it is read when the program starts, and lines that cannot be used are named in one message.");
+      "A key is taken from the command that had it. *Help > Write or reread the file of keys* makes that file with "
+      "every\n"
+      "command in it, and reads one that is there again; it is read when the program starts, too, and lines that "
+      "cannot be used are named in one message.");
   page.paragraph(
       "*Help > Classic Mesecina keys* chooses those that the program of 2007 to 2009 had, where they differ:\n" +
       classic_keys() + ". It had no keys for tools, but ways of pressing the mouse; those are as below.");

@@ -58,6 +58,8 @@ void Presenter::draw(const Gui& gui, const std::string& bundle, double now) cons
   if (!is_on_) return;
   const float unit = gui.unit();
   ImDrawList& list = *ImGui::GetForegroundDrawList();
+  // The arrow would lie within the circle, and stay when that has faded. Dialogs and menus have theirs.
+  if (!ImGui::GetIO().WantCaptureMouse) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   if (const double shown = strength(pointer_at_, kPointer, now); shown > 0.0) {
     const ImVec2 at = ImGui::GetIO().MousePos;
     list.AddCircleFilled(at, 22 * unit, to_imgui(palette::vermilion, 0.3 * shown), 48);

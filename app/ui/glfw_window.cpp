@@ -277,6 +277,8 @@ void GlfwWindow::set_title(const std::string& title) {
 }
 
 void GlfwWindow::set_pointer_shape(PointerShape shape) {
+  if (glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_HIDDEN)
+    glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
   if (shape == shape_) return;
   shape_ = shape;
   GLFWcursor* cursor = shape == PointerShape::crosshair ? crosshair_ : shape == PointerShape::hand ? hand_ : nullptr;

@@ -137,6 +137,7 @@ void DocumentFlow::start_demo() {
     return;
   }
   start_empty();
+  uses_.messages.clear();
   uses_.demo.start(*session);
   // What was selected or clicked belongs to another document.
   uses_.board.provenance().clear();

@@ -138,11 +138,12 @@ void DrawingBoard::draw(Vec2 pointer_px) {
 
 void DrawingBoard::draw_pointer(Vec2 pointer_px) {
   const bool over_canvas = canvas_.has_pointer() || (canvas_.is_hovered() && !screen_.gui.wants_pointer(pointer_px));
-  if (over_canvas)
+  const bool is_hidden = ImGui::GetMouseCursor() == ImGuiMouseCursor_None;
+  if (over_canvas && !is_hidden)
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   else
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
-  screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
+  if (!is_hidden) screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
   pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), over_canvas, !provenance_.is_asking()});
   pointed_.draw(screen_.gui, canvas_);
   if (over_canvas) PointerMarks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas())}.draw();

@@ -40,14 +40,19 @@ std::filesystem::path KeyDesk::file() {
 
 KeyDesk::KeyDesk(Settings& settings, ActionBindings& actions, Messages& messages)
     : settings_(settings), actions_(actions), messages_(messages) {
-  const std::filesystem::path path = file();
   std::error_code error;
-  if (!path.empty() && std::filesystem::exists(path, error)) {
-    if (auto text = text_of(path))
-      text_ = std::move(*text);
-    else
-      messages_.problem(path.string() + " cannot be read; the keys are as they were");
-  }
+  if (!file().empty() && std::filesystem::exists(file(), error))
+    read();
+  else
+    apply();
+}
+
+void KeyDesk::read() {
+  const std::filesystem::path path = file();
+  if (auto text = text_of(path))
+    text_ = std::move(*text);
+  else
+    messages_.problem(path.string() + " cannot be read; the keys are as they were");
   apply();
   const KeymapFile read = read_keymap(chosen(settings_), text_);
   if (read.problems.empty()) return;
@@ -60,11 +65,13 @@ void KeyDesk::apply() {
   actions_.set_keymap(read_keymap(chosen(settings_), text_).keymap);
 }
 
-void KeyDesk::write() const {
+void KeyDesk::write() {
   const std::filesystem::path path = file();
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
-    messages_.remark("The keys are in " + path.string());
+    messages_.clear_problem();
+    messages_.remark("The keys are those of " + path.string());
+    read();
     return;
   }
   std::filesystem::create_directories(path.parent_path(), error);

@@ -22,7 +22,8 @@ class KeyDesk {
 
  private:
   void apply();
-  void write() const;
+  void write();
+  void read();
 
   Settings& settings_;
   ActionBindings& actions_;

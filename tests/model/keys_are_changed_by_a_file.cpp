@@ -80,7 +80,7 @@ TEST_CASE("what is wrong is named with its line, and only that has no effect") {
                                       "just words\n"
                                       "fit all = F\n"
                                       "undo = Ctrl+Z\n"
-                                      "fit = Ctrl+U G\n"
+                                      "fit = Ctrl+U G Ctrl+U\n"
                                       "help = Fn\n");
   const auto begins = [&](std::size_t i, const std::string& with) {
     REQUIRE(read.problems.size() > i);

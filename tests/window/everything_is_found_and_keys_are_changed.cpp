@@ -57,6 +57,19 @@ TEST_CASE("a bundle and a layer are found by some letters and shown, and Esc lea
   CHECK(window.shows(second));
 }
 
+TEST_CASE("a layer that is found is shown, found again it is hidden, and each is one step") {
+  const Window window;
+  const Screenshot first = window.drawn();
+  window.find("curve normals");
+  const Screenshot with_normals = window.other_than(first);
+  window.find("curve normals");
+  CHECK(window.shows(first));
+  window.press("ctrl+z");
+  CHECK(window.shows(with_normals));
+  window.press("ctrl+z");
+  CHECK(window.shows(first));
+}
+
 TEST_CASE("a file gives commands other keys, bad lines are named, and the rest of it holds") {
   const Window window("bundle-2 = W\nbundle-9 = W W\nno-such = Q\nundo = Ctrl+U\n");
   // Its cross is beside its first line.
@@ -79,13 +92,20 @@ TEST_CASE("a file gives commands other keys, bad lines are named, and the rest o
 
 TEST_CASE("the file of keys is written with every command, and never over one that is there") {
   const Window window;
-  window.find("write the file of keys");
+  window.find("write or reread the file of keys");
   REQUIRE(eventually([&] { return std::filesystem::exists(window.keys_file()); }));
   CHECK(bytes_of(window.keys_file()).find("#tool-spray = S") != std::string::npos);
   std::ofstream(window.keys_file()) << "# mine\n";
-  window.find("write the file of keys");
+  window.find("reread the file of keys");
   static_cast<void>(window.screen.settled());
   CHECK(bytes_of(window.keys_file()) == "# mine\n");
+  // What is in it now holds at once.
+  const Screenshot first = window.drawn();
+  std::ofstream(window.keys_file()) << "bundle-2 = W\n";
+  window.find("reread the file of keys");
+  CHECK(window.shows(first));
+  window.press("w");
+  static_cast<void>(window.other_than(first));
 }
 
 TEST_CASE("a presentation hides the panels, steps through bundles, and Esc brings the panels back") {
