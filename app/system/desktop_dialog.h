@@ -30,7 +30,7 @@ struct DesktopAnswer {
   std::filesystem::path file{};  ///< when it was chosen
 };
 
-/// Whether there is anybody to ask: this program can, and a session bus is named. Costs a look at the environment.
+/// Whether asking makes sense: this program can, and a session bus is named. Costs a look at the environment.
 bool may_have_desktop_dialog();
 
 /// Shows the dialog and waits for its end. `unavailable`: the desktop has none, it failed, or it has not begun within
