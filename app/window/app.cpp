@@ -32,9 +32,10 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       recording_({screen_, work_, board_, demo_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
       documents_({work_, board_, demo_, dialogs_, messages_, settings_.settings(), screen_}, assets,
                  GlfwWindow::wake),
-      keys_(settings_.settings(), actions_, messages_),
-      panels_({screen_, work_, board_, demo_, recording_, documents_, actions_, settings_.settings(), messages_}),
-      input_({screen_, board_.canvas(), work_.editor().selection(), dialogs_, documents_, recording_, actions_,
+      keys_(settings_.settings(), messages_),
+      panels_(
+          {screen_, work_, board_, demo_, recording_, documents_, keys_.actions(), settings_.settings(), messages_}),
+      input_({screen_, board_.canvas(), work_.editor().selection(), dialogs_, documents_, recording_, keys_.actions(),
               messages_, panels_.presenter()}) {
   bind_actions();
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
@@ -47,18 +48,19 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
 }
 
 void App::bind_actions() {
-  work_.bind(actions_, settings_.settings());
-  board_.bind(actions_);
-  recording_.bind(actions_);
-  documents_.bind(actions_);
-  panels_.bind(actions_);
+  ActionBindings& actions = keys_.actions();
+  work_.bind(actions, settings_.settings());
+  board_.bind(actions);
+  recording_.bind(actions);
+  documents_.bind(actions);
+  panels_.bind(actions);
   keys_.bind();
-  dialogs_.help.set_keys(actions_.keymap(), KeyDesk::file().string());
+  dialogs_.help.set_keys(actions.keymap(), KeyDesk::file().string());
   dialogs_.palette.set_source([this] { return panels_.palette_entries(); });
-  actions_.bind(ActionId::command_palette, {[this] { dialogs_.palette.toggle(); }});
-  actions_.bind(ActionId::help, {[this] { dialogs_.help.toggle(); }});
-  actions_.bind(ActionId::deselect, {[this] { deselect(); }});
-  actions_.when_out_of_memory([this] { refuse_for_memory(); });
+  actions.bind(ActionId::command_palette, {[this] { dialogs_.palette.toggle(); }});
+  actions.bind(ActionId::help, {[this] { dialogs_.help.toggle(); }});
+  actions.bind(ActionId::deselect, {[this] { deselect(); }});
+  actions.when_out_of_memory([this] { refuse_for_memory(); });
 }
 
 // Esc ends one thing at a time.

@@ -58,7 +58,6 @@ class App {
   LiveRecording recording_;
   Dialogs dialogs_;
   DocumentFlow documents_;
-  ActionBindings actions_;
   KeyDesk keys_;
   Panels panels_;
   WindowInput input_;

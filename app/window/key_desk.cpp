@@ -38,8 +38,7 @@ std::filesystem::path KeyDesk::file() {
   return folder.empty() ? folder : folder / "keys.conf";
 }
 
-KeyDesk::KeyDesk(Settings& settings, ActionBindings& actions, Messages& messages)
-    : settings_(settings), actions_(actions), messages_(messages) {
+KeyDesk::KeyDesk(Settings& settings, Messages& messages) : settings_(settings), messages_(messages) {
   std::error_code error;
   if (!file().empty() && std::filesystem::exists(file(), error))
     read();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys in force: those chosen in the settings, changed by the user's file.
+// What actions do and the keys in force: those chosen in the settings, changed by the user's file.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,9 @@ namespace mes {
 /// everything else in it holds. Threads: the window's.
 class KeyDesk {
  public:
-  KeyDesk(Settings& settings, ActionBindings& actions, Messages& messages);
+  KeyDesk(Settings& settings, Messages& messages);
+
+  ActionBindings& actions() { return actions_; }
 
   /// $XDG_CONFIG_HOME/mesecina/keys.conf; empty when no home folder is known.
   static std::filesystem::path file();
@@ -26,7 +28,7 @@ class KeyDesk {
   void read();
 
   Settings& settings_;
-  ActionBindings& actions_;
+  ActionBindings actions_;
   Messages& messages_;
   std::string text_;  // of the file
 };
