@@ -427,3 +427,21 @@ TEST_CASE("the rule also holds after edits, one after the other") {
     }
   }
 }
+
+TEST_CASE("the rule holds where so many samples are odd that the whole tree is made at once") {
+  Rng rng(11);
+  Workbench bench;
+  bench.show({"interior-voronoi-disks", "label-conflicts"});
+  bench.replace(uniform_square(900, 5));
+  // What `ConflictJoin` asks for.
+  CHECK(bench.get<OneStepCrust>().odd_count() > 64 + 900 / 3);
+  CHECK(bench.count("labels", "largest_cluster") > 64 + 900 / 4);
+  for (int step = 0; step < 6; ++step) {
+    INFO("step " << step);
+    REQUIRE(conflicts_of(bench) == conflicts_by_rule(bench));
+    const std::vector<SampleId> ids = bench.ids();
+    const SampleId id = ids[rng.below(ids.size())];
+    const Vec2 p = bench.document().position(bench.document().slot_of(id));
+    bench.move(id, p + Vec2{rng.uniform(-9.0, 9.0), rng.uniform(-9.0, 9.0)});
+  }
+}

@@ -19,15 +19,16 @@ std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
 
 // A strict total order on edges that depends on the sites' positions only.
 bool ConflictJoin::is_surer(const Rank& a, const Rank& b) const {
-  if (a.edge == b.edge) return false;
   if (a.mends != b.mends) return b.mends;
+  if (!a.mends && std::abs(a.key - b.key) > 2.0 * kAmbiguityKeyError) return a.key > b.key;
+  if (a.edge == b.edge) return false;
   int order = 0;
   if (a.mends) {
-    const auto [a_low, a_high] = sorted_ends(delaunay_, a.edge);
-    const auto [b_low, b_high] = sorted_ends(delaunay_, b.edge);
-    order = compare_lengths(a_low, a_high, b_low, b_high);
+    const SiteSlot* of_a = delaunay_.edge(a.edge).v;
+    const SiteSlot* of_b = delaunay_.edge(b.edge).v;
+    order = compare_lengths(delaunay_.site_position(of_a[0]), delaunay_.site_position(of_a[1]),
+                            delaunay_.site_position(of_b[0]), delaunay_.site_position(of_b[1]));
   } else {
-    if (std::abs(a.key - b.key) > 2.0 * kAmbiguityKeyError) return a.key > b.key;
     order = compare_ambiguity(crust_.corners(a.edge), crust_.corners(b.edge));
   }
   if (order != 0) return order > 0;
@@ -260,12 +261,18 @@ void ConflictJoin::rebuild(JobControl& job) {
   clear();
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
   begin();
-  for (const SiteSlot site : delaunay_.site_slots()) {
-    if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site].is_valid()) continue;
-    grow(site, job);
-    if (!is_too_much()) continue;
+  // Among random samples, where clusters take up a good part of the plane, 43 to 45 % are odd. Both ways lead to the
+  // same clusters.
+  if (crust_.odd_count() > 64 + delaunay_.site_count() / 3) {
     join_all(job);
-    break;
+  } else {
+    for (const SiteSlot site : delaunay_.site_slots()) {
+      if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site].is_valid()) continue;
+      grow(site, job);
+      if (!is_too_much()) continue;
+      join_all(job);
+      break;
+    }
   }
   settle_all(job);
 }
@@ -394,6 +401,13 @@ void ConflictJoin::update(JobControl& job, std::vector<EdgeSlot>& changed_edges)
   for (const SiteSlot site : crust_.degree_changes())
     delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
   seeds_.insert(seeds_.end(), crust_.degree_changes().begin(), crust_.degree_changes().end());
+  // Where clusters as large as this come apart, growing new ones mostly ends in making the whole tree.
+  grown_sites_ = seeds_.size();
+  if (is_too_much()) {
+    join_all(job);
+    seeds_.clear();
+  }
+  grown_sites_ = 0;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     const SiteSlot site = seeds_[i];
     if (!delaunay_.is_site(site) || !crust_.is_odd(site) || cluster_of_[site].is_valid()) continue;
