@@ -148,9 +148,10 @@ SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, 
   const bool is_active = ImGui::IsItemActive();
   const bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (is_active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  tooltip(gui, explanation);
-  ImGui::End();
+  // The tooltip has a border and a margin, and would be in the way while the thing is moved.
   ImGui::PopStyleVar(2);
+  if (!is_active) tooltip(gui, explanation);
+  ImGui::End();
   return {is_active && !is_reset, ImGui::GetIO().MousePos, is_reset};
 }
 

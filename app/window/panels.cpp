@@ -262,9 +262,14 @@ ImVec2 Panels::draw_legend(const Sides& sides) {
   if (size.x <= 0.0F) return {};
   const SplitterMove move = drag_handle(gui, "##legend-handle", {{at.x - size.x, at.y - size.y}, size},
                                         "Drag to move the legend; double click to put it back");
+  // From where the button was pressed: a late frame may have missed some of the way.
   if (move.is_dragged) {
-    legend_moved_.x += ImGui::GetIO().MouseDelta.x;
-    legend_moved_.y += ImGui::GetIO().MouseDelta.y;
+    if (!legend_grasped_) legend_grasped_ = {at.x - corner.x, at.y - corner.y};
+    const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
+    legend_moved_ = {legend_grasped_->x + way.x, legend_grasped_->y + way.y};
+    uses_.screen.clock.want(2);
+  } else {
+    legend_grasped_.reset();
   }
   if (move.is_reset) legend_moved_ = {};
   const bool is_moved = legend_moved_.x != 0.0F || legend_moved_.y != 0.0F;

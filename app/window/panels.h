@@ -81,7 +81,8 @@ class Panels {
   bool are_shown_ = true;
   bool were_shown_ = true;  // before the presentation
   Presenter presenter_;
-  ImVec2 legend_moved_{};  // from its corner, by hand
+  ImVec2 legend_moved_{};                 // from its corner, by hand
+  std::optional<ImVec2> legend_grasped_;  // where it was when it was taken, while it is held
 };
 
 }  // namespace mes

@@ -118,3 +118,29 @@ TEST_CASE("a typed range of a colour map counts when Tab leaves its field") {
   CHECK(saved().range_low == 0.25);
   CHECK(saved().range_high == 2.5);
 }
+
+TEST_CASE("a legend lies where it was dragged, however fast the hand was") {
+  Window window("house.poff");
+  Session session;
+  session.data = std::make_shared<const SampleData>(SampleData{{{0, 0}, {4, 0}, {5, 3}, {2, 4}}, {}, {}});
+  LayerStyle style;
+  style.color_map = "viridis";
+  session.layers.layers = {{"medial-axis", true, style}};
+  window.folder.write("mapped.json", write_session(session));
+  window.start("mapped.json");
+  // The first colours of the map are nowhere but in the legend.
+  const auto is_purple = [](Color c) { return c.r > 60 && c.r < 80 && c.g < 30 && c.b > 70 && c.b < 115; };
+  constexpr PixelBox kBelow{600, 500, 970, 768};
+  REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kBelow, is_purple).is_empty(); }));
+  const PixelBox before = window.drawn().box_of(kBelow, is_purple);
+  window.screen.drag({before.left + 2, before.top + 2}, {before.left - 248, before.top - 198}, 1);
+  const auto has_moved = [&] {
+    const PixelBox now = window.screen.shoot().box_of(
+        {before.left - 250, before.top - 200, before.right - 250 + 1, before.bottom - 200 + 1}, is_purple);
+    return now.left == before.left - 250 && now.top == before.top - 200;
+  };
+  CHECK(eventually(has_moved));
+  window.screen.xdotool("mouseup 1");
+  static_cast<void>(window.screen.settled());
+  CHECK(eventually(has_moved));
+}
