@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Large inputs, whose rebuild may work in pieces and on several threads, against the same samples added batch by
 // batch, each small enough to be an update; and against being taken away again.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
@@ -98,4 +99,30 @@ TEST_CASE("a large lattice, where every quadruple is cocircular") {
   CHECK(bench.count("one-step-crust", "crust_edges") == 2 * kSide * (kSide - 1));
   CHECK(bench.count("one-step-crust", "odd_samples") == 4 * (kSide - 2));
   CHECK(bench.count("one-step-crust", "cocircular_edges") == (kSide - 1) * (kSide - 1));
+}
+
+TEST_CASE("a stretch of a curve is moved together, through the curve and out of it") {
+  const std::vector<Vec2> positions = benchmark_curve(6000);
+  Workbench bench(positions);
+  const std::vector<SampleId> ids = bench.ids();
+  Box2 extent;
+  for (const Vec2 p : positions) extent.add(p);
+  constexpr std::size_t kMoved = 200;
+  // A step of a hand, into the shape, onto the far side, and beyond it.
+  for (const double share : {0.001, 0.3, 0.6, 1.5}) {
+    std::vector<Vec2> moved = positions;
+    std::vector<std::pair<SampleId, Vec2>> targets;
+    for (std::size_t i = 0; i < kMoved; ++i) {
+      moved[i] = positions[i] + share * Vec2{extent.width(), 0.25 * extent.height()};
+      targets.emplace_back(ids[i], moved[i]);
+    }
+    bench.move(targets);
+    const auto delaunay = std::ranges::find(bench.patch().nodes, "delaunay", &NodeReport::structure);
+    REQUIRE(delaunay != bench.patch().nodes.end());
+    CHECK_FALSE(delaunay->rebuilt);
+    CHECK(broken_row(bench.graph()) == "");
+    CHECK(difference(bench.state(), Workbench(moved).state()) == "");
+  }
+  while (bench.steps_done() > 1) bench.undo();
+  CHECK(difference(bench.state(), Workbench(positions).state()) == "");
 }

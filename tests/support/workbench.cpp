@@ -63,8 +63,8 @@ void Workbench::remove(const std::vector<SampleId>& ids) {
   apply(remove_samples(document_, ids));
 }
 
-void Workbench::move(SampleId id, Vec2 to) {
-  apply(move_samples(document_, std::vector{std::pair{id, to}}));
+void Workbench::move(const std::vector<std::pair<SampleId, Vec2>>& targets) {
+  apply(move_samples(document_, targets));
 }
 
 void Workbench::undo() {

@@ -42,7 +42,8 @@ class Workbench {
   void replace(const std::vector<Vec2>& positions);
   void insert(const std::vector<Vec2>& positions);
   void remove(const std::vector<SampleId>& ids);
-  void move(SampleId id, Vec2 to);
+  void move(SampleId id, Vec2 to) { move(std::vector{std::pair{id, to}}); }
+  void move(const std::vector<std::pair<SampleId, Vec2>>& targets);
   /// Another document: these samples and balls, all new.
   void load(const SampleData& data);
   void insert_balls(const std::vector<Disk>& disks);
