@@ -16,7 +16,7 @@ if(MESECINA_SANITIZE)
   add_link_options(-fsanitize=${MESECINA_SANITIZE})
   # The instrumented code confuses these warnings: they fire inside the standard library.
   target_compile_options(mes_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict
-                         -Wno-stringop-overflow)
+                         -Wno-stringop-overflow -Wno-stringop-overread)
   if(MESECINA_SANITIZE MATCHES "undefined")
     add_compile_options(-fno-sanitize-recover=undefined)
   endif()
