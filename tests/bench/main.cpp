@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   mes::bench::register_scratch(table);
   mes::bench::register_edits(table);
   mes::bench::register_drawing(table);
+  mes::bench::register_dragging(table);
   mes::bench::register_recording(table);
   mes::bench::register_unions(table);
   mes::bench::register_evolving(table);

@@ -46,6 +46,7 @@ inline double median(std::vector<double> values) {
 void register_scratch(RatioTable& table);
 void register_edits(RatioTable& table);
 void register_drawing(RatioTable& table);
+void register_dragging(RatioTable& table);
 void register_recording(RatioTable& table);
 void register_unions(RatioTable& table);
 void register_evolving(RatioTable& table);
