@@ -29,7 +29,7 @@ LayerStyle greyed(LayerStyle style) {
 
 }  // namespace
 
-Picture::Picture() : scene_(device_) {
+Picture::Picture() : scene_(device_), moved_(find_layer("points")) {
   if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
 }
 
@@ -74,6 +74,7 @@ bool Picture::take_from(Engine& engine) {
     const bool brings_news = patch->layer_count != 0 || patch->frame != last_frame_ || is_lost_ != was_lost;
     last_frame_ = patch->frame;
     if (mirror_ && !is_lost_) check(*patch);
+    moved_.take(*patch);
     document_revision_ = patch->document_revision;
     reports_.swap(patch->reports);
     nodes_.swap(patch->nodes);
@@ -157,6 +158,23 @@ void Picture::mark_selection(const Editor& editor) {
   set_mark(kSelectedCircleMark, PrimitiveKind::circle, style);
 }
 
+// The engine is behind while its picture is of an earlier state. A patch of it may bring the samples back.
+void Picture::draw_moved(const Editor& editor) {
+  const Document& document = editor.document();
+  const MarkedState now{document.revision(), editor.selection().revision(), scene_.frame(), {}};
+  if (document.revision() == document_revision_ || is_outdated() || is_lost_) return;
+  if (now == moved_at_ && moved_at_patch_ == patches_) return;
+  // A layer that is hidden is forgotten.
+  if (scene_.instances(moved_.layer(), PrimitiveKind::point) != moved_.count()) return;
+  const FramePatch* const own = moved_.catch_up(document, editor.selection().slots(), scene_.frame());
+  if (own != nullptr) {
+    is_lost_ = !apply(*own);
+    ++patches_;
+  }
+  moved_at_ = now;
+  moved_at_patch_ = patches_;
+}
+
 void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style) {
   if (mark_data_.empty())
     scene_.clear_overlay(slot);
@@ -210,6 +228,7 @@ std::vector<LegendEntry> Picture::legend(const LayerStack& layers) const {
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                    double content_scale) {
+  draw_moved(editor);
   mark_selection(editor);
   measure_spacing(editor);
   ShownState now{camera,   content_scale,

@@ -11,6 +11,7 @@
 #include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
 #include "app/picture/legend.h"
+#include "app/picture/moved_points.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/engine.h"
 #include "core/engine/memory_lack.h"
@@ -27,7 +28,9 @@ namespace mes {
 ///     or the pointer moved costs one copy of the last picture, however many primitives there are.
 ///  3. If MESECINA_CHECK_PATCHES is set, as in the tests of the window, each patch also goes through a `LayerMirror`,
 ///     which refuses broken patches and must have as many instances as the scene.
-///  4. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
+///  4. Selected samples are drawn where the document has them, although their structures follow when the engine has
+///     computed them.
+///  5. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
 ///
 /// An OpenGL context must be current as long as the object exists. Threads: the window's.
 class Picture {
@@ -110,6 +113,7 @@ class Picture {
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);
   void mark_selection(const Editor& editor);
+  void draw_moved(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const;
 
@@ -132,6 +136,9 @@ class Picture {
   double background_aspect_ = 0.0;
   render::PicturePlace background_place_;
   MarkedState marked_;
+  MovedPoints moved_;
+  MarkedState moved_at_;  // what the samples were last drawn for
+  std::uint64_t moved_at_patch_ = 0;
   std::vector<double> mark_data_;  // kept for its memory
   ShownState shown_;
   Detail detail_;

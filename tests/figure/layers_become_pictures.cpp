@@ -105,3 +105,20 @@ TEST_CASE("a picture that no memory holds is refused, and the figure stays as it
   CHECK(shape_count(figure) == shape_count(two_layers().figure()));
   CHECK_FALSE(picture_of(figure, 1e9));
 }
+
+TEST_CASE("PostScript makes one picture of a layer of many translucent shapes, and leaves other layers as they are") {
+  Layers layers;
+  std::vector<double> disks;
+  for (int i = 0; i < 1500; ++i) disks.insert(disks.end(), {2.0 + 4.0 * (i % 48), 2.0 + 3.0 * (i / 48), 2.5, 0.0});
+  layers.add(0, PrimitiveKind::disk, disks);
+  layers.show(0).opacity = 0.5;
+  layers.add(2, PrimitiveKind::segment, {10, 98, 190, 98, 0});
+  layers.show(2).line_width_px = 2.0;
+  const Figure figure = layers.figure();
+  REQUIRE(shape_count(figure) == 1501);
+  const auto eps = eps_of(figure);
+  REQUIRE(eps);
+  CHECK(test::count_of(*eps, "/ImageType") == 1);
+  // The line of the other layer.
+  CHECK(test::count_of(*eps, " l S") + test::count_of(*eps, " l\nS") >= 1);
+}
