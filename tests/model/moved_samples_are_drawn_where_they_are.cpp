@@ -13,7 +13,7 @@ using namespace mes;
 
 namespace {
 
-/// A document, an engine that follows when it is told, and the picture that is drawn of both.
+/// A document, a graph that follows when it is run, and the picture that is drawn of both.
 struct Bench {
   Document document;
   Graph graph;
