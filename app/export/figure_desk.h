@@ -80,7 +80,7 @@ class FigureDesk {
   bool is_drawing() const { return is_open_ && !(problem_ || (preview_ && shown_ == wanted_)); }
   /// Of the file as wanted, once it is known.
   const std::string* bytes() const { return bytes_ ? bytes_.get() : nullptr; }
-  /// Why there is no figure of what is wanted.
+  /// Why what is wanted cannot be drawn or written.
   const std::optional<Error>& problem() const { return problem_; }
 
   /// Writes the figure as wanted, once it is drawn. The file is replaced if it exists.

@@ -122,7 +122,7 @@ TEST_CASE("where the dialog of the desktop fails, refuses or does not answer, th
   CHECK(window.opens_by_own_dialog());
 }
 
-TEST_CASE("a dialog of the desktop that nobody answers is left by Esc, or for the own one, and the portal may end") {
+TEST_CASE("an unanswered dialog of the desktop is left by Esc, or for the own one, and the portal may end") {
   Window window;
   window.set_portal("silent");
   window.open_house();
