@@ -20,6 +20,7 @@ constexpr float kWidth = 1080.0F;  // logical pixels
 constexpr float kHeight = 640.0F;
 constexpr float kSettings = 408.0F;
 constexpr float kTitle = 76.0F;
+constexpr const char* kId = "##figure";
 
 // In the order of `FigureExtent` and `FigurePaper`.
 constexpr std::array kExtents{std::pair{"View", "What the window shows between its panels"},
@@ -313,6 +314,9 @@ void FigureDialog::draw_preview(const Gui& gui) const {
 }
 
 void FigureDialog::draw(const Gui& gui) {
+  // Place and size would be those of whichever window comes next.
+  const bool is_shown = is_open_ && !is_covered_;
+  if (!is_shown && !ImGui::IsPopupOpen(kId)) return;
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
@@ -320,8 +324,7 @@ void FigureDialog::draw(const Gui& gui) {
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
-  if (Gui::begin_dialog("##figure", is_open_ && !is_covered_,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  if (Gui::begin_dialog(kId, is_shown, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
     const float settings_width = std::min(kSettings * unit, 0.5F * size.x);
     ImGui::BeginChild("settings", {settings_width, 0});
     ImGui::PushFont(gui.bold());
