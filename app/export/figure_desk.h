@@ -49,7 +49,7 @@ struct FigurePreview {
 
 /// What it guarantees:
 ///  1. Nothing waits for computing, drawing, or the disk: each is a call on a thread of its own, of which `wake` is
-///     called from there. What is no longer wanted is given up.
+///     called from there. A later request replaces an earlier one, whose result is dropped.
 ///  2. The figure is of the subject, whatever becomes of the document meanwhile, and computed afresh.
 ///  3. The file has the bytes whose size was shown, and appears complete or not at all.
 ///
