@@ -25,7 +25,7 @@ constexpr std::array kPresets{PagePreset{"one-column", "84mm"}, PagePreset{"two-
 
 // The largest page of PDF is 200 inches wide.
 constexpr double kLeast = kMillimeter;
-constexpr double kMost = 200.0 * figure::kPointsPerInch;
+constexpr double kMost = 5080.0 * kMillimeter;
 
 std::unexpected<Error> usage_error(std::string text) {
   return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});

@@ -158,6 +158,7 @@ TEST_CASE("a figure has the size on paper that was asked for") {
   CHECK_THAT(svg({"--figure-size", "4.5inx3in"}), Catch::Contains("width=\"114.3mm\" height=\"76.2mm\""));
   CHECK_THAT(svg({"--figure-size", "960pxx480px"}), Catch::Contains("viewBox=\"0 0 720 360\""));
   CHECK_THAT(svg({"--figure-size", "square"}), Catch::Contains("width=\"84mm\" height=\"84mm\""));
+  CHECK_THAT(svg({"--figure-size", "5080mmx1mm"}), Catch::Contains("width=\"5080mm\" height=\"1mm\""));
   CHECK_THAT(svg({"--figure-size", "one-column"}), Catch::Contains("width=\"84mm\" height=\""));
   // The height follows from a view: half the width.
   CHECK_THAT(svg({"--figure-size", "10cm", "--view", "0,0,200,100"}),
