@@ -9,11 +9,12 @@
 namespace mes {
 namespace {
 
+constexpr std::size_t kFew = 16;
+
 // Samples that are moved together lie along the curve in the order of their rows. Moved in that order into empty
 // space, each would take most of the Voronoi cell of the one before, which is the neighbour of half a shape; in a random
 // order their cells are small from the beginning.
 std::vector<SampleSlot> edit_order(const std::vector<SampleSlot>& touched, const Samples& samples) {
-  constexpr std::size_t kFew = 16;
   if (touched.size() <= kFew) return touched;
   Box2 extent;
   for (const SampleSlot sample : touched) extent.add(samples.position(sample));
@@ -132,6 +133,7 @@ bool Delaunay::update(JobControl& job) {
   zone_faces_ = 0;
   for (const SampleSlot sample : changes.removed)
     if (!mirror_->remove(sample) || is_too_much()) return false;
+  if (changes.touched.size() > kFew && !mirror_->move_together(changes.touched, job)) return false;
   std::uint64_t done = 0;
   for (const SampleSlot sample : edit_order(changes.touched, samples_)) {
     if ((++done & 255U) == 0) job.checkpoint(done, changes.touched.size());

@@ -2,29 +2,19 @@
 // The CGAL triangulation behind `Delaunay`, and how its faces are mirrored to table rows. Private to delaunay.cpp.
 #pragma once
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <bit>
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/base/prefetch.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "core/structures/delaunay/internal/delaunay_rows.h"
 #include "core/structures/delaunay/internal/delaunay_stitch.h"
 #include "core/structures/delaunay/internal/insertion_order.h"
 #include "core/structures/delaunay/internal/location_hints.h"
 
 namespace mes {
-
-/// Row of a CGAL vertex or face; new ones have none.
-template <class Row>
-struct RowTag {
-  Row slot;
-};
 
 class Delaunay::MirrorBase {
  public:
@@ -36,22 +26,30 @@ class Delaunay::MirrorBase {
   virtual bool insert(SampleSlot sample, Vec2 position) = 0;
   virtual bool remove(SampleSlot sample) = 0;
   virtual bool move(SampleSlot sample, Vec2 position) = 0;
+  /// Moves samples that have a site to where the document has them, as many as can be moved at once. Of the others
+  /// some are taken out, and the rest stays where it is. False when the tables must be rebuilt.
+  virtual bool move_together(const std::vector<SampleSlot>& samples, JobControl& job) = 0;
 };
 
-/// The central step is `mirror_zone`: given the CGAL faces that an edit changed, and the rows those faces and their
-/// dead predecessors had, rewrite the rows. Rows of edges on the rim of the zone are kept, all others of the old zone
-/// are given to the new inner edges, so an edit allocates nothing in the long run.
+/// Edits the triangulation and has the rows follow.
 template <class Kernel>
-class Delaunay::Mirror final : public Delaunay::MirrorBase {
-  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<RowTag<SiteSlot>, Kernel>;
-  using Face = CGAL::Triangulation_face_base_with_info_2<RowTag<FaceSlot>, Kernel>;
-  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
+class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Rows<Kernel> {
+  using Base = Delaunay::Rows<Kernel>;
+  using typename Base::FaceHandle;
+  using typename Base::Triangulation;
+  using typename Base::VertexHandle;
   using Point = typename Kernel::Point_2;
-  using VertexHandle = typename Triangulation::Vertex_handle;
-  using FaceHandle = typename Triangulation::Face_handle;
+  using Base::d_;
+  using Base::expect_row;
+  using Base::old_rows_;
+  using Base::row_of;
+  using Base::site_of;
+  using Base::triangulation_;
+  using Base::vertex_;
+  using Base::zone_;
 
  public:
-  explicit Mirror(Delaunay& owner) : d_(owner) {}
+  explicit Mirror(Delaunay& owner) : Base(owner) {}
 
   void clear() override {
     triangulation_.clear();
@@ -72,9 +70,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     d_.site_count_ = count - d_.free_sites_.size();
     d_.dimension_ = triangulation_.dimension();
     if (d_.dimension_ == 2) {
-      mirror_all();
+      Base::mirror_all();
     } else if (d_.dimension_ == 1) {
-      mirror_chain();
+      Base::mirror_chain();
     }
   }
 
@@ -91,8 +89,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
 
   bool move(SampleSlot sample, Vec2 p) override {
     const SiteSlot site = d_.site_of_sample_[sample];
-    const bool alone = d_.site_sample_[site] == sample && d_.next_duplicate_[sample] == kNoSlot;
-    if (!alone) {
+    if (!is_alone(sample, site)) {
       d_.detach_sample(sample);
       d_.site_recorder_.note(site, true);
       return insert_at(sample, p, vertex_[site]->face(), SiteSlot());
@@ -103,7 +100,49 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     return insert_at(sample, p, last_face_, site);
   }
 
+  // Where no triangle turns over, sites may be moved all at once, and flips restore the Delaunay property. Within what
+  // moves as a whole nothing changes then; moved one after the other, each site would lie far from all its neighbours
+  // for a while. A site at which a triangle would turn over is taken out before; the caller puts it back when the
+  // others have arrived. The hull stays where it is, so triangles that all turn left cover what it encloses once.
+  bool move_together(const std::vector<SampleSlot>& samples, JobControl& job) override {
+    list_movers(samples);
+    if (!take_out_what_turns_over(job)) return false;
+    zone_.clear();
+    suspects_.clear();
+    const std::uint32_t in_zone = d_.new_mark();
+    for (const Mover& mover : movers_) {
+      if (mover.is_out) continue;
+      const VertexHandle v = vertex_[mover.site];
+      v->info().mover = kNoSlot;
+      v->set_point(mover.target);
+      d_.site_position_[mover.site] = {mover.target.x(), mover.target.y()};
+      d_.site_recorder_.note(mover.site, true);
+      auto face = triangulation_.incident_faces(v);
+      const auto end = face;
+      do {
+        FaceRow& row = d_.face_[row_of(face)];
+        if (row.mark == in_zone) continue;
+        row.mark = in_zone;
+        zone_.push_back(face);
+        for (int k = 0; k < 3; ++k) suspects_.push_back({face, k});
+      } while (++face != end);
+    }
+    if (zone_.empty()) return true;
+    // Sliding along another part of the curve flips once for each sample that is passed.
+    if (!flip_suspects(in_zone, 1000 + d_.face_.size() / 2)) return false;
+    mirror_flipped_zone();
+    return true;
+  }
+
  private:
+  struct Mover {
+    SampleSlot sample;
+    SiteSlot site;
+    Point target;
+    bool is_pending = true;  ///< its triangles are still to be looked at
+    bool is_out = false;
+  };
+
   /// Samples that lie together. Their sites take rows of their own, from `first_site` on and as many as there are
   /// samples, so that parts can be made side by side. Duplicates leave rows free.
   struct Part {
@@ -192,12 +231,6 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     part.samples.insert(part.samples.end(), far.samples.begin(), far.samples.end());
   }
 
-  static SiteSlot site_of(VertexHandle v) { return v->info().slot; }
-  static FaceSlot row_of(FaceHandle f) { return f->info().slot; }
-  void expect_row(FaceHandle f) const {
-    if (row_of(f) != kNoSlot) prefetch(d_.face_.address(row_of(f)));
-  }
-
   SiteSlot bind_new_site(VertexHandle v, Vec2 p) {
     const SiteSlot site = d_.new_site(p);
     if (!vertex_.has(site)) vertex_.resize(site.index() + std::size_t{1});
@@ -252,7 +285,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     collect_star(v);
     for (const FaceHandle f : zone_)
       if (row_of(f) != kNoSlot) old_rows_.push_back(row_of(f));
-    mirror_zone();
+    Base::mirror_zone();
     last_face_ = v->face();
     return true;
   }
@@ -282,7 +315,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     for (const auto& [outer, i] : rim_) enter_hole(outer->neighbor(i));
     for (std::size_t next = 0; next < zone_.size(); ++next)
       for (int i = 0; i < 3; ++i) enter_hole(zone_[next]->neighbor(i));
-    mirror_zone();
+    Base::mirror_zone();
     last_face_ = zone_.front();
     return true;
   }
@@ -319,8 +352,16 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       suspects_.push_back({f, i});
       suspects_.push_back({f, next3(i)});
     }
-    // Lawson's flips. An entry may be stale after a flip; testing another edge instead does no harm, because a flip
-    // puts all edges of both faces on the stack again.
+    flip_suspects(in_zone, ~std::size_t{0});
+    mirror_flipped_zone();
+    return true;
+  }
+
+  // Lawson's flips; the faces flipped join the zone. An entry may be stale after a flip; testing another edge instead
+  // does no harm, because a flip puts all edges of both faces on the stack again. False, with the work left undone,
+  // after `most` flips.
+  bool flip_suspects(std::uint32_t in_zone, std::size_t most) {
+    std::size_t flips = 0;
     while (!suspects_.empty()) {
       const auto [f, i] = suspects_.back();
       suspects_.pop_back();
@@ -328,6 +369,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
       if (triangulation_.is_infinite(f) || triangulation_.is_infinite(g)) continue;
       const VertexHandle across = g->vertex(g->index(f));
       if (triangulation_.side_of_oriented_circle(f, across->point(), true) != CGAL::ON_POSITIVE_SIDE) continue;
+      if (++flips > most) return false;
       triangulation_.flip(f, i);
       for (const FaceHandle h : {f, g}) {
         FaceRow& row = d_.face_[row_of(h)];
@@ -336,11 +378,80 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
         for (int k = 0; k < 3; ++k) suspects_.push_back({h, k});
       }
     }
+    return true;
+  }
+
+  // After flips: the faces of the zone have the rows they had.
+  void mirror_flipped_zone() {
     old_rows_.clear();
     for (const FaceHandle f : zone_) old_rows_.push_back(row_of(f));
-    mirror_zone();
+    Base::mirror_zone();
     last_face_ = zone_.front();
+  }
+
+  // Sites of one sample that are not on the hull.
+  void list_movers(const std::vector<SampleSlot>& samples) {
+    movers_.clear();
+    for (const SampleSlot sample : samples) {
+      const SiteSlot site = d_.site_of_sample(sample);
+      if (site == kNoSlot || !is_alone(sample, site)) continue;
+      const Vec2 target = position_of(sample);
+      if (d_.site_position_[site] == target || is_on_hull(vertex_[site])) continue;
+      vertex_[site]->info().mover = movers_.next();
+      movers_.push_back({sample, site, Point(target.x, target.y)});
+    }
+  }
+
+  bool take_out_what_turns_over(JobControl& job) {
+    std::vector<MoverSlot> pending(movers_.rows().begin(), movers_.rows().end());
+    for (std::size_t next = 0; next < pending.size(); ++next) {
+      if ((next & 255U) == 255U) job.checkpoint();
+      const MoverSlot slot = pending[next];
+      Mover& mover = movers_[slot];
+      mover.is_pending = false;
+      const VertexHandle v = vertex_[mover.site];
+      if (!would_turn_over(v)) continue;
+      auto other = triangulation_.incident_vertices(v);
+      const auto end = other;
+      do {
+        const MoverSlot beside = other->info().mover;
+        if (beside == kNoSlot || movers_[beside].is_pending) continue;
+        movers_[beside].is_pending = true;
+        pending.push_back(beside);
+      } while (++other != end);
+      mover.is_out = true;
+      d_.detach_sample(mover.sample);
+      if (!remove_site(mover.site) || d_.is_too_much()) return false;
+      release_site(mover.site);
+    }
     return true;
+  }
+
+  const Point& target_of(VertexHandle v) const {
+    const MoverSlot mover = v->info().mover;
+    return mover == kNoSlot ? v->point() : movers_[mover].target;
+  }
+  bool would_turn_over(VertexHandle v) const {
+    const auto orientation = triangulation_.geom_traits().orientation_2_object();
+    auto face = triangulation_.incident_faces(v);
+    const auto end = face;
+    do {
+      if (orientation(target_of(face->vertex(0)), target_of(face->vertex(1)), target_of(face->vertex(2))) !=
+          CGAL::LEFT_TURN)
+        return true;
+    } while (++face != end);
+    return false;
+  }
+  bool is_on_hull(VertexHandle v) const {
+    auto face = triangulation_.incident_faces(v);
+    const auto end = face;
+    do {
+      if (triangulation_.is_infinite(face)) return true;
+    } while (++face != end);
+    return false;
+  }
+  bool is_alone(SampleSlot sample, SiteSlot site) const {
+    return d_.site_sample_[site] == sample && d_.next_duplicate_[sample] == kNoSlot;
   }
 
   void collect_star(VertexHandle v) {
@@ -353,206 +464,13 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase {
     } while (++face != end);
   }
 
-  // Rewrites the rows of `zone_`. Faces without a row get one; rows of `old_rows_` that no face of the zone holds
-  // die.
-  void mirror_zone() {
-    d_.zone_faces_ += zone_.size();
-    const std::uint32_t mark = d_.new_mark();
-    old_edges_.clear();
-    for (const FaceSlot row : old_rows_)
-      for (const EdgeSlot e : d_.face_[row].e)
-        if (e != kNoSlot) prefetch(d_.edge_.address(e));
-    for (const FaceSlot row : old_rows_) {
-      d_.note_face(row);
-      for (const EdgeSlot e : d_.face_[row].e) {
-        if (e == kNoSlot || d_.edge_[e].mark == mark) continue;
-        d_.edge_[e].mark = mark;
-        old_edges_.push_back(e);
-      }
-    }
-    for (const FaceHandle f : zone_) {
-      if (row_of(f) == kNoSlot || d_.face_[row_of(f)].mark == mark) {
-        f->info().slot = new_face_row();
-        d_.note_face(row_of(f));
-      }
-      d_.face_[row_of(f)].mark = mark;
-    }
-    for (const FaceSlot row : old_rows_) {
-      if (d_.face_[row].mark == mark) continue;
-      d_.face_[row] = FaceRow{};
-      d_.free_faces_.push_back(row);
-    }
-    for (const FaceHandle f : zone_) write_corners(f);
-    // Rim: the edge stays, what lies on our side of it is new.
-    for (const FaceHandle f : zone_) {
-      FaceRow& row = d_.face_[row_of(f)];
-      for (int i = 0; i < 3; ++i) {
-        const FaceHandle g = f->neighbor(i);
-        row.n[i] = row_of(g);
-        row.e[i] = kNoSlot;
-        FaceRow& outer = d_.face_[row.n[i]];
-        if (outer.mark == mark) continue;
-        const int j = g->index(f);
-        outer.n[j] = row_of(f);
-        row.e[i] = outer.e[j];
-        if (row.e[i] == kNoSlot) continue;
-        d_.note_edge(row.e[i]);
-        EdgeRow& edge = d_.edge_[row.e[i]];
-        edge.mark = 0;
-        edge.f[edge.v[0] == row.v[next3(i)] ? 0 : 1] = row_of(f);
-      }
-    }
-    // New inner edges take the rows of dead ones.
-    std::size_t spare = 0;
-    const auto is_spare = [&](EdgeSlot e) { return d_.edge_[e].mark == mark; };
-    for (const FaceHandle f : zone_) {
-      const FaceSlot own = row_of(f);
-      for (int i = 0; i < 3; ++i) {
-        const FaceSlot other = d_.face_[own].n[i];
-        if (own > other || d_.face_[other].mark != mark) continue;
-        const SiteSlot a = d_.face_[own].v[next3(i)];
-        const SiteSlot b = d_.face_[own].v[prev3(i)];
-        if (a == kInfiniteSite || b == kInfiniteSite) continue;
-        while (spare < old_edges_.size() && !is_spare(old_edges_[spare])) ++spare;
-        const EdgeSlot e = spare < old_edges_.size() ? old_edges_[spare++] : new_edge_row();
-        d_.note_edge(e);
-        d_.edge_[e] = EdgeRow{{a, b}, {own, other}};
-        d_.face_[own].e[i] = e;
-        d_.face_[other].e[f->neighbor(i)->index(f)] = e;
-      }
-    }
-    for (; spare < old_edges_.size(); ++spare) {
-      const EdgeSlot e = old_edges_[spare];
-      if (!is_spare(e)) continue;
-      d_.note_edge(e);
-      d_.edge_[e] = EdgeRow{};
-      d_.free_edges_.push_back(e);
-    }
-  }
-
-  void read_corners(FaceHandle f) {
-    const FaceSlot slot = row_of(f);
-    FaceRow& row = d_.face_[slot];
-    for (int i = 0; i < 3; ++i) {
-      const VertexHandle v = f->vertex(i);
-      row.v[i] = triangulation_.is_infinite(v) ? kInfiniteSite : site_of(v);
-    }
-    d_.compute_circumcircle(slot);
-  }
-
-  void write_corners(FaceHandle f) {
-    read_corners(f);
-    for (const SiteSlot site : d_.face_[row_of(f)].v)
-      if (site != kInfiniteSite) d_.site_face_[site] = row_of(f);
-  }
-
-  FaceSlot new_face_row() {
-    if (!d_.free_faces_.empty()) {
-      const FaceSlot row = d_.free_faces_.back();
-      d_.free_faces_.pop_back();
-      return row;
-    }
-    const FaceSlot row = d_.face_.next();
-    d_.face_.emplace_back();
-    return row;
-  }
-
-  EdgeSlot new_edge_row() {
-    if (!d_.free_edges_.empty()) {
-      const EdgeSlot row = d_.free_edges_.back();
-      d_.free_edges_.pop_back();
-      return row;
-    }
-    const EdgeSlot row = d_.edge_.next();
-    d_.edge_.emplace_back();
-    return row;
-  }
-
-  // The triangulation is only read here, and every row and every field of it is written by one thread.
-  void mirror_all() {
-    const std::size_t count = triangulation_.tds().number_of_faces();
-    Table<FaceSlot, FaceHandle> handles;
-    run_tasks(2, [&](std::size_t task) {
-      if (task == 0) {
-        handles.reserve(count);
-        for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
-          f->info().slot = handles.next();
-          handles.push_back(f);
-        }
-      } else {
-        d_.face_.resize(count);
-        d_.edge_.resize(count / 2 * 3);  // more by those to infinity
-      }
-    });
-    std::vector<std::size_t> first_edge(chunk_count(handles.size()) + 1, 0);
-    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-      std::size_t edges =
-          0;  // not counted in place: the threads would take a cache line from each other all the time
-      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
-        const FaceHandle f = handles[face];
-        read_corners(f);
-        for (int i = 0; i < 3; ++i) {
-          d_.face_[face].n[i] = row_of(f->neighbor(i));
-          edges += owns_edge(face, i) ? 1U : 0U;
-        }
-      }
-      first_edge[chunk + 1] = edges;
-    });
-    for (std::size_t chunk = 1; chunk < first_edge.size(); ++chunk) first_edge[chunk] += first_edge[chunk - 1];
-    d_.edge_.resize(first_edge.back());
-    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-      EdgeSlot e(first_edge[chunk]);
-      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
-        FaceRow& row = d_.face_[face];
-        for (int i = 0; i < 3; ++i) {
-          if (!owns_edge(face, i)) continue;
-          d_.edge_[e] = EdgeRow{{row.v[next3(i)], row.v[prev3(i)]}, {face, row.n[i]}};
-          row.e[i] = e;
-          FaceRow& other = d_.face_[row.n[i]];
-          other.e[other.index_of_neighbour(face)] = e;
-          ++e;
-        }
-      }
-    });
-    parallel_for(d_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (const SiteSlot site : slots_between<SiteSlot>(begin, end))
-        if (d_.is_site(site)) d_.site_face_[site] = row_of(vertex_[site]->face());
-    });
-  }
-
-  // Of the two faces at a finite edge, the one with the larger row makes the edge's row.
-  bool owns_edge(FaceSlot face, int i) const {
-    const FaceRow& row = d_.face_[face];
-    return row.n[i] < face && row.v[next3(i)] != kInfiniteSite && row.v[prev3(i)] != kInfiniteSite;
-  }
-
-  // All sites on one line: edges between neighbours along it.
-  void mirror_chain() {
-    d_.line_edges_.assign(d_.site_rows(), {});
-    for (auto e = triangulation_.finite_edges_begin(); e != triangulation_.finite_edges_end(); ++e) {
-      const SiteSlot a = site_of(e->first->vertex(next3(e->second)));
-      const SiteSlot b = site_of(e->first->vertex(prev3(e->second)));
-      const EdgeSlot row = d_.edge_.next();
-      d_.edge_.push_back(EdgeRow{{a, b}, {}});
-      for (const SiteSlot site : {a, b}) {
-        auto& both = d_.line_edges_[site];
-        both[both[0] == kNoSlot ? 0 : 1] = row;
-      }
-    }
-  }
-
-  Delaunay& d_;
-  Triangulation triangulation_;
-  Table<SiteSlot, VertexHandle> vertex_;
   LocationHints hints_;
   FaceHandle last_face_;
 
   // Work space of one edit, kept to save allocations.
-  std::vector<FaceHandle> zone_;
-  std::vector<FaceSlot> old_rows_;
-  std::vector<EdgeSlot> old_edges_;
   std::vector<std::pair<FaceHandle, int>> rim_;
   std::vector<std::pair<FaceHandle, int>> suspects_;
+  Table<MoverSlot, Mover> movers_;
   std::size_t taken_rows_ = 0;
 };
 

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the faces of a CGAL triangulation are mirrored to the rows of `Delaunay`. Private to delaunay.cpp.
+#pragma once
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/prefetch.h"
+#include "core/structures/delaunay/delaunay.h"
+
+namespace mes {
+
+/// Row of a CGAL face; new ones have none.
+struct MirroredFace {
+  FaceSlot slot;
+};
+
+/// One of the sites that are moved together.
+using MoverSlot = Slot<struct MoverTag>;
+
+/// Row of a CGAL vertex; new ones have none.
+struct MirroredVertex {
+  SiteSlot slot;
+  MoverSlot mover;  ///< while it is moved together with others
+};
+
+/// The central step is `mirror_zone`: given the CGAL faces that an edit changed, and the rows those faces and their
+/// dead predecessors had, rewrite the rows. Rows of edges on the rim of the zone are kept, all others of the old zone
+/// are given to the new inner edges, so an edit allocates nothing in the long run.
+template <class Kernel>
+class Delaunay::Rows {
+ protected:
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<MirroredVertex, Kernel>;
+  using Face = CGAL::Triangulation_face_base_with_info_2<MirroredFace, Kernel>;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
+  using VertexHandle = typename Triangulation::Vertex_handle;
+  using FaceHandle = typename Triangulation::Face_handle;
+
+  explicit Rows(Delaunay& owner) : d_(owner) {}
+
+  static SiteSlot site_of(VertexHandle v) { return v->info().slot; }
+  static FaceSlot row_of(FaceHandle f) { return f->info().slot; }
+  void expect_row(FaceHandle f) const {
+    if (row_of(f) != kNoSlot) prefetch(d_.face_.address(row_of(f)));
+  }
+
+  // Rewrites the rows of `zone_`. Faces without a row get one; rows of `old_rows_` that no face of the zone holds
+  // die.
+  void mirror_zone() {
+    d_.zone_faces_ += zone_.size();
+    const std::uint32_t mark = d_.new_mark();
+    old_edges_.clear();
+    for (const FaceSlot row : old_rows_)
+      for (const EdgeSlot e : d_.face_[row].e)
+        if (e != kNoSlot) prefetch(d_.edge_.address(e));
+    for (const FaceSlot row : old_rows_) {
+      d_.note_face(row);
+      for (const EdgeSlot e : d_.face_[row].e) {
+        if (e == kNoSlot || d_.edge_[e].mark == mark) continue;
+        d_.edge_[e].mark = mark;
+        old_edges_.push_back(e);
+      }
+    }
+    for (const FaceHandle f : zone_) {
+      if (row_of(f) == kNoSlot || d_.face_[row_of(f)].mark == mark) {
+        f->info().slot = new_face_row();
+        d_.note_face(row_of(f));
+      }
+      d_.face_[row_of(f)].mark = mark;
+    }
+    for (const FaceSlot row : old_rows_) {
+      if (d_.face_[row].mark == mark) continue;
+      d_.face_[row] = FaceRow{};
+      d_.free_faces_.push_back(row);
+    }
+    for (const FaceHandle f : zone_) write_corners(f);
+    // Rim: the edge stays, what lies on our side of it is new.
+    for (const FaceHandle f : zone_) {
+      FaceRow& row = d_.face_[row_of(f)];
+      for (int i = 0; i < 3; ++i) {
+        const FaceHandle g = f->neighbor(i);
+        row.n[i] = row_of(g);
+        row.e[i] = kNoSlot;
+        FaceRow& outer = d_.face_[row.n[i]];
+        if (outer.mark == mark) continue;
+        const int j = g->index(f);
+        outer.n[j] = row_of(f);
+        row.e[i] = outer.e[j];
+        if (row.e[i] == kNoSlot) continue;
+        d_.note_edge(row.e[i]);
+        EdgeRow& edge = d_.edge_[row.e[i]];
+        edge.mark = 0;
+        edge.f[edge.v[0] == row.v[next3(i)] ? 0 : 1] = row_of(f);
+      }
+    }
+    // New inner edges take the rows of dead ones.
+    std::size_t spare = 0;
+    const auto is_spare = [&](EdgeSlot e) { return d_.edge_[e].mark == mark; };
+    for (const FaceHandle f : zone_) {
+      const FaceSlot own = row_of(f);
+      for (int i = 0; i < 3; ++i) {
+        const FaceSlot other = d_.face_[own].n[i];
+        if (own > other || d_.face_[other].mark != mark) continue;
+        const SiteSlot a = d_.face_[own].v[next3(i)];
+        const SiteSlot b = d_.face_[own].v[prev3(i)];
+        if (a == kInfiniteSite || b == kInfiniteSite) continue;
+        while (spare < old_edges_.size() && !is_spare(old_edges_[spare])) ++spare;
+        const EdgeSlot e = spare < old_edges_.size() ? old_edges_[spare++] : new_edge_row();
+        d_.note_edge(e);
+        d_.edge_[e] = EdgeRow{{a, b}, {own, other}};
+        d_.face_[own].e[i] = e;
+        d_.face_[other].e[f->neighbor(i)->index(f)] = e;
+      }
+    }
+    for (; spare < old_edges_.size(); ++spare) {
+      const EdgeSlot e = old_edges_[spare];
+      if (!is_spare(e)) continue;
+      d_.note_edge(e);
+      d_.edge_[e] = EdgeRow{};
+      d_.free_edges_.push_back(e);
+    }
+  }
+
+  void read_corners(FaceHandle f) {
+    const FaceSlot slot = row_of(f);
+    FaceRow& row = d_.face_[slot];
+    for (int i = 0; i < 3; ++i) {
+      const VertexHandle v = f->vertex(i);
+      row.v[i] = triangulation_.is_infinite(v) ? kInfiniteSite : site_of(v);
+    }
+    d_.compute_circumcircle(slot);
+  }
+
+  void write_corners(FaceHandle f) {
+    read_corners(f);
+    for (const SiteSlot site : d_.face_[row_of(f)].v)
+      if (site != kInfiniteSite) d_.site_face_[site] = row_of(f);
+  }
+
+  FaceSlot new_face_row() {
+    if (!d_.free_faces_.empty()) {
+      const FaceSlot row = d_.free_faces_.back();
+      d_.free_faces_.pop_back();
+      return row;
+    }
+    const FaceSlot row = d_.face_.next();
+    d_.face_.emplace_back();
+    return row;
+  }
+
+  EdgeSlot new_edge_row() {
+    if (!d_.free_edges_.empty()) {
+      const EdgeSlot row = d_.free_edges_.back();
+      d_.free_edges_.pop_back();
+      return row;
+    }
+    const EdgeSlot row = d_.edge_.next();
+    d_.edge_.emplace_back();
+    return row;
+  }
+
+  // The triangulation is only read here, and every row and every field of it is written by one thread.
+  void mirror_all() {
+    const std::size_t count = triangulation_.tds().number_of_faces();
+    Table<FaceSlot, FaceHandle> handles;
+    run_tasks(2, [&](std::size_t task) {
+      if (task == 0) {
+        handles.reserve(count);
+        for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
+          f->info().slot = handles.next();
+          handles.push_back(f);
+        }
+      } else {
+        d_.face_.resize(count);
+        d_.edge_.resize(count / 2 * 3);  // more by those to infinity
+      }
+    });
+    std::vector<std::size_t> first_edge(chunk_count(handles.size()) + 1, 0);
+    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      std::size_t edges =
+          0;  // not counted in place: the threads would take a cache line from each other all the time
+      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
+        const FaceHandle f = handles[face];
+        read_corners(f);
+        for (int i = 0; i < 3; ++i) {
+          d_.face_[face].n[i] = row_of(f->neighbor(i));
+          edges += owns_edge(face, i) ? 1U : 0U;
+        }
+      }
+      first_edge[chunk + 1] = edges;
+    });
+    for (std::size_t chunk = 1; chunk < first_edge.size(); ++chunk) first_edge[chunk] += first_edge[chunk - 1];
+    d_.edge_.resize(first_edge.back());
+    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      EdgeSlot e(first_edge[chunk]);
+      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
+        FaceRow& row = d_.face_[face];
+        for (int i = 0; i < 3; ++i) {
+          if (!owns_edge(face, i)) continue;
+          d_.edge_[e] = EdgeRow{{row.v[next3(i)], row.v[prev3(i)]}, {face, row.n[i]}};
+          row.e[i] = e;
+          FaceRow& other = d_.face_[row.n[i]];
+          other.e[other.index_of_neighbour(face)] = e;
+          ++e;
+        }
+      }
+    });
+    parallel_for(d_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (const SiteSlot site : slots_between<SiteSlot>(begin, end))
+        if (d_.is_site(site)) d_.site_face_[site] = row_of(vertex_[site]->face());
+    });
+  }
+
+  // Of the two faces at a finite edge, the one with the larger row makes the edge's row.
+  bool owns_edge(FaceSlot face, int i) const {
+    const FaceRow& row = d_.face_[face];
+    return row.n[i] < face && row.v[next3(i)] != kInfiniteSite && row.v[prev3(i)] != kInfiniteSite;
+  }
+
+  // All sites on one line: edges between neighbours along it.
+  void mirror_chain() {
+    d_.line_edges_.assign(d_.site_rows(), {});
+    for (auto e = triangulation_.finite_edges_begin(); e != triangulation_.finite_edges_end(); ++e) {
+      const SiteSlot a = site_of(e->first->vertex(next3(e->second)));
+      const SiteSlot b = site_of(e->first->vertex(prev3(e->second)));
+      const EdgeSlot row = d_.edge_.next();
+      d_.edge_.push_back(EdgeRow{{a, b}, {}});
+      for (const SiteSlot site : {a, b}) {
+        auto& both = d_.line_edges_[site];
+        both[both[0] == kNoSlot ? 0 : 1] = row;
+      }
+    }
+  }
+
+  Delaunay& d_;
+  Triangulation triangulation_;
+  Table<SiteSlot, VertexHandle> vertex_;
+
+  // Of one edit, kept to save allocations.
+  std::vector<FaceHandle> zone_;
+  std::vector<FaceSlot> old_rows_;
+
+ private:
+  std::vector<EdgeSlot> old_edges_;
+};
+
+}  // namespace mes
