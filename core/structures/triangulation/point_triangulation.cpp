@@ -2,6 +2,7 @@
 #include "core/structures/triangulation/point_triangulation.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cstdint>
@@ -343,31 +344,32 @@ bool Joiner::extract(PointTriangulation& out) const {
     half = following(half);
   } while (half != whole_.hull);
   out.faces.reserve(2 * at_.size());
-  Table<TriangleSlot, HalfSlot> first_half;
-  first_half.reserve(2 * at_.size());
+  Table<TriangleSlot, std::array<HalfSlot, 3>> sides;
+  sides.reserve(2 * at_.size());
   for (const HalfSlot h : halves_.rows()) {
     if (halves_[h].origin == kNoSlot || face_of[h] != kNoSlot) continue;
     const TriangleSlot row = out.faces.next();
     PointTriangulation::Face& face = out.faces.emplace_back();
-    first_half.push_back(h);
+    std::array<HalfSlot, 3>& around = sides.emplace_back();
     HalfSlot side = h;
-    for (InputSlot& v : face.v) {
-      v = at_[halves_[side].origin].point;
+    for (std::size_t i = 0; i < 3; ++i) {
+      face.v[i] = at_[halves_[side].origin].point;
       face_of[side] = row;
+      around[i] = side;
       side = following(side);
     }
     if (side != h) return false;
   }
   out.dimension = out.faces.empty() ? 1 : 2;
-  for (const TriangleSlot f : out.faces.rows()) {
-    // Side i leaves corner i, so it lies opposite corner i + 2.
-    HalfSlot side = first_half[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const TriangleSlot beyond = face_of[twin(side)];
-      out.faces[f].n[(i + 2) % 3] = beyond == kOutside ? TriangleSlot() : beyond;
-      side = following(side);
+  parallel_for(out.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const TriangleSlot f : slots_between<TriangleSlot>(begin, end)) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        // Side i leaves corner i, so it lies opposite corner i + 2.
+        const TriangleSlot beyond = face_of[twin(sides[f][i])];
+        out.faces[f].n[(i + 2) % 3] = beyond == kOutside ? TriangleSlot() : beyond;
+      }
     }
-  }
+  });
   if (out.dimension == 2) return true;
   for (const HalfSlot h : halves_.rows())
     if (h == first_of_both(h) && halves_[h].origin != kNoSlot)

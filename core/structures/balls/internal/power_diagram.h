@@ -5,10 +5,12 @@
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
-#include <vector>
 
+#include "core/structures/balls/internal/number_parts.h"
 #include "core/structures/balls/internal/union_numbers.h"
 #include "core/structures/balls/internal/union_runs.h"
 #include "core/structures/triangulation/regular_triangulation.h"
@@ -49,60 +51,88 @@ inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to, const L
   return placed(Exact(from.disk.center.x + t * x), Exact(from.disk.center.y + t * y), frame).document;
 }
 
-template <class Kernel>
-Table<PowerEdgeSlot, PowerEdge> power_diagram(const PipelineInput& input, JobControl& job) {
-  Table<InputSlot, BallOf<typename Kernel::FT>> balls;
-  balls.reserve(input.balls.size());
-  for (const PipelineBall& ball : input.balls) balls.push_back(ball_in<typename Kernel::FT>(ball));
-  const RegularTables rt = regular_triangulation<Kernel>(balls, job);
-  const LocalFrame& frame = input.frame;
-  Table<TriangleSlot, PlacedPoint> center(rt.faces.size());
-  Table<TriangleSlot, bool> is_finite(rt.faces.size(), false);
+/// The triangles of a regular triangulation as corners of power cells. Infinite triangles have no centre.
+struct PowerCenters {
+  Table<TriangleSlot, PlacedPoint> center;
+  Table<TriangleSlot, std::uint8_t> is_finite;
+
+  bool has(TriangleSlot face) const { return face != kNoSlot && is_finite[face] != 0; }
+};
+
+template <class Number>
+PowerCenters power_centers(const PipelineInput& input, const Table<InputSlot, BallOf<Number>>& balls,
+                           const RegularTables& rt) {
+  PowerCenters out{Table<TriangleSlot, PlacedPoint>(rt.faces.size()),
+                   Table<TriangleSlot, std::uint8_t>(rt.faces.size(), 0)};
   const auto comes_before = [&input](InputSlot a, InputSlot b) {
     return lexicographically_less(input.balls[a].disk.center, input.balls[b].disk.center);
   };
-  for (const TriangleSlot f : rt.faces.rows()) {
-    const auto& v = rt.faces[f].v;
-    is_finite[f] = v[0] != kInfiniteBall && v[1] != kInfiniteBall && v[2] != kInfiniteBall;
-    if (!is_finite[f]) continue;
-    // The sample that three balls touch is their point of equal power, exactly.
-    const TouchedSample* sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
-    // Rounding must not depend on the order in which the balls came.
-    std::array<InputSlot, 3> order{v[0], v[1], v[2]};
-    std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
-    center[f] = sample != nullptr ? PlacedPoint{sample->position, frame.to_document(sample->position)}
-                                  : power_center(balls[order[0]], balls[order[1]], balls[order[2]], frame);
-  }
-  Table<PowerEdgeSlot, PowerEdge> out;
-  out.reserve(rt.edges.size());
-  for (const RegularTables::Edge& edge : rt.edges) {
-    const PipelineBall& a = input.balls[edge.v[0]];
-    const PipelineBall& b = input.balls[edge.v[1]];
-    const Vec2 along = b.disk.center - a.disk.center;
-    PowerEdge row{{a.row, b.row}};
-    const bool left = edge.f[0] != kNoSlot && is_finite[edge.f[0]];
-    const bool right = edge.f[1] != kNoSlot && is_finite[edge.f[1]];
-    for (const std::size_t side : {0U, 1U})
-      if (side == 0 ? left : right) row.face[side] = edge.f[side];
-    if (left && right) {
-      row.from = center[edge.f[0]].document;
-      row.to = center[edge.f[1]].document;
-      row.length = frame.to_document_length(distance(center[edge.f[0]].local, center[edge.f[1]].local));
-    } else if (left || right) {
-      row.kind = PowerEdge::Kind::ray;
-      row.from = center[edge.f[left ? 0 : 1]].document;
-      row.to = left ? -perpendicular(along) : perpendicular(along);
-    } else {
-      const bool in_order = comes_before(edge.v[0], edge.v[1]);
-      const PipelineBall& from = in_order ? a : b;
-      const PipelineBall& to = in_order ? b : a;
-      const Vec2 way = to.disk.center - from.disk.center;
-      row.kind = PowerEdge::Kind::line;
-      row.from = power_foot(from, to, frame);
-      row.to = perpendicular(way);
+  NumberParts<Number>::in_parts(rt.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const TriangleSlot f : slots_between<TriangleSlot>(begin, end)) {
+      const auto& v = rt.faces[f].v;
+      if (v[0] == kInfiniteBall || v[1] == kInfiniteBall || v[2] == kInfiniteBall) continue;
+      out.is_finite[f] = 1;
+      // The sample that three balls touch is their point of equal power, exactly.
+      const TouchedSample* sample = common_sample(input.balls[v[0]], input.balls[v[1]], input.balls[v[2]]);
+      if (sample != nullptr) {
+        out.center[f] = {sample->position, input.frame.to_document(sample->position)};
+        continue;
+      }
+      // Rounding must not depend on the order in which the balls came.
+      std::array<InputSlot, 3> order{v[0], v[1], v[2]};
+      std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
+      out.center[f] = power_center(balls[order[0]], balls[order[1]], balls[order[2]], input.frame);
     }
-    out.push_back(row);
+  });
+  return out;
+}
+
+inline PowerEdge power_edge(const PipelineInput& input, const RegularTables::Edge& edge,
+                            const PowerCenters& centers) {
+  const PipelineBall& a = input.balls[edge.v[0]];
+  const PipelineBall& b = input.balls[edge.v[1]];
+  PowerEdge out{{a.row, b.row}};
+  const bool left = centers.has(edge.f[0]);
+  const bool right = centers.has(edge.f[1]);
+  if (left) out.face[0] = edge.f[0];
+  if (right) out.face[1] = edge.f[1];
+  if (left && right) {
+    const PlacedPoint& from = centers.center[edge.f[0]];
+    const PlacedPoint& to = centers.center[edge.f[1]];
+    out.from = from.document;
+    out.to = to.document;
+    out.length = input.frame.to_document_length(local_length(to.local - from.local));
+  } else if (left || right) {
+    const Vec2 along = b.disk.center - a.disk.center;
+    out.kind = PowerEdge::Kind::ray;
+    out.from = centers.center[edge.f[left ? 0 : 1]].document;
+    out.to = left ? -perpendicular(along) : perpendicular(along);
+  } else {
+    const bool in_order = lexicographically_less(a.disk.center, b.disk.center);
+    const PipelineBall& from = in_order ? a : b;
+    const PipelineBall& to = in_order ? b : a;
+    out.kind = PowerEdge::Kind::line;
+    out.from = power_foot(from, to, input.frame);
+    out.to = perpendicular(to.disk.center - from.disk.center);
   }
+  return out;
+}
+
+template <class Kernel>
+Table<PowerEdgeSlot, PowerEdge> power_diagram(const PipelineInput& input, JobControl& job) {
+  using Number = typename Kernel::FT;
+  using Parts = NumberParts<Number>;
+  Table<InputSlot, BallOf<Number>> balls(input.balls.size());
+  Parts::in_parts(balls.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const InputSlot i : slots_between<InputSlot>(begin, end)) balls[i] = ball_in<Number>(input.balls[i]);
+  });
+  const RegularTables rt = regular_triangulation<Kernel>(balls, job);
+  const PowerCenters centers = power_centers(input, balls, rt);
+  Table<PowerEdgeSlot, PowerEdge> out(rt.edges.size());
+  Parts::in_parts(rt.edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const RegularEdgeSlot e : slots_between<RegularEdgeSlot>(begin, end))
+      out[same_row<PowerEdgeSlot>(e)] = power_edge(input, rt.edges[e], centers);
+  });
   return out;
 }
 

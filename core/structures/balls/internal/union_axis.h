@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "core/base/sum.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/balls/internal/edge_cuts.h"
 #include "core/structures/balls/internal/union_balls.h"
@@ -91,7 +93,7 @@ class AxisReader {
     return a != kNoSlot && b != kNoSlot && a != b;
   }
   /// From the positions in the frame, which have the most digits.
-  double length_of(const EdgeCut& cut) const { return distance(local_at(cut, 0), local_at(cut, 1)); }
+  double length_of(const EdgeCut& cut) const { return local_length(local_at(cut, 1) - local_at(cut, 0)); }
   AxisPiece piece_of(const EdgeCut& cut) const {
     const VEdge& edge = v_.edges[cut.edge];
     const Disk a = disk_at(cut, 0);
@@ -133,6 +135,7 @@ class AxisReader {
 struct UnionAxis {
   Table<AxisPieceSlot, AxisPiece> pieces;
   std::int64_t contradictions = 0;  ///< unbounded cuts in |R|
+  Sum length;                       ///< in the frame, of the cuts; singular dual edges come beside them
 };
 
 /// Appends the singular dual edges.
@@ -161,29 +164,45 @@ UnionAxis union_axis(const UnionBalls<Balls, Points>& balls, const RegularTables
                      const std::vector<EdgeCut>& cuts) {
   UnionAxis out;
   const AxisReader reader(balls, v, faces);
-  std::vector<std::size_t> place(balls.part_count(cuts.size()) + 1, 0);
-  std::vector<std::int64_t> unbounded(place.size(), 0);
+  struct Part {
+    std::vector<std::uint32_t> cuts;  // that are pieces of the axis
+    std::size_t begin = 0;            // of their pieces
+    std::int64_t unbounded = 0;
+    Sum length;
+  };
+  std::vector<Part> parts(balls.part_count(cuts.size()));
   balls.in_parts(cuts.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-    std::size_t kept = 0;
+    Part found;
     for (std::size_t c = begin; c < end; ++c) {
-      if (reader.is_axis(cuts[c])) ++kept;
-      if (cuts[c].label == CutLabel::in && reader.is_unbounded(cuts[c])) ++unbounded[part];
+      if (cuts[c].label != CutLabel::in) continue;
+      if (reader.is_axis(cuts[c])) {
+        found.cuts.push_back(static_cast<std::uint32_t>(c));
+      } else if (reader.is_unbounded(cuts[c])) {
+        ++found.unbounded;
+      }
     }
-    place[part + 1] = kept;
+    parts[part] = std::move(found);
   });
-  for (std::size_t part = 1; part < place.size(); ++part) place[part] += place[part - 1];
-  for (const std::int64_t count : unbounded) out.contradictions += count;
+  std::size_t pieces = 0;
+  for (Part& part : parts) {
+    part.begin = pieces;
+    pieces += part.cuts.size();
+    out.contradictions += part.unbounded;
+  }
   const auto singular = std::ranges::count(complex.edges, DualClass::singular, &DualEdge::kind);
-  out.pieces.reserve(place.back() + static_cast<std::size_t>(singular));
-  out.pieces.resize(place.back());
-  balls.in_parts(cuts.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-    AxisPieceSlot at(place[part]);
-    for (std::size_t c = begin; c < end; ++c) {
-      if (!reader.is_axis(cuts[c])) continue;
+  out.pieces.reserve(pieces + static_cast<std::size_t>(singular));
+  out.pieces.resize(pieces);
+  balls.in_parts(cuts.size(), [&](std::size_t, std::size_t, std::size_t part) {
+    AxisPieceSlot at(parts[part].begin);
+    Sum length;
+    for (const std::uint32_t c : parts[part].cuts) {
       out.pieces[at] = reader.piece_of(cuts[c]);
+      length.add(reader.length_of(cuts[c]));
       ++at;
     }
+    parts[part].length = length;
   });
+  for (const Part& part : parts) out.length.add(part.length);
   add_singular_edges(balls, tables, complex, points, out.pieces);
   return out;
 }

@@ -2,15 +2,13 @@
 // What every stage of the union pipeline reads: the balls in the numbers of both kernels, and how work is split.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
-#include <type_traits>
 #include <vector>
 
-#include "core/base/parallel.h"
 #include "core/base/vec2.h"
 #include "core/structures/balls/internal/local_frame.h"
+#include "core/structures/balls/internal/number_parts.h"
 #include "core/structures/balls/internal/union_numbers.h"
 #include "core/structures/balls/internal/union_runs.h"
 
@@ -18,11 +16,9 @@ namespace mes {
 
 /// `Balls` is the kernel of the triangulation of the balls and of the dual complex, `Points` that of the v-points.
 template <class Balls, class Points>
-struct UnionBalls {
+struct UnionBalls : NumberParts<typename Balls::FT, typename Points::FT> {
   using BallNumber = typename Balls::FT;
   using PointNumber = typename Points::FT;
-  /// Numbers other than doubles belong to one thread.
-  static constexpr bool kIsDouble = std::is_same_v<BallNumber, double> && std::is_same_v<PointNumber, double>;
 
   TableView<InputSlot, PipelineBall> input;
   std::size_t rows;  ///< of the family's table
@@ -36,7 +32,7 @@ struct UnionBalls {
         frame(given.frame),
         in_balls(given.balls.size()),
         in_points(given.balls.size()) {
-    in_parts(input.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    this->in_parts(input.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
       for (const InputSlot i : slots_between<InputSlot>(begin, end)) {
         in_balls[i] = ball_in<BallNumber>(input[i]);
         in_points[i] = ball_in<PointNumber>(input[i]);
@@ -48,16 +44,6 @@ struct UnionBalls {
   Vec2 center(InputSlot ball) const { return input[ball].disk.center; }
   /// An order that does not depend on that of the input.
   bool comes_before(InputSlot a, InputSlot b) const { return lexicographically_less(center(a), center(b)); }
-
-  static std::size_t part_count(std::size_t count) {
-    return kIsDouble ? std::clamp<std::size_t>(count >> 12U, 1, 8) : 1;
-  }
-  /// Calls `body(begin, end, part)` for the parts of [0, count), side by side. The split depends on `count` alone.
-  template <class Body>
-  static void in_parts(std::size_t count, Body body) {
-    const std::size_t parts = part_count(count);
-    run_tasks(parts, [&](std::size_t part) { body(count * part / parts, count * (part + 1) / parts, part); });
-  }
 };
 
 }  // namespace mes

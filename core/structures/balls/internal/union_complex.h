@@ -149,8 +149,9 @@ DualComplex dual_complex(const UnionBalls<Balls, Points>& balls, const UnionTria
                          JobControl& job) {
   DualComplex out;
   classify_faces(balls, triangulation, job, out);
-  group_zero_faces(balls, triangulation.tables, out);
-  classify_edges(balls, triangulation, out);
+  balls.both(
+      triangulation.tables.faces.size(), [&] { group_zero_faces(balls, triangulation.tables, out); },
+      [&] { classify_edges(balls, triangulation, out); });
   return out;
 }
 

@@ -148,27 +148,40 @@ struct RawCrossings {
   Table<InputSlot, Origin> origin;
   Table<InputSlot, typename Points::Point_2> point;
   std::int64_t negative_radicands = 0;
+
+  void append(const RawCrossings& other) {
+    origin.values().insert(origin.end(), other.origin.begin(), other.origin.end());
+    point.values().insert(point.end(), other.point.begin(), other.point.end());
+    negative_radicands += other.negative_radicands;
+  }
 };
 
 template <class Balls, class Points>
 RawCrossings<Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
                                    const DualComplex& complex, CrossingRule rule, JobControl& job) {
-  RawCrossings<Points> out;
   const CrossingMaker<Balls, Points> maker(balls, rule);
-  for (const RegularEdgeSlot e : tables.edges.rows()) {
-    if ((e.index() & 0x3fU) == 0) job.checkpoint(tables.edges.size() + e.index(), 4 * tables.edges.size());
-    if (complex.row_of_edge[e] == kNoSlot) continue;
-    const auto& edge = tables.edges[e];
-    for (std::uint8_t side = 0; side < 2; ++side) {
-      if (complex.has(edge.f[side])) continue;
-      if (auto crossing = maker.make(edge.v[0], edge.v[1], side == 0)) {
-        out.origin.push_back({e, side, crossing->site});
-        out.point.push_back(std::move(crossing->point));
-      } else {
-        ++out.negative_radicands;
+  const std::size_t edges = tables.edges.size();
+  std::vector<RawCrossings<Points>> parts(balls.part_count(edges));
+  balls.in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
+    RawCrossings<Points> found;
+    for (const RegularEdgeSlot e : slots_between<RegularEdgeSlot>(begin, end)) {
+      if ((e.index() & 0x3fU) == 0) job.checkpoint(edges + e.index(), 4 * edges);
+      if (complex.row_of_edge[e] == kNoSlot) continue;
+      const auto& edge = tables.edges[e];
+      for (std::uint8_t side = 0; side < 2; ++side) {
+        if (complex.has(edge.f[side])) continue;
+        if (auto crossing = maker.make(edge.v[0], edge.v[1], side == 0)) {
+          found.origin.push_back({e, side, crossing->site});
+          found.point.push_back(std::move(crossing->point));
+        } else {
+          ++found.negative_radicands;
+        }
       }
     }
-  }
+    parts[part] = std::move(found);
+  });
+  RawCrossings<Points> out = std::move(parts.front());
+  for (std::size_t part = 1; part < parts.size(); ++part) out.append(parts[part]);
   return out;
 }
 

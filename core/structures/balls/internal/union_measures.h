@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/sum.h"
-#include "core/structures/balls/internal/edge_cuts.h"
 #include "core/structures/balls/internal/union_axis.h"
 #include "core/structures/balls/internal/union_balls.h"
 #include "core/structures/balls/internal/union_centers.h"
@@ -43,7 +42,7 @@ class UnionMeter {
         const double twice = cross(way, seen_from_center(balls_, points, a, b, left, v));
         out.area.add(left ? 0.5 * twice : -0.5 * twice);
       }
-      if (complex.edges[row].kind == DualClass::singular) out.axis_length.add(length(way));
+      if (complex.edges[row].kind == DualClass::singular) out.axis_length.add(local_length(way));
     });
   }
   void add_dual_faces(const RegularTables& tables, const DualComplex& complex) {
@@ -54,11 +53,7 @@ class UnionMeter {
       out.area.add(0.5 * cross(balls_.center(v[1]) - corner, balls_.center(v[2]) - corner));
     });
   }
-  void add_axis(const AxisReader<Balls, Points>& reader, const std::vector<EdgeCut>& cuts) {
-    add_all<std::size_t>(cuts.size(), [&](std::size_t c, Totals& out) {
-      if (reader.is_axis(cuts[c])) out.axis_length.add(reader.length_of(cuts[c]));
-    });
-  }
+  void add_axis(const UnionAxis& axis) { totals_.axis_length.add(axis.length); }
   /// In the coordinates of the document.
   UnionMeasures measures() const {
     const LocalFrame& frame = balls_.frame;

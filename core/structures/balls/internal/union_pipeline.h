@@ -109,7 +109,7 @@ UnionTables run(const PipelineInput& input, CrossingRule rule, JobControl& job) 
   meter.add_arcs(centers.arcs);
   meter.add_dual_edges(tables, complex, points);
   meter.add_dual_faces(tables, complex);
-  meter.add_axis({balls, v, faces}, cuts.cuts);
+  meter.add_axis(axis);
 
   UnionTables out;
   out.measures = meter.measures();

@@ -15,13 +15,14 @@ namespace mes {
 
 /// A ball as the pipeline takes it, in the coordinates of a `LocalFrame`.
 struct PipelineBall {
+  // First what all stages look at.
   FamilySlot row;  ///< of its family
-  Disk disk{};     ///< before scaling; may be rounded
-  Disk drawn{};    ///< scaled, rounded, in the coordinates of the document
   BallOrigin origin = BallOrigin::disk;
-  Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
+  Disk disk{};                               ///< before scaling; may be rounded
   std::span<const TouchedSample> samples{};  ///< all on the circle
   double scale = 1.0;                        ///< what the radius is multiplied by, exactly
+  Disk drawn{};                              ///< scaled, rounded, in the coordinates of the document
+  Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
 
   /// Of the scaled ball, rounded.
   double radius() const { return disk.radius * scale; }

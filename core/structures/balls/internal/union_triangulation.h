@@ -53,20 +53,25 @@ UnionTriangulation union_triangulation(const UnionBalls<Balls, Points>& balls, J
   RegularTables& tables = out.tables;
   tables = regular_triangulation<Balls>(balls.in_balls, job);
   leave_out_covered(balls, tables, job);
-  out.face_edge.assign(tables.faces.size(), {});
-  out.some_face.assign(balls.size(), kNoSlot);
-  for (const TriangleSlot f : tables.faces.rows())
-    for (const InputSlot v : tables.faces[f].v)
-      if (v != kInfiniteBall) out.some_face[v] = f;
-  for (const RegularEdgeSlot e : tables.edges.rows()) {
-    const auto& edge = tables.edges[e];
-    for (const TriangleSlot f : edge.f) {
-      if (f == kNoSlot) continue;
-      const auto& v = tables.faces[f].v;
-      for (std::size_t i = 0; i < 3; ++i)
-        if (v[i] != edge.v[0] && v[i] != edge.v[1]) out.face_edge[f][i] = e;
+  const auto find_faces = [&] {
+    out.some_face.assign(balls.size(), kNoSlot);
+    for (const TriangleSlot f : tables.faces.rows())
+      for (const InputSlot v : tables.faces[f].v)
+        if (v != kInfiniteBall) out.some_face[v] = f;
+  };
+  const auto find_edges = [&] {
+    out.face_edge.assign(tables.faces.size(), {});
+    for (const RegularEdgeSlot e : tables.edges.rows()) {
+      const auto& edge = tables.edges[e];
+      for (const TriangleSlot f : edge.f) {
+        if (f == kNoSlot) continue;
+        const auto& v = tables.faces[f].v;
+        for (std::size_t i = 0; i < 3; ++i)
+          if (v[i] != edge.v[0] && v[i] != edge.v[1]) out.face_edge[f][i] = e;
+      }
     }
-  }
+  };
+  balls.both(tables.faces.size(), find_faces, find_edges);
   if (tables.dimension == 1) {
     out.line_edges.resize(balls.size());
     for (const RegularEdgeSlot e : tables.edges.rows())

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/structures/balls/internal/number_parts.h"
 #include "core/structures/balls/internal/union_crossings.h"
 #include "core/structures/balls/internal/union_tables.h"
 
@@ -102,8 +103,9 @@ VTriangulation v_triangulation(const VPoints<Points>& points) {
       out.face_edge[g][n[0] == triangle ? 0 : (n[1] == triangle ? 1 : 2)] = edge;
     }
   }
-  out.near_duplicates = count_near_duplicates(out.edges, points.local);
-  list_edges_at_points(points.rows.size(), out);
+  NumberParts<typename Points::FT>::both(
+      out.edges.size(), [&] { out.near_duplicates = count_near_duplicates(out.edges, points.local); },
+      [&] { list_edges_at_points(points.rows.size(), out); });
   return out;
 }
 
