@@ -68,11 +68,11 @@ static_assert(sizeof(EdgeRow) == 20);
 ///     finite.
 ///
 /// Cost: rebuild O(n log n), on two cores two thirds of the time of CGAL's triangulation alone on one; update
-/// O(changed faces) after an expected O(1) location; many samples that are moved in one step are moved at once. Threads: a rebuild borrows other cores; many samples are cut
-/// into parts, which are triangulated side by side and stitched. How: the triangulation object is CGAL's; each of its
-/// faces carries the row it is mirrored to. After an edit only the faces around it are read again, and rows that die
-/// there are given to those born there. Source: CGAL's Delaunay_triangulation_2; flips after Lawson 1977; stitching
-/// after Guibas and Stolfi 1985.
+/// O(changed faces) after an expected O(1) location; many samples that are moved in one step are moved at once.
+/// Threads: a rebuild borrows other cores; many samples are cut into parts, which are triangulated side by side and
+/// stitched. How: the triangulation object is CGAL's; each of its faces carries the row it is mirrored to. After an edit
+/// only the faces around it are read again, and rows that die there are given to those born there. Source: CGAL's
+/// Delaunay_triangulation_2; flips after Lawson 1977; stitching after Guibas and Stolfi 1985.
 class Delaunay final : public Structure {
  public:
   explicit Delaunay(Samples& samples);
