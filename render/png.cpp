@@ -9,6 +9,9 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <span>
+
+#include "core/base/carried_session.h"
 
 namespace {
 
@@ -56,9 +59,36 @@ Error out_of_memory() {
   return {.code = ErrorCode::out_of_memory, .text = "not enough memory to write the picture as PNG"};
 }
 
+void append_number(std::vector<std::byte>& out, std::uint32_t number) {
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) out.push_back(static_cast<std::byte>(number >> shift & 0xffU));
+}
+
+/// A compressed iTXt chunk behind the header, before all pixels. Source: PNG (ISO/IEC 15948), 5.3 and 11.3.4.5.
+void insert_session(std::vector<std::byte>& png, std::string_view session) {
+  constexpr std::ptrdiff_t kAfterHeader = 33;
+  const auto bytes_of = [](std::string_view text) {
+    const auto* const first = reinterpret_cast<const std::byte*>(text.data());
+    return std::span(first, text.size());
+  };
+  std::vector<std::byte> chunk;
+  const auto append = [&](std::string_view text) {
+    const auto bytes = bytes_of(text);
+    chunk.insert(chunk.end(), bytes.begin(), bytes.end());
+  };
+  // After the keyword: zero, compressed, by zlib, no language, no translated keyword.
+  constexpr std::string_view kMarks("\0\1\0\0\0", 5);
+  append_number(chunk, static_cast<std::uint32_t>(kCarriedSession.size() + kMarks.size() + session.size()));
+  append("iTXt");
+  append(kCarriedSession);
+  append(kMarks);
+  append(session);
+  append_number(chunk, libdeflate_crc32(0, chunk.data() + 4, chunk.size() - 4));
+  png.insert(png.begin() + kAfterHeader, chunk.begin(), chunk.end());
+}
+
 }  // namespace
 
-Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
+Expected<std::vector<std::byte>> encode_png(const Image& image, int level, std::string_view session) {
   const std::size_t pixels =
       static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0));
   if (pixels == 0 || image.rgba.size() != 4 * pixels) {
@@ -91,6 +121,7 @@ Expected<std::vector<std::byte>> encode_png(const Image& image, int level) {
     if (!png) return std::unexpected(out_of_memory());
     std::vector<std::byte> out(static_cast<std::size_t>(size));
     std::memcpy(out.data(), png.get(), out.size());
+    if (!session.empty()) insert_session(out, session);
     return out;
   } catch (const std::bad_alloc&) {
     return std::unexpected(out_of_memory());

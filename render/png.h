@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -15,7 +16,8 @@ inline constexpr int kPngFast = 1;
 inline constexpr int kPngSmall = 9;
 
 /// 8-bit RGBA, or RGB if no pixel is transparent. The same picture and level yield the same bytes. Errors: `usage` for
-/// no pixels or too many, `out_of_memory`. Any thread.
-Expected<std::vector<std::byte>> encode_png(const Image& image, int level = kPngFast);
+/// no pixels or too many, `out_of_memory`. Any thread. `session`: that the file carries, compressed
+/// (core/base/carried_session.h); empty: none.
+Expected<std::vector<std::byte>> encode_png(const Image& image, int level = kPngFast, std::string_view session = {});
 
 }  // namespace mes::render

@@ -95,8 +95,8 @@ void add_source(CLI::App& command, Source& source) {
   command.add_option("FILE", source.file, "Samples to read, or - for standard input")->required();
   command.add_option("--from", source.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  command.add_option("--precision", source.precision, "Number type: " + ids_of(kPrecisionDescriptors))
-      ->capture_default_str();
+  command.add_option("--precision", source.precision,
+                     "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
   command
       .add_option("--set", source.settings,
                   "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
@@ -168,7 +168,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
       app.add_subcommand("render", "A picture of layers, in pixels or as vector graphics; needs no display");
   add_source(*render, to.render.source);
   render->add_option("--layers", to.render.layers,
-                     "Comma list of layer ids, or all; default: those visible at start.\n"
+                     "Comma list of layer ids, or all; default: those of the session, if FILE\n"
+                     "is one or carries one, and else those visible at start.\n"
                      "They are drawn in the order of mesecina list layers, the first at\n"
                      "the bottom, however they are listed here");
   render
@@ -196,11 +197,10 @@ void describe_commands(CLI::App& app, Arguments& to) {
                      "a picture is smaller");
   render->add_option("--dpi", to.render.dpi, "Dots an inch of these pictures, from 10 to 2400")
       ->capture_default_str();
-  render
-      ->add_option("--view", to.render.view,
-                   "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"
-                   "samples and the layers that count for it, with a margin of 5 %")
-      ->capture_default_str();
+  render->add_option("--view", to.render.view,
+                     "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"
+                     "samples and the layers that count for it, with a margin of 5 %;\n"
+                     "default: what the session shows, and else fit");
   render
       ->add_option("--scale", to.render.scale,
                    "Factor for line widths and point sizes, as for a denser screen;\n"
@@ -225,9 +225,16 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_flag("--legend,!--no-legend", to.render.with_legend,
                    "With a colour map: whether its colour bar is drawn, in the corner\n"
                    "where it hides least; default: yes");
+  render->add_flag("!--no-source", to.render.with_source,
+                   "Leave out of the picture what it is of: without this PNG, SVG, PDF and\n"
+                   "Ipe files hold samples, view and layers, and can be given as FILE");
+  render->add_option("--to", to.render.format,
+                     "Format of the picture: " + one_of(picture_formats()) +
+                         "; default: as the\n"
+                         "name of the output says, and png for standard output");
   render
       ->add_option("-o,--output", to.render.output,
-                   "The picture, " + picture_extension_words() + "; - for standard output, as PNG")
+                   "The picture, " + picture_extension_words() + "; - for standard output")
       ->required();
   add_force(*render, to.render.force);
 

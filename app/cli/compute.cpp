@@ -90,7 +90,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
                   {"distinct", count_distinct(input->data.positions)},
                   {"contours", input->data.contours.size()},
                   {"balls", input->data.balls.size()}};
-  out["precision"] = request.source.precision;
+  out["precision"] = id_of(settings->precision);
   out["structures"] = Json::object();
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);
   out["layers"] = Json::object();

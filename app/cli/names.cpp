@@ -150,7 +150,8 @@ Expected<EvolutionIndex> select_evolution(const std::string& id) {
 }
 
 Expected<ComputationSettings> settings_of(const Source& source) {
-  const auto precision = precision_of(source.precision);
+  const auto precision =
+      precision_of(source.precision.empty() ? std::string(id_of(Precision::fast)) : source.precision);
   if (!precision) return std::unexpected(precision.error());
   ComputationSettings settings;
   settings.precision = *precision;

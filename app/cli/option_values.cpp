@@ -36,6 +36,11 @@ std::vector<std::string> exported() {
   return {formats.begin(), formats.end()};
 }
 
+std::vector<std::string> picture_format_names() {
+  const auto formats = picture_formats();
+  return {formats.begin(), formats.end()};
+}
+
 std::vector<std::string> precisions() {
   return ids_of(kPrecisionDescriptors);
 }
@@ -63,13 +68,14 @@ std::vector<std::string> bounds() {
   return {std::string(kBoundsOfView), std::string(kBoundsOfInk)};
 }
 
-constexpr std::array<OptionValue, 28> kValues{{
+constexpr std::array<OptionValue, 29> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
     {"SHELL", {}, ValueKind::choice, shell_names},
     {"--from", "FORMAT", ValueKind::choice, formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
+    {"--to", "FORMAT", ValueKind::choice, picture_format_names},
     {"--precision", "TYPE", ValueKind::choice, precisions},
     {"--set", "NAME=VALUE", ValueKind::choice, parameters},
     {"--layers", "IDS", ValueKind::choices, layers},

@@ -26,15 +26,23 @@ std::vector<std::string_view> extensions() {
   return out;
 }
 
-Expected<const figure::Format*> format_of(const std::string& file) {
-  if (is_standard_output(file)) {
-    if (::isatty(STDOUT_FILENO) != 0) return usage_error("a picture cannot be printed on a terminal; name a file");
-    return nullptr;
-  }
-  const std::string extension = lower_case_extension(file);
+Expected<const figure::Format*> format_named(const std::string& extension, const std::string& refusal) {
   if (extension == kPixelExtension) return nullptr;
   if (const figure::Format* const format = figure::format_for(extension)) return format;
-  return usage_error("the name of the picture must end in " + one_of(extensions()) + ", not " + in_quotes(extension));
+  return usage_error(refusal);
+}
+
+Expected<const figure::Format*> format_of(const RenderRequest& request) {
+  const std::string& file = request.output;
+  if (is_standard_output(file) && ::isatty(STDOUT_FILENO) != 0)
+    return usage_error("a picture cannot be printed on a terminal; name a file");
+  if (!request.format.empty())
+    return format_named('.' + lower_case(request.format),
+                        "--to expects " + one_of(picture_formats()) + ", not " + in_quotes(request.format));
+  if (is_standard_output(file)) return nullptr;
+  const std::string extension = lower_case_extension(file);
+  return format_named(extension, "the name of the picture must end in " + one_of(extensions()) + ", not " +
+                                     in_quotes(extension) + "; or name its format with --to");
 }
 
 /// What is for figures only, or for pixels only.
@@ -63,12 +71,10 @@ Expected<void> take_rasterized(const RenderRequest& request, PictureRequest& pic
   return {};
 }
 
-/// Layers and styles of a bundle; unknown layers in it are reported.
-Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& picture) {
-  const auto bundle = find_bundle(name_or_file, picture.sources);
-  if (!bundle) return std::unexpected(bundle.error());
+/// Layers and styles; unknown layers are reported. `what` has them.
+void take_configuration(const LayerConfiguration& configuration, const std::string& what, PictureRequest& picture) {
   std::size_t unknown = 0;
-  for (const LayerConfiguration::Entry& entry : bundle->layers.layers) {
+  for (const LayerConfiguration::Entry& entry : configuration.layers) {
     const LayerIndex layer = find_layer(entry.layer);
     if (layer == kNoLayer) {
       ++unknown;
@@ -79,15 +85,20 @@ Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& pict
       picture.shown.layers.push_back(layer);
   }
   std::error_code error;
-  if (const BackgroundImage& image = bundle->layers.image; !image.file.empty()) {
+  if (const BackgroundImage& image = configuration.image; !image.file.empty()) {
     if (std::filesystem::exists(image.file, error))
       picture.image = image;
     else
-      say("bundle " + in_quotes(bundle->name) + ": the picture " + image.file + " is not there");
+      say(what + ": the picture " + image.file + " is not there");
   }
   if (unknown != 0)
-    say("bundle " + in_quotes(bundle->name) + ": " + std::to_string(unknown) +
-        (unknown == 1 ? " layer is" : " layers are") + " not available here");
+    say(what + ": " + std::to_string(unknown) + (unknown == 1 ? " layer is" : " layers are") + " not available here");
+}
+
+Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& picture) {
+  const auto bundle = find_bundle(name_or_file, picture.sources);
+  if (!bundle) return std::unexpected(bundle.error());
+  take_configuration(bundle->layers, "bundle " + in_quotes(bundle->name), picture);
   return {};
 }
 
@@ -102,12 +113,23 @@ Expected<void> take_layers(const std::string& ids, PictureRequest& picture) {
 
 }  // namespace
 
-Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps) {
+std::vector<std::string_view> picture_formats() {
+  std::vector<std::string_view> out = extensions();
+  for (std::string_view& name : out) name.remove_prefix(1);
+  return out;
+}
+
+Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps,
+                                    const Session* session) {
   PictureRequest picture;
   for (const LayerDescriptor& layer : layer_descriptors()) picture.shown.styles.push_back(layer.style);
-  const auto taken =
-      request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
-  if (!taken) return std::unexpected(taken.error());
+  if (session != nullptr && request.layers.empty() && request.bundle.empty() && !session->layers.layers.empty()) {
+    take_configuration(session->layers, "the session", picture);
+  } else {
+    const auto taken =
+        request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
+    if (!taken) return std::unexpected(taken.error());
+  }
   if (!request.image.empty()) {
     picture.image = parse_image(request.image);
     const LayerIndex layer = find_layer("image");
@@ -120,7 +142,7 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
   auto styles = changed_styles(std::move(picture.shown.styles), request.styles, picture.shown.layers, map_names);
   if (!styles) return std::unexpected(styles.error());
   picture.shown.styles = std::move(*styles);
-  const auto format = format_of(request.output);
+  const auto format = format_of(request);
   if (!format) return std::unexpected(format.error());
   picture.format = *format;
   if (auto good = check_kind(request, picture.format); !good) return std::unexpected(good.error());
@@ -136,9 +158,13 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
     return usage_error("--bounds expects view or tight, not " + in_quotes(request.bounds));
   picture.is_tight = request.bounds == kBoundsOfInk;
   if (auto good = take_rasterized(request, picture); !good) return std::unexpected(good.error());
-  const auto view = parse_view(request.view);
-  if (!view) return std::unexpected(view.error());
-  picture.view = *view;
+  if (!request.view.empty()) {
+    const auto view = parse_view(request.view);
+    if (!view) return std::unexpected(view.error());
+    picture.view = *view;
+  } else if (session != nullptr && !session->view.is_empty()) {
+    picture.view = session->view;
+  }
   const auto background = parse_background(request.background);
   if (!background) return std::unexpected(background.error());
   picture.shown.background = *background;

@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
 #include "core/io/file_fingerprint.h"
+#include "core/io/session.h"
 #include "render/colormap.h"
 #include "render/figure/writers.h"
 
@@ -36,7 +37,9 @@ struct PictureRequest {
   std::vector<SourceFile> sources;      // bundle and image
 };
 
-/// Error: `usage`, or `bad_input` for a bundle that cannot be read.
-Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps);
+/// Layers, their styles and the view are those of `session` (null: none) where the request names none. Error: `usage`,
+/// or `bad_input` for a bundle that cannot be read.
+Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps,
+                                    const Session* session);
 
 }  // namespace mes::cli

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -15,12 +16,14 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/export/carried.h"
 #include "app/export/figure.h"
 #include "app/picture/legend.h"
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/io/carried_session.h"
 #include "render/gl_device.h"
 #include "render/offscreen.h"
 #include "render/png.h"
@@ -92,21 +95,40 @@ Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& sce
   return image;
 }
 
+/// What the picture carries; empty for nothing.
+std::string session_of(const RenderRequest& request, const PictureRequest& picture, const LoadedFile& input,
+                       const ComputationSettings& settings) {
+  const bool can_carry = picture.format == nullptr || picture.format->carries_session;
+  if (!request.with_source || !can_carry) return {};
+  LayerConfiguration layers{.layers = {}, .image = picture.image};
+  for (const LayerIndex layer : picture.shown.layers)
+    layers.layers.push_back({std::string(layer_descriptors()[layer].id), true, picture.shown.styles[layer]});
+  // A picture of a picture is called what that was.
+  std::string title =
+      input.session ? input.session->title : std::filesystem::path(request.source.file).filename().string();
+  auto packed = packed_session(
+      session_for_picture(std::move(title), input.data, std::move(layers), settings, picture.view.value_or(Box2{})));
+  if (!packed) say("the picture carries no source: it would be too long");
+  return std::move(packed).value_or("");
+}
+
 /// A picture in pixels, as the bytes of a PNG file.
 Expected<std::string> draw_pixels(const PictureRequest& picture, render::Device& device, render::Scene& scene,
-                                  const render::Camera& camera, const std::vector<Vec2>& samples, bool with_legend) {
+                                  const render::Camera& camera, const std::vector<Vec2>& samples, bool with_legend,
+                                  std::string_view session) {
   const std::vector<render::LayerView> views = views_of(picture.shown, camera.units_per_pixel(), samples);
   auto image = draw_in_bands(device, scene, camera, views,
                              {.background = picture.shown.background, .content_scale = picture.shown.scale});
   if (!image) return std::unexpected(image.error());
   if (with_legend) add_legend(*image, scene, views, picture.shown.scale, picture.shown.background);
-  const auto png = render::encode_png(*image, render::kPngSmall);
+  const auto png = render::encode_png(*image, render::kPngSmall, session);
   if (!png) return std::unexpected(png.error());
   return std::string(reinterpret_cast<const char*>(png->data()), png->size());
 }
 
 /// The bytes of a vector format.
-Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSource& source, bool with_legend) {
+Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSource& source, bool with_legend,
+                                   std::string session) {
   FigureRequest request{.shown = picture.shown,
                         .part = Everything{},
                         .page = picture.page,
@@ -117,8 +139,9 @@ Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSo
                         .rasterized = picture.rasterized,
                         .dots_per_inch = picture.dots_per_inch};
   if (picture.view) request.part = *picture.view;
-  const auto drawn = draw_figure(request, source);
+  auto drawn = draw_figure(request, source);
   if (!drawn) return std::unexpected(drawn.error());
+  drawn->figure.session = std::move(session);
   if (source.traced != nullptr && !picture.format->has_images)
     say("the picture " + picture.image.file + " is left out: " + std::string(picture.format->name) +
         " files hold none");
@@ -145,16 +168,21 @@ struct Canvas {
 }  // namespace
 
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
-  const auto settings = settings_of(request.source);
+  auto settings = settings_of(request.source);
   if (!settings) return std::unexpected(settings.error());
   LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
-  auto picture = understand(request, maps.maps);
+  auto picture = understand(request, maps.maps, nullptr);
   if (!picture) return std::unexpected(picture.error());
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->shown.styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
     for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
   const auto input = read_input(request.source.file, request.source.from);
   if (!input) return std::unexpected(input.error());
+  if (const Session* const session = input->session.get()) {
+    picture = understand(request, maps.maps, session);
+    if (!picture) return std::unexpected(picture.error());
+    if (request.source.precision.empty() && request.source.settings.empty()) *settings = session->settings;
+  }
 
   std::optional<Canvas> canvas;
   if (picture->format == nullptr) {
@@ -180,16 +208,17 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   if (!result) return std::unexpected(result.error());
 
   const Box2 bounds = result->document.bounding_box();
+  std::string session = session_of(request, *picture, *input, *settings);
   const auto bytes = canvas
                          ? draw_pixels(*picture, canvas->device, canvas->scene, camera_for(*picture, bounds, mirror),
-                                       input->data.positions, request.with_legend)
+                                       input->data.positions, request.with_legend, session)
                          : draw_vectors(*picture,
                                         {.mirror = mirror,
                                          .samples = input->data.positions,
                                          .bounds = bounds,
                                          .maps = maps.maps,
                                          .traced = *traced ? &**traced : nullptr},
-                                        request.with_legend);
+                                        request.with_legend, std::move(session));
   if (!bytes) return std::unexpected(bytes.error());
   std::vector<SourceFile> sources = std::move(picture->sources);
   sources.insert(sources.end(), input->sources.begin(), input->sources.end());

@@ -17,8 +17,8 @@ namespace mes::cli {
 /// Common to everything that reads samples and computes.
 struct Source {
   std::string file;
-  std::string from;  ///< id of the input format; empty = find out
-  std::string precision = "fast";
+  std::string from;                   ///< id of the input format; empty = find out
+  std::string precision;              ///< empty: fast, or in a picture what a session has
   std::vector<std::string> settings;  ///< NAME=VALUE
 };
 
@@ -50,12 +50,14 @@ struct RenderRequest {
   std::string bounds = "view";
   std::string rasterized;   ///< ids of layers that are pictures in a vector format; empty: none
   std::string dpi = "300";  ///< of these
-  std::string view = "fit";
+  std::string view;         ///< empty: fit, or what a session has
   std::string scale = "1";
   std::string background = "ffffff";
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
+  bool with_source = true;          ///< the picture carries samples, view and layers
+  std::string format;               ///< as an extension without its dot; empty: as the name of the output says
   std::string output;
   bool force = false;
 };
@@ -106,6 +108,9 @@ Expected<void> run_completions(const CompletionsRequest& request, std::span<cons
 
 /// What `list` can list.
 std::vector<std::string> listed_things();
+
+/// The formats of `render`: what names of pictures may end in, without the dot.
+std::vector<std::string_view> picture_formats();
 
 /// The formats of `export`, by their ids.
 std::span<const std::string_view> export_formats();

@@ -8,6 +8,7 @@
 #include "app/store/background_loader.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/atomic_file.h"
+#include "core/io/carried_session.h"
 #include "render/figure/raster.h"
 
 namespace mes {
@@ -59,6 +60,7 @@ struct FigureDesk::Contents {
   Box2 bounds;
   std::optional<render::Image> traced;
   std::vector<std::string> remarks;
+  std::optional<std::string> session;  // packed; none: it is too long
 };
 
 FigureDesk::FigureDesk(std::function<void()> wake)
@@ -87,6 +89,7 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
                                                                           const std::stop_token& stop) try {
   auto out = std::make_shared<Contents>();
   out->subject = subject;
+  out->session = packed_session(subject.session);
   const auto result =
       run_computation(subject.data, {.layers = subject.shown.layers,
                                      .settings = subject.settings,
@@ -128,6 +131,12 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
     for (figure::FigureLayer& layer : drawn->figure.layers) layer.image.reset();
   }
   for (const figure::FigureLayer& layer : drawn->figure.layers) preview.layers.push_back(counted(layer));
+  if (wanted.settings.with_source && format != nullptr && format->carries_session) {
+    if (contents.session)
+      drawn->figure.session = *contents.session;
+    else
+      preview.remarks.emplace_back("the document is left out: it is too long for a figure");
+  }
   auto image = figure::picture_of(drawn->figure, wanted.preview_px / std::max(preview.width, preview.height));
   if (!image) return {wanted, std::unexpected(image.error())};
   preview.image = std::move(*image);

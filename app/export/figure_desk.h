@@ -16,6 +16,7 @@
 #include "app/system/background_job.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
+#include "core/io/session.h"
 #include "render/figure/writers.h"
 
 namespace mes {
@@ -29,6 +30,7 @@ struct FigureSubject {
   std::vector<render::ColorMap> maps;
   figure::Page view;          ///< what the window shows; of its width and height only the proportion counts
   double canvas_width = 0.0;  ///< of the view, in logical pixels of the window
+  Session session{};          ///< that the file carries, where the settings say so
 };
 
 /// A figure as its settings have it. Plain data.

@@ -73,6 +73,7 @@ RecordSettings record_from_json(const json& object) {
   out.each_motion = flag_in(object, "each_motion", out.each_motion);
   out.fps = number_in(object, "fps", 1.0, 120.0, out.fps);
   out.real_time = flag_in(object, "real_time", out.real_time);
+  out.with_source = flag_in(object, "with_source", out.with_source);
   out.folder = text_in(object, "folder");
   // What fits each range may still not go together.
   if (!check(out)) {
@@ -92,6 +93,7 @@ json to_json(const RecordSettings& record) {
           {"each_motion", record.each_motion},
           {"fps", record.fps},
           {"real_time", record.real_time},
+          {"with_source", record.with_source},
           {"folder", record.folder}};
 }
 
@@ -116,6 +118,7 @@ FigureSettings figure_from_json(const json& object) {
   out.as_on_screen = flag_in(object, "as_on_screen", out.as_on_screen);
   out.line_scale = number_in(object, "line_scale", 0.1, 10.0, out.line_scale);
   out.with_legend = flag_in(object, "with_legend", out.with_legend);
+  out.with_source = flag_in(object, "with_source", out.with_source);
   out.dots_per_inch = number_in(object, "dots_per_inch", kLeastDotsPerInch, kMostDotsPerInch, out.dots_per_inch);
   return out;
 }
@@ -130,6 +133,7 @@ json to_json(const FigureSettings& figure) {
           {"as_on_screen", figure.as_on_screen},
           {"line_scale", figure.line_scale},
           {"with_legend", figure.with_legend},
+          {"with_source", figure.with_source},
           {"dots_per_inch", figure.dots_per_inch}};
 }
 

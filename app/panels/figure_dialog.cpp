@@ -193,6 +193,17 @@ void FigureDialog::draw_look(const Gui& gui) const {
   title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "In the corner where it hides least");
+  title(gui, "Source");
+  const figure::Format* const format = figure::format_for(settings.extension);
+  const bool can_carry = format != nullptr && format->carries_session;
+  bool carries = can_carry && settings.with_source;
+  ImGui::BeginDisabled(!can_carry);
+  if (ImGui::Checkbox("Document in the file", &carries)) settings.with_source = carries;
+  ImGui::EndDisabled();
+  tooltip(gui, can_carry
+                   ? "The file holds samples, balls, view and layers, without the history: opened here again, it "
+                     "is the document"
+                   : "Files of this format cannot hold it");
 }
 
 void FigureDialog::draw_settings(const Gui& gui) const {

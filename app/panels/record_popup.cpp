@@ -117,6 +117,11 @@ void draw_contents(const RecordPopup& popup) {
   ImGui::SetNextItemWidth(230 * unit);
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
   tooltip(gui, "Snapshots go here, and each recording to a new folder in it");
+  title("Source", column);
+  ImGui::Checkbox("Document in snapshots", &record.with_source);
+  tooltip(gui,
+          "A snapshot holds samples, balls, view and layers, without the history: opened here again, it is the "
+          "document");
   ImGui::EndDisabled();
   title("Pace of video", column);
   if (choice_button("Steady", !record.real_time)) record.real_time = false;

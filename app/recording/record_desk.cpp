@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/recording/picture_clipboard.h"
+#include "core/io/carried_session.h"
 #include "render/png.h"
 
 namespace mes {
@@ -19,14 +20,17 @@ std::string counted_frames(std::size_t n) {
   return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
 }
 
-Expected<std::vector<std::byte>> png_of(const render::RawImage& raw, const PictureOverlay& overlay) {
+Expected<std::vector<std::byte>> png_of(const render::RawImage& raw, const PictureOverlay& overlay,
+                                        const std::string& session = {}) {
   render::Image image = render::to_image(raw);
   overlay.paint(image);
-  return render::encode_png(image, render::kPngSmall);
+  return render::encode_png(image, render::kPngSmall, session);
 }
 
-Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder) {
-  const auto png = png_of(raw, overlay);
+/// A session that is too long for a picture is left out.
+Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder,
+                                 const std::optional<Session>& session) {
+  const auto png = png_of(raw, overlay, session ? packed_session(*session).value_or("") : std::string());
   if (!png) return std::unexpected(png.error());
   const auto file = claim_file(folder, "mesecina", "png");
   if (!file) return std::unexpected(file.error());
@@ -193,8 +197,7 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
 
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
-    if (auto overlay = ask(drawn, *snapshot_, drawn.panels))
-      asked_.push_back({.use = use_of_snapshot(), .overlay = std::move(*overlay), .folder = folder_of(*snapshot_)});
+    if (auto overlay = ask(drawn, *snapshot_, drawn.panels)) asked_.push_back(asked_snapshot(std::move(*overlay)));
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
@@ -210,7 +213,7 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
   if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
     capture_.take({}, all);
-    asked_.push_back({.use = use_of_snapshot(), .folder = folder_of(*snapshot_)});
+    asked_.push_back(asked_snapshot({}));
     snapshot_.reset();
   }
   if (!settings_.with_panels || !is_frame_due(drawn)) return;
@@ -227,21 +230,29 @@ void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
   if (asked.use == Use::snapshot)
-    write_snapshot(std::move(raw), std::move(asked.overlay), asked.folder);
+    write_snapshot(std::move(raw), std::move(asked));
   else if (asked.use == Use::copy)
     write_copy(std::move(raw), std::move(asked.overlay));
   else if (writer_)
     writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
 }
 
-void RecordDesk::write_snapshot(render::RawImage raw, PictureOverlay overlay, const fs::path& folder) {
-  if (folder.empty()) {
+RecordDesk::Asked RecordDesk::asked_snapshot(PictureOverlay overlay) const {
+  Asked out{.use = use_of_snapshot(), .overlay = std::move(overlay), .folder = folder_of(*snapshot_)};
+  if (out.use == Use::snapshot && snapshot_->with_source && source_) out.session = source_();
+  return out;
+}
+
+void RecordDesk::write_snapshot(render::RawImage raw, Asked asked) {
+  if (asked.folder.empty()) {
     messages_.problem("No snapshot: the home folder is not known; choose a folder for pictures");
     return;
   }
   if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
-  written_snapshot_.begin([raw = std::make_shared<render::RawImage>(std::move(raw)), overlay = std::move(overlay),
-                           folder](const std::stop_token&) { return write_picture(*raw, overlay, folder); });
+  written_snapshot_.begin(
+      [raw = std::make_shared<render::RawImage>(std::move(raw)), asked = std::move(asked)](const std::stop_token&) {
+        return write_picture(*raw, asked.overlay, asked.folder, asked.session);
+      });
 }
 
 void RecordDesk::write_copy(render::RawImage raw, PictureOverlay overlay) {

@@ -18,6 +18,7 @@
 #include "app/recording/recorder.h"
 #include "app/recording/video.h"
 #include "app/system/background_job.h"
+#include "core/io/session.h"
 #include "render/frame_capture.h"
 
 namespace mes {
@@ -39,6 +40,8 @@ class RecordDesk {
   RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
              std::function<void()> wake);
 
+  /// What a snapshot carries (core/io/carried_session.h) comes from here; without it snapshots carry nothing.
+  void set_source(std::function<Session()> source) { source_ = std::move(source); }
   bool is_recording() const { return writer_ != nullptr; }
   /// Of a window this large, with these panels at its sides.
   void start(const RecordSettings& settings, int width, int height, const Insets& panels, const ShownState& now);
@@ -100,7 +103,8 @@ class RecordDesk {
     Use use = Use::frame;
     FrameInfo info{};
     PictureOverlay overlay{};
-    std::filesystem::path folder{};  ///< of a snapshot
+    std::filesystem::path folder{};    ///< of a snapshot
+    std::optional<Session> session{};  ///< that it carries
   };
   bool has_room() const;
   bool is_frame_due(const Drawn& drawn) const;
@@ -109,7 +113,8 @@ class RecordDesk {
   /// What to paint on the picture asked for; nothing: it cannot be had.
   std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
   void hand_on(render::RawImage raw);
-  void write_snapshot(render::RawImage raw, PictureOverlay overlay, const std::filesystem::path& folder);
+  Asked asked_snapshot(PictureOverlay overlay) const;
+  void write_snapshot(render::RawImage raw, Asked asked);
   void write_copy(render::RawImage raw, PictureOverlay overlay);
   Use use_of_snapshot() const { return is_copy_ ? Use::copy : Use::snapshot; }
   bool take_results();
@@ -121,6 +126,7 @@ class RecordDesk {
   Messages& messages_;
   std::shared_ptr<const LegendFonts> fonts_;  // none: no legend, no caption
   std::function<void()> wake_;
+  std::function<Session()> source_;
   render::FrameCapture capture_;
   std::deque<Asked> asked_;
   std::optional<ShownState> complete_{};

@@ -6,6 +6,7 @@
 
 #include "app/window/document_flow.h"
 #include "core/io/bundle_file.h"
+#include "core/io/carried_session.h"
 #include "render/picture_file.h"
 
 namespace mes {
@@ -43,8 +44,9 @@ void DocumentFlow::open_first(const std::vector<std::string>& files) {
 
 void DocumentFlow::open(std::vector<std::string> files) {
   // Of several pictures the last is on top; the others would not be seen.
-  const auto first_picture = std::stable_partition(
-      files.begin(), files.end(), [](const std::string& file) { return !render::is_picture_file(file); });
+  const auto first_picture = std::stable_partition(files.begin(), files.end(), [](const std::string& file) {
+    return !render::is_picture_file(file) || is_picture_with_session(file);
+  });
   const std::string picture = first_picture == files.end() ? std::string() : files.back();
   files.erase(first_picture, files.end());
   open_with_picture(files, picture);

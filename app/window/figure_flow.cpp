@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "app/export/carried.h"
 #include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
 #include "core/draw/layer_descriptor.h"
@@ -55,6 +56,8 @@ FigureSubject FigureFlow::subject() const {
                     .maps = uses_.board.picture().scene().color_maps(),
                     .view = figure::page_of(seen.camera),
                     .canvas_width = seen.camera.width() / scale};
+  out.session = session_for_picture(uses_.title(), out.data, uses_.work.layers().configuration(), out.settings,
+                                    uses_.board.view().free_box());
   const LayerStack& layers = uses_.work.layers();
   out.shown.layers = layers.visible_layers();
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) out.shown.styles.push_back(layers.style(layer));

@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "app/export/carried.h"
+
 namespace mes {
 namespace {
 
@@ -16,7 +18,13 @@ std::shared_ptr<const LegendFonts> fonts_of_pictures(const std::filesystem::path
 }  // namespace
 
 LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake)
-    : uses_(uses), desk_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {}
+    : uses_(uses), desk_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {
+  desk_.set_source([this] {
+    const Workspace& work = uses_.work;
+    return session_for_picture({}, data_of(work.document()), work.layers().configuration(),
+                               work.computation().settings(), uses_.board.view().free_box());
+  });
+}
 
 void LiveRecording::bind(ActionBindings& actions) {
   const RecordSettings& settings = uses_.settings.record;

@@ -8,6 +8,7 @@
 
 #include "core/base/lower_case.h"
 #include "core/io/bundle_file.h"
+#include "core/io/carried_session.h"
 #include "core/io/format_registry.h"
 #include "core/io/read_file.h"
 #include "core/io/text_numbers.h"
@@ -68,12 +69,31 @@ Expected<const Format*> choose_format(std::string_view bytes, const std::string&
   return bad_input("this is none of the formats that can be read (" + readable_ids() + ")", name, 1, 1);
 }
 
+Expected<LoadedFile> read_carried(std::string_view text, const std::string& name) {
+  auto file = format_named("session")->read(text, name);
+  if (!file) {
+    // Lines and columns would be those of a text that cannot be looked at.
+    Error error = std::move(file.error());
+    return bad_input("the session that it carries: " + error.text, name, 0, 0);
+  }
+  file->format = "session";
+  file->is_carried = true;
+  return file;
+}
+
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
                                 const fs::path* path) {
   try {
+    if (wanted.empty() && may_carry_session(bytes)) {
+      const auto text = carried_session(bytes, name);
+      if (!text) return std::unexpected(text.error());
+      if (*text) return read_carried(**text, name);
+    }
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
     if (const std::string_view kind = foreign_kind(bytes); !kind.empty())
-      return bad_input("this is " + std::string(kind) + ", not a text of samples", name, 1, 1);
+      return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +
+                           ", not a text of samples",
+                       name, 1, 1);
     if (without_bom(bytes).find_first_not_of(" \t\r\n\v\f") == std::string_view::npos)
       return bad_input("the file is empty", name, 1, 1);
     const auto format = choose_format(bytes, name, wanted);
@@ -88,9 +108,14 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
   }
 }
 
-// A file that begins like no text (a disk image, say) is not read to its end.
-ReadOptions text_only(std::stop_token stop) {
-  return {.is_enough = [](std::string_view bytes) { return !foreign_kind(bytes).empty(); }, .stop = std::move(stop)};
+// A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session.
+ReadOptions what_may_be_read(std::stop_token stop) {
+  constexpr std::size_t kLargestPicture = std::size_t{1} << 30U;
+  return {.is_enough =
+              [](std::string_view bytes) {
+                return !foreign_kind(bytes).empty() && (!may_carry_session(bytes) || bytes.size() > kLargestPicture);
+              },
+          .stop = std::move(stop)};
 }
 
 }  // namespace
@@ -105,7 +130,7 @@ std::span<const FormatDescriptor> format_descriptors() {
 }
 
 Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, const std::stop_token& stop) {
-  const auto bytes = read_whole(path, text_only(stop));
+  const auto bytes = read_whole(path, what_may_be_read(stop));
   if (!bytes) return std::unexpected(bytes.error());
   auto file = read_bytes(*bytes, path.string(), format, &path);
   std::error_code error;
@@ -114,7 +139,7 @@ Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view for
 }
 
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format) {
-  const auto bytes = read_whole(descriptor, name, text_only({}));
+  const auto bytes = read_whole(descriptor, name, what_may_be_read({}));
   if (!bytes) return std::unexpected(bytes.error());
   return read_bytes(*bytes, name, format, nullptr);
 }

@@ -124,6 +124,7 @@ struct Figure {
   std::optional<Rgb> background{};  ///< none: the page itself
   std::vector<FigureLayer> layers{};
   Legend legend{};
+  std::string session{};  ///< that files carry, compressed (core/base/carried_session.h); empty: none
 };
 
 /// Shapes of one layer, or of all.

@@ -4,11 +4,15 @@
 // Ipe has no opacity of groups: each path of a flat layer that is one path has it instead, which is the same where the
 // layer has one colour.
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/carried_session.h"
+#include "core/base/zlib.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/text_tools.h"
@@ -25,7 +29,12 @@ class IpeWriter {
 
   std::string write() {
     std::string layers;
-    for (const FigureLayer& layer : figure_.layers) layers += "<layer name=\"" + escaped_xml(layer.id) + "\"/>\n";
+    std::string data;  // of the layer that comes first
+    if (!figure_.session.empty())
+      data = " data=\"" + std::string(kCarriedSession) + ':' + base64(figure_.session) + '"';
+    if (has_background()) layers += "<layer name=\"background\"" + std::exchange(data, "") + "/>\n";
+    for (const FigureLayer& layer : figure_.layers)
+      layers += "<layer name=\"" + escaped_xml(layer.id) + '"' + std::exchange(data, "") + "/>\n";
     std::string names;
     for (const FigureLayer& layer : figure_.layers) names += (names.empty() ? "" : " ") + escaped_xml(layer.id);
     background();
@@ -38,7 +47,6 @@ class IpeWriter {
         "\" crop=\"no\"/>\n";
     for (const auto& [value, name] : opacities_) out += "<opacity name=\"" + name + "\" value=\"" + value + "\"/>\n";
     out += "</ipestyle>\n<page>\n";
-    if (has_background()) out += "<layer name=\"background\"/>\n";
     out += layers;
     if (has_legend()) out += "<layer name=\"legend\"/>\n";
     if (has_background()) names = "background" + (names.empty() ? "" : ' ' + names);
@@ -69,11 +77,14 @@ class IpeWriter {
     return out;
   }
   /// Opacities are known by names from the style.
-  std::string opacity(double value) {
-    if (value >= 1.0) return {};
+  const std::string& named_opacity(double value) {
     std::string text;
     append_decimal(text, value, kColorDecimals);
-    const std::string& name = opacities_.try_emplace(text, "opacity-" + text).first->second;
+    return opacities_.try_emplace(text, "opacity-" + text).first->second;
+  }
+  std::string opacity(double value) {
+    if (value >= 1.0) return {};
+    const std::string& name = named_opacity(value);
     return " opacity=\"" + name + "\" stroke-opacity=\"" + name + '"';
   }
   std::string rectangle(Vec2 corner, double width, double height) const {
@@ -88,14 +99,33 @@ class IpeWriter {
   }
 
   void write(const FigureLayer& layer) {
-    if (layer.groups.empty()) return;
+    if (layer.groups.empty() && !layer.image) return;
     std::string clip = rectangle({}, figure_.width, figure_.height);
     for (char& c : clip)
       if (c == '\n') c = ' ';
     body_ += "<group layer=\"" + escaped_xml(layer.id) + "\" clip=\"" + clip + "\">\n";
+    if (layer.image) write(*layer.image);
     for (const Group& group : layer.groups)
       for (const Run& run : group.runs) write(run, group.opacity, layer.line_width);
     body_ += "</group>\n";
+  }
+
+  void write(const PlacedImage& placed) {
+    const render::Image& image = placed.image;
+    // Of each pixel the alpha comes first.
+    std::string bytes;
+    bytes.reserve(image.rgba.size());
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+      for (const std::size_t channel : {3U, 0U, 1U, 2U}) bytes += static_cast<char>(image.rgba[i + channel]);
+    const std::string packed = zlib_compressed(bytes);
+    const double bottom = figure_.height - placed.corner.y - placed.height;
+    body_ += "<image rect=\"" + pair({placed.corner.x, bottom}) + ' ' +
+             pair({placed.corner.x + placed.width, bottom + placed.height}) + "\" width=\"" +
+             std::to_string(image.width) + "\" height=\"" + std::to_string(image.height) +
+             "\" ColorSpace=\"DeviceRGBAlpha\" Filter=\"FlateDecode\" encoding=\"base64\" length=\"" +
+             std::to_string(packed.size()) + '"';
+    if (placed.opacity < 1.0) body_ += " opacity=\"" + named_opacity(placed.opacity) + '"';
+    body_ += ">\n" + base64(packed) + "\n</image>\n";
   }
 
   void write(const Run& run, double group_opacity, double line_width) {

@@ -3,8 +3,6 @@
 // as transparency group XObjects (11.6.6), streams compressed.
 //
 // An own writer, since the library that other programs use for PDF has no optional content.
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -14,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/carried_session.h"
+#include "core/base/zlib.h"
 #include "render/figure/internal/bezier_arcs.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
@@ -23,16 +23,6 @@ namespace mes::figure {
 namespace {
 
 constexpr int kColorDecimals = 4;
-
-std::string compressed(std::string_view bytes) {
-  constexpr int kLevel = 6;
-  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-      libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
-  if (!compressor) throw std::bad_alloc();
-  std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
-  out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
-  return out;
-}
 
 /// The objects of a file, numbered from 1, and where each begins.
 class Objects {
@@ -48,7 +38,9 @@ class Objects {
   }
   /// `dictionary` without its brackets.
   static std::string stream(const std::string& dictionary, std::string_view bytes) {
-    const std::string packed = compressed(bytes);
+    return packed_stream(dictionary, zlib_compressed(bytes));
+  }
+  static std::string packed_stream(const std::string& dictionary, const std::string& packed) {
     return "<<" + dictionary + "/Filter/FlateDecode/Length " + std::to_string(packed.size()) + ">>\nstream\n" +
            packed + "\nendstream";
   }
@@ -368,7 +360,19 @@ class PdfWriter {
                             "/Contents " + Objects::reference(stream) + ">>");
     objects_.set(pages_, "<</Type/Pages/Count 1/Kids[" + Objects::reference(page_) + "]>>");
     objects_.set(catalog_, "<</Type/Catalog/Pages " + Objects::reference(pages_) + "/OCProperties<</OCGs[" + groups +
-                               "]/D<</Order[" + order + "]/ON[" + groups + "]>>>>>>");
+                               "]/D<</Order[" + order + "]/ON[" + groups + "]>>>>" + attachment() + ">>");
+  }
+
+  /// For the catalogue: the session, as a file that viewers list and save.
+  std::string attachment() {
+    if (figure_.session.empty()) return {};
+    const std::string key(kCarriedSession);
+    const std::string name = '(' + key + ".json)";
+    const std::size_t stream = objects_.add(
+        Objects::packed_stream("/Type/EmbeddedFile/Subtype/application#2Fjson/" + key + " true", figure_.session));
+    const std::size_t file =
+        objects_.add("<</Type/Filespec/F" + name + "/UF" + name + "/EF<</F " + Objects::reference(stream) + ">>>>");
+    return "/Names<</EmbeddedFiles<</Names[" + name + Objects::reference(file) + "]>>>>";
   }
 
   const Figure& figure_;

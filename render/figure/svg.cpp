@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/carried_session.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/text_tools.h"
@@ -70,6 +71,11 @@ class SvgWriter {
     out_ += "\">";
     rectangle({}, figure_.width, figure_.height);
     out_ += "/></clipPath></defs>\n";
+    if (!figure_.session.empty()) {
+      const std::string name(kCarriedSession);
+      out_ += "<metadata><" + name + " xmlns=\"urn:mesecina:session\">" + base64(figure_.session) + "</" + name +
+              "></metadata>\n";
+    }
     if (figure_.background) {
       rectangle({}, figure_.width, figure_.height);
       attribute("fill", hex(*figure_.background));
@@ -111,7 +117,7 @@ class SvgWriter {
     if (image.opacity < 1.0) fraction("opacity", image.opacity);
     attribute("preserveAspectRatio", std::string("none"));
     out_ += " xlink:href=\"data:image/png;base64,";
-    out_ += base64({reinterpret_cast<const std::uint8_t*>(png->data()), png->size()});
+    out_ += base64({reinterpret_cast<const char*>(png->data()), png->size()});
     out_ += "\"/>\n";
     return {};
   }

@@ -8,9 +8,12 @@ namespace mes::figure {
 namespace {
 
 constexpr std::array kFormats{
-    Format{".svg", "SVG", svg_of},        Format{".pdf", "PDF", pdf_of},
-    Format{".ps", "PostScript", ps_of},   Format{".eps", "Encapsulated PostScript", eps_of},
-    Format{".ipe", "Ipe", ipe_of, false}, Format{".tex", "TikZ", tikz_of, false},
+    Format{.extension = ".svg", .name = "SVG", .write = svg_of, .carries_session = true},
+    Format{.extension = ".pdf", .name = "PDF", .write = pdf_of, .carries_session = true},
+    Format{.extension = ".ps", .name = "PostScript", .write = ps_of},
+    Format{.extension = ".eps", .name = "Encapsulated PostScript", .write = eps_of},
+    Format{.extension = ".ipe", .name = "Ipe", .write = ipe_of, .carries_session = true},
+    Format{.extension = ".tex", .name = "TikZ", .write = tikz_of, .has_images = false},
 };
 
 }  // namespace

@@ -32,8 +32,7 @@ Expected<std::string> pdf_of(const Figure& figure);
 Expected<std::string> ps_of(const Figure& figure);
 Expected<std::string> eps_of(const Figure& figure);
 
-/// Ipe 7: a layer a layer. A flat layer of several colours is not flat there. Without the picture
-/// to trace.
+/// Ipe 7.2.18 or later: a layer a layer. A flat layer of several colours is not flat there.
 Expected<std::string> ipe_of(const Figure& figure);
 
 /// A LaTeX document of one TikZ picture, that compiles by itself: a scope a layer. Without the picture to trace.
@@ -43,7 +42,8 @@ struct Format {
   std::string_view extension;  ///< of file names, with its dot
   std::string_view name;
   Expected<std::string> (*write)(const Figure& figure);
-  bool has_images = true;  ///< else the picture to trace is left out
+  bool has_images = true;        ///< else the picture to trace is left out
+  bool carries_session = false;  ///< that of the figure
 };
 
 /// In the order in which help and manual name them.

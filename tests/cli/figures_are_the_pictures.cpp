@@ -199,6 +199,27 @@ TEST_CASE("a figure needs no OpenGL") {
   CHECK(result.exit_code == 0);
 }
 
+TEST_CASE("a figure goes to standard output, and its format can be named") {
+  const TemporaryFolder folder;
+  for (const std::string format : {"svg", "pdf", "ipe", "tex", "png"}) {
+    INFO(format);
+    const std::string file = (folder / ("named." + format)).string();
+    render({kBean, "--size", "300x200"}, file);
+    const RunResult piped = run({"render", kBean, "--size", "300x200", "--to", format, "-o", "-"});
+    CHECK(piped.exit_code == 0);
+    CHECK(piped.err.empty());
+    CHECK(piped.out == contents_of(file));
+    // The name that is given goes before that of the file.
+    const std::string other = (folder / "named.figure").string();
+    render({kBean, "--size", "300x200", "--to", format}, other);
+    CHECK(contents_of(other) == contents_of(file));
+  }
+  const RunResult refused = run({"render", kBean, "--to", "gif", "-o", "-"});
+  CHECK(refused.exit_code == 2);
+  CHECK(refused.out.empty());
+  CHECK(refused.err == "mesecina: --to expects png, svg, pdf, ps, eps, ipe or tex, not \"gif\"\n");
+}
+
 TEST_CASE("sizes that cannot be are refused in one line, and nothing is written") {
   const TemporaryFolder folder;
   const std::string file = (folder / "a.svg").string();

@@ -81,6 +81,13 @@ TEST_CASE("a layer becomes a picture of what it showed, and the others stay as t
   const auto svg = svg_of(mixed);
   REQUIRE(svg);
   CHECK(test::count_of(*svg, "<image") == 1);
+  // Ipe counts from the lower left corner of the page, which is 100 high.
+  const auto ipe = ipe_of(mixed);
+  REQUIRE(ipe);
+  CHECK(test::count_of(*ipe,
+                       "<image rect=\"30 30 80 75\" width=\"200\" height=\"180\" "
+                       "ColorSpace=\"DeviceRGBAlpha\"") == 1);
+  CHECK(test::count_of(*ipe, "</image>") == 1);
 }
 
 TEST_CASE("a layer cut by the edge of the page is a picture of what lies on it; one beyond it stays empty") {

@@ -120,7 +120,7 @@ TEST_CASE("a layer that is to be a picture is one, in formats that hold pictures
   REQUIRE(test.desk.preview() != nullptr);
   CHECK(test.desk.preview()->layers[0].is_picture);
   CHECK(test.desk.preview()->layers[0].shapes == 0);
-  test.desk.want({.extension = ".ipe"}, {"delaunay"}, 200);
+  test.desk.want({.extension = ".tex"}, {"delaunay"}, 200);
   test.until_written();
   CHECK_FALSE(test.desk.preview()->layers[0].is_picture);
 }

@@ -5,6 +5,8 @@
 #include <thread>
 
 #include "app/store/file_desk.h"
+#include "core/io/carried_session.h"
+#include "render/figure/writers.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;
@@ -387,6 +389,28 @@ TEST_CASE("a file that is gone is written anew, and one that is something else n
   saved = bench.desk.finish_saving();
   REQUIRE(saved->error);
   CHECK_THAT(saved->error->message(), Catch::Contains("Is a directory"));
+}
+
+TEST_CASE("a document from a picture has no file yet, and the picture stays as it is") {
+  Bench bench;
+  SampleData data;
+  data.positions = {{0, 0}, {1, 0}, {0.1, 3}};
+  figure::Figure figure{.width = 10, .height = 10};
+  figure.session = packed_session({.data = std::make_shared<const SampleData>(data)}).value();
+  const std::string bytes = figure::svg_of(figure).value();
+  const auto picture = bench.folder.write("a.svg", bytes);
+  const auto outcome = bench.open(picture);
+  REQUIRE_FALSE(outcome.error);
+  CHECK(outcome.session != nullptr);
+  CHECK(outcome.samples == 3);
+  CHECK(bench.desk.title() == "a.svg");
+  CHECK(bench.desk.file().empty());
+  CHECK_FALSE(bench.desk.has_session_file());
+  bench.add_sample();
+  const auto session = bench.folder / "a.json";
+  REQUIRE(bench.save_as(session));
+  CHECK(bench.desk.file() == session);
+  CHECK(contents_of(picture) == bytes);
 }
 
 TEST_CASE("a document is left although a file is still being waited for") {

@@ -61,15 +61,14 @@ inline std::string escaped_tex(std::string_view text) {
 }
 
 /// RFC 4648, without line breaks.
-inline std::string base64(std::span<const std::uint8_t> bytes) {
+inline std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t left = bytes.size() - i;
-    const std::uint32_t word = static_cast<std::uint32_t>(bytes[i]) << 16U |
-                               (left > 1 ? static_cast<std::uint32_t>(bytes[i + 1]) << 8U : 0U) |
-                               (left > 2 ? static_cast<std::uint32_t>(bytes[i + 2]) : 0U);
+    const auto byte = [bytes](std::size_t k) -> std::uint32_t { return static_cast<std::uint8_t>(bytes[k]); };
+    const std::uint32_t word = byte(i) << 16U | (left > 1 ? byte(i + 1) << 8U : 0U) | (left > 2 ? byte(i + 2) : 0U);
     out += kDigits[word >> 18U];
     out += kDigits[word >> 12U & 63U];
     out += left > 1 ? kDigits[word >> 6U & 63U] : '=';

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pictures and figures carry, so that they can be opened again.
+#pragma once
+
+#include <string>
+
+#include "core/base/box2.h"
+#include "core/document/commands.h"
+#include "core/document/computation_settings.h"
+#include "core/document/layer_configuration.h"
+#include "core/io/session.h"
+
+namespace mes {
+
+/// The document as it is and as it is seen, without its history, and without the folders of its author. `view`: document
+/// units; empty: everything.
+Session session_for_picture(std::string title, SampleData data, LayerConfiguration layers,
+                            const ComputationSettings& settings, const Box2& view);
+
+}  // namespace mes

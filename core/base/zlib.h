@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compression as PNG, PDF and Ipe have it: zlib streams (RFC 1950).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+/// Throws std::bad_alloc. Cost: some 100 MB a second.
+std::string zlib_compressed(std::string_view bytes);
+
+/// What a stream at the beginning of `bytes` holds; whatever follows it is not looked at. Error: `bad_input` for a stream
+/// that is cut or broken, or holds more than `most` bytes. Takes memory for four times what the stream holds, and for no
+/// more than `most` bytes beside that. Throws std::bad_alloc.
+Expected<std::string> zlib_expanded(std::string_view bytes, std::size_t most);
+
+}  // namespace mes

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/carried_session.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "core/base/carried_session.h"
+#include "core/base/zlib.h"
+#include "core/io/read_file.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr std::string_view kPngBeginning = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view kPdfBeginning = "%PDF-";
+
+std::unexpected<Error> damaged(std::string text, const std::string& file) {
+  return bad_input("the session that it carries cannot be read: " + std::move(text), file, 0, 0);
+}
+
+Expected<std::optional<std::string>> expanded(std::string_view stream, const std::string& file) {
+  auto text = zlib_expanded(stream, kMostCarriedBytes);
+  if (!text) return damaged(text.error().text, file);
+  return std::move(*text);
+}
+
+std::uint32_t big_endian(std::string_view bytes) {
+  std::uint32_t out = 0;
+  for (const char byte : bytes.substr(0, 4)) out = out << 8U | static_cast<std::uint8_t>(byte);
+  return out;
+}
+
+/// Source: PNG (ISO/IEC 15948), 5.3 and 11.3.4.5. Checksums are left to those who look at the picture.
+Expected<std::optional<std::string>> in_png(std::string_view bytes, const std::string& file) {
+  constexpr std::size_t kFrame = 12;  // length, kind and checksum
+  for (std::size_t at = kPngBeginning.size(); at + kFrame <= bytes.size();) {
+    const std::size_t length = big_endian(bytes.substr(at));
+    const std::string_view kind = bytes.substr(at + 4, 4);
+    const std::string_view rest = bytes.substr(at + 8);
+    const bool is_ours =
+        kind == "iTXt" && rest.starts_with(kCarriedSession) && rest.substr(kCarriedSession.size()).starts_with('\0');
+    if (is_ours) {
+      if (length > rest.size()) return damaged("the file is cut", file);
+      std::string_view body = rest.substr(0, length);
+      // Keyword, zero, whether it is compressed, how, language, zero, keyword in that language, zero.
+      body.remove_prefix(kCarriedSession.size() + 1);
+      if (body.size() < 4 || body[0] != 1 || body[1] != 0)
+        return damaged("it is not compressed as it should be", file);
+      body.remove_prefix(2);
+      for (int names = 0; names < 2; ++names) {
+        const std::size_t end = body.find('\0');
+        if (end == std::string_view::npos) return damaged("the file is cut", file);
+        body.remove_prefix(end + 1);
+      }
+      return expanded(body, file);
+    }
+    if (kind == "IEND" || length > rest.size()) break;
+    at += kFrame + length;
+  }
+  return std::nullopt;
+}
+
+/// -1 for other characters.
+int base64_digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : (c == '/' ? 63 : -1);
+}
+
+/// RFC 4648; white space is skipped, and what follows the last digit is not looked at.
+std::string from_base64(std::string_view text) {
+  std::string out;
+  out.reserve(text.size() / 4 * 3);
+  std::uint32_t bits = 0;
+  unsigned count = 0;
+  for (const char c : text) {
+    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
+    const int digit = base64_digit(c);
+    if (digit < 0) break;
+    bits = bits << 6U | static_cast<std::uint32_t>(digit);
+    if ((count += 6U) < 8U) continue;
+    count -= 8U;
+    out += static_cast<char>(bits >> count & 0xffU);
+  }
+  return out;
+}
+
+/// The content of an element, or the value of an attribute. In a text the name would stand without its bracket, or
+/// without its quotation mark.
+Expected<std::optional<std::string>> in_xml(std::string_view bytes, const std::string& file) {
+  struct Place {
+    char before, begin, end;
+  };
+  for (const Place place : {Place{'<', '>', '<'}, Place{'"', ':', '"'}}) {
+    const std::size_t at = bytes.find(place.before + std::string(kCarriedSession));
+    if (at == std::string_view::npos) continue;
+    const std::size_t begin = bytes.find(place.begin, at);
+    const std::size_t end = begin == std::string_view::npos ? begin : bytes.find(place.end, begin + 1);
+    if (end == std::string_view::npos) return damaged("the file is cut", file);
+    return expanded(from_base64(bytes.substr(begin + 1, end - begin - 1)), file);
+  }
+  return std::nullopt;
+}
+
+/// Source: PDF 32000-1:2008, 7.3.8.
+Expected<std::optional<std::string>> in_pdf(std::string_view bytes, const std::string& file) {
+  const std::size_t at = bytes.find("/" + std::string(kCarriedSession) + " true");
+  if (at == std::string_view::npos) return std::nullopt;
+  constexpr std::string_view kStream = ">>\nstream\n";
+  const std::size_t begin = bytes.find(kStream, at);
+  if (begin == std::string_view::npos) return damaged("the file is cut", file);
+  return expanded(bytes.substr(begin + kStream.size()), file);
+}
+
+bool is_xml(std::string_view bytes) {
+  bytes = without_bom(bytes);
+  const std::size_t at = bytes.find_first_not_of(" \t\r\n");
+  return at != std::string_view::npos && bytes[at] == '<';
+}
+
+}  // namespace
+
+std::optional<std::string> packed_session(const Session& session) {
+  const std::string text = write_session(session);
+  if (text.size() > kMostCarriedBytes) return std::nullopt;
+  return zlib_compressed(text);
+}
+
+bool may_carry_session(std::string_view bytes) {
+  return bytes.starts_with(kPngBeginning) || bytes.starts_with(kPdfBeginning) || is_xml(bytes);
+}
+
+bool is_picture_with_session(const std::filesystem::path& file) {
+  constexpr std::size_t kBeginning = 4096;
+  const auto bytes = read_regular_file(file, {.is_enough = [](std::string_view read) {
+                                         return read.size() >= kBeginning ||
+                                                !kPngBeginning.starts_with(read.substr(0, kPngBeginning.size()));
+                                       }});
+  if (!bytes || !bytes->starts_with(kPngBeginning)) return false;
+  return bytes->find("iTXt" + std::string(kCarriedSession) + '\0') != std::string::npos;
+}
+
+Expected<std::optional<std::string>> carried_session(std::string_view bytes, const std::string& file) {
+  if (bytes.starts_with(kPngBeginning)) return in_png(bytes, file);
+  if (bytes.starts_with(kPdfBeginning)) return in_pdf(bytes, file);
+  if (is_xml(bytes)) return in_xml(bytes, file);
+  return std::nullopt;
+}
+
+}  // namespace mes
