@@ -13,7 +13,7 @@ constexpr std::size_t kFew = 16;
 
 // Samples that are moved together lie along the curve in the order of their rows. Moved in that order into empty
 // space, each would take most of the Voronoi cell of the one before, which is the neighbour of half a shape; in a random
-// order their cells are small from the beginning.
+// order their cells are small from the beginning. The same holds for taking them out.
 std::vector<SampleSlot> edit_order(const std::vector<SampleSlot>& touched, const Samples& samples) {
   if (touched.size() <= kFew) return touched;
   Box2 extent;
@@ -133,9 +133,10 @@ bool Delaunay::update(JobControl& job) {
   zone_faces_ = 0;
   for (const SampleSlot sample : changes.removed)
     if (!mirror_->remove(sample) || is_too_much()) return false;
-  if (changes.touched.size() > kFew && !mirror_->move_together(changes.touched, job)) return false;
+  const std::vector<SampleSlot> touched = edit_order(changes.touched, samples_);
+  if (touched.size() > kFew && !mirror_->move_together(touched, job)) return false;
   std::uint64_t done = 0;
-  for (const SampleSlot sample : edit_order(changes.touched, samples_)) {
+  for (const SampleSlot sample : touched) {
     if ((++done & 255U) == 0) job.checkpoint(done, changes.touched.size());
     if (is_too_much()) return false;
     const SiteSlot site = site_of_sample(sample);
