@@ -26,7 +26,7 @@ constexpr bool kRepeats = true;
 
 constexpr auto kFileRows = std::to_array<Row>({
     {Id::new_document, "new", "New", "Start with an empty plane", "Ctrl+N"},
-    {Id::open, "open", "Open...", "Open a session, samples, balls or bundles", "Ctrl+O"},
+    {Id::open, "open", "Open...", "Open a session, samples, balls, bundles, or a picture with its source", "Ctrl+O"},
     {Id::save, "save", "Save", "Write the session, or samples and balls, to the file they have", "Ctrl+S"},
     {Id::save_as, "save-as", "Save as...",
      "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls", "Ctrl+Shift+S"},

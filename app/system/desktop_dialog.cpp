@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kPortal = "org.freedesktop.portal.Desktop";
 constexpr const char* kPortalPath = "/org/freedesktop/portal/desktop";
 constexpr const char* kRequest = "org.freedesktop.portal.Request";
-constexpr auto kLongestBeginning = std::chrono::seconds(3);
+constexpr auto kLongestBeginning = std::chrono::seconds(10);
 
 template <auto release>
 struct Release {

@@ -34,7 +34,7 @@ struct DesktopAnswer {
 bool may_have_desktop_dialog();
 
 /// Shows the dialog and waits for its end. `unavailable`: the desktop has none, it failed, or it has not begun within
-/// three seconds. A stop closes the dialog and is answered with `cancelled`. Replacing a file was agreed to there, for
+/// ten seconds. A stop closes the dialog and is answered with `cancelled`. Replacing a file was agreed to there, for
 /// the name that is returned. Threads: any but the window's, because it waits.
 DesktopAnswer ask_desktop(const DesktopQuestion& question, const std::stop_token& stop);
 

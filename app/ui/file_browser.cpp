@@ -10,6 +10,7 @@
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/lower_case.h"
+#include "core/io/carried_session.h"
 #include "core/io/format.h"
 
 namespace mes {
@@ -18,19 +19,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_known(const std::string& name) {
-  const std::string extension = lower_case_extension(name);
+/// Of what can be opened, each once.
+std::vector<std::string_view> known_extensions() {
+  std::vector<std::string_view> out{".txt", ".bnd"};
+  const auto add = [&out](std::string_view extension) {
+    if (std::ranges::find(out, extension) == out.end()) out.push_back(extension);
+  };
   for (const FormatDescriptor& format : format_descriptors())
-    if (format.can_read && std::ranges::count(format.extensions, extension) > 0) return true;
-  return extension == ".txt" || extension == ".bnd";
+    if (format.can_read) std::ranges::for_each(format.extensions, add);
+  std::ranges::for_each(kCarrierExtensions, add);
+  return out;
+}
+
+bool is_known(const std::string& name) {
+  const std::vector<std::string_view> known = known_extensions();
+  return std::ranges::find(known, lower_case_extension(name)) != known.end();
 }
 
 std::vector<std::string> known_patterns() {
-  std::vector<std::string> out{"*.txt", "*.bnd"};
-  for (const FormatDescriptor& format : format_descriptors())
-    for (const std::string_view extension : format.extensions)
-      if (format.can_read && std::ranges::count(out, fmt::format("*{}", extension)) == 0)
-        out.push_back(fmt::format("*{}", extension));
+  std::vector<std::string> out;
+  for (const std::string_view extension : known_extensions()) out.push_back(fmt::format("*{}", extension));
   return out;
 }
 
@@ -65,7 +73,8 @@ void FileBrowser::cancel() {
 }
 
 std::string FileBrowser::heading() const {
-  const char* const usual = is_saving_ ? "Save as" : "Open a session, samples, balls or bundles";
+  const char* const usual =
+      is_saving_ ? "Save as" : "Open a session, samples, balls, bundles, or a picture with its source";
   return purpose_.heading.empty() ? usual : purpose_.heading;
 }
 

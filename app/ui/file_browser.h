@@ -20,7 +20,7 @@ namespace mes {
 /// What a file is asked for when it is not the document.
 struct FilePurpose {
   std::string heading{};
-  std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: of samples and balls
+  std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: of what can be opened as a document
 };
 
 /// What it guarantees:

@@ -2,6 +2,7 @@
 // Sessions in pictures and figures: what `core/base/carried_session.h` describes, written and read.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@ namespace mes {
 
 /// The text of the session, compressed; nothing where it is longer than a picture may carry. Throws std::bad_alloc.
 std::optional<std::string> packed_session(const Session& session);
+
+/// What names of files end in that may carry a session, with the dot.
+inline constexpr std::array<std::string_view, 4> kCarrierExtensions{".png", ".svg", ".pdf", ".ipe"};
 
 /// Whether a file that begins so is of a kind that may carry a session: PNG, SVG, Ipe, PDF.
 bool may_carry_session(std::string_view bytes);
