@@ -110,13 +110,25 @@ void Life::choose_settings() {
   consumer_.graph.post_settings(settings_);
 }
 
+// One sample, or all about it.
 void Life::drag() {
+  const Document& document = editor_.document();
   const SampleId id = some_sample();
+  std::vector<SampleId> held{id};
+  if (rng_.below(3) == 0) {
+    const Vec2 middle = document.position(document.slot_of(id));
+    const double reach = distance(middle, place());
+    for (const SampleSlot slot : document.slots_in_input_order())
+      if (document.id(slot) != id && distance(document.position(slot), middle) < reach)
+        held.push_back(document.id(slot));
+  }
   editor_.begin_gesture("Move");
   for (std::uint64_t i = 1 + rng_.below(5); i != 0; --i) {
-    const Vec2 p = editor_.document().position(editor_.document().slot_of(id));
-    const Vec2 to = rng_.below(4) == 0 ? place() : p + Vec2{rng_.uniform(-1.0, 1.0), rng_.uniform(-1.0, 1.0)};
-    static_cast<void>(editor_.move(std::array{std::pair{id, to}}, "Move"));
+    const Vec2 p = document.position(document.slot_of(id));
+    const Vec2 way = rng_.below(4) == 0 ? place() - p : Vec2{rng_.uniform(-1.0, 1.0), rng_.uniform(-1.0, 1.0)};
+    std::vector<std::pair<SampleId, Vec2>> targets;
+    for (const SampleId each : held) targets.emplace_back(each, document.position(document.slot_of(each)) + way);
+    static_cast<void>(editor_.move(targets, "Move"));
     if (rng_.below(2) == 0) consumer_.run();
   }
   if (rng_.below(5) == 0)
