@@ -2,6 +2,7 @@
 #include "core/structures/balls/local_balls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/parallel.h"
@@ -10,6 +11,12 @@
 
 namespace mes {
 namespace {
+
+std::array<Vec2, 3> sorted_corners(const BallFamily& family, FamilySlot row) {
+  std::array<Vec2, 3> out = family.corners(row);
+  std::ranges::sort(out, lexicographically_less);
+  return out;
+}
 
 // Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
 std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
@@ -54,7 +61,11 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
       std::ranges::sort(begin, end, [&family](const Keyed<FamilySlot>& a, const Keyed<FamilySlot>& b) {
         const Disk p = family.disk(a.slot);
         const Disk q = family.disk(b.slot);
-        return p.center == q.center ? p.radius < q.radius : lexicographically_less(p.center, q.center);
+        if (p.center != q.center) return lexicographically_less(p.center, q.center);
+        if (p.radius != q.radius) return p.radius < q.radius;
+        // Circles that differ may be rounded to one disk; the first of the two then stands for both.
+        return std::ranges::lexicographical_compare(sorted_corners(family, a.slot), sorted_corners(family, b.slot),
+                                                    lexicographically_less);
       });
     }
     begin = end;

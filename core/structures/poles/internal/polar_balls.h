@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/box2.h"
@@ -45,6 +46,11 @@ class PolarBalls final : public VoronoiBalls {
   }
   BallOrigin origin(FamilySlot row) const override {
     return is_at_infinity(row) ? BallOrigin::through_sample : BallOrigin::circumdisk;
+  }
+  std::array<Vec2, 3> corners(FamilySlot row) const override {
+    if (!is_at_infinity(row)) return VoronoiBalls::corners(row);
+    const Vec2 p = delaunay_.site_position(site_of(row));
+    return {p, p, p};
   }
   void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const override {
     if (!is_at_infinity(row)) return VoronoiBalls::touched_samples(row, out);
