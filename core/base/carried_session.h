@@ -15,8 +15,8 @@ namespace mes {
 
 inline constexpr std::string_view kCarriedSession = "mesecina-session";
 
-/// The longest text that is written into a picture, and taken out of one: more would be a burden for all who get it,
-/// and must not be made of a few bytes of a file from anywhere. A session of 10^6 samples has 40 MB.
+/// The longest text that is written into a picture, and that is read from one: a small file of unknown origin must not
+/// expand without limit.
 inline constexpr std::size_t kMostCarriedBytes = std::size_t{128} << 20U;
 
 }  // namespace mes

@@ -10,12 +10,12 @@
 
 namespace mes {
 
-/// Throws std::bad_alloc. Cost: some 100 MB a second.
+/// Throws std::bad_alloc. Cost: linear.
 std::string zlib_compressed(std::string_view bytes);
 
 /// What a stream at the beginning of `bytes` holds; whatever follows it is not looked at. Error: `bad_input` for a stream
-/// that is cut or broken, or holds more than `most` bytes. Takes memory for four times what the stream holds, and for no
-/// more than `most` bytes beside that. Throws std::bad_alloc.
+/// that is cut or broken, or holds more than `most` bytes. Takes at most four times the memory of what the stream holds,
+/// and never more than `most` bytes. Throws std::bad_alloc.
 Expected<std::string> zlib_expanded(std::string_view bytes, std::size_t most);
 
 }  // namespace mes

@@ -32,7 +32,7 @@ Expected<std::string> pdf_of(const Figure& figure);
 Expected<std::string> ps_of(const Figure& figure);
 Expected<std::string> eps_of(const Figure& figure);
 
-/// Ipe 7.2.18 or later: a layer a layer. A flat layer of several colours is not flat there.
+/// Ipe 7: a layer a layer. A flat layer of several colours is not flat there.
 Expected<std::string> ipe_of(const Figure& figure);
 
 /// A LaTeX document of one TikZ picture, that compiles by itself: a scope a layer. Without the picture to trace.

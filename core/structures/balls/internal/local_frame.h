@@ -27,8 +27,8 @@ struct LocalFrame {
   double to_document_length(double length) const { return times_power_of_two(length, exponent); }
 };
 
-/// Length of a vector in a frame, whose square leaves the range of doubles only where it is small: a third of the cost
-/// of `length`.
+/// Length of a vector in a frame. Its square leaves the range of doubles only where it is small, so this does without
+/// the care of `length`.
 inline double local_length(Vec2 v) {
   const double square = dot(v, v);
   return square > 0x1p-900 ? std::sqrt(square) : length(v);
