@@ -24,6 +24,7 @@ build          libcgal-dev         CGAL-devel          cgal           cgal
 build          libboost-dev        boost-devel         boost          boost
 build          libgmp-dev          gmp-devel           gmp            gmp
 build          libmpfr-dev         mpfr-devel          mpfr           mpfr
+build          libmpfi-dev         mpfi-devel          mpfi           mpfi
 build          libfmt-dev          fmt-devel           fmt            fmt
 build          libglfw3-dev        glfw-devel          glfw           glfw
 build          libimgui-dev        imgui-devel         imgui          imgui

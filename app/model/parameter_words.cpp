@@ -36,9 +36,9 @@ constexpr auto kSpoken = std::to_array<Title>(
     {{"subdivide-scheme", "What the curve through the samples becomes"},
      {"noise-isotropic", "Where a sample may move"},
      {"smooth-back",
-      "How far it then goes back, as Taubin does against shrinking; a little more than the way to the middle is "
-      "usual, "
-      "0 is not at all"},
+      "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a little more than the way "
+      "to "
+      "the middle. 0: it does not go back"},
      {"noise-factor", "Largest distance a sample moves, as a multiple of the distance between its two neighbours"},
      {"growing-step", "How much is added in each step to the factor by which radii are multiplied or divided"},
      {"freeze-chains",

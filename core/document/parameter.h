@@ -33,7 +33,8 @@ struct ParameterDescriptor {
 
 inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{
     {{"union-shortcut",
-      "1: unions of Voronoi balls follow from shared samples where that is certified; 0: the general pipeline always",
+      "1: unions of balls of samples are exact in fast, too, and follow from shared samples where that is certified; "
+      "0: the general pipeline in the number type",
       "", 0.0, 1.0, 1.0, true},
      {"pole-propagation",
       "0: a pole is inside where its triangle is; 1: labels spread from pole to pole, as Amenta, Choi and Kolluri do",

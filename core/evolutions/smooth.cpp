@@ -70,8 +70,8 @@ Evolution smooth_evolution() {
            false,
            {{kMu, "How far a sample goes towards the middle of its neighbours", "", 0.001, 1.0, 0.5},
             {kBack,
-             "How far it then goes back, as Taubin does against shrinking; a little more than smooth-mu is usual, 0: "
-             "not at all",
+             "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a little more than "
+             "smooth-mu; 0: it does not go back",
              "", 0.0, 1.5, 0.0},
             {kKeepArea, "1: each loop is scaled about its middle to the area it had; 0: loops shrink", "", 0.0, 1.0,
              0.0, true}}},

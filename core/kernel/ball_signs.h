@@ -159,6 +159,25 @@ struct BallSigns<FastKernel> {
   }
 };
 
+/// Exact: intervals of the coordinates first, then rationals. Lazy numbers would build an expression for each sign.
+template <>
+struct BallSigns<ExactKernel> {
+  using Number = ExactKernel::FT;
+  template <class Polynomial, class... Ball>
+  static int sign(Polynomial polynomial, const Ball&... balls) {
+    using Interval = CGAL::Interval_nt<false>;
+    using Exact = Number::ET;
+    {
+      CGAL::Protect_FPU_rounding<true> rounding;
+      const Interval value = polynomial(BallOf<Interval>{balls.x.approx(), balls.y.approx(), balls.w.approx()}...);
+      if (value.inf() > 0.0) return 1;
+      if (value.sup() < 0.0) return -1;
+    }
+    const Exact value = polynomial(BallOf<Exact>{balls.x.exact(), balls.y.exact(), balls.w.exact()}...);
+    return static_cast<int>(CGAL::sign(value));
+  }
+};
+
 /// Of the squared radius of the circle orthogonal to the three.
 template <class Kernel, class Ball>
 int sign_of_orthogonal_radius(const Ball& a, const Ball& b, const Ball& c) {

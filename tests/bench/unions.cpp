@@ -39,9 +39,10 @@ struct Bed {
     graph.post(delta);
     graph.run(patch, job);
   }
-  void choose(Precision precision, bool use_shortcut) {
+  void choose(Precision precision, bool use_shortcut, double scale = 1.0) {
     ComputationSettings settings;
     settings.precision = precision;
+    settings[Parameter::a_scale] = settings[Parameter::p_scale] = scale;
     settings[Parameter::union_shortcut] = use_shortcut ? 1.0 : 0.0;
     graph.post_settings(settings);
     graph.run(patch, job);
@@ -109,6 +110,22 @@ void power_crust(benchmark::State& state, RatioTable& table, std::size_t n) {
   }
   table.add({"power crust", n, median(ours), median(raw), 2.0, "regular triangulation of the poles, insert(range)"});
   state.counters["ratio"] = median(ours) / median(raw);
+}
+
+/// Of `structure`: exact, as it is by default, against rounded numbers.
+void exact(benchmark::State& state, RatioTable& table, std::size_t n, const char* what, const char* structure,
+           const char* layer, double scale) {
+  Bed bed(data_of(test::benchmark_curve(n)), {layer});
+  std::vector<double> exact, rounded;
+  for (auto _ : state) {
+    bed.choose(Precision::fast, false, scale);
+    rounded.push_back(1e3 * bed.ms(structure));
+    bed.choose(Precision::fast, true, scale);
+    exact.push_back(1e3 * bed.ms(structure));
+    state.SetIterationTime(1e-6 * exact.back());
+  }
+  table.add({what, n, median(exact), median(rounded), 20.0, "the same in doubles"});
+  state.counters["ratio"] = median(exact) / median(rounded);
 }
 
 void drag(benchmark::State& state, RatioTable& table, std::size_t n) {
@@ -193,6 +210,20 @@ void register_unions(RatioTable& table) {
         ->UseManualTime()
         ->Iterations(n >= 100000 ? 5 : 15)
         ->Unit(benchmark::kMillisecond);
+    struct Exact {
+      const char *name, *what, *structure, *layer;
+      double scale;
+    };
+    for (const Exact& row :
+         {Exact{"polar", "exact union of polar balls", "p-union", "p-ball-medial-axis", 1.0},
+          Exact{"scaled", "exact union of balls scaled by 1.1", "a-union", "a-ball-medial-axis", 1.1}})
+      benchmark::RegisterBenchmark(("union/exact_" + std::string(row.name) + '/' + std::to_string(n)).c_str(),
+                                   [&table, n, row](benchmark::State& state) {
+                                     exact(state, table, n, row.what, row.structure, row.layer, row.scale);
+                                   })
+          ->UseManualTime()
+          ->Iterations(n >= 100000 ? 3 : 9)
+          ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark(("union/drag/" + std::to_string(n)).c_str(),
                                  [&table, n](benchmark::State& state) { drag(state, table, n); })
         ->UseManualTime()

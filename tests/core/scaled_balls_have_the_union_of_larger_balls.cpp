@@ -186,7 +186,7 @@ TEST_CASE("back at scale 1 everything is as it was, shortcut and all") {
   REQUIRE(bench.get<AUnion>().rung() == UnionRung::shortcut);
   for (const double scale : {1.03, 1.0 / 1.03, 3.0}) {
     bench.choose(settings_of(Precision::fast, scale));
-    CHECK(bench.get<AUnion>().rung() == UnionRung::doubles);
+    CHECK(bench.get<AUnion>().rung() == UnionRung::mixed);
     bench.choose(settings_of(Precision::fast, 1.0));
     CHECK(bench.get<AUnion>().rung() == UnionRung::shortcut);
     check_same_picture(bench.contents(), before);

@@ -27,7 +27,7 @@ struct Measured {
 };
 
 // Of balls with small whole numbers, by what each circle has outside of all other balls. Coverings are decided in
-// whole numbers; covers that meet in one point are told from a gap by 1e-9, less than which circles of such numbers
+// whole numbers; covers that meet in one point are distinguished from a gap by 1e-9, less than which circles of such numbers
 // never leave.
 Measured measured_by_intervals(const std::vector<Disk>& disks) {
   Measured out;

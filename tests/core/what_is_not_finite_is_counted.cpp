@@ -32,6 +32,7 @@ TEST_CASE("crossings that are collinear for products of doubles have finite circ
   REQUIRE(file.has_value());
   ComputationSettings settings;
   settings.precision = Precision::fast;
+  settings[Parameter::union_shortcut] = 0.0;
   Workbench bench;
   bench.show({"a-ball-medial-axis", "a-v-voronoi"});
   bench.choose(settings);

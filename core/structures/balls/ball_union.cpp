@@ -200,24 +200,21 @@ void BallUnion::rebuild(JobControl& job) {
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
   const LocalBalls balls = local_balls(*family_);
   ignored_ = balls.ignored;
-  tables_ = run_pipeline(precision, balls.input(), job);
+  // Rounded balls that touch samples have another union than these: around each sample, signs are a matter of chance.
+  const bool is_exact_as_well = precision == Precision::fast && made_with_.use_shortcut && family_->is_from_samples();
+  tables_ = run_pipeline(is_exact_as_well ? Precision::exact : precision, balls.input(), job);
 }
 
 UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {
   switch (precision) {
     case Precision::naive: rung_ = UnionRung::naive; return isolated(run_union_naive, input, kNaive, job);
     case Precision::fast: rung_ = UnionRung::doubles; return run_union_doubles(input, job);
-    case Precision::exact:
-      if (family_->touch_samples()) {
-        try {
-          rung_ = UnionRung::rational;
-          return run_union_rational(input, job);
-        } catch (const NeedsRoots&) {
-          why_ += "; some circles cross where no sample is";
-        }
-      }
-      rung_ = UnionRung::mixed;
-      return isolated(run_union_mixed, input, kRoots, job);
+    case Precision::exact: {
+      UnionTables out = run_union_exact(input, job);
+      rung_ = out.counts.roots == 0 && family_->touch_samples() ? UnionRung::rational : UnionRung::mixed;
+      if (rung_ == UnionRung::mixed && family_->touch_samples()) why_ += "; some circles cross where no sample is";
+      return out;
+    }
     case Precision::exact_roots: rung_ = UnionRung::roots; return isolated(run_union_roots, input, kRoots, job);
   }
   return {};
@@ -320,7 +317,7 @@ std::string_view BallUnion::kernel() const {
     case UnionRung::naive: return "double";
     case UnionRung::doubles: return "EPICK on rounded points";
     case UnionRung::rational: return "EPECK";
-    case UnionRung::mixed: return "EPECK, then CORE::Expr";
+    case UnionRung::mixed: return "EPECK, then intervals and fields with roots";
     case UnionRung::roots: return "CORE::Expr";
   }
   return {};

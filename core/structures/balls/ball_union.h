@@ -22,7 +22,7 @@ enum class UnionRung : std::uint8_t {
   naive,     ///< the pipeline in plain doubles, in a process of its own
   doubles,   ///< the pipeline, exact predicates on doubles, constructed points rounded
   rational,  ///< the pipeline in rationals: every crossing is a sample or the image of one
-  mixed,     ///< triangulation and dual complex in rationals, crossings in algebraic numbers
+  mixed,     ///< the pipeline in rationals, and crossings in fields with roots
   roots,     ///< the pipeline in algebraic numbers
 };
 std::string_view name_of(UnionRung rung);
@@ -30,15 +30,16 @@ std::string_view name_of(UnionRung rung);
 /// What it guarantees:
 ///  1. With `exact` and `exact_roots` the tables are those of the balls as real disks: for Voronoi balls the
 ///     circumdisks of the samples, not their rounded images. Positions are rounded at the very end.
-///  2. `fast` gives the same for the inner Voronoi balls where `AxisCertificate` holds; otherwise the result is that
-///     of the rounded balls, which may differ in kind, and `findings` says so where it shows.
+///  2. `fast` gives the same for balls of samples: by the shortcut where `AxisCertificate` holds, else as `exact` does. For
+///     balls of the user, and with the parameter `union-shortcut` off, the result is that of rounded numbers, which may
+///     differ in kind, and `findings` says so where it shows.
 ///  3. `naive` may give anything or fail, but ends.
 ///  4. Closed convention: balls that touch are joined. Balls of radius zero take no part.
 ///  5. Balls are scaled about their centres before all else: with `exact` and `exact_roots` by the double that the
 ///     parameter holds, exactly. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
 ///
 /// Cost: the shortcut O(n), updates O(changes), no arithmetic; `doubles` some three times the regular triangulation;
-/// rationals some thirty times as much for Voronoi balls, all of whose dual triangles are degenerate.
+/// `exact` five to twenty times as much as `doubles`.
 /// Source: Edelsbrunner 1995 (dual complex), Attali and Montanvert 1997 (axis); the theorem of the demo paper.
 class BallUnion : public Structure {
  public:

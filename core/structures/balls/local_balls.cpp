@@ -106,7 +106,10 @@ PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> row
     ball.disk = family.plain_disk(row);
     ball.scale = family.scale();
     ball.origin = family.origin(row);
-    if (ball.origin == BallOrigin::circumdisk) std::ranges::copy(family.corners(row), ball.corner);
+    if (ball.origin == BallOrigin::circumdisk) {
+      std::ranges::copy(family.corners(row), ball.corner);
+      std::ranges::rotate(ball.corner, std::ranges::min_element(ball.corner, lexicographically_less));
+    }
     ball.drawn = {ball.disk.center, ball.radius()};
     // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
     if (!is_finite(ball.drawn) || !(ball.drawn.radius > 0.0)) {
@@ -132,9 +135,7 @@ void bring_into(const LocalFrame& frame, PipelineBall& ball) {
     ball.disk.radius = distance(ball.disk.center, ball.corner[0]);
     return;
   }
-  Vec2 corner[3];
-  std::ranges::rotate_copy(ball.corner, std::ranges::min_element(ball.corner, lexicographically_less), corner);
-  const Circle circle = circumcircle(corner[0], corner[1], corner[2]);
+  const Circle circle = circumcircle(ball.corner[0], ball.corner[1], ball.corner[2]);
   ball.disk = {circle.center, circle.radius};
 }
 

@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// Rows of balls: Delaunay faces. There is no shortcut: neighbours need not share a sample.
+/// Rows of balls: Delaunay faces. It has no shortcut: neighbours need not share a sample.
 class PUnion final : public BallUnion {
  public:
   PUnion(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles, PoleLabels& labels);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <vector>
 
 #include "core/base/box2.h"
@@ -46,6 +47,10 @@ struct RegularTables {
   Table<RegularEdgeSlot, Edge> edges;
   Table<InputSlot, BallState> state;    ///< visible, hidden, or duplicate of a visible one
   Table<InputSlot, InputSlot> same_as;  ///< itself, or for a duplicate the ball that stands for it
+
+  bool is_infinite(TriangleSlot face) const {
+    return std::ranges::find(faces[face].v, kInfiniteBall) != std::end(faces[face].v);
+  }
 };
 
 /// The same tables from a triangulation of dimension 2.

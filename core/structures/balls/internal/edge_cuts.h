@@ -93,13 +93,24 @@ class EdgeCutter {
   }
   void sort_along(const VEdge& edge) {
     using Point = typename Points::Point_2;
-    const auto center_of = [&](InputSlot ball) { return Point(balls_.in_points[ball].x, balls_.in_points[ball].y); };
     const Point p = points_.point(edge.v[0]);
     const Point q = points_.point(edge.v[1]);
     std::ranges::sort(on_edge_, [&](InputSlot a, InputSlot b) {
-      const auto order = typename Points::Compare_signed_distance_to_line_2()(p, q, center_of(a), center_of(b));
-      return order == CGAL::LARGER || (order == CGAL::EQUAL && balls_.comes_before(a, b));
+      const int order = compare_distances(p, q, a, b);
+      return order > 0 || (order == 0 && balls_.comes_before(a, b));
     });
+  }
+  // Of the signed distances of two centres from the line pq.
+  int compare_distances(const typename Points::Point_2& p, const typename Points::Point_2& q, InputSlot a,
+                        InputSlot b) const {
+    if constexpr (kAreCrossings<Points>) {
+      return compare_distances_to_line(p, q, balls_.input[a], balls_.input[b]);
+    } else {
+      const auto center = [&](InputSlot ball) {
+        return typename Points::Point_2(balls_.in_points[ball].x, balls_.in_points[ball].y);
+      };
+      return typename Points::Compare_signed_distance_to_line_2()(p, q, center(a), center(b));
+    }
   }
 
   const UnionBalls<Balls, Points>& balls_;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/base/sum.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/balls/internal/edge_cuts.h"
@@ -36,27 +37,29 @@ struct PlacedCircle {
 template <class Balls, class Points>
 PlacedCircle placed_circumcircle(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points,
                                  const std::array<VPointSlot, 3>& v) {
+  // Where rounding matters it must not depend on which corner comes first.
+  std::array<VPointSlot, 3> first = v;
+  std::ranges::rotate(first, std::ranges::min_element(first, lexicographically_less,
+                                                      [&](VPointSlot corner) { return points.local[corner]; }));
   if constexpr (VPoints<Points>::kIsDouble) {
-    Vec2 corner[3];
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = points.local[v[i]];
-    std::ranges::rotate(corner, std::ranges::min_element(corner, lexicographically_less));
-    const Circle circle = circumcircle(corner[0], corner[1], corner[2]);
+    const Circle circle = circumcircle(points.local[first[0]], points.local[first[1]], points.local[first[2]]);
     return {circle, balls.frame.to_document(circle.center)};
   } else {
-    const auto center = CGAL::circumcenter(points.exact[v[0]], points.exact[v[1]], points.exact[v[2]]);
-    const PlacedPoint at = placed(center.x(), center.y(), balls.frame);
-    return {{at.local, distance(at.local, points.local[v[0]])}, at.document};
+    const PlacedPoint at =
+        place_of_circumcenter(points.exact[v[0]], points.exact[v[1]], points.exact[v[2]], balls.frame);
+    return {{at.local, distance(at.local, points.local[first[0]])}, at.document};
   }
 }
 
 template <class Balls, class Points>
 UnionFaces place_faces(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, const VTriangulation& v,
-                       const Table<VFaceSlot, InputSlot>& ball_of_face, const EdgeCuts& cuts) {
+                       const Table<VFaceSlot, InputSlot>& ball_of_face, const EdgeCuts& cuts, JobControl& job) {
   UnionFaces out;
   out.rows.resize(v.faces.size());
   out.local_center.resize(v.faces.size());
   balls.in_parts(v.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const VFaceSlot slot : slots_between<VFaceSlot>(begin, end)) {
+      if ((slot.index() & 0xffU) == 0) job.checkpoint();
       VFace& face = out.rows[slot];
       std::ranges::copy(v.faces[slot], face.v);
       face.is_inside = cuts.is_inside[slot];

@@ -2,6 +2,7 @@
 // What every stage of the union pipeline reads: the balls in the numbers of both kernels, and how work is split.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -35,13 +36,26 @@ struct UnionBalls : NumberParts<typename Balls::FT, typename Points::FT> {
     this->in_parts(input.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
       for (const InputSlot i : slots_between<InputSlot>(begin, end)) {
         in_balls[i] = ball_in<BallNumber>(input[i]);
-        in_points[i] = ball_in<PointNumber>(input[i]);
+        if constexpr (std::is_same_v<BallNumber, PointNumber>) {
+          in_points[i] = in_balls[i];
+        } else {
+          in_points[i] = ball_in<PointNumber>(input[i]);
+        }
       }
     });
   }
 
   std::size_t size() const { return input.size(); }
   Vec2 center(InputSlot ball) const { return input[ball].disk.center; }
+  /// Signs that follow from a common sample are not computed: rationals find zero last.
+  static constexpr bool kKnowsSamples = std::is_same_v<Balls, ExactKernel>;
+
+  /// The three balls and the other one touch one sample.
+  bool have_common_sample(const InputSlot (&three)[3], InputSlot other) const {
+    return std::ranges::any_of(input[other].samples, [&](const TouchedSample& sample) {
+      return std::ranges::all_of(three, [&](InputSlot ball) { return input[ball].find(sample.site) != nullptr; });
+    });
+  }
   /// An order that does not depend on that of the input.
   bool comes_before(InputSlot a, InputSlot b) const { return lexicographically_less(center(a), center(b)); }
 };

@@ -45,9 +45,11 @@ void classify_faces(const UnionBalls<Balls, Points>& balls, const UnionTriangula
   const auto judge = [&](TriangleSlot f) {
     if (triangulation.is_infinite(f)) return;
     const auto& v = faces[f].v;
+    has_sample[f] = common_sample(balls.input[v[0]], balls.input[v[1]], balls.input[v[2]]) != nullptr ? 1 : 0;
+    out.face_sign[f] = 0;
+    if (balls.kKnowsSamples && has_sample[f] != 0) return;
     out.face_sign[f] = static_cast<std::int8_t>(
         sign_of_orthogonal_radius<Balls>(balls.in_balls[v[0]], balls.in_balls[v[1]], balls.in_balls[v[2]]));
-    has_sample[f] = common_sample(balls.input[v[0]], balls.input[v[1]], balls.input[v[2]]) != nullptr ? 1 : 0;
   };
   balls.in_parts(faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const TriangleSlot f : slots_between<TriangleSlot>(begin, end)) {
@@ -93,7 +95,10 @@ void group_zero_faces(const UnionBalls<Balls, Points>& balls, const RegularTable
         InputSlot other;
         for (const InputSlot c : tables.faces[g].v)
           if (c != v[0] && c != v[1] && c != v[2]) other = c;
-        if (other == kNoSlot || !have_common_center<Balls>(ball[v[0]], ball[v[1]], ball[v[2]], ball[other])) continue;
+        if (other == kNoSlot) continue;
+        if (!(balls.kKnowsSamples && balls.have_common_sample(v, other)) &&
+            !have_common_center<Balls>(ball[v[0]], ball[v[1]], ball[v[2]], ball[other]))
+          continue;
         out.zero_group[g] = group;
         stack.push_back(g);
       }

@@ -11,11 +11,14 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/disjoint_sets.h"
 #include "core/base/job_control.h"
+#include "core/structures/balls/internal/crossing_kernel.h"
 #include "core/structures/balls/internal/union_balls.h"
 #include "core/structures/balls/internal/union_complex.h"
 #include "core/structures/balls/internal/union_tables.h"
@@ -24,11 +27,9 @@
 
 namespace mes {
 
-/// Where crossings come from.
-enum class CrossingRule : std::uint8_t {
-  root,    ///< of a square root
-  sample,  ///< where two circles share a sample, that and its mirror image, both rational; else of a root
-};
+/// Points are crossings, not numbers.
+template <class Points>
+inline constexpr bool kAreCrossings = std::is_same_v<Points, CrossingKernel>;
 
 /// The v-points, and the triangulation in which equal crossings were found.
 template <class Points>
@@ -40,11 +41,13 @@ struct VPoints {
   Table<VOriginSlot, VOrigin> origins;
   Table<VPointSlot, Vec2> local;                                ///< rounded, in the frame
   Table<VPointSlot, Point> exact;                               ///< in the frame; empty for doubles
+  Table<InputSlot, Crossing> crossings;                         ///< what points of `CrossingKernel` refer to
   Table<DualEdgeSlot, std::array<VPointSlot, 2>> of_dual_edge;  ///< left and right of it; kNoSlot = none
   Table<ZeroGroupSlot, VPointSlot> of_zero_group;  ///< the common centre of the group, if that is a v-point
   PointTriangulation triangulation;                ///< of the crossings
   Table<InputSlot, VPointSlot> row_of_crossing;    ///< for the crossings that stand for others
   std::int64_t raw_v_points = 0;                   ///< see `UnionCounts`
+  std::int64_t roots = 0;                          ///< see `UnionCounts`
   std::int64_t negative_radicands = 0;             ///< see `UnionCounts`
 
   Point point(VPointSlot v) const {
@@ -56,21 +59,24 @@ struct VPoints {
   }
 };
 
-/// Makes crossings of the circles of two balls in the numbers of `Points`.
+/// Makes crossings of the circles of two balls in the numbers of `Points`: of a square root; for `CrossingKernel`,
+/// where two circles share a sample, that and its mirror image.
 template <class Balls, class Points>
 class CrossingMaker {
  public:
   using Number = typename Points::FT;
   using Point = typename Points::Point_2;
-  struct Crossing {
-    Point point;
+  /// A point, or what it follows from.
+  using Made = std::conditional_t<kAreCrossings<Points>, CrossingSource, Point>;
+  struct Found {
+    Made made;
     SiteSlot site{};
   };
 
-  CrossingMaker(const UnionBalls<Balls, Points>& balls, CrossingRule rule) : balls_(balls), rule_(rule) {}
+  explicit CrossingMaker(const UnionBalls<Balls, Points>& balls) : balls_(balls) {}
 
   /// To the left or right of the way from a to b; nothing where the circles do not meet as the numbers have it.
-  std::optional<Crossing> make(InputSlot a, InputSlot b, bool left) const {
+  std::optional<Found> make(InputSlot a, InputSlot b, bool left) const {
     // Where rounding matters it must not depend on the order in which the balls came.
     const bool is_turned = balls_.comes_before(b, a);
     if (is_turned) std::swap(a, b);
@@ -78,11 +84,8 @@ class CrossingMaker {
   }
 
  private:
-  static constexpr bool kHasRoots =
-      !std::is_same_v<typename CGAL::Algebraic_structure_traits<Number>::Sqrt, CGAL::Null_functor>;
-
-  std::optional<Crossing> in_order(InputSlot a, InputSlot b, bool left) const {
-    if (rule_ == CrossingRule::sample) {
+  std::optional<Found> in_order(InputSlot a, InputSlot b, bool left) const {
+    if constexpr (kAreCrossings<Points>) {
       if (auto found = by_sample(a, b, left)) return found;
     }
     const BallOf<Number>& p = balls_.in_points[a];
@@ -91,54 +94,62 @@ class CrossingMaker {
     const Number dd = dx * dx + dy * dy;
     const Number s = dd - q.w + p.w;
     const Number radicand = Number(4) * dd * p.w - s * s;
-    if (CGAL::sign(radicand) == CGAL::NEGATIVE) return std::nullopt;
-    return by_root(a, b, left, radicand);
+    const auto sign = CGAL::sign(radicand);
+    if (sign == CGAL::NEGATIVE) return std::nullopt;
+    if constexpr (kAreCrossings<Points>) {
+      using Kind = CrossingSource::Kind;
+      return Found{source(sign == CGAL::ZERO ? Kind::touch : Kind::root, a, b, left)};
+    } else {
+      return by_root(a, b, left, radicand);
+    }
   }
 
-  std::optional<Crossing> by_sample(InputSlot a, InputSlot b, bool left) const {
+  std::optional<Found> by_sample(InputSlot a, InputSlot b, bool left) const {
     const BallOf<Number>& p = balls_.in_points[a];
     const BallOf<Number>& q = balls_.in_points[b];
     const Number dx = q.x - p.x, dy = q.y - p.y;
-    std::optional<Crossing> mirrored;
+    std::optional<Found> mirrored;
     for (const TouchedSample& sample : balls_.input[a].samples) {
       if (balls_.input[b].find(sample.site) == nullptr) continue;
       const Number x(sample.position.x), y(sample.position.y);
       const Number side = dx * (y - p.y) - dy * (x - p.x);
       const int sign = static_cast<int>(CGAL::sign(side));
-      if (sign == 0 || (sign > 0) == left) return Crossing{Point(x, y), sample.site};
-      const Number twice = Number(2) * side / (dx * dx + dy * dy);
-      mirrored = Crossing{Point(x + twice * dy, y - twice * dx), SiteSlot()};
+      const bool is_this = sign == 0 || (sign > 0) == left;
+      using Kind = CrossingSource::Kind;
+      CrossingSource out = source(is_this ? Kind::sample : Kind::mirrored, a, b, left);
+      out.sample = sample.position;
+      if (is_this) return Found{out, sample.site};
+      mirrored = Found{out};
     }
     return mirrored;
   }
 
-  Crossing by_root(InputSlot a, InputSlot b, bool left, const Number& radicand) const {
-    if constexpr (kHasRoots) {
-      const BallOf<Number>& p = balls_.in_points[a];
-      const BallOf<Number>& q = balls_.in_points[b];
-      const Number dx = q.x - p.x, dy = q.y - p.y;
-      const Number dd = dx * dx + dy * dy;
-      const Number s = dd - q.w + p.w;
-      const Number root = left ? Number(CGAL::sqrt(radicand)) : Number(-CGAL::sqrt(radicand));
-      const Number twice = Number(2) * dd;
-      Crossing out{Point(p.x + (s * dx - root * dy) / twice, p.y + (s * dy + root * dx) / twice)};
-      for (const TouchedSample& sample : balls_.input[a].samples) {
-        if (balls_.input[b].find(sample.site) == nullptr) continue;
-        const Vec2 p_of = sample.position;
-        if (out.point == Point(Number(p_of.x), Number(p_of.y))) out.site = sample.site;
-      }
-      return out;
-    } else {
-      throw NeedsRoots{};
+  CrossingSource source(CrossingSource::Kind kind, InputSlot a, InputSlot b, bool left) const {
+    return {kind, left, {&balls_.input[a], &balls_.input[b]}, {}};
+  }
+
+  Found by_root(InputSlot a, InputSlot b, bool left, const Number& radicand) const {
+    const BallOf<Number>& p = balls_.in_points[a];
+    const BallOf<Number>& q = balls_.in_points[b];
+    const Number dx = q.x - p.x, dy = q.y - p.y;
+    const Number dd = dx * dx + dy * dy;
+    const Number s = dd - q.w + p.w;
+    const Number root = left ? Number(CGAL::sqrt(radicand)) : Number(-CGAL::sqrt(radicand));
+    const Number twice = Number(2) * dd;
+    Found out{Point(p.x + (s * dx - root * dy) / twice, p.y + (s * dy + root * dx) / twice)};
+    for (const TouchedSample& sample : balls_.input[a].samples) {
+      if (balls_.input[b].find(sample.site) == nullptr) continue;
+      const Vec2 p_of = sample.position;
+      if (out.made == Point(Number(p_of.x), Number(p_of.y))) out.site = sample.site;
     }
+    return out;
   }
 
   const UnionBalls<Balls, Points>& balls_;
-  CrossingRule rule_;
 };
 
 /// Crossings as dual edges give them; equal ones are not yet joined.
-template <class Points>
+template <class Balls, class Points>
 struct RawCrossings {
   struct Origin {
     RegularEdgeSlot edge;
@@ -146,24 +157,24 @@ struct RawCrossings {
     SiteSlot site;
   };
   Table<InputSlot, Origin> origin;
-  Table<InputSlot, typename Points::Point_2> point;
+  Table<InputSlot, typename CrossingMaker<Balls, Points>::Made> made;
   std::int64_t negative_radicands = 0;
 
   void append(const RawCrossings& other) {
     origin.values().insert(origin.end(), other.origin.begin(), other.origin.end());
-    point.values().insert(point.end(), other.point.begin(), other.point.end());
+    made.values().insert(made.end(), other.made.begin(), other.made.end());
     negative_radicands += other.negative_radicands;
   }
 };
 
 template <class Balls, class Points>
-RawCrossings<Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
-                                   const DualComplex& complex, CrossingRule rule, JobControl& job) {
-  const CrossingMaker<Balls, Points> maker(balls, rule);
+RawCrossings<Balls, Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
+                                          const DualComplex& complex, JobControl& job) {
+  const CrossingMaker<Balls, Points> maker(balls);
   const std::size_t edges = tables.edges.size();
-  std::vector<RawCrossings<Points>> parts(balls.part_count(edges));
+  std::vector<RawCrossings<Balls, Points>> parts(balls.part_count(edges));
   balls.in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
-    RawCrossings<Points> found;
+    RawCrossings<Balls, Points> found;
     for (const RegularEdgeSlot e : slots_between<RegularEdgeSlot>(begin, end)) {
       if ((e.index() & 0x3fU) == 0) job.checkpoint(edges + e.index(), 4 * edges);
       if (complex.row_of_edge[e] == kNoSlot) continue;
@@ -172,7 +183,7 @@ RawCrossings<Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const
         if (complex.has(edge.f[side])) continue;
         if (auto crossing = maker.make(edge.v[0], edge.v[1], side == 0)) {
           found.origin.push_back({e, side, crossing->site});
-          found.point.push_back(std::move(crossing->point));
+          found.made.push_back(std::move(crossing->made));
         } else {
           ++found.negative_radicands;
         }
@@ -180,7 +191,7 @@ RawCrossings<Points> raw_crossings(const UnionBalls<Balls, Points>& balls, const
     }
     parts[part] = std::move(found);
   });
-  RawCrossings<Points> out = std::move(parts.front());
+  RawCrossings<Balls, Points> out = std::move(parts.front());
   for (std::size_t part = 1; part < parts.size(); ++part) out.append(parts[part]);
   return out;
 }
@@ -198,16 +209,111 @@ bool is_center_away(const UnionBalls<Balls, Points>& balls, const RegularTables&
   return false;
 }
 
+/// The group of triangles of radius zero whose common centre a crossing is; kNoSlot = none.
+template <class Balls, class Points>
+ZeroGroupSlot zero_group_at(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
+                            const DualComplex& complex, const typename RawCrossings<Balls, Points>::Origin& origin) {
+  const TriangleSlot inner = tables.edges[origin.edge].f[1 - origin.side];
+  const bool is_regular = complex.edges[complex.row_of_edge[origin.edge]].kind == DualClass::regular;
+  if (!is_regular || complex.zero_group[inner] == kNoSlot) return kNoSlot;
+  return is_center_away(balls, tables, origin.edge, inner) ? complex.zero_group[inner] : ZeroGroupSlot();
+}
+
+/// Of crossings, without what they have in common. Intervals of each ball are computed once.
+template <class Balls, class Points>
+Table<InputSlot, Crossing> intervals_of(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
+                                        const RawCrossings<Balls, Points>& raw, JobControl& job) {
+  Table<InputSlot, std::optional<BallOf<Crossing::First>>> known(balls.size());
+  const auto ball_at = [&](InputSlot i) -> const BallOf<Crossing::First>& {
+    if (!known[i]) known[i] = ball_in<Crossing::First>(balls.input[i]);
+    return *known[i];
+  };
+  const BallOf<Crossing::First> none;
+  Table<InputSlot, Crossing> out;
+  out.reserve(raw.made.size());
+  for (const InputSlot i : raw.made.rows()) {
+    if ((i.index() & 0xffU) == 0) job.checkpoint();
+    const CrossingSource& source = raw.made[i];
+    if (source.kind == CrossingSource::Kind::sample) {
+      out.push_back(crossing_of(source, none, none));
+      continue;
+    }
+    const auto& [a, b] = tables.edges[raw.origin[i].edge].v;
+    const bool is_turned = source.ball[0] != &balls.input[a];
+    out.push_back(crossing_of(source, ball_at(is_turned ? b : a), ball_at(is_turned ? a : b)));
+  }
+  return out;
+}
+
+/// Joins crossings of which it is known that they are equal: in one sample, of circles that touch, or in the common
+/// centre of triangles of radius zero. Notes all circles of which it is known that they pass there.
+template <class Balls, class Points>
+void join_equal_crossings(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
+                          const DualComplex& complex, const RawCrossings<Balls, Points>& raw,
+                          const Table<InputSlot, ZeroGroupSlot>& group, Table<InputSlot, Crossing>& crossings) {
+  DisjointSets<InputSlot> sets(crossings.size());
+  const auto join = [&sets](InputSlot& first, InputSlot i) {
+    if (first == kNoSlot) {
+      first = i;
+    } else {
+      sets.join(sets.root(first), sets.root(i));
+    }
+  };
+  Table<ZeroGroupSlot, InputSlot> first_of_group(complex.zero_groups);
+  std::unordered_map<SiteSlot, InputSlot> first_at_site;
+  for (const InputSlot i : crossings.rows()) {
+    if (group[i] != kNoSlot) join(first_of_group[group[i]], i);
+    if (raw.origin[i].site != kNoSlot) join(first_at_site[raw.origin[i].site], i);
+    // Both sides of an edge come one after the other.
+    if (i.index() == 0 || crossings[i].source.kind != CrossingSource::Kind::touch) continue;
+    if (const InputSlot before(i.index() - 1); raw.origin[before].edge == raw.origin[i].edge)
+      sets.join(sets.root(before), sets.root(i));
+  }
+  for (const InputSlot i : crossings.rows()) {
+    Crossing& same = crossings[sets.root(i)];
+    crossings[i].same = &same;
+    for (const InputSlot ball : tables.edges[raw.origin[i].edge].v) same.circles.push_back(ball);
+  }
+  for (const TriangleSlot f : tables.faces.rows()) {
+    const ZeroGroupSlot of_face = complex.zero_group[f];
+    if (of_face == kNoSlot || first_of_group[of_face] == kNoSlot) continue;
+    for (const InputSlot ball : tables.faces[f].v)
+      crossings[sets.root(first_of_group[of_face])].circles.push_back(ball);
+  }
+  for (const InputSlot ball : balls.in_balls.rows())
+    for (const TouchedSample& sample : balls.input[ball].samples)
+      if (const auto first = first_at_site.find(sample.site); first != first_at_site.end())
+        crossings[sets.root(first->second)].circles.push_back(ball);
+  for (Crossing& crossing : crossings) {
+    std::ranges::sort(crossing.circles);
+    const auto repeated = std::ranges::unique(crossing.circles);
+    crossing.circles.erase(repeated.begin(), repeated.end());
+  }
+}
+
 /// Progress of the job: the second quarter.
 template <class Balls, class Points>
 VPoints<Points> v_points(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
-                         const DualComplex& complex, CrossingRule rule, JobControl& job) {
+                         const DualComplex& complex, JobControl& job) {
   VPoints<Points> out;
-  const RawCrossings<Points> raw = raw_crossings(balls, tables, complex, rule, job);
-  const std::size_t count = raw.point.size();
+  RawCrossings<Balls, Points> raw = raw_crossings(balls, tables, complex, job);
+  const std::size_t count = raw.made.size();
   out.negative_radicands = raw.negative_radicands;
   out.raw_v_points = static_cast<std::int64_t>(count);
-  out.triangulation = point_triangulation<Points>(raw.point, job);
+  Table<InputSlot, ZeroGroupSlot> group;
+  group.reserve(count);
+  for (const auto& origin : raw.origin) group.push_back(zero_group_at(balls, tables, complex, origin));
+  Table<InputSlot, typename Points::Point_2> point;
+  if constexpr (kAreCrossings<Points>) {
+    out.crossings = intervals_of(balls, tables, raw, job);
+    out.roots = std::ranges::count(raw.made, CrossingSource::Kind::root, &CrossingSource::kind);
+    join_equal_crossings(balls, tables, complex, raw, group, out.crossings);
+    point.reserve(count);
+    for (const Crossing& crossing : out.crossings) point.push_back({&crossing});
+  } else {
+    point = std::move(raw.made);
+  }
+  out.triangulation = point_triangulation<Points>(point, job);
   out.of_dual_edge.assign(complex.edges.size(), {});
   out.of_zero_group.assign(complex.zero_groups, kNoSlot);
   out.row_of_crossing.assign(count, kNoSlot);
@@ -217,14 +323,15 @@ VPoints<Points> v_points(const UnionBalls<Balls, Points>& balls, const RegularTa
     VPointSlot& row = out.row_of_crossing[out.triangulation.same_as[i]];
     if (row != kNoSlot) return row;
     row = out.rows.next();
-    const auto& p = raw.point[i];
-    const PlacedPoint place = placed(p.x(), p.y(), balls.frame);
+    const auto& p = point[i];
+    const PlacedPoint place = place_of(p, balls.frame);
     out.rows.push_back({place.document, SiteSlot(), 0});
     out.local.push_back(place.local);
     if constexpr (!VPoints<Points>::kIsDouble) out.exact.push_back(p);
     return row;
   };
-  for (const InputSlot i : raw.point.rows()) {
+  for (const InputSlot i : point.rows()) {
+    if ((i.index() & 0xffU) == 0) job.checkpoint();
     const auto& origin = raw.origin[i];
     const DualEdgeSlot dual = complex.row_of_edge[origin.edge];
     const VPointSlot v = row_for(i);
@@ -232,11 +339,7 @@ VPoints<Points> v_points(const UnionBalls<Balls, Points>& balls, const RegularTa
     ++out.rows[v].multiplicity;
     out.origins.push_back({v, dual});
     out.of_dual_edge[dual][origin.side] = v;
-    // A group of triangles of radius zero ends here: its common centre is this crossing.
-    const TriangleSlot inner = tables.edges[origin.edge].f[1 - origin.side];
-    if (complex.edges[dual].kind == DualClass::regular && complex.zero_group[inner] != kNoSlot &&
-        is_center_away(balls, tables, origin.edge, inner))
-      out.of_zero_group[complex.zero_group[inner]] = v;
+    if (group[i] != kNoSlot) out.of_zero_group[group[i]] = v;
   }
   return out;
 }
@@ -278,6 +381,8 @@ Vec2 seen_from_center(const UnionBalls<Balls, Points>& balls, const VPoints<Poin
     const double s = dd - balls.in_points[other].w + w;
     const double root = std::sqrt(std::max(4.0 * dd * w - s * s, 0.0));
     return (0.5 / dd) * (s * way + (left ? root : -root) * perpendicular(way));
+  } else if constexpr (kAreCrossings<Points>) {
+    return rounded_vector(balls.input[ball], points.exact[v]);
   } else {
     const BallOf<Number>& own = balls.in_points[ball];
     return {rounded(Number(points.exact[v].x() - own.x)), rounded(Number(points.exact[v].y() - own.y))};

@@ -5,7 +5,7 @@
 namespace mes {
 
 UnionTables run_union_doubles(const PipelineInput& input, JobControl& job) {
-  return union_pipeline::run<FastKernel, FastKernel>(input, CrossingRule::root, job);
+  return union_pipeline::run<FastKernel, FastKernel>(input, job);
 }
 
 Table<PowerEdgeSlot, PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job) {

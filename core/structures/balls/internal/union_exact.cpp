@@ -4,16 +4,8 @@
 
 namespace mes {
 
-UnionTables run_union_rational(const PipelineInput& input, JobControl& job) {
-  return union_pipeline::run<ExactKernel, ExactKernel>(input, CrossingRule::sample, job);
-}
-
-UnionTables run_union_mixed(const PipelineInput& input, JobControl& job) {
-  return union_pipeline::run<ExactKernel, RootsKernel>(input, CrossingRule::sample, job);
-}
-
-UnionTables run_union_roots(const PipelineInput& input, JobControl& job) {
-  return union_pipeline::run<RootsKernel, RootsKernel>(input, CrossingRule::root, job);
+UnionTables run_union_exact(const PipelineInput& input, JobControl& job) {
+  return union_pipeline::run<ExactKernel, CrossingKernel>(input, job);
 }
 
 UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job) {

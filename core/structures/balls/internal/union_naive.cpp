@@ -5,7 +5,7 @@
 namespace mes {
 
 UnionTables run_union_naive(const PipelineInput& input, JobControl& job) {
-  return union_pipeline::run<NaiveKernel, NaiveKernel>(input, CrossingRule::root, job);
+  return union_pipeline::run<NaiveKernel, NaiveKernel>(input, job);
 }
 
 Table<PowerEdgeSlot, PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job) {

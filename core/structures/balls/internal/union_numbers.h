@@ -24,10 +24,7 @@ BallOf<Number> plain_ball_in(const PipelineBall& ball) {
   if constexpr (std::is_same_v<Number, double>) {
     const Vec2 c = ball.disk.center;
     if (ball.origin == BallOrigin::disk) return {c.x, c.y, ball.disk.radius * ball.disk.radius};
-    // The same corner however the triangle came about.
-    const bool is_circumdisk = ball.origin == BallOrigin::circumdisk;
-    const Vec2 d =
-        (is_circumdisk ? *std::ranges::min_element(ball.corner, lexicographically_less) : ball.corner[0]) - c;
+    const Vec2 d = ball.corner[0] - c;
     return {c.x, c.y, dot(d, d)};
   } else {
     if (ball.origin != BallOrigin::circumdisk) {
@@ -93,6 +90,18 @@ PlacedPoint placed(const Number& x, const Number& y, const LocalFrame& frame) {
   return {local,
           {coordinate_in_document(x, local.x, frame.origin.x, frame.exponent),
            coordinate_in_document(y, local.y, frame.origin.y, frame.exponent)}};
+}
+
+/// Of a point of CGAL.
+template <class Point>
+PlacedPoint place_of(const Point& p, const LocalFrame& frame) {
+  return placed(p.x(), p.y(), frame);
+}
+/// Of the centre of the circle through three points of CGAL, which are not collinear.
+template <class Point>
+PlacedPoint place_of_circumcenter(const Point& p, const Point& q, const Point& r, const LocalFrame& frame) {
+  const auto center = CGAL::circumcenter(p, q, r);
+  return placed(center.x(), center.y(), frame);
 }
 
 }  // namespace mes

@@ -83,6 +83,7 @@ inline void publish(const UnionTriangulation& triangulation, DualComplex& comple
 template <class Points>
 void publish(VPoints<Points>& points, VTriangulation& v, const EdgeCuts& cuts, UnionFaces& faces, UnionTables& out) {
   out.counts.raw_v_points = points.raw_v_points;
+  out.counts.roots = points.roots;
   out.counts.negative_radicands = points.negative_radicands;
   out.counts.near_duplicates = v.near_duplicates;
   out.v_points = std::move(points.rows);
@@ -91,19 +92,18 @@ void publish(VPoints<Points>& points, VTriangulation& v, const EdgeCuts& cuts, U
   out.v_faces = std::move(faces.rows);
 }
 
-/// Where `rule` needs a root that the numbers of `Points` lack: throws `NeedsRoots`.
 template <class Balls, class Points>
-UnionTables run(const PipelineInput& input, CrossingRule rule, JobControl& job) {
+UnionTables run(const PipelineInput& input, JobControl& job) {
   const UnionBalls<Balls, Points> balls(input);
   const UnionTriangulation triangulation = union_triangulation(balls, job);
   const RegularTables& tables = triangulation.tables;
   DualComplex complex = dual_complex(balls, triangulation, job);
-  VPoints<Points> points = v_points(balls, tables, complex, rule, job);
+  VPoints<Points> points = v_points(balls, tables, complex, job);
   VTriangulation v = v_triangulation(points);
   UnionCircles circles = union_circles(balls, triangulation, complex, points, v, job);
   CenterTables& centers = circles.centers;
   const EdgeCuts cuts = cut_edges(balls, points, v, std::move(centers.events), centers.ball_of_face);
-  UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts);
+  UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts, job);
   UnionAxis axis = union_axis(balls, tables, complex, points, v, faces, cuts.cuts);
   UnionMeter meter(balls);
   meter.add_arcs(centers.arcs);
@@ -143,7 +143,7 @@ UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known,
   VTriangulation v = v_triangulation(points);
   CenterTables centers = known_centers(balls, v, known, job);
   const EdgeCuts cuts = cut_edges(balls, points, v, std::move(centers.events), centers.ball_of_face);
-  UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts);
+  UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts, job);
   UnionTables out;
   publish(points, v, cuts, faces, out);
   return out;

@@ -22,7 +22,9 @@ struct PipelineBall {
   std::span<const TouchedSample> samples{};  ///< all on the circle
   double scale = 1.0;                        ///< what the radius is multiplied by, exactly
   Disk drawn{};                              ///< scaled, rounded, in the coordinates of the document
-  Vec2 corner[3] = {};  ///< of a circumdisk, counter-clockwise; `corner[0]` is the one sample of `through_sample`
+  /// Of a circumdisk, counter-clockwise from the first in lexicographic order, so that nothing depends on how the triangle
+  /// came about; `corner[0]` is the one sample of `through_sample`.
+  Vec2 corner[3] = {};
 
   /// Of the scaled ball, rounded.
   double radius() const { return disk.radius * scale; }
@@ -51,9 +53,6 @@ struct PipelineInput {
   std::size_t rows = 0;  ///< of the family's table
   LocalFrame frame{};
 };
-
-/// A crossing is not rational.
-struct NeedsRoots {};
 
 /// What the arc of a circle before a v-point is, counter-clockwise.
 enum class CircleArc : std::uint8_t {
@@ -94,9 +93,7 @@ Table<PowerEdgeSlot, PowerEdge> run_power_diagram_exact(const PipelineInput& inp
 
 UnionTables run_union_naive(const PipelineInput& input, JobControl& job);
 UnionTables run_union_doubles(const PipelineInput& input, JobControl& job);
-/// Throws `NeedsRoots`.
-UnionTables run_union_rational(const PipelineInput& input, JobControl& job);
-UnionTables run_union_mixed(const PipelineInput& input, JobControl& job);
+UnionTables run_union_exact(const PipelineInput& input, JobControl& job);
 UnionTables run_union_roots(const PipelineInput& input, JobControl& job);
 /// In rationals; only `dual_edges` and `dual_faces` are filled in. Needs no roots.
 UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job);

@@ -126,6 +126,7 @@ struct UnionCounts {
   std::int64_t negative_faces = 0;  ///< orthogonal radius < 0 as judged
   std::int64_t edges_without_sample = 0;
   std::int64_t raw_v_points = 0;
+  std::int64_t roots = 0;  ///< raw v-points that take a square root; `exact` only
   std::int64_t negative_radicands = 0;
   std::int64_t near_duplicates = 0;  ///< distinct v-points closer than 1e-7 of the diameter
   std::int64_t lost_crossings = 0;   ///< arcs whose two v-points are not joined in the triangulation of the v-points
