@@ -2,6 +2,7 @@
 #include "app/ui/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "imgui_internal.h"
 
@@ -46,7 +47,9 @@ void place_tooltip(const Gui& gui, const std::string& text) {
   const ImVec2 item_high = ImGui::GetItemRectMax();
   const ImRect panel = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->OuterRectClipped;
   const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, kTooltipWidth * unit);
-  const ImVec2 size(words.x + 2 * style.WindowPadding.x, words.y + 2 * style.WindowPadding.y);
+  const ImVec2 size(std::ceil(words.x) + 2 * style.WindowPadding.x, std::ceil(words.y) + 2 * style.WindowPadding.y);
+  // The library would draw this text in the size of the last one until a frame later.
+  ImGui::SetNextWindowSize(size);
   ImVec2 at;
   if (panel.GetWidth() > 0.6F * screen.x) {
     const bool is_low = panel.GetCenter().y > 0.5F * screen.y;

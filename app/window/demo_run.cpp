@@ -97,7 +97,6 @@ bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
   const bool is_interrupted = run_->is_interrupted;
   const std::string caption = is_interrupted ? "You are editing the drawing of the demo" : run_->playback.caption();
   const float unit = gui.unit();
-  ImGui::PushFont(gui.bold());
   const float button = 1.5F * ImGui::GetTextLineHeight();
   const float padding = ImGui::GetStyle().FramePadding.x;
   const float words = ImGui::CalcTextSize("Go onStart again").x + 4 * padding + 4 * unit;
@@ -108,6 +107,8 @@ bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
   ImGui::Begin("##caption", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  // A font belongs to the window in which it is pushed: popped in another, it takes that one's texture away.
+  ImGui::PushFont(gui.bold());
   ImGui::PushTextWrapPos(wanted - buttons - 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(caption.c_str());
@@ -123,7 +124,7 @@ bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
     tooltip(gui, "Take your edits back, and go on with the demo where it was");
     ImGui::SameLine(0, 4 * unit);
     begins_again = ImGui::Button("Start again");
-    tooltip(gui, "Begin the demo anew");
+    tooltip(gui, "Start the demo from its beginning");
   } else {
     if (icon_button("pause", run_->is_paused ? Icon::play : Icon::pause, button)) run_->is_paused = !run_->is_paused;
     tooltip(gui, run_->is_paused ? "Go on" : "Pause, to look around");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The palette by keyboard alone, and a file of keys.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -123,4 +124,27 @@ TEST_CASE("a presentation hides the panels, steps through bundles, and Esc bring
   window.press("Next");
   window.press("Escape");
   CHECK(window.shows(second));
+}
+
+TEST_CASE("an edit of the demo's drawing interrupts the demo, and the demo goes on without it") {
+  Window window;
+  static_cast<void>(window.drawn());
+  const std::string before = window.title();
+  window.press("i");
+  window.find("demo");
+  REQUIRE(eventually([&] { return window.title() != before; }));
+  const std::string demo = window.title();
+  // A new sample is an edit at any time; the demo begins without samples that could be deleted.
+  window.screen.click({500, 200});
+  // Modified: the demo waits, with "Go on" and "Start again" in its caption.
+  REQUIRE(eventually([&] { return window.title() != demo; }));
+  const Screenshot edited = window.screen.settled();
+  REQUIRE(window.program.is_running());
+  // The second button from the right edge of the caption, beside the cross.
+  const auto is_dark = [](Color c) { return std::max({c.r, c.g, c.b}) < 90; };
+  const PixelBox words = edited.box_of({85, 720, 965, 755}, is_dark);
+  REQUIRE_FALSE(words.is_empty());
+  window.press("ctrl+z");
+  CHECK(eventually([&] { return window.title() == demo; }));
+  CHECK(window.program.is_running());
 }

@@ -65,9 +65,24 @@ struct Window {
     }
   }
 
+  /// Returns when the window has answered the pointer twice. After a change of scale it draws some frames until all
+  /// lies in its place; two pictures in a row may look the same on a busy machine before that.
+  void let_it_come_to_rest(double scale_now) const {
+    const PixelBox file{0, 0, scaled(46, scale_now), scaled(22, scale_now)};
+    const Screenshot before = screen.settled();
+    const auto is_lit = [&] { return !screen.shoot().box_of_changes(file, before).is_empty(); };
+    for (int turn = 0; turn < 2; ++turn) {
+      screen.xdotool(fmt::format("mousemove {} {}", scaled(23, scale_now), scaled(12, scale_now)));
+      REQUIRE(eventually(is_lit));
+      rest();
+      REQUIRE(eventually([&] { return !is_lit(); }));
+    }
+  }
+
   /// By the menu: "View", "Interface size" (the last row but one), and the row of the size.
   void choose_interface_size(double scale_now, int row) const {
     const PixelBox all{0, 0, 1280, 800};
+    let_it_come_to_rest(scale_now);
     const Screenshot closed = screen.settled();
     screen.click({scaled(101, scale_now), scaled(12, scale_now)});
     const auto popup = [&] {
