@@ -111,7 +111,7 @@ Expected<Image> read_picture(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return fail("there is no such file", file.string());
   // Also keeps pipes and devices from being waited for.
-  if (!std::filesystem::is_regular_file(file, error)) return fail("this is no file", file.string());
+  if (!std::filesystem::is_regular_file(file, error)) return fail("not a regular file", file.string());
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) return fail("cannot be read: " + error.message(), file.string());
   if (size > kLargestFile) return fail("far too large for a picture", file.string());

@@ -123,8 +123,8 @@ constexpr auto kComputeRows = std::to_array<Row>({
     {Id::precision_exact_roots, "precision-exact-roots", "Exact with roots",
      "Algebraic numbers throughout; slow, the judge of the others"},
     {Id::toggle_union_shortcut, "toggle-union-shortcut", "Certified shortcut for unions",
-     "Let unions of inner balls follow from shared samples where that is certified; off: the general pipeline "
-     "always"},
+     "Unions of balls of samples are exact in fast, too, and follow from shared samples where that is certified; "
+     "off: the general pipeline in the number type"},
     {Id::toggle_pole_propagation, "toggle-pole-propagation", "Pole labels by propagation",
      "Spread the labels of poles from pole to pole, as Amenta, Choi and Kolluri do; off: by their triangles"},
 });

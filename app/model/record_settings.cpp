@@ -44,7 +44,7 @@ Expected<void> check(const RecordSettings& settings) {
   const std::string size = fmt::format("{}x{}", settings.width, settings.height);
   const bool is_window = settings.width == 0 && settings.height == 0;
   if (!is_window && (settings.width < 1 || settings.height < 1))
-    return refuse(fmt::format("a frame of {} pixels cannot be: each side needs at least 1", size));
+    return refuse(fmt::format("a frame of {} pixels is too small: each side needs at least 1", size));
   if (std::max(settings.width, settings.height) > kLargestFrameSide)
     return refuse(fmt::format("a frame of {} pixels is too large: a side has at most {}", size, kLargestFrameSide));
   if (static_cast<long long>(settings.width) * settings.height > kMostFramePixels)

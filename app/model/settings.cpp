@@ -201,7 +201,8 @@ LoadedSettings load_settings(const fs::path& path) {
   if (!fs::exists(path, error) || error) return {};
   if (!fs::is_regular_file(path, error))
     return {Settings{}, path.string() + " is not a file; started with the defaults"};
-  if (fs::file_size(path, error) > kLargestFile || error) return {Settings{}, set_aside(path, "far too large")};
+  if (fs::file_size(path, error) > kLargestFile || error)
+    return {Settings{}, set_aside(path, "too large for settings")};
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << stream.rdbuf();

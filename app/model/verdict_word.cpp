@@ -113,8 +113,7 @@ VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checkin
     case TheoremLight::none: break;
   }
   if (lacks_memory)
-    return {Mood::warning, "No memory",
-            "Nothing can be said for lack of memory. Undo, hide layers or open a smaller file"};
+    return {Mood::warning, "No memory", "Not enough memory for an answer. Undo, hide layers or open a smaller file"};
   return {Mood::quiet, "Nothing to prove", "The theorem is about inner balls of samples, and these have none"};
 }
 

@@ -107,7 +107,7 @@ void BundlesPanel::draw_head() {
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 54 * unit);
   if (head_button(uses_.gui, "+", uses_.actions.tooltip_of(ActionId::save_bundle))) asks_name_ = true;
   ImGui::SameLine(0, 2 * unit);
-  if (head_button(uses_.gui, "...", "More to do with bundles")) ImGui::OpenPopup("bundles-menu");
+  if (head_button(uses_.gui, "...", "Import, export and restore bundles")) ImGui::OpenPopup("bundles-menu");
   draw_menu();
   draw_save_popup();
 }

@@ -121,7 +121,7 @@ void seed(const EvolutionStrip& strip) {
   tooltip(strip.gui, "The same seed gives the same random numbers, always");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("New seed")) player.set_seed(Rng(player.choice().seed).at(0) >> 40U);
-  tooltip(strip.gui, "Draw other random numbers");
+  tooltip(strip.gui, "Use another seed: other random numbers");
 }
 
 void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& parameter) {

@@ -144,8 +144,9 @@ void draw_foot(const Gui& gui, const std::string& keys_file) {
   ImGui::Dummy({0, 8 * gui.unit()});
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
   ImGui::TextWrapped(
-      "Keys are changed in %s, which Help > Write or reread the file of keys begins with all commands. What has no "
-      "key here is found by its name with Help > Find anything.",
+      "Keys are set in %s. Help > Write or reread the file of keys creates it, with all commands. A command without "
+      "a "
+      "key is found by its name with Help > Find anything.",
       keys_file.c_str());
   ImGui::PopStyleColor();
 }

@@ -34,7 +34,7 @@ void ImageControls::draw() const {
   };
   BackgroundImage image = layers.image();
   if (image.file.empty()) {
-    ImGui::TextUnformatted("No picture is there to trace");
+    ImGui::TextUnformatted("No picture to trace is open");
     choose("Choose a picture...");
     tooltip(gui, "PNG or JPEG; it can also be dropped on the window");
     return;
@@ -45,7 +45,7 @@ void ImageControls::draw() const {
   ImGui::PopTextWrapPos();
   tooltip(gui, image.file);
   const double aspect = picture.background_aspect();
-  if (aspect == 0.0) ImGui::TextDisabled("It is not shown: it is being read, or cannot be");
+  if (aspect == 0.0) ImGui::TextDisabled("Not shown: it is still being read, or cannot be read");
   bool is_new = place_field(gui, "Width", image.width, "From its left to its right edge, in units of the samples");
   is_new = place_field(gui, "Middle, x", image.center.x, "Where its middle lies") || is_new;
   is_new = place_field(gui, "Middle, y", image.center.y, "Where its middle lies") || is_new;

@@ -39,10 +39,10 @@ void LogPanel::draw() const {
   tooltip(gui, "Copy all lines");
   ImGui::SameLine(0, 6 * unit);
   if (ImGui::SmallButton("Clear")) messages.clear_log();
-  tooltip(gui, "Forget all lines");
+  tooltip(gui, "Remove all messages from this list");
   ImGui::EndDisabled();
   ImGui::BeginChild("lines");
-  if (entries.empty()) ImGui::TextDisabled("Nothing has been said yet");
+  if (entries.empty()) ImGui::TextDisabled("No messages yet");
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
     ImGui::PushFont(gui.small());
     ImGui::TextDisabled("%s", clock_text(entry->when).c_str());

@@ -34,7 +34,7 @@ void recent_files_menu(const MenuBar& menu) {
     ImGui::PopID();
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Forget these")) menu.settings.recent_files.clear();
+  if (ImGui::MenuItem("Clear this list")) menu.settings.recent_files.clear();
   ImGui::EndMenu();
 }
 

@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// How a point is marked; each can be told from the others without colours.
+/// How a point is marked; each is distinguishable from the others without colours.
 enum class PenMark : std::uint8_t { dot, ring, square };
 
 struct PenLook {

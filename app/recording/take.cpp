@@ -154,7 +154,7 @@ Expected<Manifest> read_take(const fs::path& folder) {
     found.push_back(known < manifest->frames.size() ? manifest->frames[known] : FrameInfo{});
   }
   if (found.empty())
-    return std::unexpected(Error{ErrorCode::bad_input, "no frames of a take are here", folder.string()});
+    return std::unexpected(Error{ErrorCode::bad_input, "this folder holds no frames of a take", folder.string()});
   manifest->frames = std::move(found);
   return manifest;
 }

@@ -82,7 +82,7 @@ class Autosave {
 /// $XDG_DATA_HOME/mesecina/autosave or ~/.local/share/mesecina/autosave; empty when no home folder is known.
 std::filesystem::path default_autosave_folder();
 
-/// What a program left behind that did not end in order. Nobody else is offered it while this lives.
+/// What a program left behind that did not end in order. No other process is offered it while this lives.
 class LeftWork {
  public:
   LeftWork(std::filesystem::path file, int lock, Journaled journal);

@@ -94,7 +94,7 @@ struct Track {
     insert_ours(i, back);
     insert_raw(i, back, neighbour(i));
   }
-  // A sample comes next to a random one and goes again, unmeasured. The raw call is told a vertex next to the place;
+  // A sample comes next to a random one and goes again, unmeasured. The raw call is given a vertex next to the place;
   // ours has to find it.
   void insert(bool on_curve) {
     const std::size_t near = pick();

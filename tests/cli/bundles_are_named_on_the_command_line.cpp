@@ -48,7 +48,7 @@ TEST_CASE("bundles are listed, those of the user first") {
   CHECK(all[0]["layers"] == Json{"points"});
 }
 
-TEST_CASE("a broken file of bundles is told and left alone") {
+TEST_CASE("a broken file of bundles is reported and left alone") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "mesecina");
   folder.write("mesecina/bundles.json", "{");

@@ -84,7 +84,7 @@ TEST_CASE("an input that is its own output is overwritten, unless something else
   CHECK(run(command(file.string(), {"--force"}), meanwhile).exit_code == 0);
   CHECK(contents_of(file).starts_with("POFF 3"));
   CHECK(contents_of(file).size() < 100);
-  // Nobody else has written to it, and another file is none of its business.
+  // No other program has written to it, and another file is none of its business.
   folder.write("a.poff", samples);
   CHECK(run(command(file.string())).exit_code == 0);
   CHECK(contents_of(file).size() < 100);

@@ -181,7 +181,7 @@ TEST_CASE("things go on happening while runs are stopped") {
   }
 }
 
-TEST_CASE("what an earlier run changed is not told again by a later one") {
+TEST_CASE("what an earlier run changed is not reported again by a later one") {
   Consumer consumer;
   Document document;
   const auto post = [&](const Expected<DocumentDelta>& delta) {

@@ -170,7 +170,7 @@ void check(const SampleData& data, int top, Precision precision) {
   require_nothing_missing(bench, data.balls);
 }
 
-std::string told(const SampleData& data) {
+std::string text_of(const SampleData& data) {
   std::ostringstream out;
   out << std::hexfloat;
   for (const Vec2 p : data.positions) out << "(" << p.x << ", " << p.y << ") ";
@@ -185,7 +185,7 @@ TEST_CASE("the sharpest cases of both ends are computed whole and right") {
     for (const int top : kTops) {
       for (const std::vector<Vec2>& points : special_cases(top)) {
         const SampleData data{.positions = points};
-        INFO("2^" << top << ", precision " << static_cast<int>(precision) << ": " << told(data));
+        INFO("2^" << top << ", precision " << static_cast<int>(precision) << ": " << text_of(data));
         check(data, top, precision);
       }
     }
@@ -202,7 +202,7 @@ TEST_CASE("a circle through three points is finite and right, however flat the t
       const ExactPoint v = exact[2] - exact[0];
       const mpz_class doubled_area = cross(u, v);
       const Circle circle = circumcircle(p[0], p[1], p[2]);
-      INFO(told({.positions = p}));
+      INFO(text_of({.positions = p}));
       if (doubled_area == 0) {
         CHECK_FALSE(std::isfinite(circle.radius));
         continue;
@@ -259,7 +259,7 @@ TEST_CASE("samples times a power of two have the same picture times that, to the
       for (const LayerIndex layer : all_layers()) {
         const LayerDescriptor& descriptor = layer_descriptors()[layer];
         if (descriptor.group == LayerGroup::union_a || descriptor.group == LayerGroup::union_p) continue;
-        INFO(descriptor.id << ", 2^" << k << ": " << told({.positions = points}));
+        INFO(descriptor.id << ", 2^" << k << ": " << text_of({.positions = points}));
         CHECK(places(bench, layer, 0) == places(other, layer, k));
       }
     }
@@ -273,7 +273,8 @@ TEST_CASE("random mixtures of both ends are computed whole and right") {
         Numbers numbers(seed, top);
         const std::size_t balls = precision == Precision::fast ? numbers.below(7) : numbers.below(4);
         const SampleData data{.positions = numbers.points(3 + numbers.below(7)), .balls = numbers.balls(balls)};
-        INFO("2^" << top << ", seed " << seed << ", precision " << static_cast<int>(precision) << ": " << told(data));
+        INFO("2^" << top << ", seed " << seed << ", precision " << static_cast<int>(precision) << ": "
+                  << text_of(data));
         check(data, top, precision);
       }
     }

@@ -257,7 +257,7 @@ TEST_CASE("noise stays within its bound, and another seed, step or sample gives 
     const auto twice = moved(choice, 2);
     CHECK(distance(twice[0] - once[0], once[0] - data.positions[0]) > 1e-9);
   }
-  // Whoever leaves takes no noise away from the others.
+  // A sample that leaves takes no noise away from the others.
   Document document = document_of(data);
   const auto gone = remove_samples(document, std::vector{document.id(SampleSlot(50))});
   REQUIRE(gone);

@@ -73,7 +73,7 @@ GeometryState image_of(const GeometryState& state, const std::function<Vec2(Vec2
   return out;
 }
 
-// `ties_move`: equal edges are told apart by the lexicographic order, which the map changes; then conflicts and
+// `ties_move`: equal edges are distinguished by the lexicographic order, which the map changes; then conflicts and
 // labels of inputs with exact ties may differ.
 void check_image(const Input& input, const std::function<Vec2(Vec2)>& map, bool flips, bool ties_move) {
   const Workbench original(input.positions);

@@ -8,7 +8,7 @@
 
 using namespace mes;
 
-TEST_CASE("every task is done once, whoever does it") {
+TEST_CASE("every task is done once, by whichever thread") {
   for (int round = 0; round < 200; ++round) {
     std::vector<int> done(50, 0);
     TaskQueue tasks;

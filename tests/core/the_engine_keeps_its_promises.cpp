@@ -452,7 +452,7 @@ TEST_CASE("an engine can be destroyed at any moment") {
     for (int look = 0; look < i * 20000; ++look) client.engine().status();
     client.destroy();
   }
-  // With work that nobody took, with cancelled work, and before it was ever used.
+  // With work that was not taken, with cancelled work, and before it was ever used.
   for (int i = 0; i < 100; ++i) {
     Client client;
     if (i % 3 == 0) continue;

@@ -138,11 +138,11 @@ TEST_CASE("whichever allocation of an edit fails, the edit is done or not begun,
 TEST_CASE("a listener that finds no room hears of everything later, at once") {
   Document copy;
   bool has_room = true;
-  int told = 0;
+  int calls = 0;
   Editor editor([&](const std::shared_ptr<const DocumentDelta>& delta) {
     if (!has_room) throw std::bad_alloc();
     copy.apply(*delta);
-    ++told;
+    ++calls;
   });
   REQUIRE(editor.load({{{0, 0}, {1, 0}, {0, 1}}, {}, {}}).has_value());
   has_room = false;
@@ -152,10 +152,10 @@ TEST_CASE("a listener that finds no room hears of everything later, at once") {
   CHECK(copy.sample_count() == 3);
   has_room = true;
   editor.catch_up();
-  CHECK(told == 2);
+  CHECK(calls == 2);
   CHECK(copy.digest() == editor.document().digest());
   CHECK(copy.sample_count() == 4);
   editor.redo();
-  CHECK(told == 3);
+  CHECK(calls == 3);
   CHECK(copy.digest() == editor.document().digest());
 }

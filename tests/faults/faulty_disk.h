@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls of the system that write files, as this executable has them: they fail when told to.
+// Calls of the system that write files, as this executable has them: they fail on demand.
 #pragma once
 
 #include <cerrno>

@@ -261,7 +261,7 @@ TEST_CASE("no change of bytes makes the reader of BND fail otherwise than in wor
   CHECK(read_well > 100);
 }
 
-TEST_CASE("files of bundles are told from other files") {
+TEST_CASE("files of bundles are recognised") {
   const TemporaryFolder folder;
   CHECK(is_bundle_file(folder.write("a.json", write_bundles({}))));
   CHECK(is_bundle_file(folder.write("b", file(""))));

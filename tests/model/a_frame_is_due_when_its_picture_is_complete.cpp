@@ -31,7 +31,7 @@ TEST_CASE("each change gets one frame, once its picture is complete") {
   CHECK(recorder.is_due(now, {}));
 }
 
-TEST_CASE("what was cancelled holds nobody up and is no frame") {
+TEST_CASE("what was cancelled delays nothing and is not a frame") {
   ShownState now;
   Recorder recorder(now, false);
   now.document = 1;

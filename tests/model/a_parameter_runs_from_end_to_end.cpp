@@ -20,7 +20,7 @@ std::vector<double> values_of(ParameterAnimation& animation) {
 
 }  // namespace
 
-TEST_CASE("a parameter begins and ends exactly where it was told to") {
+TEST_CASE("a parameter begins and ends exactly where it was set to") {
   ParameterAnimation animation;
   animation.parameter = Parameter::medial_sampling_angle;
   animation.from = 0.1;

@@ -81,7 +81,7 @@ TEST_CASE("in real time each frame is seen as long as it was recorded") {
   CHECK_THAT(contents_of(video), Catch::Contains("-framerate 25 "));
 }
 
-TEST_CASE("what the program complains of is told in one line, and nothing is left behind") {
+TEST_CASE("what the program complains of is reported in one line, and nothing is left behind") {
   const Studio studio;
   studio.program(kOutput + "echo half > \"$out\"\necho first >&2\necho 'No such encoder' >&2\nexit 1\n");
   const Path path(studio.folder.path().string() + ":/usr/bin:/bin");

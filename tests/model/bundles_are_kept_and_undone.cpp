@@ -70,7 +70,7 @@ TEST_CASE("names of bundles are any text but nothing, and one bundle's only") {
   CHECK(list.save("../\xe2\x88\x82 \"\\\x01", {}));
 }
 
-TEST_CASE("imported bundles take nobody's name, and come once") {
+TEST_CASE("imported bundles take no name that is in use, and come once") {
   BundleList list({{"a"}});
   const std::vector<Bundle> more{{"a", look("points")}, {"a", look("curve")}, {"b"}, {"a"}};
   CHECK(list.import(more) == std::vector<std::string>{"a (2)", "a (3)", "b", "a"});
@@ -256,7 +256,7 @@ TEST_CASE("the starting bundles name layers that exist") {
   }
 }
 
-TEST_CASE("starting bundles that are broken or missing are told, and the others are there") {
+TEST_CASE("starting bundles that are broken or missing are reported, and the others are there") {
   const TemporaryFolder assets;
   CHECK_THAT(read_starting_bundles(assets.path()).message, Catch::Contains("missing"));
   std::filesystem::create_directories(assets / "bundles");

@@ -125,7 +125,7 @@ TEST_CASE("what happens before the layers are at rest is one step, and an edit o
   for (int i = 1; i <= 50; ++i) desk.widen(kCurve, i);
   desk.editor.note_layers();
   CHECK(desk.editor.timeline().entries().size() == 2);
-  // Nobody looked between these two.
+  // No step was taken between these two.
   desk.layers.set_visible(kPoints, false);
   desk.insert();
   CHECK(desk.editor.undo_name() == "Insert");

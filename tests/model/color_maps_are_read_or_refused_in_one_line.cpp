@@ -61,7 +61,7 @@ TEST_CASE("random and truncated bytes give a sound map or one line") {
   }
 }
 
-TEST_CASE("the maps of the program lead, those of the user follow, broken ones are told") {
+TEST_CASE("the maps of the program lead, those of the user follow, broken ones are reported") {
   const test::TemporaryFolder folder;
   folder.write("bone.map", "0 0 0 1 1 1");
   folder.write("broken.map", "0 0 0 1 1");

@@ -67,14 +67,14 @@ TEST_CASE("chords are read and written") {
 
 TEST_CASE("an action that runs out of memory ends there, and the next one runs") {
   ActionBindings bindings;
-  int told = 0;
+  int calls = 0;
   int done = 0;
   bindings.bind(ActionId::undo, {[] { throw std::bad_alloc(); }});
   bindings.bind(ActionId::redo, {[&] { ++done; }, [] { return true; }});
   CHECK(bindings.run(ActionId::undo));
-  bindings.when_out_of_memory([&] { ++told; });
+  bindings.when_out_of_memory([&] { ++calls; });
   CHECK(bindings.run(ActionId::undo));
   CHECK(bindings.run(ActionId::redo));
-  CHECK(told == 1);
+  CHECK(calls == 1);
   CHECK(done == 1);
 }

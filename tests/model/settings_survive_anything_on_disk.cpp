@@ -89,7 +89,7 @@ TEST_CASE("the list of recent files does not grow for ever") {
   CHECK(settings.recent_files.front() == "/tmp/49.poff");
 }
 
-TEST_CASE("nobody waits at a pipe") {
+TEST_CASE("a pipe is not waited for") {
   const Folder folder;
   const fs::path path = folder.path / "settings.json";
   REQUIRE(mkfifo(path.c_str(), 0600) == 0);

@@ -44,7 +44,7 @@ TEST_CASE("what was edited is found after the program is gone, and what was save
     follow();
     edit(autosave, follow);
     autosave.flush();
-    // Its own program still runs: nobody else may take the work.
+    // Its own program still runs: no other may take the work.
     CHECK(find_left_work(folder.path()).works.empty());
   };
   work_left([](Autosave&, auto) {});
@@ -64,7 +64,7 @@ TEST_CASE("what was edited is found after the program is gone, and what was save
     CHECK(found.works[0].edits() == 3);
     CHECK(found.works[0].session().title == "Work");
     CHECK(digest_of(found.works[0].session()) == editor.document().digest());
-    // While it is being asked about, nobody else is.
+    // While one program asks about it, no other does.
     CHECK(find_left_work(folder.path()).works.empty());
   }
   {

@@ -200,7 +200,7 @@ TEST_CASE("a flat layer is as dark where its disks overlap as where they do not"
   CHECK(cover(blended, 12, 25) == Approx(0.5).margin(0.01));
 }
 
-TEST_CASE("dashes have the length they are told, from the first end on, whichever way the stroke runs") {
+TEST_CASE("dashes have the length asked for, from the first end on, whichever way the stroke runs") {
   Drawing drawing;
   LayerStyle style = black(2.0);
   style.dashed = true;

@@ -12,7 +12,7 @@
 namespace mes::test {
 
 struct GoldenTolerance {
-  int channel = 6;         ///< difference of a channel that nobody sees and drivers disagree by
+  int channel = 6;         ///< difference of a channel that the eye does not see and drivers disagree by
   double outliers = 2e-4;  ///< fraction of pixels that may differ by more
 };
 
