@@ -171,6 +171,8 @@ class Device {
 
   /// Roughly the nanoseconds that it takes to blend one pixel of a large shape.
   virtual double pixel_cost_ns() const = 0;
+  /// Roughly the nanoseconds that it takes to place one short stroke or dot and to blend its pixels.
+  virtual double instance_cost_ns() const = 0;
   /// The largest width and height of a framebuffer or texture.
   virtual int max_framebuffer_size() const = 0;
   virtual const DeviceCounters& counters() const = 0;

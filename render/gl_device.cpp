@@ -82,12 +82,20 @@ std::string text_of(GLenum name) {
   return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
 }
 
-/// A processor paints some 3 ns a pixel, as measured with llvmpipe on two cores; for graphics cards the figure is that
-/// of a slow one.
-double pixel_cost_of(std::string_view renderer) {
+bool is_software(std::string_view renderer) {
   constexpr std::array<std::string_view, 4> kSoftware{"llvmpipe", "softpipe", "swrast", "SwiftShader"};
-  const auto is_named = [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; };
-  return std::ranges::any_of(kSoftware, is_named) ? 3.0 : 0.1;
+  return std::ranges::any_of(kSoftware,
+                             [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
+}
+
+struct Costs {
+  double pixel_ns;
+  double instance_ns;
+};
+
+/// Those of a processor are measured with llvmpipe on two cores, those of graphics cards are of a slow one.
+Costs costs_of(std::string_view renderer) {
+  return is_software(renderer) ? Costs{3.0, 1000.0} : Costs{0.1, 10.0};
 }
 
 GlFramebuffer make_framebuffer() {
@@ -110,7 +118,9 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples_);
   uses_precise_ = options.allow_precise && epoxy_has_gl_extension("GL_ARB_gpu_shader5");
   uses_double_ = options.allow_double && uses_precise_ && epoxy_has_gl_extension("GL_ARB_gpu_shader_fp64");
-  pixel_cost_ns_ = options.pixel_cost_ns.value_or(pixel_cost_of(text_of(GL_RENDERER)));
+  const Costs costs = costs_of(text_of(GL_RENDERER));
+  pixel_cost_ns_ = options.pixel_cost_ns.value_or(costs.pixel_ns);
+  instance_cost_ns_ = options.instance_cost_ns.value_or(costs.instance_ns);
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   vertex_array_ = GlVertexArray(name);

@@ -14,9 +14,11 @@
 namespace mes::render {
 
 struct GlDeviceOptions {
-  bool allow_double = true;               ///< false: programs use pairs of floats, as on hardware without doubles
-  bool allow_precise = true;              ///< false: programs do without `precise`, as on drivers of OpenGL 3.3 alone
-  std::optional<double> pixel_cost_ns{};  ///< instead of an estimate from the name of the renderer
+  bool allow_double = true;   ///< false: programs use pairs of floats, as on hardware without doubles
+  bool allow_precise = true;  ///< false: programs do without `precise`, as on drivers of OpenGL 3.3 alone
+  // Instead of estimates from the name of the renderer.
+  std::optional<double> pixel_cost_ns{};
+  std::optional<double> instance_cost_ns{};
 };
 
 class GlDevice final : public Device {
@@ -45,6 +47,7 @@ class GlDevice final : public Device {
   void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
                   const PremultipliedColor& color) override;
   double pixel_cost_ns() const override { return pixel_cost_ns_; }
+  double instance_cost_ns() const override { return instance_cost_ns_; }
   int max_framebuffer_size() const override { return max_size_; }
   const DeviceCounters& counters() const override { return counters_; }
 
@@ -114,6 +117,7 @@ class GlDevice final : public Device {
   GlVertexArray vertex_array_;
   std::uint32_t next_id_ = 1;
   double pixel_cost_ns_ = 0.0;
+  double instance_cost_ns_ = 0.0;
   int max_size_ = 0;
   int max_samples_ = 1;
   bool uses_double_ = false;

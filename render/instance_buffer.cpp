@@ -37,9 +37,10 @@ void InstanceBuffer::swap(InstanceBuffer& other) noexcept {
   std::swap(frame_, other.frame_);
   std::swap(extent_, other.extent_);
   std::swap(store_, other.store_);
-  std::swap(disks_, other.disks_);
-  std::swap(changed_disks_, other.changed_disks_);
-  std::swap(all_disks_changed_, other.all_disks_changed_);
+  std::swap(kept_, other.kept_);
+  std::swap(removed_, other.removed_);
+  std::swap(added_, other.added_);
+  std::swap(all_changed_, other.all_changed_);
 }
 
 void InstanceBuffer::clear() {
@@ -51,26 +52,53 @@ void InstanceBuffer::clear() {
   count_ = 0;
   extent_ = {};
   store_.clear();
-  disks_ = {};
-  changed_disks_ = {};
-  all_disks_changed_ = true;
+  kept_ = {};
+  note_all_changed();
 }
 
-void InstanceBuffer::forget_disk_changes() {
-  changed_disks_.clear();
-  all_disks_changed_ = false;
+void InstanceBuffer::forget_changes() {
+  removed_.clear();
+  added_.clear();
+  all_changed_ = false;
 }
 
-void InstanceBuffer::keep_disk(std::size_t instance, std::span<const double> encoded) {
-  disks_[instance] = {encoded[0], encoded[1], encoded[2]};
-  if (all_disks_changed_) return;
-  // Beyond a quarter, all at once takes no longer.
-  if (changed_disks_.size() >= disks_.size() / 4 + 16) {
-    changed_disks_.clear();
-    all_disks_changed_ = true;
-  } else {
-    changed_disks_.push_back(static_cast<std::uint32_t>(instance));
+void InstanceBuffer::note_all_changed() {
+  removed_ = {};
+  added_ = {};
+  all_changed_ = true;
+}
+
+bool InstanceBuffer::is_kept() const {
+  // Counting takes about as long, see counted_instances.cpp.
+  constexpr double kWorthCountingNs = 60.0;
+  switch (kind_) {
+    case PrimitiveKind::disk: return true;
+    case PrimitiveKind::point:
+    case PrimitiveKind::segment: return device_->instance_cost_ns() > kWorthCountingNs;
+    default: return false;
   }
+}
+
+void InstanceBuffer::keep(std::size_t instance, std::span<const double> encoded, bool is_new) {
+  const std::size_t doubles = layout_of(kind_).doubles();
+  const std::span<double> place = std::span(kept_).subspan(instance * doubles, doubles);
+  if (!all_changed_) {
+    // Beyond a quarter, all at once takes no longer.
+    if (added_.size() > kept_.size() / 4 + 16 * doubles) {
+      note_all_changed();
+    } else {
+      if (!is_new) removed_.insert(removed_.end(), place.begin(), place.end());
+      added_.insert(added_.end(), encoded.begin(), encoded.end());
+    }
+  }
+  std::ranges::copy(encoded, place.begin());
+}
+
+void InstanceBuffer::keep_count(std::uint32_t count) {
+  const std::size_t size = count * layout_of(kind_).doubles();
+  if (!all_changed_ && size < kept_.size())
+    removed_.insert(removed_.end(), kept_.begin() + static_cast<std::ptrdiff_t>(size), kept_.end());
+  kept_.resize(size);
 }
 
 void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
@@ -126,11 +154,9 @@ std::uint64_t InstanceBuffer::fill(std::uint32_t count, std::span<const double> 
   const std::size_t stride = stride_of(kind_);
   reserve(count, 0);
   count_ = count;
-  if (kind_ == PrimitiveKind::disk) {
-    all_disks_changed_ = true;
-    changed_disks_.clear();
-    disks_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) keep_disk(i, encoded.subspan(3 * i, 3));
+  if (is_kept()) {
+    note_all_changed();
+    kept_.assign(encoded.begin(), encoded.end());
   }
   if (count == 0) return 0;
   const ByteRange all{0, encoded.size_bytes()};
@@ -157,19 +183,20 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
   if (capacity_ == 0) has_scalars_ = has_scalars;
   MES_ASSERT(has_scalars == has_scalars_);
   if (patch.count > capacity_) reserve(patch.count, count_);
-  count_ = patch.count;
+  const std::uint32_t first_new = std::exchange(count_, patch.count);
   if (count_ == 0) extent_ = {};
   try {
     if (has_scalars_) store_.resize(count_);
-    if (kind_ == PrimitiveKind::disk) disks_.resize(count_);
-    return write(patch.index, patch.data);
+    if (is_kept()) keep_count(count_);
+    return write(patch.index, patch.data, first_new);
   } catch (const std::bad_alloc&) {
     clear();  // a part of the instances would be a wrong picture
     throw;
   }
 }
 
-std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::span<const double> data) {
+std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::span<const double> data,
+                                    std::uint32_t first_new) {
   const std::size_t stride = stride_of(kind_);
   const std::size_t doubles = layout_of(kind_).doubles();
   const std::size_t bytes = layout_of(kind_).bytes();
@@ -185,6 +212,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
   std::vector<double> scalars;
   std::vector<ByteRange> ranges;
   std::vector<ByteRange> scalar_ranges;
+  const bool are_kept = is_kept();
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t instance = index[order[i]];
     // An instance that was written and dropped within one run of the graph.
@@ -194,7 +222,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
     encoded.resize(end + doubles);
     encode_instance(kind_, frame_, data.subspan(order[i] * stride, stride), std::span(encoded).subspan(end), extent_);
     append(ranges, instance, bytes);
-    if (kind_ == PrimitiveKind::disk) keep_disk(instance, std::span(encoded).subspan(end));
+    if (are_kept) keep(instance, std::span(encoded).subspan(end), instance >= first_new);
     if (!has_scalars_) continue;
     scalars.push_back(data[order[i] * stride + stride - 1]);
     store_.set(instance, scalars.back());

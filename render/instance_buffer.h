@@ -20,13 +20,6 @@
 
 namespace mes::render {
 
-/// In drawing space; the radius is negative if the disk is not drawn.
-struct DiskInstance {
-  double x = 0.0;
-  double y = 0.0;
-  double radius = -1.0;
-};
-
 class InstanceBuffer {
  public:
   InstanceBuffer() = default;
@@ -54,19 +47,26 @@ class InstanceBuffer {
   const DrawingFrame& frame() const { return frame_; }
   const InstanceExtent& extent() const { return extent_; }
 
-  /// The instances, if they are disks; else none.
-  std::span<const DiskInstance> disks() const { return disks_; }
-  /// Those written since `forget_disk_changes`, some more than once, some of them gone.
-  std::span<const std::uint32_t> changed_disks() const { return changed_disks_; }
-  /// True if they are so many that they are not listed.
-  bool have_all_disks_changed() const { return all_disks_changed_; }
-  void forget_disk_changes();
+  /// The encoded instances, `layout_of(kind()).doubles()` each, where the processor may have to draw them: disks, and
+  /// segments and points if the device takes long to place them. Else none.
+  std::span<const double> kept() const { return kept_; }
+  /// What left and what came since `forget_changes`, encoded as in `kept`; an instance written twice is in both twice.
+  std::span<const double> removed() const { return removed_; }
+  std::span<const double> added() const { return added_; }
+  /// True if so many changed that they are not listed.
+  bool have_all_changed() const { return all_changed_; }
+  bool have_changed() const { return all_changed_ || !removed_.empty() || !added_.empty(); }
+  void forget_changes();
 
  private:
   void swap(InstanceBuffer& other) noexcept;
   void reserve(std::size_t instances, std::size_t keep);
-  void keep_disk(std::size_t instance, std::span<const double> encoded);
-  std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data);
+  bool is_kept() const;
+  void keep(std::size_t instance, std::span<const double> encoded, bool is_new);
+  void keep_count(std::uint32_t count);
+  void note_all_changed();
+  /// Instances from `first_new` on were not there before.
+  std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data, std::uint32_t first_new);
   std::uint64_t fill(std::uint32_t count, std::span<const double> encoded, std::span<const double> data);
   std::uint64_t write_scalars(std::span<const ByteRange> ranges, std::span<const double> scalars);
 
@@ -80,9 +80,10 @@ class InstanceBuffer {
   DrawingFrame frame_;
   InstanceExtent extent_;
   ScalarStore store_;
-  std::vector<DiskInstance> disks_;
-  std::vector<std::uint32_t> changed_disks_;
-  bool all_disks_changed_ = false;
+  std::vector<double> kept_;
+  std::vector<double> removed_;
+  std::vector<double> added_;
+  bool all_changed_ = false;
 };
 
 }  // namespace mes::render

@@ -43,9 +43,12 @@ class RecordingDevice final : public Device {
                  const PremultipliedColor& color) override;
   void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
                   const PremultipliedColor& color) override;
-  /// That of no device at first, so nothing is drawn in another way because of it.
+  /// Costs are those of no device at first, so nothing is drawn in another way because of them.
   double pixel_cost_ns() const override { return pixel_cost_ns_; }
   void set_pixel_cost_ns(double cost) { pixel_cost_ns_ = cost; }
+  double instance_cost_ns() const override { return instance_cost_ns_; }
+  /// Before instances are uploaded: buffers keep them or not.
+  void set_instance_cost_ns(double cost) { instance_cost_ns_ = cost; }
   int max_framebuffer_size() const override { return 16384; }
   const DeviceCounters& counters() const override { return counters_; }
 
@@ -70,6 +73,7 @@ class RecordingDevice final : public Device {
   std::set<std::uint32_t> textures_;
   std::map<std::uint32_t, std::pair<int, int>> masks_;  // width and height
   double pixel_cost_ns_ = 0.0;
+  double instance_cost_ns_ = 0.0;
   std::vector<DrawCall> calls_;
   std::vector<PictureCall> picture_calls_;
   std::uint32_t next_id_ = 1;

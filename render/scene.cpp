@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/packing.hpp>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -129,6 +130,26 @@ float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale)
   return radius_px < 500.0 ? 20.0F : 32.0F;
 }
 
+// How counted instances look, or nothing if only painting draws them as they should be.
+std::optional<CountedLook> counted_look(PrimitiveKind kind, const LayerStyle& style, double opacity,
+                                        double content_scale) {
+  // As `shown_half_width` and `stroke_alpha`, `soft_radius` and `soft_alpha` of shaders/uniforms.glsl have it.
+  switch (kind) {
+    case PrimitiveKind::disk: return CountedLook{.opacity = opacity};
+    case PrimitiveKind::segment: {
+      if (style.dashed) return std::nullopt;
+      const double half = 0.5 * line_width_of(style) * content_scale;
+      return CountedLook{.opacity = opacity * std::min(2.0 * half, 1.0), .half_width = std::max(half, 0.5)};
+    }
+    case PrimitiveKind::point: {
+      const double r = 0.5 * point_size_of(style) * content_scale;
+      return CountedLook{.opacity = opacity * std::min(3.0 * r * r, 1.0),
+                         .half_width = std::sqrt(std::max(r * r - 1.0 / 12.0, 0.25))};
+    }
+    default: return std::nullopt;
+  }
+}
+
 }  // namespace
 
 /// The colours of the instances of one layer.
@@ -138,7 +159,7 @@ struct Scene::Look {
   const ColorMap* map = nullptr;
   ScalarRange range{};
   float map_row = 0.0F;
-  std::unique_ptr<CountedDisks>* counted = nullptr;  ///< where counts of its disks are kept
+  std::span<std::unique_ptr<CountedInstances>> counted{};  ///< where its counts are kept, by kind
 };
 
 struct Scene::Pass {
@@ -147,6 +168,7 @@ struct Scene::Pass {
   FramebufferId target;
   PixelRect area;
   std::uint32_t every = 1;  // of disks
+  Preview preview = Preview::none;
 };
 
 Scene::Scene(Device& device) : device_(device) {}
@@ -178,7 +200,7 @@ void Scene::apply(const FramePatch& patch) {
 void Scene::forget(LayerIndex layer) {
   if (layer >= layers_.size()) return;
   for (InstanceBuffer& buffer : layers_[layer].kinds) buffer.clear();
-  layers_[layer].counted.reset();
+  for (auto& counted : layers_[layer].counted) counted.reset();
 }
 
 void Scene::set_picture(LayerIndex layer, const Image& image) {
@@ -271,19 +293,21 @@ ShownMap Scene::shown_map(LayerIndex layer, const LayerStyle& style) const {
 
 void Scene::draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options) {
   draw_calls_ = 0;
+  is_coarse_ = false;
   const double content_scale =
       std::isfinite(options.content_scale) ? std::clamp(options.content_scale, 0.01, 100.0) : 1.0;
   const Pass pass{.camera = camera,
                   .content_scale = content_scale,
                   .target = options.target,
-                  .area = {options.left, options.bottom, camera.width(), camera.height()}};
+                  .area = {options.left, options.bottom, camera.width(), camera.height()},
+                  .preview = options.preview};
   for (const LayerView& view : views) {
     if (view.layer == picture_layer_) draw_picture(pass, view.style);
     if (view.layer >= layers_.size()) continue;
     Pass of_view = pass;
     of_view.every = std::max(1U, view.every);
     const ShownMap shown = shown_map(view.layer, view.style);
-    Look look{.style = view.style, .map = shown.map, .range = shown.range, .counted = &layers_[view.layer].counted};
+    Look look{.style = view.style, .map = shown.map, .range = shown.range, .counted = layers_[view.layer].counted};
     if (look.map != nullptr) look.map_row = static_cast<float>(look.map - maps_.data());
     draw_layer(of_view, layers_[view.layer].kinds, look);
   }
@@ -363,7 +387,8 @@ void Scene::draw_group(const Pass& pass, std::span<InstanceBuffer> kinds, const 
                    .content_scale = pass.content_scale,
                    .target = group,
                    .area = {0, 0, pass.area.width, pass.area.height},
-                   .every = pass.every};
+                   .every = pass.every,
+                   .preview = pass.preview};
   device_.clear(group, inner.area, clear_color(std::nullopt));
   for (const PrimitiveKind kind : kDrawOrder) {
     for (InstanceBuffer& buffer : kinds) {
@@ -389,17 +414,22 @@ FramebufferId Scene::group_target(TargetFormat format, int width, int height) {
   return group.id;
 }
 
-// False if the disks are to be painted.
-bool Scene::draw_counted(const Pass& pass, InstanceBuffer& disks, const Look& look, const PixelFrame& frame,
+// False if the instances are to be painted.
+bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
                          const PremultipliedColor& color) {
-  if (disks.kind() != PrimitiveKind::disk || look.counted == nullptr) return false;
-  std::unique_ptr<CountedDisks>& counted = *look.counted;
-  if (look.map != nullptr || !CountedDisks::is_cheaper(disks, frame, device_)) {
+  if (look.counted.empty()) return false;
+  std::unique_ptr<CountedInstances>& counted = look.counted[static_cast<std::size_t>(buffer.kind())];
+  std::optional<CountedLook> shown;
+  if (look.map == nullptr)
+    shown = counted_look(buffer.kind(), look.style, static_cast<double>(color.a), pass.content_scale);
+  if (shown) shown->preview = pass.preview;
+  if (!shown || !CountedInstances::is_cheaper(buffer, frame, device_)) {
     counted.reset();
     return false;
   }
-  if (!counted) counted = std::make_unique<CountedDisks>(device_);
-  counted->show(disks, frame, static_cast<double>(color.a));
+  if (!counted) counted = CountedInstances::create(buffer.kind(), device_);
+  counted->show(buffer, frame, *shown);
+  is_coarse_ = is_coarse_ || counted->is_coarse();
   // The mask has the opacity in it.
   device_.paint_mask(pass.target, pass.area, counted->mask(), color / color.a);
   ++draw_calls_;

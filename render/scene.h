@@ -10,8 +10,8 @@
 //  5. If the style names a known colour map, instances have the colours of their scalars. A scalar beyond the range, an
 //     infinite one too, has the colour of that end; NaN has the plain colour. In a flat layer a later instance hides
 //     earlier ones, and the layer as a whole has the opacity of its style.
-//  6. Disks of one colour that would take long to paint are counted instead (`CountedDisks`), on the processor; the
-//     picture is that of painting without rounding.
+//  6. Disks of one colour that would take long to paint are counted instead (`CountedInstances`), on the processor, and
+//     so are segments and points where a processor would paint them; the picture is that of painting without rounding.
 //
 // Smallest use:
 //     Scene scene(device);
@@ -19,7 +19,8 @@
 //     scene.draw(camera, views, {.content_scale = 2.0});
 //
 // Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the number of instances, and one pass
-// over the view for a layer drawn as a group. The CPU iterates over disks of one colour, over no other instances.
+// over the view for a layer drawn as a group. The CPU iterates over disks of one colour, and over what it counts
+// whenever the view changes.
 // Threads: the one that owns the context.
 //
 // Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles. The
@@ -37,7 +38,7 @@
 #include "core/draw/primitives.h"
 #include "render/camera.h"
 #include "render/colormap.h"
-#include "render/counted_disks.h"
+#include "render/counted_instances.h"
 #include "render/device.h"
 #include "render/image.h"
 #include "render/instance_buffer.h"
@@ -64,6 +65,7 @@ struct DrawOptions {
   int left = 0;                ///< lower left corner of the view in the target; the camera has its size
   int bottom = 0;
   bool overlays = true;
+  Preview preview = Preview::none;  ///< of instances that are counted; not for a picture that is kept
 };
 
 /// The place of a picture in document units; its height follows from its proportions.
@@ -122,13 +124,15 @@ class Scene {
   std::uint32_t painted_disks(const Camera& camera, LayerIndex layer, const LayerStyle& style) const;
   /// Bytes of instances that `apply` and `set_overlay` have uploaded in the life of the scene.
   std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }
+  /// True if the last `draw` would have differed with a finer preview.
+  bool is_coarse() const { return is_coarse_; }
   /// The number of draw calls of the last `draw`.
   std::uint32_t draw_calls() const { return draw_calls_; }
 
  private:
   struct Layer {
     std::array<InstanceBuffer, kPrimitiveKinds> kinds;
-    std::unique_ptr<CountedDisks> counted;  ///< null: its disks are painted
+    std::array<std::unique_ptr<CountedInstances>, kPrimitiveKinds> counted;  ///< null: those of this kind are painted
   };
   struct OverlaySet {
     PrimitiveKind kind = PrimitiveKind::point;
@@ -148,7 +152,7 @@ class Scene {
   void draw_group(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
   void draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
                  Blend blend);
-  bool draw_counted(const Pass& pass, InstanceBuffer& disks, const Look& look, const PixelFrame& frame,
+  bool draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
                     const PremultipliedColor& color);
   void draw_picture(const Pass& pass, const LayerStyle& style);
   FramebufferId group_target(TargetFormat format, int width, int height);
@@ -167,6 +171,7 @@ class Scene {
   std::array<GroupTarget, 2> groups_;  // by TargetFormat
   std::uint64_t bytes_uploaded_ = 0;
   std::uint32_t draw_calls_ = 0;
+  bool is_coarse_ = false;
 };
 
 }  // namespace mes::render

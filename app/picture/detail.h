@@ -6,8 +6,9 @@
 
 namespace mes {
 
-/// Disks that are painted can make a picture slow: of a million large ones, a thousand may cover each pixel. While the picture moves,
-/// one of `every()` disks is painted; when it rests, more and more of them, as long as a frame stays short.
+/// Disks that are painted can make a picture slow: of a million large ones, a thousand may cover each pixel. While the
+/// picture moves, one of `every()` disks is painted; when it rests, more and more of them, as long as a frame stays
+/// short.
 ///
 /// What it guarantees:
 ///  1. `every()` is a power of two, and a frame that took too long is followed by a shorter one.
@@ -20,8 +21,8 @@ namespace mes {
 /// The caller measures the time. Threads: a value; one at a time.
 class Detail {
  public:
-  /// Begins a picture that has changed; `disks` is the number of disks in the layer that has most of them to
-  /// paint; those that are counted (render/counted_disks.h) cost little and are left out.
+  /// Begins a picture that has changed; `disks` is the number of disks in the layer that has most of them to paint;
+  /// those that are counted (render/counted_instances.h) cost little and are left out.
   std::uint32_t begin_changed(std::uint32_t disks);
   /// Begins the same picture again, in more detail.
   std::uint32_t begin_refinement();

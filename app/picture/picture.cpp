@@ -226,29 +226,38 @@ std::vector<LegendEntry> Picture::legend(const LayerStack& layers) const {
   return legend_of(scene_, views);
 }
 
-void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
-                   double content_scale) {
+void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
+                   bool is_kept) {
   draw_moved(editor);
   mark_selection(editor);
   measure_spacing(editor);
   ShownState now{camera,   content_scale,
                  patches_, background_revision_,
-                 marked_,  shown_layers(layers, canvas_, camera.units_per_pixel() * content_scale)};
+                 marked_,  shown_layers(layers, canvas_, camera.units_per_pixel() * content_scale),
+                 is_kept};
   const bool is_same = now == shown_;
-  if (is_same && !detail_.is_refining()) {
+  if (is_same && !is_refining()) {
     kept_.show(camera.width(), camera.height());
     return;
   }
-  const std::uint32_t every =
-      is_same ? detail_.begin_refinement() : detail_.begin_changed(largest_painted_layer(camera, layers));
+  const bool has_moved = camera != shown_.camera || content_scale != shown_.content_scale;
+  const render::Preview preview = is_kept     ? render::Preview::none
+                                  : has_moved ? render::Preview::coarse
+                                              : render::Preview::fine;
+  const bool paints_more = is_same && detail_.is_refining();
+  const std::uint32_t every = paints_more ? detail_.begin_refinement()
+                              : is_same   ? detail_.every()
+                                          : detail_.begin_changed(largest_painted_layer(camera, layers));
   std::vector<render::LayerView> views;
   for (const auto& [layer, style] : now.layers) views.push_back({layer, style, every});
   const auto start = std::chrono::steady_clock::now();
   device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
-  scene_.draw(camera, views, {.content_scale = content_scale});
+  scene_.draw(camera, views, {.content_scale = content_scale, .preview = preview});
+  is_coarse_ = scene_.is_coarse();
   // Only then is it known what it cost. Nothing else is left to do in this frame.
   device_.finish();
-  detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  if (paints_more || !is_same)
+    detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   // Without panels, for frames in which it stays the same.
   kept_.keep(camera.width(), camera.height());
   shown_ = std::move(now);

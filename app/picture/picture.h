@@ -52,8 +52,10 @@ class Picture {
   /// Sets the colour behind the layers.
   void set_canvas(Rgb background) { canvas_ = background; }
   Rgb canvas() const { return canvas_; }
-  /// Draws the canvas, which fills the window.
-  void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale);
+  /// Draws the canvas, which fills the window. Very many instances are only a preview (`render::Preview`) unless the
+  /// picture is kept in a file, and a coarse one while the view moves.
+  void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
+            bool is_kept);
 
   /// Captures the present layers in full detail, with the marks of the selection as last drawn, without panels.
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
@@ -63,7 +65,7 @@ class Picture {
   std::vector<LegendEntry> legend(const LayerStack& layers) const;
 
   /// True if the picture at rest can be painted in more detail: it needs another `draw` soon.
-  bool is_refining() const { return detail_.is_refining(); }
+  bool is_refining() const { return detail_.is_refining() || is_coarse_; }
   /// One of so many disks is on screen; 1: all.
   std::uint32_t every() const { return detail_.every(); }
 
@@ -102,6 +104,7 @@ class Picture {
     std::uint64_t background = 0;
     MarkedState marked;
     std::vector<std::pair<LayerIndex, LayerStyle>> layers;
+    bool is_kept = false;
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
@@ -141,6 +144,7 @@ class Picture {
   std::uint64_t moved_at_patch_ = 0;
   std::vector<double> mark_data_;  // kept for its memory
   ShownState shown_;
+  bool is_coarse_ = false;
   Detail detail_;
   render::KeptFrame kept_;
 };

@@ -54,6 +54,9 @@ class RecordDesk {
   /// The same picture, with everything else as usual, to the clipboard.
   void copy();
 
+  /// What is on screen is going to be a picture that is kept.
+  bool wants_exact_picture() const { return is_recording() || snapshot_.has_value(); }
+
   void note_complete(const std::optional<ShownState>& state);
   bool holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const;
   /// A view that glides by itself has to wait, or some of its steps would get no frame.

@@ -87,6 +87,7 @@ void DemoRun::go_on() {
     return;
   }
   work_.editor().mark_saved();
+  messages_.clear_remark();  // it is about an edit that was taken back
   run_->is_interrupted = false;
   run_->is_paused = false;
 }

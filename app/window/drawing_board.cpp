@@ -125,12 +125,12 @@ void DrawingBoard::fit(Vec2 legend) {
     fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
 }
 
-void DrawingBoard::draw(Vec2 pointer_px) {
+void DrawingBoard::draw(Vec2 pointer_px, bool is_kept) {
   if (view().is_moving()) screen_.clock.want(1);
   draw_pointer(pointer_px);
   const std::uint32_t share = picture_.every();
   screen_.times.begin_drawing();
-  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale());
+  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), is_kept);
   screen_.times.end_drawing();
   // The status bar shows the share, and was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);

@@ -52,7 +52,8 @@ class DrawingBoard {
   /// What is free between the panels was found: fits what is to be fitted.
   void fit(Vec2 legend);
   /// Draws the layers and the marks of the pointer.
-  void draw(Vec2 pointer_px);
+  /// `is_kept`: as `Picture::draw` has it.
+  void draw(Vec2 pointer_px, bool is_kept);
 
  private:
   void bind_nudges(ActionBindings& actions);

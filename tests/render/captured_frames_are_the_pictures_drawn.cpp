@@ -106,6 +106,7 @@ class ShortOfMemory final : public render::Device {
     device_.paint_mask(target, area, mask, color);
   }
   double pixel_cost_ns() const override { return 0.0; }
+  double instance_cost_ns() const override { return 0.0; }
   int max_framebuffer_size() const override { return device_.max_framebuffer_size(); }
   const render::DeviceCounters& counters() const override { return device_.counters(); }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "render/counted_disks.h"
+#include "render/counted_instances.h"
 #include "render/disk_field.h"
 #include "render/recording_device.h"
 #include "tests/render/drawing.h"
@@ -213,6 +213,55 @@ TEST_CASE("counted disks follow the edits of their layer") {
   }
 }
 
+TEST_CASE("a preview of very many disks is a grey level off in the mean, and follows edits") {
+  constexpr int kWidth = 400;
+  constexpr int kHeight = 300;
+  constexpr std::uint32_t kCount = 30000;
+  // Balls along an axis, several hundred a pixel.
+  const auto disk_at = [](std::uint32_t i) {
+    const double t = 6.283185307179586 * i / kCount;
+    return PixelDisk{200.0 + 100.0 * std::cos(t), 150.0 + 60.0 * std::sin(2.0 * t), 30.0 + 20.0 * std::cos(3.0 * t)};
+  };
+  std::vector<PixelDisk> disks;
+  for (std::uint32_t i = 0; i < kCount; ++i) disks.push_back(disk_at(i));
+  Drawing drawing({.pixel_cost_ns = 1e9});
+  GlDevice& device = drawing.device();
+  drawing.set(0, PrimitiveKind::disk, coordinates(disks));
+  const FramebufferId target = device.create_framebuffer({.width = kWidth, .height = kHeight});
+  const PixelRect all{0, 0, kWidth, kHeight};
+  const auto picture = [&](LayerIndex layer, Preview preview) {
+    const LayerView view{.layer = layer, .style = {.color = {0, 0, 0}, .opacity = 0.002}};
+    device.clear(target, all, {1.0F, 1.0F, 1.0F, 1.0F});
+    drawing.scene().draw(pixel_camera(kWidth, kHeight), std::span(&view, 1), {.target = target, .preview = preview});
+    return read_image(device, target, all);
+  };
+  const auto mean_difference = [](const Image& a, const Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(int{a.rgba[i]} - int{b.rgba[i]});
+    return sum / static_cast<double>(a.rgba.size());
+  };
+  const Image exact = picture(0, Preview::none);
+  CHECK(covered_area(exact) > 1000.0);
+  CHECK(mean_difference(exact, picture(0, Preview::fine)) <= 1.0);
+  CHECK_FALSE(drawing.scene().is_coarse());
+  CHECK(mean_difference(exact, picture(0, Preview::coarse)) <= 1.0);
+  CHECK(drawing.scene().is_coarse());
+
+  for (const Preview preview : {Preview::fine, Preview::coarse, Preview::none}) {
+    static_cast<void>(picture(0, preview));
+    const std::vector<std::uint32_t> moved{3, 9000, kCount - 2};
+    std::vector<PixelDisk> written;
+    for (const std::uint32_t i : moved) {
+      disks[i].x += 7.3;
+      written.push_back(disks[i]);
+    }
+    drawing.scene().apply(changes(0, PrimitiveKind::disk, kCount, moved, coordinates(written)));
+    drawing.set(1, PrimitiveKind::disk, coordinates(disks));
+    CHECK(picture(0, preview).rgba == picture(1, preview).rgba);
+  }
+  device.destroy_framebuffer(target);
+}
+
 TEST_CASE("an edit of counted disks uploads the rows that it changes") {
   RecordingDevice device;
   device.set_pixel_cost_ns(1e6);
@@ -257,9 +306,9 @@ TEST_CASE("disks are counted only where that takes less time") {
   away.center_x = 5000.0;
   // A processor that paints.
   device.set_pixel_cost_ns(3.0);
-  CHECK_FALSE(CountedDisks::is_cheaper(few, frame, device));
-  CHECK(CountedDisks::is_cheaper(many, frame, device));
-  CHECK_FALSE(CountedDisks::is_cheaper(many, away, device));
+  CHECK_FALSE(CountedInstances::is_cheaper(few, frame, device));
+  CHECK(CountedInstances::is_cheaper(many, frame, device));
+  CHECK_FALSE(CountedInstances::is_cheaper(many, away, device));
   device.set_pixel_cost_ns(0.0);
-  CHECK_FALSE(CountedDisks::is_cheaper(many, frame, device));
+  CHECK_FALSE(CountedInstances::is_cheaper(many, frame, device));
 }

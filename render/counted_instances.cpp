@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/counted_instances.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "render/disk_field.h"
+#include "render/instance_layout.h"
+#include "render/stroke_field.h"
+
+namespace mes::render {
+namespace {
+
+// Nanoseconds as measured: of a disk in a row of pixels, with its rim; of a short stroke; and of a pixel of the mask
+// from sum to screen.
+constexpr double kRowNs = 25.0;
+constexpr double kStrokeNs = 60.0;
+constexpr double kMaskPixelNs = 8.0;
+constexpr double kUsualPixels = 2e6;  // of a view
+
+/// So many instances are merged in a preview.
+constexpr std::size_t kMany = 20000;
+
+double overlap(double center, double radius, int size) {
+  return std::max(0.0, std::min(center + radius, static_cast<double>(size)) - std::max(center - radius, 0.0));
+}
+
+/// The coordinates of an instance in drawing space, and how often it is there. Those that a kind lacks are zero.
+struct Placed {
+  std::array<double, 4> at{};
+  std::int32_t times = 1;
+};
+
+Placed placed(std::span<const double> instance) {
+  Placed out;
+  std::ranges::copy(instance, out.at.begin());
+  return out;
+}
+
+PixelDisk disk_of(const std::array<double, 4>& at, const PixelFrame& frame) {
+  const Vec2 center = frame(at[0], at[1]);
+  return {center.x, center.y, at[2] * frame.scale, 1};
+}
+
+// How instances become shapes of a field, and fields begin.
+struct DiskCounting {
+  using Field = DiskField;
+  static constexpr bool can_count(PrimitiveKind kind) { return kind == PrimitiveKind::disk; }
+  static Field field(const PixelFrame& frame, const CountedLook& look) {
+    return {frame.width, frame.height, look.opacity};
+  }
+  static std::optional<PixelDisk> shape(const Placed& disk, PrimitiveKind, const PixelFrame& frame,
+                                        const CountedLook&) {
+    if (disk.at[2] < 0.0) return std::nullopt;
+    PixelDisk out = disk_of(disk.at, frame);
+    out.times = disk.times;
+    return out;
+  }
+  /// Merging is worth while if it leaves this part of the instances. A disk takes far longer to count than to merge.
+  static constexpr double kWorth = 0.9;
+  static constexpr double kCoarsePx = 1.0;  ///< between the lines of a coarse grid, at most
+};
+
+struct StrokeCounting {
+  using Field = StrokeField;
+  static constexpr bool can_count(PrimitiveKind kind) {
+    return kind == PrimitiveKind::segment || kind == PrimitiveKind::point;
+  }
+  static Field field(const PixelFrame& frame, const CountedLook& look) {
+    return {frame.width, frame.height, look.opacity, look.half_width};
+  }
+  static std::optional<PixelStroke> shape(const Placed& stroke, PrimitiveKind kind, const PixelFrame& frame,
+                                          const CountedLook& look) {
+    const Vec2 from = frame(stroke.at[0], stroke.at[1]);
+    const Vec2 to = kind == PrimitiveKind::segment ? frame(stroke.at[2], stroke.at[3]) : from;
+    auto out = StrokeField::visible(from, to, frame.width, frame.height, look.half_width);
+    if (out) out->times = stroke.times;
+    return out;
+  }
+  static constexpr double kWorth = 0.5;
+  static constexpr double kCoarsePx = 0.5;
+};
+
+/// A grid of drawing space; the distance of its lines is a power of two. Instances on it that are equal are merged.
+class Grid {
+ public:
+  explicit Grid(int exponent) : cell_(std::ldexp(1.0, exponent)), lines_(std::ldexp(1.0, -exponent)) {}
+
+  /// The nearest place on the grid, or the same where doubles are no finer than the grid.
+  Placed snapped(const Placed& instance) const {
+    // Adding rounds to whole numbers.
+    constexpr double kWhole = 0x1.8p52;
+    Placed out = instance;
+    for (double& x : out.at) {
+      const double line = x * lines_;
+      if (std::abs(line) < 0x1p50) x = ((line + kWhole) - kWhole) * cell_;
+    }
+    return out;
+  }
+
+  /// Appends instances on the grid, equal ones as one.
+  static void merge(std::span<const Placed> instances, std::vector<Placed>& out) {
+    constexpr std::uint32_t kFree = ~std::uint32_t{0};
+    const std::size_t slots = std::bit_ceil(2 * instances.size() + 1);
+    const int shift = 64 - std::countr_zero(slots);
+    std::vector<std::uint32_t> table(slots, kFree);
+    for (const Placed& instance : instances) {
+      std::size_t at = hash(instance) >> shift;
+      while (table[at] != kFree && out[table[at]].at != instance.at) at = (at + 1) & (slots - 1);
+      if (table[at] != kFree) {
+        out[table[at]].times += instance.times;
+      } else {
+        table[at] = static_cast<std::uint32_t>(out.size());
+        out.push_back(instance);
+      }
+    }
+  }
+
+ private:
+  static std::uint64_t hash(const Placed& instance) {
+    std::uint64_t out = 0;
+    // Zeros of both signs are equal. The factor is 2^64 divided by the golden ratio.
+    for (const double x : instance.at) {
+      out = (out ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;
+      out ^= out >> 32U;
+    }
+    return out * 0x9E3779B97F4A7C15U;
+  }
+
+  double cell_;
+  double lines_;
+};
+
+/// The distance of a grid's lines, which is at most so many pixels, as an exponent of two.
+int exponent_of(double pixels, double scale) {
+  return std::ilogb(pixels / scale);
+}
+
+template <class Counting>
+class Counted final : public CountedInstances {
+  using Shape = typename Counting::Field::Shape;
+
+ public:
+  explicit Counted(Device& device) : device_(device) {}
+  ~Counted() override { forget(); }
+
+  TextureId mask() const override { return mask_; }
+  bool is_coarse() const override { return grid_.has_value() && look_.preview == Preview::coarse; }
+
+  void show(InstanceBuffer& buffer, const PixelFrame& frame, const CountedLook& look) override {
+    const bool is_new = !field_ || frame != frame_ || look != look_;
+    try {
+      if (buffer.have_changed()) previews_ = {};
+      const bool from_scratch = is_new || buffer.have_all_changed();
+      if (from_scratch) {
+        if (frame.width != frame_.width || frame.height != frame_.height) forget();
+        if (look.opacity != look_.opacity || look.half_width != look_.half_width) field_.reset();
+        frame_ = frame;
+        look_ = look;
+        count_all(buffer);
+      } else {
+        field_->remove(shapes_of(buffer.removed(), buffer.kind()));
+        field_->add(shapes_of(buffer.added(), buffer.kind()));
+      }
+      buffer.forget_changes();
+      upload(from_scratch);
+    } catch (...) {
+      forget();
+      throw;
+    }
+  }
+
+ private:
+  /// Few instances that stand for all; empty if they would not be few.
+  struct Set {
+    std::optional<int> exponent;  ///< of the grid; none: not made yet
+    std::vector<Placed> instances;
+  };
+
+  void forget() {
+    if (mask_ != TextureId{}) device_.destroy_texture(mask_);
+    mask_ = {};
+    field_.reset();
+    previews_ = {};
+    shapes_ = {};
+  }
+
+  std::optional<Shape> shape(const Placed& instance, PrimitiveKind kind) const {
+    return Counting::shape(instance, kind, frame_, look_);
+  }
+
+  std::vector<Shape> shapes_of(std::span<const double> instances, PrimitiveKind kind) const {
+    std::vector<Shape> out;
+    const std::size_t doubles = layout_of(kind).doubles();
+    for (std::size_t i = 0; i < instances.size(); i += doubles) {
+      const Placed instance = placed(instances.subspan(i, doubles));
+      if (const auto drawn = shape(grid_ ? grid_->snapped(instance) : instance, kind)) out.push_back(*drawn);
+    }
+    return out;
+  }
+
+  void count_all(const InstanceBuffer& buffer) {
+    if (field_)
+      field_->clear();
+    else
+      field_.emplace(Counting::field(frame_, look_));
+    grid_.reset();
+    const PrimitiveKind kind = buffer.kind();
+    if (const Set* set = preview_of(buffer)) {
+      grid_.emplace(*set->exponent);
+      count(set->instances.size(), kind, [set](std::size_t i) { return set->instances[i]; });
+      return;
+    }
+    const std::size_t doubles = layout_of(kind).doubles();
+    const std::span<const double> all = buffer.kept();
+    count(buffer.count(), kind, [all, doubles](std::size_t i) { return placed(all.subspan(i * doubles, doubles)); });
+  }
+
+  template <class Instance>
+  void count(std::size_t count, PrimitiveKind kind, Instance instance) {
+    if (shapes_.size() < count) shapes_.resize(count);
+    // Each thread puts its shapes where its instances begin; then they move together.
+    std::vector<std::pair<std::size_t, std::size_t>> parts(chunk_count(count));
+    parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      std::size_t next = begin;
+      for (std::size_t i = begin; i < end; ++i)
+        if (const auto drawn = shape(instance(i), kind)) shapes_[next++] = *drawn;
+      parts[chunk] = {begin, next};
+    });
+    std::size_t drawn = 0;
+    for (const auto& [begin, end] : parts) {
+      if (drawn != begin) std::copy(&shapes_[begin], &shapes_[begin] + (end - begin), &shapes_[drawn]);
+      drawn += end - begin;
+    }
+    field_->add(std::span<const Shape>(shapes_).first(drawn));
+  }
+
+  // Null if the instances themselves are to be counted.
+  const Set* preview_of(const InstanceBuffer& buffer) {
+    if (look_.preview == Preview::none || buffer.count() < kMany) return nullptr;
+    Set& set = previews_[look_.preview == Preview::coarse ? 1 : 0];
+    constexpr double kFinePx = 0.125;
+    const int exponent = exponent_of(look_.preview == Preview::coarse ? Counting::kCoarsePx : kFinePx, frame_.scale);
+    if (set.exponent != exponent) {
+      set.exponent = exponent;
+      set.instances.clear();
+      if (is_worth_merging(buffer, Grid(exponent))) set.instances = merged(buffer, Grid(exponent));
+      if (!is_few(set.instances.size(), buffer.count())) set.instances = {};
+    }
+    return set.instances.empty() ? nullptr : &set;
+  }
+
+  static bool is_few(std::size_t merged, std::size_t of) {
+    return static_cast<double>(merged) <= Counting::kWorth * static_cast<double>(of);
+  }
+
+  static std::vector<Placed> snapped(const InstanceBuffer& buffer, const Grid& grid, std::size_t begin,
+                                     std::size_t end) {
+    const std::size_t doubles = layout_of(buffer.kind()).doubles();
+    std::vector<Placed> out;
+    out.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+      out.push_back(grid.snapped(placed(buffer.kept().subspan(i * doubles, doubles))));
+    return out;
+  }
+
+  // Those of a part, which are neighbours as a rule, stand for all.
+  static bool is_worth_merging(const InstanceBuffer& buffer, const Grid& grid) {
+    constexpr std::size_t kPart = 4096;
+    const std::size_t begin = (buffer.count() - kPart) / 2;
+    std::vector<Placed> out;
+    Grid::merge(snapped(buffer, grid, begin, begin + kPart), out);
+    return is_few(out.size(), kPart);
+  }
+
+  static std::vector<Placed> merged(const InstanceBuffer& buffer, const Grid& grid) {
+    std::vector<std::vector<Placed>> parts(chunk_count(buffer.count()));
+    parallel_for(buffer.count(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      Grid::merge(snapped(buffer, grid, begin, end), parts[chunk]);
+    });
+    std::vector<Placed> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    std::vector<Placed> out;
+    Grid::merge(all, out);
+    return out;
+  }
+
+  void upload(bool everything) {
+    const std::span<const RowRange> settled = field_->settle();
+    if (mask_ == TextureId{}) {
+      mask_ = device_.create_mask(frame_.width, frame_.height);
+      everything = true;
+    }
+    if (everything) {
+      device_.update_mask(mask_, 0, field_->rows({0, frame_.height}));
+    } else {
+      for (const RowRange& range : settled) device_.update_mask(mask_, range.first, field_->rows(range));
+    }
+  }
+
+  Device& device_;
+  PixelFrame frame_;
+  CountedLook look_;
+  std::optional<Grid> grid_;     ///< on which what is counted lies; none: it lies where it should
+  std::array<Set, 2> previews_;  ///< fine and coarse
+  std::optional<typename Counting::Field> field_;
+  std::vector<Shape> shapes_;  ///< room for those of one pass
+  TextureId mask_{};
+};
+
+}  // namespace
+
+std::unique_ptr<CountedInstances> CountedInstances::create(PrimitiveKind kind, Device& device) {
+  if (DiskCounting::can_count(kind)) return std::make_unique<Counted<DiskCounting>>(device);
+  if (StrokeCounting::can_count(kind)) return std::make_unique<Counted<StrokeCounting>>(device);
+  return nullptr;
+}
+
+bool CountedInstances::is_cheaper(const InstanceBuffer& buffer, const PixelFrame& frame, const Device& device) {
+  if (buffer.kept().empty()) return false;
+  const auto workers = static_cast<double>(worker_count());
+  // What painting and counting cost a pixel of a stroke is about the same. Tiles of one picture must be drawn in the
+  // same way, so their size does not matter.
+  if (StrokeCounting::can_count(buffer.kind()))
+    return kStrokeNs * buffer.count() / workers + kMaskPixelNs * kUsualPixels <
+           device.instance_cost_ns() * buffer.count();
+  if (!DiskCounting::can_count(buffer.kind())) return false;
+  double rows = 0.0;
+  double pixels = 0.0;
+  for (std::size_t i = 0; i < buffer.kept().size(); i += layout_of(PrimitiveKind::disk).doubles()) {
+    if (buffer.kept()[i + 2] < 0.0) continue;
+    const PixelDisk disk = disk_of(placed(buffer.kept().subspan(i, 3)).at, frame);
+    const double across = overlap(disk.x, disk.radius + 0.5, frame.width);
+    const double up = across > 0.0 ? overlap(disk.y, disk.radius + 0.5, frame.height) : 0.0;
+    rows += up;
+    pixels += 0.25 * std::numbers::pi * across * up;
+  }
+  const double mask = kMaskPixelNs * frame.width * frame.height;
+  return kRowNs * rows / workers + mask < device.pixel_cost_ns() * pixels;
+}
+
+}  // namespace mes::render

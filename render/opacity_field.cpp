@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/opacity_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "core/base/assert.h"
+
+namespace mes::render {
+namespace {
+
+constexpr int kFractionBits = 20;  // of logarithms
+constexpr double kUnit = 1 << kFractionBits;
+/// Stands for the logarithm of zero: far more bits than an opacity has, and a hundred million of them do not overflow.
+constexpr std::int64_t kOpaque = std::int64_t{1} << 36U;
+
+/// 65535 2^-(i / size), in units of 2^-14, for the fractions of logarithms.
+constexpr int kPowerBits = 12;
+constexpr int kPowerUnitBits = 14;
+using Powers = std::array<std::uint32_t, std::size_t{1} << kPowerBits>;
+const Powers& powers() {
+  static const auto table = [] {
+    Powers out{};
+    const auto size = static_cast<double>(out.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = static_cast<std::uint32_t>(
+          std::llround(std::ldexp(65535.0 * std::exp2(-(static_cast<double>(i) + 0.5) / size), kPowerUnitBits)));
+    return out;
+  }();
+  return table;
+}
+
+}  // namespace
+
+OpacityField::OpacityField(int width, int height, double opacity, Ends ends) : width_(width), height_(height) {
+  MES_ASSERT(width > 0 && height > 0 && opacity >= 0.0 && opacity <= 1.0);
+  for (std::size_t i = 0; i < factor_.size(); ++i) {
+    const double passes = 1.0 - opacity * static_cast<double>(i) / kSteps;
+    factor_[i] = passes > 0.0 ? std::llround(-std::log2(passes) * kUnit) : kOpaque;
+  }
+  const std::size_t rows = static_cast<std::size_t>(height);
+  if (ends == Ends::yes) ends_.resize((columns() + 1) * rows);
+  sums_.resize(columns() * rows);
+  opacity_.resize(columns() * rows);
+  is_stale_.resize(static_cast<std::size_t>(bands()));
+  is_used_.resize(is_stale_.size());
+}
+
+void OpacityField::clear() {
+  const auto clear_band = [this](std::size_t band) {
+    if (is_used_[band] == 0 && is_stale_[band] == 0) return;
+    const std::size_t first = band * kBandRows;
+    const std::size_t end = std::min(first + kBandRows, static_cast<std::size_t>(height_));
+    const auto clear_rows = [&](auto& values, std::size_t row) {
+      std::fill(values.begin() + static_cast<std::ptrdiff_t>(first * row),
+                values.begin() + static_cast<std::ptrdiff_t>(end * row), 0);
+    };
+    clear_rows(sums_, columns());
+    if (!ends_.empty()) clear_rows(ends_, columns() + 1);
+    is_stale_[band] = 1;
+    is_used_[band] = 0;
+  };
+  run_tasks(is_used_.size(), clear_band);
+}
+
+void OpacityField::settle_row(int y) {
+  const auto at = static_cast<std::size_t>(y);
+  const std::int32_t* ends = ends_.empty() ? nullptr : &ends_[at * (columns() + 1)];
+  const std::int64_t* sums = &sums_[at * columns()];
+  std::uint16_t* out = &opacity_[at * columns()];
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
+  constexpr std::int64_t kNothingPasses = std::int64_t{18} << kFractionBits;
+  const std::int64_t whole = factor_.back();
+  const auto& power = powers();
+  std::int64_t covers = 0;
+  for (std::size_t x = 0; x < columns(); ++x) {
+    if (ends != nullptr) covers += ends[x];
+    const std::int64_t bits = covers * whole + sums[x];
+    if (bits == 0) {
+      out[x] = 0;
+    } else if (bits >= kNothingPasses) {
+      out[x] = static_cast<std::uint16_t>(kMost);
+    } else {
+      constexpr int kDropped = kFractionBits - kPowerBits;
+      const auto fraction = static_cast<std::size_t>(bits >> kDropped) & (power.size() - 1);
+      const std::uint32_t passes = power[fraction] >> static_cast<std::uint32_t>(bits >> kFractionBits);
+      constexpr std::uint32_t kHalf = 1U << (kPowerUnitBits - 1);
+      out[x] = static_cast<std::uint16_t>(kMost - ((passes + kHalf) >> kPowerUnitBits));
+    }
+  }
+}
+
+std::span<const RowRange> OpacityField::settle() {
+  std::vector<int> stale;
+  for (int band = 0; band < bands(); ++band)
+    if (is_stale_[static_cast<std::size_t>(band)] != 0) stale.push_back(band);
+  const auto rows_of = [this](int band) {
+    return RowRange{band * kBandRows, std::min((band + 1) * kBandRows, height_)};
+  };
+  const auto settle_band = [&](std::size_t i) {
+    const RowRange rows = rows_of(stale[i]);
+    for (int y = rows.first; y < rows.end; ++y) settle_row(y);
+  };
+  constexpr std::size_t kWorthThreads = 8;
+  if (stale.size() < kWorthThreads) {
+    for (std::size_t i = 0; i < stale.size(); ++i) settle_band(i);
+  } else {
+    run_tasks(stale.size(), settle_band);
+  }
+  settled_.clear();
+  for (const int band : stale) {
+    const RowRange rows = rows_of(band);
+    is_used_[static_cast<std::size_t>(band)] = 1;
+    is_stale_[static_cast<std::size_t>(band)] = 0;
+    if (!settled_.empty() && settled_.back().end == rows.first)
+      settled_.back().end = rows.end;
+    else
+      settled_.push_back(rows);
+  }
+  return settled_;
+}
+
+}  // namespace mes::render

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The opacity of many shapes of one colour, pixel by pixel, without painting them: what fields of disks and of strokes
+// share.
+//
+// A shape of opacity a that covers the part c of a pixel lets the part 1 - a c of what lies below pass, and what passes
+// several shapes is the product of these factors. A field sums their logarithms, as integers: so removing a shape
+// undoes adding it, and neither the order of shapes nor the number of threads matters. Rounding happens once, at the
+// end. Rows are in bands, which are changed by different threads and brought up to date when something in them changed.
+//
+// Cost: `settle` O(pixels of the bands that changed). Memory: 10 bytes a pixel, 14 with ends. Threads: one at a time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace mes::render {
+
+/// Rows `first` up to, but not including, `end`.
+struct RowRange {
+  int first = 0;
+  int end = 0;
+};
+
+/// The least whole number not below x, and the largest not above it, for |x| far inside the range of an int.
+inline int ceil_of(double x) {
+  const int cut = static_cast<int>(x);
+  return cut + (static_cast<double>(cut) < x ? 1 : 0);
+}
+inline int floor_of(double x) {
+  const int cut = static_cast<int>(x);
+  return cut - (static_cast<double>(cut) > x ? 1 : 0);
+}
+
+class OpacityField {
+ public:
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// Removes all shapes.
+  void clear();
+  /// Brings `row` and `rows` up to date. Returns ranges of rows that may differ from before, in order.
+  std::span<const RowRange> settle();
+  /// Opacities of 65535, from left to right; the lowest row is 0.
+  std::span<const std::uint16_t> row(int y) const { return rows({y, y + 1}); }
+  /// Row after row, without gaps.
+  std::span<const std::uint16_t> rows(RowRange range) const {
+    return std::span(opacity_).subspan(static_cast<std::size_t>(range.first) * columns(),
+                                       static_cast<std::size_t>(range.end - range.first) * columns());
+  }
+
+ protected:
+  static constexpr int kBandRows = 16;
+  static constexpr int kSteps = 1024;  ///< of the part of a pixel that is covered
+
+  enum class Ends : std::uint8_t { no, yes };
+  /// Both sizes are at least 1; `opacity` is that of one shape, in [0, 1]. Only with ends may shapes cover runs of
+  /// pixels.
+  OpacityField(int width, int height, double opacity, Ends ends);
+  ~OpacityField() = default;
+  OpacityField(OpacityField&&) = default;
+  OpacityField& operator=(OpacityField&&) = default;
+  OpacityField(const OpacityField&) = delete;
+  OpacityField& operator=(const OpacityField&) = delete;
+
+  std::size_t columns() const { return static_cast<std::size_t>(width_); }
+  /// What a pixel adds to its sum of which a shape covers `step` of `kSteps`.
+  std::int64_t factor(std::size_t step) const { return factor_[step]; }
+  /// One sum a pixel.
+  std::int64_t* sums(int y) { return &sums_[static_cast<std::size_t>(y) * columns()]; }
+  /// `width + 1` a row: shapes whose covered pixels begin here, less those whose covered pixels ended before.
+  std::int32_t* ends(int y) { return &ends_[static_cast<std::size_t>(y) * (columns() + 1)]; }
+  void mark(RowRange rows) {
+    for (int band = rows.first / kBandRows; band * kBandRows < rows.end; ++band)
+      is_stale_[static_cast<std::size_t>(band)] = 1;
+  }
+
+  /// Calls `change(item, rows)` for all `rows_of(item)`, on all cores when there are many items; then no two calls at
+  /// a time are for the same band.
+  template <class Item, class RowsOf, class Change>
+  void change_by_bands(std::span<const Item> items, RowsOf rows_of, Change change) const;
+
+ private:
+  int bands() const { return (height_ + kBandRows - 1) / kBandRows; }
+  static RowRange bands_of(RowRange rows) {
+    return {rows.first / kBandRows, rows.first < rows.end ? (rows.end - 1) / kBandRows + 1 : 0};
+  }
+  void settle_row(int y);
+
+  int width_;
+  int height_;
+  /// -log2(1 - a c) in units of 2^-20, for c in steps.
+  std::array<std::int64_t, kSteps + 1> factor_{};
+  std::vector<std::int32_t> ends_;
+  std::vector<std::int64_t> sums_;
+  std::vector<std::uint16_t> opacity_;
+  std::vector<std::uint8_t> is_stale_;  ///< by band
+  std::vector<std::uint8_t> is_used_;   ///< by band: not empty, or was not empty since `clear`
+  std::vector<RowRange> settled_;
+};
+
+template <class Item, class RowsOf, class Change>
+void OpacityField::change_by_bands(std::span<const Item> items, RowsOf rows_of, Change change) const {
+  constexpr std::size_t kFew = 64;  // without lists
+  if (items.size() < kFew) {
+    for (const Item& item : items) {
+      const RowRange rows = rows_of(item);
+      if (rows.first < rows.end) change(item, rows);
+    }
+    return;
+  }
+  // The items of each band, in one array: those of the first chunk, of the second, and so on.
+  const auto bands = static_cast<std::size_t>(this->bands());
+  std::vector<std::size_t> place(chunk_count(items.size()) * bands);  // by chunk and band; first how many, then where
+  parallel_for(items.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    std::size_t* count = &place[chunk * bands];
+    for (std::size_t i = begin; i < end; ++i) {
+      const RowRange range = bands_of(rows_of(items[i]));
+      for (int band = range.first; band < range.end; ++band) ++count[band];
+    }
+  });
+  std::vector<std::size_t> start(bands + 1);
+  std::size_t total = 0;
+  for (std::size_t band = 0; band < bands; ++band) {
+    start[band] = total;
+    for (std::size_t at = band; at < place.size(); at += bands) total += std::exchange(place[at], total);
+  }
+  start[bands] = total;
+  // Copies of small items: threads of different bands would otherwise wait for each item.
+  constexpr bool kCopies = sizeof(Item) <= 3 * sizeof(double);
+  std::vector<std::conditional_t<kCopies, Item, std::uint32_t>> of_band(total);
+  parallel_for(items.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    std::size_t* next = &place[chunk * bands];
+    for (std::size_t i = begin; i < end; ++i) {
+      const RowRange range = bands_of(rows_of(items[i]));
+      for (int band = range.first; band < range.end; ++band) {
+        if constexpr (kCopies)
+          of_band[next[band]++] = items[i];
+        else
+          of_band[next[band]++] = static_cast<std::uint32_t>(i);
+      }
+    }
+  });
+  run_tasks(bands, [&](std::size_t band) {
+    const int first = static_cast<int>(band) * kBandRows;
+    for (std::size_t i = start[band]; i < start[band + 1]; ++i) {
+      const Item& item = [&]() -> const Item& {
+        if constexpr (kCopies)
+          return of_band[i];
+        else
+          return items[of_band[i]];
+      }();
+      const RowRange rows = rows_of(item);
+      change(item, RowRange{std::max(first, rows.first), std::min(first + kBandRows, rows.end)});
+    }
+  });
+}
+
+}  // namespace mes::render
