@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/workspace.h"
 
+#include <fmt/core.h>
 #include <utility>
 
 #include "core/io/text_numbers.h"
@@ -38,6 +39,7 @@ void Workspace::choose_bundle(std::size_t index) {
   const LayerConfiguration as = adapted(bundle.layers, family(), document());
   editor_.change_layers("Bundle " + in_quotes(bundle.name), [&] { bundles_.choose(index, as); });
   if (const auto shown = family_of(as)) family_.note_shown(*shown);
+  messages_.remark(fmt::format("Bundle {}: {}", index + 1, bundle.name));
 }
 
 void Workspace::choose_family(BallFamily family) {

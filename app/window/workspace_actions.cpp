@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the actions of the table do to the document, its layers and its computation.
-#include <fmt/core.h>
 #include <algorithm>
 
 #include "app/window/workspace.h"
@@ -95,14 +94,9 @@ void Workspace::bind_computation(ActionBindings& actions) {
 
 void Workspace::bind_bundles(ActionBindings& actions) {
   for (std::size_t index = 0; index < kNumberedBundles; ++index) {
-    actions.bind(nth(ActionId::first_bundle, index),
-                 {[this, index] {
-                    const std::string name = bundles_.bundles()[index].name;
-                    choose_bundle(index);
-                    messages_.remark(fmt::format("Bundle {}: {}", index + 1, name));
-                  },
-                  [this, index] { return index < bundles_.bundles().size(); },
-                  [this, index] { return bundles_.current() == index; }});
+    actions.bind(nth(ActionId::first_bundle, index), {[this, index] { choose_bundle(index); },
+                                                      [this, index] { return index < bundles_.bundles().size(); },
+                                                      [this, index] { return bundles_.current() == index; }});
   }
   const auto bind_step = [&](ActionId id, bool is_forward) {
     actions.bind(id, {[this, is_forward] {
@@ -112,7 +106,6 @@ void Workspace::bind_bundles(ActionBindings& actions) {
                                                  : is_forward ? std::min(*now + 1, last)
                                                               : *now - std::min<std::size_t>(*now, 1);
                         choose_bundle(next);
-                        messages_.remark(fmt::format("Bundle {}: {}", next + 1, bundles_.bundles()[next].name));
                       },
                       [this] { return !bundles_.bundles().empty(); }});
   };
