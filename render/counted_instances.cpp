@@ -154,6 +154,7 @@ class Counted final : public CountedInstances {
   ~Counted() override { forget(); }
 
   TextureId mask() const override { return mask_; }
+  std::span<const PixelRect> parts() const override { return parts_; }
   bool is_coarse() const override { return grid_.has_value() && look_.preview == Preview::coarse; }
 
   void show(InstanceBuffer& buffer, const PixelFrame& frame, const CountedLook& look) override {
@@ -300,11 +301,17 @@ class Counted final : public CountedInstances {
       mask_ = device_.create_mask(frame_.width, frame_.height);
       everything = true;
     }
-    if (everything) {
-      device_.update_mask(mask_, 0, field_->rows({0, frame_.height}));
-    } else {
-      for (const RowRange& range : settled) device_.update_mask(mask_, range.first, field_->rows(range));
+    parts_.clear();
+    std::vector<RowRange> visible;  // only these are painted
+    for (const FieldPart& part : field_->parts()) {
+      parts_.push_back({part.left, part.rows.first, part.right - part.left, part.rows.end - part.rows.first});
+      if (!visible.empty() && visible.back().end >= part.rows.first)
+        visible.back().end = part.rows.end;
+      else
+        visible.push_back(part.rows);
     }
+    for (const RowRange& range : everything ? std::span<const RowRange>(visible) : settled)
+      device_.update_mask(mask_, range.first, field_->rows(range));
   }
 
   Device& device_;
@@ -315,6 +322,7 @@ class Counted final : public CountedInstances {
   std::optional<typename Counting::Field> field_;
   std::vector<Shape> shapes_;  ///< room for those of one pass
   TextureId mask_{};
+  std::vector<PixelRect> parts_;
 };
 
 }  // namespace
@@ -336,16 +344,18 @@ bool CountedInstances::is_cheaper(const InstanceBuffer& buffer, const PixelFrame
   if (!DiskCounting::can_count(buffer.kind())) return false;
   double rows = 0.0;
   double pixels = 0.0;
+  double visible = 0.0;
   for (std::size_t i = 0; i < buffer.kept().size(); i += layout_of(PrimitiveKind::disk).doubles()) {
     if (buffer.kept()[i + 2] < 0.0) continue;
     const PixelDisk disk = disk_of(placed(buffer.kept().subspan(i, 3)).at, frame);
     const double across = overlap(disk.x, disk.radius + 0.5, frame.width);
     const double up = across > 0.0 ? overlap(disk.y, disk.radius + 0.5, frame.height) : 0.0;
     rows += up;
+    if (up > 0.0) visible += 1.0;
     pixels += 0.25 * std::numbers::pi * across * up;
   }
-  const double mask = kMaskPixelNs * frame.width * frame.height;
-  return kRowNs * rows / workers + mask < device.pixel_cost_ns() * pixels;
+  const double mask = kMaskPixelNs * std::max(kUsualPixels, 1.0 * frame.width * frame.height);
+  return kRowNs * rows / workers + mask < device.pixel_cost_ns() * pixels + device.instance_cost_ns() * visible;
 }
 
 }  // namespace mes::render

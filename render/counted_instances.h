@@ -12,7 +12,7 @@
 //     if (CountedInstances::is_cheaper(buffer, frame, device)) {
 //       const auto counted = CountedInstances::create(buffer.kind(), device);
 //       counted->show(buffer, frame, {.opacity = 0.5});
-//       device.paint_mask(target, area, counted->mask(), color);
+//       device.paint_mask(target, area, counted->mask(), counted->parts(), color);
 //     }
 //
 // Cost: `is_cheaper` O(disks), a few nanoseconds each, O(1) for other kinds; `show` O(changed instances), or
@@ -22,6 +22,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "render/device.h"
 #include "render/instance_buffer.h"
@@ -74,6 +75,8 @@ class CountedInstances {
   /// Throws std::bad_alloc, and is empty then.
   virtual void show(InstanceBuffer& buffer, const PixelFrame& frame, const CountedLook& look) = 0;
   virtual TextureId mask() const = 0;
+  /// The parts of the mask that are to be painted; the rest of it is undefined.
+  virtual std::span<const PixelRect> parts() const = 0;
   /// True if a finer preview would differ.
   virtual bool is_coarse() const = 0;
 

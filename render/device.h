@@ -165,9 +165,10 @@ class Device {
   virtual void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                          const PremultipliedColor& color) = 0;
 
-  /// Paints `color`, each pixel multiplied by the mask, on `area`, lower left corner on lower left corner.
+  /// Paints `color`, each pixel multiplied by the mask, on parts of `area`, lower left corner on lower left corner. The
+  /// parts are relative to the area and do not overlap.
   virtual void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
-                          const PremultipliedColor& color) = 0;
+                          std::span<const PixelRect> parts, const PremultipliedColor& color) = 0;
 
   /// Roughly the nanoseconds that it takes to blend one pixel of a large shape.
   virtual double pixel_cost_ns() const = 0;

@@ -82,6 +82,9 @@ std::string text_of(GLenum name) {
   return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
 }
 
+/// In one draw call; composite.vert has as many.
+constexpr std::size_t kPaintedParts = 128;
+
 bool is_software(std::string_view renderer) {
   constexpr std::array<std::string_view, 4> kSoftware{"llvmpipe", "softpipe", "swrast", "SwiftShader"};
   return std::ranges::any_of(kSoftware,
@@ -128,6 +131,7 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   composite_.group = glGetUniformLocation(composite_.handle.get(), "u_group");
   composite_.tint = glGetUniformLocation(composite_.handle.get(), "u_tint");
   composite_.corner = glGetUniformLocation(composite_.handle.get(), "u_corner");
+  composite_.parts = glGetUniformLocation(composite_.handle.get(), "u_parts");
   picture_.handle = build_picture_program();
   picture_.picture = glGetUniformLocation(picture_.handle.get(), "u_picture");
   picture_.place = glGetUniformLocation(picture_.handle.get(), "u_place");
@@ -450,11 +454,13 @@ void GlDevice::draw_picture(const PictureCall& call) {
   glUniform1i(picture_.picture, 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture_of(call.texture).get());
-  paint_over(GL_TRIANGLE_STRIP, 4);
+  begin_painting_over();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  end_painting_over();
 }
 
-// Draws with a program that reads no instances, and resets the state.
-void GlDevice::paint_over(unsigned shape, int vertices) {
+// For programs that read no instances.
+void GlDevice::begin_painting_over() {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_CULL_FACE);
@@ -463,7 +469,10 @@ void GlDevice::paint_over(unsigned shape, int vertices) {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(vertex_array_.get());
   for (GLuint unused = 0; unused <= kScalarColumn; ++unused) glDisableVertexAttribArray(unused);
-  glDrawArrays(shape, 0, vertices);
+}
+
+// Resets the state.
+void GlDevice::end_painting_over() {
   glBindVertexArray(0);
   glBindTexture(GL_TEXTURE_2D, 0);
   glUseProgram(0);
@@ -473,20 +482,21 @@ void GlDevice::paint_over(unsigned shape, int vertices) {
 void GlDevice::composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                          const PremultipliedColor& color) {
   static_cast<void>(resolved(group));
-  paint_texture(target, area, framebuffer_of(group).texture, color);
+  const PixelRect all{0, 0, area.width, area.height};
+  paint_texture(target, area, framebuffer_of(group).texture, std::span(&all, 1), color);
   ++counters_.composites;
 }
 
 void GlDevice::paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
-                          const PremultipliedColor& color) {
+                          std::span<const PixelRect> parts, const PremultipliedColor& color) {
   MES_ASSERT(mask_widths_.contains(mask.value));
-  paint_texture(target, area, texture_of(mask), color);
+  paint_texture(target, area, texture_of(mask), parts, color);
   ++counters_.masks;
 }
 
 // Pixel on pixel.
 void GlDevice::paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
-                             const PremultipliedColor& color) {
+                             std::span<const PixelRect> parts, const PremultipliedColor& color) {
   bind_target(target, area);
   glUseProgram(composite_.handle.get());
   glUniform4fv(composite_.tint, 1, glm::value_ptr(color));
@@ -494,7 +504,20 @@ void GlDevice::paint_texture(FramebufferId target, const PixelRect& area, const 
   glUniform1i(composite_.group, 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture.get());
-  paint_over(GL_TRIANGLES, 3);
+  begin_painting_over();
+  const glm::vec4 size(area.width, area.height, area.width, area.height);
+  std::array<glm::vec4, kPaintedParts> places;
+  for (std::size_t first = 0; first < parts.size(); first += places.size()) {
+    const std::size_t count = std::min(places.size(), parts.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const PixelRect& part = parts[first + i];
+      const glm::vec4 edges(part.left, part.bottom, part.left + part.width, part.bottom + part.height);
+      places[i] = 2.0F * edges / size - 1.0F;
+    }
+    glUniform4fv(composite_.parts, static_cast<GLsizei>(count), glm::value_ptr(places[0]));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+  }
+  end_painting_over();
 }
 
 std::string GlDevice::description() const {

@@ -44,7 +44,7 @@ class GlDevice final : public Device {
   void draw_picture(const PictureCall& call) override;
   void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                  const PremultipliedColor& color) override;
-  void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+  void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask, std::span<const PixelRect> parts,
                   const PremultipliedColor& color) override;
   double pixel_cost_ns() const override { return pixel_cost_ns_; }
   double instance_cost_ns() const override { return instance_cost_ns_; }
@@ -85,6 +85,7 @@ class GlDevice final : public Device {
     int group = -1;
     int tint = -1;
     int corner = -1;
+    int parts = -1;
   };
 
   struct PictureProgram {
@@ -100,9 +101,10 @@ class GlDevice final : public Device {
   GlTexture& texture_of(TextureId id);
   Program& program_of(const ProgramKey& key);
   void bind_target(FramebufferId target, const PixelRect& area);
-  void paint_over(unsigned shape, int vertices);
+  void begin_painting_over();
+  void end_painting_over();
   void paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
-                     const PremultipliedColor& color);
+                     std::span<const PixelRect> parts, const PremultipliedColor& color);
   /// Makes multisampled pixels readable. Returns the framebuffer to read from.
   unsigned resolved(FramebufferId source);
 

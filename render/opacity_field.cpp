@@ -46,6 +46,7 @@ OpacityField::OpacityField(int width, int height, double opacity, Ends ends) : w
   opacity_.resize(columns() * rows);
   is_stale_.resize(static_cast<std::size_t>(bands()));
   is_used_.resize(is_stale_.size());
+  is_visible_.resize(is_stale_.size() * static_cast<std::size_t>(blocks()));
 }
 
 void OpacityField::clear() {
@@ -65,7 +66,7 @@ void OpacityField::clear() {
   run_tasks(is_used_.size(), clear_band);
 }
 
-void OpacityField::settle_row(int y) {
+void OpacityField::settle_row(int y, std::span<std::uint8_t> is_visible) {
   const auto at = static_cast<std::size_t>(y);
   const std::int32_t* ends = ends_.empty() ? nullptr : &ends_[at * (columns() + 1)];
   const std::int64_t* sums = &sums_[at * columns()];
@@ -75,39 +76,47 @@ void OpacityField::settle_row(int y) {
   const std::int64_t whole = factor_.back();
   const auto& power = powers();
   std::int64_t covers = 0;
-  for (std::size_t x = 0; x < columns(); ++x) {
-    if (ends != nullptr) covers += ends[x];
-    const std::int64_t bits = covers * whole + sums[x];
-    if (bits == 0) {
-      out[x] = 0;
-    } else if (bits >= kNothingPasses) {
-      out[x] = static_cast<std::uint16_t>(kMost);
-    } else {
-      constexpr int kDropped = kFractionBits - kPowerBits;
-      const auto fraction = static_cast<std::size_t>(bits >> kDropped) & (power.size() - 1);
-      const std::uint32_t passes = power[fraction] >> static_cast<std::uint32_t>(bits >> kFractionBits);
-      constexpr std::uint32_t kHalf = 1U << (kPowerUnitBits - 1);
-      out[x] = static_cast<std::uint16_t>(kMost - ((passes + kHalf) >> kPowerUnitBits));
+  for (std::size_t block = 0; block < is_visible.size(); ++block) {
+    std::uint32_t any = 0;
+    const std::size_t end = std::min((block + 1) * kBlockColumns, columns());
+    for (std::size_t x = block * kBlockColumns; x < end; ++x) {
+      if (ends != nullptr) covers += ends[x];
+      const std::int64_t bits = covers * whole + sums[x];
+      std::uint32_t opacity = 0;
+      if (bits >= kNothingPasses) {
+        opacity = kMost;
+      } else if (bits != 0) {
+        constexpr int kDropped = kFractionBits - kPowerBits;
+        const auto fraction = static_cast<std::size_t>(bits >> kDropped) & (power.size() - 1);
+        const std::uint32_t passes = power[fraction] >> static_cast<std::uint32_t>(bits >> kFractionBits);
+        constexpr std::uint32_t kHalf = 1U << (kPowerUnitBits - 1);
+        opacity = kMost - ((passes + kHalf) >> kPowerUnitBits);
+      }
+      any |= opacity;
+      out[x] = static_cast<std::uint16_t>(opacity);
     }
+    if (any != 0) is_visible[block] = 1;
   }
+}
+
+void OpacityField::settle_band(int band) {
+  const auto at = static_cast<std::size_t>(band);
+  const auto size = static_cast<std::size_t>(blocks());
+  const std::span<std::uint8_t> is_visible = std::span(is_visible_).subspan(at * size, size);
+  std::ranges::fill(is_visible, std::uint8_t{0});
+  const RowRange rows = rows_of(band);
+  for (int y = rows.first; y < rows.end; ++y) settle_row(y, is_visible);
 }
 
 std::span<const RowRange> OpacityField::settle() {
   std::vector<int> stale;
   for (int band = 0; band < bands(); ++band)
     if (is_stale_[static_cast<std::size_t>(band)] != 0) stale.push_back(band);
-  const auto rows_of = [this](int band) {
-    return RowRange{band * kBandRows, std::min((band + 1) * kBandRows, height_)};
-  };
-  const auto settle_band = [&](std::size_t i) {
-    const RowRange rows = rows_of(stale[i]);
-    for (int y = rows.first; y < rows.end; ++y) settle_row(y);
-  };
   constexpr std::size_t kWorthThreads = 8;
   if (stale.size() < kWorthThreads) {
-    for (std::size_t i = 0; i < stale.size(); ++i) settle_band(i);
+    for (const int band : stale) settle_band(band);
   } else {
-    run_tasks(stale.size(), settle_band);
+    run_tasks(stale.size(), [&](std::size_t i) { settle_band(stale[i]); });
   }
   settled_.clear();
   for (const int band : stale) {
@@ -120,6 +129,23 @@ std::span<const RowRange> OpacityField::settle() {
       settled_.push_back(rows);
   }
   return settled_;
+}
+
+std::vector<FieldPart> OpacityField::parts() const {
+  std::vector<FieldPart> out;
+  const int size = blocks();
+  for (int band = 0; band < bands(); ++band) {
+    const auto is_visible = [&](int block) {
+      return is_visible_[static_cast<std::size_t>(band * size + block)] != 0;
+    };
+    for (int block = 0; block < size; ++block) {
+      if (!is_visible(block)) continue;
+      const int first = block;
+      while (block + 1 < size && is_visible(block + 1)) ++block;
+      out.push_back({first * kBlockColumns, std::min((block + 1) * kBlockColumns, width_), rows_of(band)});
+    }
+  }
+  return out;
 }
 
 }  // namespace mes::render

@@ -39,6 +39,13 @@ inline int floor_of(double x) {
   return cut - (static_cast<double>(cut) > x ? 1 : 0);
 }
 
+/// Pixels from `left` up to, but not including, `right` in some rows.
+struct FieldPart {
+  int left = 0;
+  int right = 0;
+  RowRange rows;
+};
+
 class OpacityField {
  public:
   int width() const { return width_; }
@@ -48,6 +55,8 @@ class OpacityField {
   void clear();
   /// Brings `row` and `rows` up to date. Returns ranges of rows that may differ from before, in order.
   std::span<const RowRange> settle();
+  /// Parts of the field, without overlap; all pixels of other opacity than zero are in one. As of the last `settle`.
+  std::vector<FieldPart> parts() const;
   /// Opacities of 65535, from left to right; the lowest row is 0.
   std::span<const std::uint16_t> row(int y) const { return rows({y, y + 1}); }
   /// Row after row, without gaps.
@@ -58,6 +67,7 @@ class OpacityField {
 
  protected:
   static constexpr int kBandRows = 16;
+  static constexpr int kBlockColumns = 64;
   static constexpr int kSteps = 1024;  ///< of the part of a pixel that is covered
 
   enum class Ends : std::uint8_t { no, yes };
@@ -89,10 +99,13 @@ class OpacityField {
 
  private:
   int bands() const { return (height_ + kBandRows - 1) / kBandRows; }
+  int blocks() const { return (width_ + kBlockColumns - 1) / kBlockColumns; }
+  RowRange rows_of(int band) const { return {band * kBandRows, std::min((band + 1) * kBandRows, height_)}; }
   static RowRange bands_of(RowRange rows) {
     return {rows.first / kBandRows, rows.first < rows.end ? (rows.end - 1) / kBandRows + 1 : 0};
   }
-  void settle_row(int y);
+  void settle_band(int band);
+  void settle_row(int y, std::span<std::uint8_t> is_visible);
 
   int width_;
   int height_;
@@ -101,8 +114,9 @@ class OpacityField {
   std::vector<std::int32_t> ends_;
   std::vector<std::int64_t> sums_;
   std::vector<std::uint16_t> opacity_;
-  std::vector<std::uint8_t> is_stale_;  ///< by band
-  std::vector<std::uint8_t> is_used_;   ///< by band: not empty, or was not empty since `clear`
+  std::vector<std::uint8_t> is_stale_;    ///< by band
+  std::vector<std::uint8_t> is_used_;     ///< by band: not empty, or was not empty since `clear`
+  std::vector<std::uint8_t> is_visible_;  ///< by block of columns in a band: some pixel is not empty
   std::vector<RowRange> settled_;
 };
 

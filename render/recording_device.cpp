@@ -195,11 +195,14 @@ void RecordingDevice::composite(FramebufferId target, const PixelRect& area, Fra
 }
 
 void RecordingDevice::paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
-                                 const PremultipliedColor& color) {
+                                 std::span<const PixelRect> parts, const PremultipliedColor& color) {
   check_target(target, area);
   const auto found = masks_.find(mask.value);
   MES_ASSERT(found != masks_.end());
   MES_ASSERT(found->second.first >= area.width && found->second.second >= area.height);
+  for (const PixelRect& part : parts)
+    MES_ASSERT(part.left >= 0 && part.bottom >= 0 && part.left + part.width <= area.width &&
+               part.bottom + part.height <= area.height);
   MES_ASSERT(is_color(color));
   ++counters_.masks;
 }

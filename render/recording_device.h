@@ -41,7 +41,7 @@ class RecordingDevice final : public Device {
   void draw_picture(const PictureCall& call) override;
   void composite(FramebufferId target, const PixelRect& area, FramebufferId group,
                  const PremultipliedColor& color) override;
-  void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
+  void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask, std::span<const PixelRect> parts,
                   const PremultipliedColor& color) override;
   /// Costs are those of no device at first, so nothing is drawn in another way because of them.
   double pixel_cost_ns() const override { return pixel_cost_ns_; }

@@ -431,7 +431,7 @@ bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& l
   counted->show(buffer, frame, *shown);
   is_coarse_ = is_coarse_ || counted->is_coarse();
   // The mask has the opacity in it.
-  device_.paint_mask(pass.target, pass.area, counted->mask(), color / color.a);
+  device_.paint_mask(pass.target, pass.area, counted->mask(), counted->parts(), color / color.a);
   ++draw_calls_;
   return true;
 }

@@ -1,4 +1,8 @@
-// One triangle that covers the whole area.
+// Rectangles of the area, one an instance.
+uniform vec4 u_parts[128];  // left, bottom, right, top, from -1 to 1
+
 void main() {
-  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
+  vec4 part = u_parts[gl_InstanceID];
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  gl_Position = vec4(mix(part.xy, part.zw, corner), 0.0, 1.0);
 }

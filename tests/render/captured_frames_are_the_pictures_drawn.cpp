@@ -102,8 +102,8 @@ class ShortOfMemory final : public render::Device {
     device_.composite(target, area, group, color);
   }
   void paint_mask(render::FramebufferId target, const render::PixelRect& area, render::TextureId mask,
-                  const render::PremultipliedColor& color) override {
-    device_.paint_mask(target, area, mask, color);
+                  std::span<const render::PixelRect> parts, const render::PremultipliedColor& color) override {
+    device_.paint_mask(target, area, mask, parts, color);
   }
   double pixel_cost_ns() const override { return 0.0; }
   double instance_cost_ns() const override { return 0.0; }

@@ -156,7 +156,7 @@ TEST_CASE("the scene draws the same picture by counting and by painting") {
     LayerView view{.layer = 3, .style = {.color = {40, 120, 200}, .opacity = 0.3, .flat = is_flat}};
     const auto pictures = [&](double pixel_cost_ns, std::uint64_t masks) {
       Rng rng(22);
-      Drawing drawing({.pixel_cost_ns = pixel_cost_ns});
+      Drawing drawing({.pixel_cost_ns = pixel_cost_ns, .instance_cost_ns = 0.0});
       drawing.set(3, PrimitiveKind::disk, coordinates(random_disks(rng, 25, kWidth, kHeight)));
       std::vector<Image> out;
       for (const double zoom : kZooms) {
