@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   mes::bench::register_drawing(table);
   mes::bench::register_dragging(table);
   mes::bench::register_recording(table);
+  mes::bench::register_figures(table);
   mes::bench::register_unions(table);
   mes::bench::register_evolving(table);
   benchmark::RunSpecifiedBenchmarks();

@@ -48,6 +48,7 @@ void register_edits(RatioTable& table);
 void register_drawing(RatioTable& table);
 void register_dragging(RatioTable& table);
 void register_recording(RatioTable& table);
+void register_figures(RatioTable& table);
 void register_unions(RatioTable& table);
 void register_evolving(RatioTable& table);
 

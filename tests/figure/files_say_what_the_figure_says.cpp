@@ -53,8 +53,9 @@ TEST_CASE("numbers are written with as many digits as count, and none that do no
   CHECK(written(-0.5, 2) == "-0.5");
   CHECK(written(1e300, 2) == "1000000000");
   CHECK(decimals_for(1200, 900) == 2);
-  CHECK(decimals_for(238, 170) == 3);
-  CHECK(decimals_for(2, 1) == 5);
+  CHECK(decimals_for(238, 170) == 2);
+  CHECK(decimals_for(150, 170) == 3);
+  CHECK(decimals_for(2, 1) == 4);
 }
 
 TEST_CASE("an SVG has a named group for each layer, with the shapes that the layer holds") {
@@ -66,7 +67,7 @@ TEST_CASE("an SVG has a named group for each layer, with the shapes that the lay
   CHECK(values_of(svg, "viewBox") == std::vector<std::string>{"0 0 200 100"});
   CHECK(values_of(svg, "width").front() == "70.5556mm");
   CHECK(values_of(svg, "cx") == std::vector<std::string>{"50", "55", "60", "10", "30", "100"});
-  CHECK(values_of(svg, "r") == std::vector<std::string>{"7", "8", "9", "1.875", "1.875", "20"});
+  CHECK(values_of(svg, "r") == std::vector<std::string>{"7", "8", "9", "1.88", "1.88", "20"});
   // Two segments that meet are one line; the third one belongs to the same path.
   CHECK(values_of(svg, "d") ==
         std::vector<std::string>{"M10 80L30 60L50 80M100 90L120 10", "M110 50A10 10 0 0 0 100 40"});

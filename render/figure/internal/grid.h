@@ -17,10 +17,10 @@ constexpr double power_of_ten(int exponent) {
   return out;
 }
 
-/// Decimals of coordinates on a page: its longer side has at least 10^5 steps, and a step is at most a hundredth of a
-/// point, 1/7200 inch.
+/// Decimals of coordinates on a page: its longer side has at least 20,000 steps, five for each pixel of a large screen,
+/// and a step is at most a hundredth of a point, 1/7200 inch.
 inline int decimals_for(double width, double height) {
-  constexpr double kSteps = 1e5;
+  constexpr double kSteps = 2e4;
   constexpr int kLeast = 2;
   constexpr int kMost = 6;
   const double side = std::max({width, height, 1e-3});
