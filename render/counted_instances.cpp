@@ -67,7 +67,7 @@ struct DiskCounting {
   }
   /// Merging is worth while if it leaves this part of the instances. A disk takes far longer to count than to merge.
   static constexpr double kWorth = 0.9;
-  static constexpr double kCoarsePx = 1.0;  ///< between the lines of a coarse grid, at most
+  static constexpr double kCoarsePx = 2.0;  ///< between the lines of a coarse grid, at most
 };
 
 struct StrokeCounting {

@@ -51,7 +51,7 @@ struct PixelFrame {
 enum class Preview : std::uint8_t {
   none,
   fine,    ///< up to 1/16 of a pixel: for a window
-  coarse,  ///< up to 1/4 of a pixel, of disks 1/2: for a view that moves
+  coarse,  ///< up to 1/4 of a pixel, of disks a pixel: for a view that moves
 };
 
 /// How instances of one kind look.

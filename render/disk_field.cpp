@@ -109,7 +109,7 @@ void DiskField::change_steep_rows(const Rim& rim, std::int32_t times, RowRange r
       const float estimate = (across[k][i] * across[k][i] + offset[i]) * half_inverse;
       const float covered = 0.5F - (estimate - estimate * estimate * half_inverse);
       const float above = covered < 0.0F ? 0.0F : covered;
-      steps[k][i] = static_cast<std::int32_t>((above > 1.0F ? 1.0F : above) * kSteps + 0.5F);
+      steps[k][i] = static_cast<std::int32_t>((above > 1.0F ? 1.0F : above) * kSteps + kHalfStep);
     }
   }
   std::int64_t* rims = sums(rows.first);
@@ -168,7 +168,7 @@ void DiskField::change_row(const Rim& rim, std::int32_t times, int y) {
       distance = std::sqrt(dx * dx + dy * dy) - rim.radius;
     }
     const double covered = std::clamp(0.5 - distance, 0.0, 1.0) * rim.strength;
-    rims[x] += times * factor(static_cast<std::size_t>(covered * kSteps + 0.5));
+    rims[x] += times * factor(static_cast<std::size_t>(covered * kSteps + double{kHalfStep}));
   };
   for (int x = left; x < from; ++x) count(x);
   for (int x = to + 1; x <= right; ++x) count(x);

@@ -406,9 +406,9 @@ void GlDevice::draw(const DrawCall& call) {
   const auto draw_from = [&](std::size_t first, std::size_t step, std::uint32_t count) {
     std::size_t offset = first * layout.bytes();
     const auto column = [&](GLuint location, GLint words, std::size_t stride) {
-      // This interface takes the offset into the bound buffer as a pointer.
-      glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, static_cast<GLsizei>(stride),
-                             reinterpret_cast<const void*>(offset));
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): this interface takes the offset into the buffer as a pointer.
+      const auto* start = reinterpret_cast<const void*>(offset);
+      glVertexAttribIPointer(location, words, GL_UNSIGNED_INT, static_cast<GLsizei>(stride), start);
       glVertexAttribDivisor(location, 1);
       glEnableVertexAttribArray(location);
       offset += sizeof(std::uint32_t) * static_cast<std::size_t>(words);

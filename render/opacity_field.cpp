@@ -40,7 +40,7 @@ OpacityField::OpacityField(int width, int height, double opacity, Ends ends) : w
     const double passes = 1.0 - opacity * static_cast<double>(i) / kSteps;
     factor_[i] = passes > 0.0 ? std::llround(-std::log2(passes) * kUnit) : kOpaque;
   }
-  const std::size_t rows = static_cast<std::size_t>(height);
+  const auto rows = static_cast<std::size_t>(height);
   if (ends == Ends::yes) ends_.resize((columns() + 1) * rows);
   sums_.resize(columns() * rows);
   opacity_.resize(columns() * rows);
@@ -135,8 +135,9 @@ std::vector<FieldPart> OpacityField::parts() const {
   std::vector<FieldPart> out;
   const int size = blocks();
   for (int band = 0; band < bands(); ++band) {
+    const std::size_t first_block = static_cast<std::size_t>(band) * static_cast<std::size_t>(size);
     const auto is_visible = [&](int block) {
-      return is_visible_[static_cast<std::size_t>(band * size + block)] != 0;
+      return is_visible_[first_block + static_cast<std::size_t>(block)] != 0;
     };
     for (int block = 0; block < size; ++block) {
       if (!is_visible(block)) continue;

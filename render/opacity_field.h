@@ -68,7 +68,8 @@ class OpacityField {
  protected:
   static constexpr int kBandRows = 16;
   static constexpr int kBlockColumns = 64;
-  static constexpr int kSteps = 1024;  ///< of the part of a pixel that is covered
+  static constexpr int kSteps = 1024;       ///< of the part of a pixel that is covered
+  static constexpr float kHalfStep = 0.5F;  ///< of a step: cutting decimals off then rounds what is not negative
 
   enum class Ends : std::uint8_t { no, yes };
   /// Both sizes are at least 1; `opacity` is that of one shape, in [0, 1]. Only with ends may shapes cover runs of
@@ -77,8 +78,6 @@ class OpacityField {
   ~OpacityField() = default;
   OpacityField(OpacityField&&) = default;
   OpacityField& operator=(OpacityField&&) = default;
-  OpacityField(const OpacityField&) = delete;
-  OpacityField& operator=(const OpacityField&) = delete;
 
   std::size_t columns() const { return static_cast<std::size_t>(width_); }
   /// What a pixel adds to its sum of which a shape covers `step` of `kSteps`.

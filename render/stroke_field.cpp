@@ -108,7 +108,7 @@ void StrokeField::change_rows(const PixelStroke& stroke, int sign, RowRange rows
         const float off = aside + across[k];
         const float covered = reach - std::sqrt(past * past + off * off);
         const float above = covered > 0.0F ? covered : 0.0F;
-        steps[k] = static_cast<std::int32_t>((above < 1.0F ? above : 1.0F) * kSteps + 0.5F);
+        steps[k] = static_cast<std::int32_t>((above < 1.0F ? above : 1.0F) * kSteps + kHalfStep);
       }
       const int count = std::min(kPixels, end - x);
       for (int k = 0; k < count; ++k)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/theme.h"
 
@@ -39,11 +40,15 @@ void Presenter::set_on(bool on) {
   pointer_at_.reset();
 }
 
-void Presenter::note_key(std::string key, std::string meaning, bool leads_to_slide, double now) {
+void Presenter::note_key(std::string key, std::string meaning, bool leads_to_slide) {
   shows_slide_ = leads_to_slide;
   key_ = std::move(key);
   meaning_ = std::move(meaning);
-  key_at_ = now;
+  has_pressed_ = true;
+}
+
+bool Presenter::hides_pointer(double now) const {
+  return is_on_ && strength(pointer_at_, kPointer, now) <= 0.0;
 }
 
 std::optional<double> Presenter::next_due(double now) const {
@@ -54,7 +59,9 @@ std::optional<double> Presenter::next_due(double now) const {
   return std::min(*pointer, *key);
 }
 
-void Presenter::draw(const Gui& gui, const std::string& bundle, double now) const {
+void Presenter::draw(const Gui& gui, const std::string& bundle, double now) {
+  if (std::exchange(has_pressed_, false)) key_at_ = now;
+  if (std::exchange(has_moved_, false)) pointer_at_ = now;
   if (!is_on_) return;
   const float unit = gui.unit();
   ImDrawList& list = *ImGui::GetForegroundDrawList();

@@ -15,19 +15,24 @@ class Presenter {
  public:
   bool is_on() const { return is_on_; }
   void set_on(bool on);
-  /// A key did something: what it is called, or whether it led to another slide.
-  void note_key(std::string key, std::string meaning, bool leads_to_slide, double now);
+  /// A key did something: what it is called, or whether it led to another slide. What is noted between two frames
+  /// happened at the later one: the clock of the interface stands while the window sleeps.
+  void note_key(std::string key, std::string meaning, bool leads_to_slide);
   bool shows_slide() const { return shows_slide_; }
-  void note_pointer(double now) { pointer_at_ = now; }
+  void note_pointer() { has_moved_ = true; }
+  /// True if the pointer has faded: nothing lights up under it either.
+  bool hides_pointer(double now) const;
 
   /// Over everything; `bundle`: the slide that is shown.
-  void draw(const Gui& gui, const std::string& bundle, double now) const;
+  void draw(const Gui& gui, const std::string& bundle, double now);
   /// Seconds until something begins to fade; 0 while it fades; nothing when all is gone.
   std::optional<double> next_due(double now) const;
 
  private:
   bool is_on_ = false;
   bool shows_slide_ = false;
+  bool has_pressed_ = false;  ///< since the last frame
+  bool has_moved_ = false;
   std::string key_;
   std::string meaning_;
   std::optional<double> key_at_;

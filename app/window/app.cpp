@@ -156,7 +156,9 @@ void App::take_steps() {
 }
 
 void App::draw() {
-  board_.draw(input_.pointer_px(), recording_.desk().wants_exact_picture());
+  board_.draw({.pointer_px = input_.pointer_px(),
+               .hides_pointer = panels_.presenter().hides_pointer(ImGui::GetTime()),
+               .is_kept = recording_.desk().wants_exact_picture()});
   documents_.keep();
   // Reading pixels back waits for what draws them, so it belongs to drawing.
   screen_.times.begin_drawing();

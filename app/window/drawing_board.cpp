@@ -125,28 +125,30 @@ void DrawingBoard::fit(Vec2 legend) {
     fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
 }
 
-void DrawingBoard::draw(Vec2 pointer_px, bool is_kept) {
+void DrawingBoard::draw(const Frame& frame) {
   if (view().is_moving()) screen_.clock.want(1);
-  draw_pointer(pointer_px);
+  draw_pointer(frame);
   const std::uint32_t share = picture_.every();
   screen_.times.begin_drawing();
-  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), is_kept);
+  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept);
   screen_.times.end_drawing();
   // The status bar shows the share, and was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
 }
 
-void DrawingBoard::draw_pointer(Vec2 pointer_px) {
-  const bool over_canvas = canvas_.has_pointer() || (canvas_.is_hovered() && !screen_.gui.wants_pointer(pointer_px));
+void DrawingBoard::draw_pointer(const Frame& frame) {
+  const bool over_canvas =
+      canvas_.has_pointer() || (canvas_.is_hovered() && !screen_.gui.wants_pointer(frame.pointer_px));
   const bool is_hidden = ImGui::GetMouseCursor() == ImGuiMouseCursor_None;
   if (over_canvas && !is_hidden)
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   else
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
   if (!is_hidden) screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
-  pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), over_canvas, !provenance_.is_asking()});
+  const bool is_marked = over_canvas && !frame.hides_pointer;
+  pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
   pointed_.draw(screen_.gui, canvas_);
-  if (over_canvas) PointerMarks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas())}.draw();
+  if (is_marked) PointerMarks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas())}.draw();
 }
 
 }  // namespace mes

@@ -51,9 +51,13 @@ class DrawingBoard {
   void follow();
   /// What is free between the panels was found: fits what is to be fitted.
   void fit(Vec2 legend);
+  struct Frame {
+    Vec2 pointer_px{};
+    bool hides_pointer = false;  ///< nothing is marked under it
+    bool is_kept = false;        ///< as `Picture::draw` has it
+  };
   /// Draws the layers and the marks of the pointer.
-  /// `is_kept`: as `Picture::draw` has it.
-  void draw(Vec2 pointer_px, bool is_kept);
+  void draw(const Frame& frame);
 
  private:
   void bind_nudges(ActionBindings& actions);
@@ -62,7 +66,7 @@ class DrawingBoard {
   void fit_selection();
   void watch_memory();
   void dim_outdated();
-  void draw_pointer(Vec2 pointer_px);
+  void draw_pointer(const Frame& frame);
 
   Workspace& work_;
   const Settings& settings_;

@@ -28,7 +28,7 @@ void WindowInput::deliver() {
 
 void WindowInput::on_pointer_moved(Vec2 px, Modifiers modifiers) {
   pointer_px_ = px;
-  uses_.presenter.note_pointer(ImGui::GetTime());
+  uses_.presenter.note_pointer();
   events_.push_move([this, px, modifiers] { follow_pointer(px, modifiers); });
 }
 
@@ -83,7 +83,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   uses_.actions.run(*action);
   const bool is_slide = (*action >= ActionId::first_bundle && *action <= ActionId::last_bundle) ||
                         *action == ActionId::next_bundle || *action == ActionId::previous_bundle;
-  uses_.presenter.note_key(to_string(chord), descriptor_of(*action).name, is_slide, ImGui::GetTime());
+  uses_.presenter.note_key(to_string(chord), descriptor_of(*action).name, is_slide);
 }
 
 void WindowInput::on_key(const KeyChord& chord, bool repeated) {
