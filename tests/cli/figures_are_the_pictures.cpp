@@ -154,7 +154,7 @@ TEST_CASE("a figure has the size on paper that was asked for") {
     return contents_of(file);
   };
   CHECK_THAT(svg({"--figure-size", "84mmx60mm"}),
-             Catch::Contains("width=\"84mm\" height=\"60mm\" viewBox=\"0 0 238.11 170.079\""));
+             Catch::Contains("width=\"84mm\" height=\"60mm\" viewBox=\"0 0 238.11 170.08\""));
   CHECK_THAT(svg({"--figure-size", "4.5inx3in"}), Catch::Contains("width=\"114.3mm\" height=\"76.2mm\""));
   CHECK_THAT(svg({"--figure-size", "960pxx480px"}), Catch::Contains("viewBox=\"0 0 720 360\""));
   CHECK_THAT(svg({"--figure-size", "square"}), Catch::Contains("width=\"84mm\" height=\"84mm\""));
