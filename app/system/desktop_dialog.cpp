@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace mes {
 namespace {
@@ -79,8 +80,11 @@ struct Pending {
 /// One dialog, from the connection to the answer.
 class Asking {
  public:
-  Asking(const DesktopQuestion& question, const std::stop_token& stop)
-      : question_(question), stop_(stop), cancellable_(g_cancellable_new()), end_(Clock::now() + kLongestBeginning) {}
+  Asking(const DesktopQuestion& question, std::stop_token stop)
+      : question_(question),
+        stop_(std::move(stop)),
+        cancellable_(g_cancellable_new()),
+        end_(Clock::now() + kLongestBeginning) {}
   ~Asking() {
     // What was begun with addresses of this object ends before it does.
     g_cancellable_cancel(cancellable_.get());
