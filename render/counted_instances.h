@@ -77,7 +77,7 @@ class CountedInstances {
   virtual TextureId mask() const = 0;
   /// The parts of the mask that are to be painted; the rest of it is undefined.
   virtual std::span<const PixelRect> parts() const = 0;
-  /// True if a finer preview would differ.
+  /// True if a finer preview may differ.
   virtual bool is_coarse() const = 0;
 
  protected:

@@ -20,8 +20,7 @@
 //
 // Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the number of instances, and one pass
 // over the view for a layer drawn as a group. The CPU iterates over disks of one colour, and over what it counts
-// whenever the view changes.
-// Threads: the one that owns the context.
+// whenever the view changes. Threads: the one that owns the context.
 //
 // Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles. The
 // vertex shader subtracts the camera's centre before it rounds to single precision.
