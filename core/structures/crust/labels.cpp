@@ -1,24 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/labels.h"
 
-#include "core/structures/crust/internal/side_search.h"
-
 namespace mes {
 
 Labels::Labels(Delaunay& delaunay, OneStepCrust& crust)
-    : Structure("labels", {&delaunay, &crust}), delaunay_(delaunay), crust_(crust), join_(delaunay, crust) {}
+    : Structure("labels", {&delaunay, &crust}),
+      delaunay_(delaunay),
+      crust_(crust),
+      order_(delaunay, crust),
+      strokes_(delaunay, crust, order_),
+      join_(delaunay, crust, order_, strokes_) {}
 
 void Labels::clear_changes() {
   face_changes_.clear();
   edge_changes_.clear();
 }
 
-void Labels::rebuild(JobControl& job) {
-  clear_changes();
-  join_.rebuild(job);
+void Labels::set_conflict(EdgeSlot edge, bool is_conflict) {
+  if (this->is_conflict(edge) == is_conflict) return;
+  conflict_[edge] = is_conflict ? 1 : 0;
+  if (is_conflict) {
+    ++conflict_count_;
+  } else {
+    --conflict_count_;
+  }
+  conflict_edges_.push_back(edge);
+}
+
+void Labels::read_conflict(EdgeSlot edge) {
+  const EdgeRow& row = delaunay_.edge(edge);
+  if (!row.is_alive()) {
+    set_conflict(edge, false);
+  } else if (tree_) {
+    set_conflict(edge, (inside_[row.f[0]] != inside_[row.f[1]]) != crust_.is_crust(edge));
+  } else {
+    set_conflict(edge, join_.has_edge(edge) != strokes_.has_edge(edge));
+  }
+}
+
+void Labels::read_conflicts_at(FaceSlot face) {
+  for (const EdgeSlot edge : delaunay_.face(face).e)
+    if (edge != kNoSlot) read_conflict(edge);
+}
+
+// By clusters if they are small, otherwise by the tree. Open strokes are known.
+void Labels::choose_way(JobControl& job) {
+  tree_.reset();
+  if (join_.rebuild(job)) return;
+  join_.clear();
+  tree_ = std::make_unique<CertaintyTree>(delaunay_, crust_, order_);
+  tree_->rebuild(job);
+  odd_when_tree_grew_ = crust_.odd_count();
+}
+
+// Hands labels on from infinity to all faces.
+void Labels::label_all(JobControl& job) {
   constexpr std::uint8_t kUnknown = 2;
   inside_.assign(delaunay_.face_rows(), kUnknown);
-  if (delaunay_.dimension() < 2) return;
   queue_.clear();
   for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.face(face).is_alive() || !delaunay_.face(face).is_infinite()) continue;
@@ -33,11 +71,85 @@ void Labels::rebuild(JobControl& job) {
     if ((++done & 0xffffU) == 0) job.checkpoint(done, delaunay_.face_rows());
     for (int i = 0; i < 3; ++i) {
       const FaceSlot other = delaunay_.face(face).n[i];
-      if (inside_[other] != kUnknown) continue;
+      if (inside_[other] != kUnknown || !is_passage(face, i)) continue;
       inside_[other] = static_cast<std::uint8_t>(inside_[face] ^ (is_border(face, i) ? 1U : 0U));
       queue_.push_back(other);
     }
   }
+}
+
+void Labels::rebuild(JobControl& job) {
+  clear_changes();
+  conflict_.clear();
+  conflict_count_ = 0;
+  strokes_.rebuild(job);
+  tree_.reset();
+  join_.clear();
+  is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
+  if (delaunay_.dimension() < 2) {
+    inside_.assign(delaunay_.face_rows(), 0);
+    return;
+  }
+  if (is_idle_) {
+    label_all(job);
+    return;
+  }
+  choose_way(job);
+  conflict_.resize(delaunay_.edge_rows(), 0);
+  if (tree_) label_all(job);
+  for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);
+  if (!tree_) label_all(job);
+  conflict_edges_.clear();
+}
+
+// Sites at which an edge is another one or has another crust bit or other corners, and the neighbours of those whose
+// degree changed: what an edge mends depends on the degrees at both of its ends.
+void Labels::find_touched_sites() {
+  touched_.clear();
+  touched_marks_.begin(delaunay_.site_rows());
+  const auto touch = [this](SiteSlot site) {
+    if (touched_marks_.insert(site)) touched_.push_back(site);
+  };
+  for (const SiteSlot site : crust_.site_changes().removed) touch(site);
+  for (const SiteSlot site : crust_.site_changes().touched) touch(site);
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched)
+    for (const SiteSlot site : delaunay_.edge(edge).v) touch(site);
+  for (const SiteSlot site : crust_.degree_changes())
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
+}
+
+// True if all labels have been made anew on the way.
+bool Labels::follow_conflicts(JobControl& job) {
+  is_idle_ = is_idle_ && crust_.odd_count() == 0;
+  if (is_idle_) return false;
+  find_touched_sites();
+  conflict_.resize(delaunay_.edge_rows(), 0);
+  strokes_.update(touched_, job);
+  const bool is_large = delaunay_.edge_changes().size() > 64 + delaunay_.edge_rows() / kFewEdges;
+  if (tree_ ? is_large || crust_.odd_count() < odd_when_tree_grew_ / 2 : !join_.update(touched_, job)) {
+    label_all_anew(job);
+    return true;
+  }
+  if (tree_) {
+    tree_->update(job);
+    return false;
+  }
+  for (const EdgeSlot edge : strokes_.changed_edges()) read_conflict(edge);
+  for (const EdgeSlot edge : join_.changed_edges()) read_conflict(edge);
+  is_idle_ = crust_.odd_count() == 0;
+  return false;
+}
+
+void Labels::label_all_anew(JobControl& job) {
+  choose_way(job);
+  const Table<FaceSlot, std::uint8_t> before = inside_;
+  if (!tree_)
+    for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);
+  label_all(job);
+  if (tree_)
+    for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);
+  for (const FaceSlot face : delaunay_.face_slots())
+    if (delaunay_.face(face).is_alive() && inside_[face] != before[face]) turned_.push_back(face);
 }
 
 void Labels::label_new_faces() {
@@ -76,39 +188,50 @@ void Labels::label_new_faces() {
 // Collects the edges that labels contradict, and turns over what must be.
 bool Labels::repair(JobControl& job) {
   violations_.clear();
+  const auto check = [this](EdgeSlot edge) {
+    const EdgeRow& row = delaunay_.edge(edge);
+    if (row.is_alive() && is_violated(row.f[0], delaunay_.face(row.f[0]).index_of_edge(edge)))
+      violations_.emplace_back(row.f[0], row.f[1]);
+  };
   for (const FaceSlot face : delaunay_.face_changes().touched)
     for (int i = 0; i < 3; ++i)
-      if (is_violated(face, i)) violations_.push_back({face, delaunay_.face(face).n[i]});
-  for (const EdgeSlot edge : conflict_edges_) {
-    const EdgeRow& row = delaunay_.edge(edge);
-    if (is_violated(row.f[0], delaunay_.face(row.f[0]).index_of_edge(edge)))
-      violations_.push_back({row.f[0], row.f[1]});
+      if (is_violated(face, i)) violations_.emplace_back(face, delaunay_.face(face).n[i]);
+  if (tree_) {
+    for (const EdgeSlot edge : tree_->new_between_faces()) check(edge);
+    for (const EdgeSlot edge : strokes_.changed_edges()) check(edge);
+  } else {
+    for (const EdgeSlot edge : conflict_edges_) check(edge);
   }
   if (violations_.empty()) return true;
-  std::vector<std::pair<FaceSlot, FaceSlot>> pairs;
-  pairs.reserve(violations_.size());
-  for (const Violation& v : violations_) pairs.emplace_back(v.face, v.other);
-  SideSearch search;
-  return search.run(
-      pairs,
+  return side_search_.run(
+      violations_,
       [this](FaceSlot face, auto visit) {
         for (int i = 0; i < 3; ++i)
-          if (!is_violated(face, i)) visit(delaunay_.face(face).n[i]);
+          if (is_passage(face, i) && !is_violated(face, i)) visit(delaunay_.face(face).n[i]);
       },
       [this](FaceSlot face) { return delaunay_.face(face).is_infinite(); },
       [this](FaceSlot face) {
         inside_[face] ^= 1U;
         turned_.push_back(face);
       },
-      job);
+      delaunay_.face_rows(), job);
 }
 
 bool Labels::update(JobControl& job) {
   inside_.resize(delaunay_.face_rows(), 0);
   turned_.clear();
-  join_.update(job, conflict_edges_);
-  label_new_faces();
-  if (!repair(job)) return false;
+  conflict_edges_.clear();
+  if (!follow_conflicts(job)) {
+    label_new_faces();
+    if (!repair(job)) return false;
+    if (tree_) {
+      for (const EdgeSlot edge : delaunay_.edge_changes().removed) read_conflict(edge);
+      for (const EdgeSlot edge : delaunay_.edge_changes().touched) read_conflict(edge);
+      for (const EdgeSlot edge : strokes_.changed_edges()) read_conflict(edge);
+      for (const FaceSlot face : delaunay_.face_changes().touched) read_conflicts_at(face);
+      for (const FaceSlot face : turned_) read_conflicts_at(face);
+    }
+  }
 
   if (turned_.empty() && conflict_edges_.empty()) {
     // The usual case: labels differ only where the triangulation does.
@@ -122,7 +245,8 @@ bool Labels::update(JobControl& job) {
   for (const FaceSlot face : delaunay_.face_changes().touched) face_recorder_.note(face, true);
   for (const EdgeSlot edge : delaunay_.edge_changes().removed) edge_recorder_.note(edge, true);
   for (const EdgeSlot edge : delaunay_.edge_changes().touched) edge_recorder_.note(edge, true);
-  for (const EdgeSlot edge : conflict_edges_) edge_recorder_.note(edge, true);
+  for (const EdgeSlot edge : conflict_edges_)
+    if (delaunay_.edge(edge).is_alive()) edge_recorder_.note(edge, true);
   for (const FaceSlot face : turned_) {
     face_recorder_.note(face, true);
     for (const EdgeSlot edge : delaunay_.face(face).e)
@@ -141,9 +265,7 @@ StatList Labels::statistics() const {
   return {{"inside", inside},
           {"outside", outside},
           {"conflicts", static_cast<std::int64_t>(conflict_count())},
-          {"open_strokes", static_cast<std::int64_t>(join_.stroke_count())},
-          {"conflict_clusters", static_cast<std::int64_t>(join_.cluster_count())},
-          {"largest_cluster", static_cast<std::int64_t>(join_.largest_cluster())}};
+          {"open_strokes", static_cast<std::int64_t>(strokes_.count())}};
 }
 
 void Labels::find(std::vector<Finding>& out) const {

@@ -3,11 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/base/change_set.h"
 #include "core/graph/structure.h"
+#include "core/structures/crust/internal/certainty_order.h"
+#include "core/structures/crust/internal/certainty_tree.h"
 #include "core/structures/crust/internal/conflict_join.h"
+#include "core/structures/crust/internal/open_strokes.h"
+#include "core/structures/crust/internal/side_search.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/delaunay/delaunay.h"
 
@@ -17,20 +23,25 @@ namespace mes {
 ///  1. Faces at infinity are outside. Across an edge the label changes exactly if it is crust, except at conflict
 ///     edges.
 ///  2. There are conflict edges only if some sample has odd crust degree, and then those of a canonical rule that
-///     depends on the samples alone (internal/conflict_join.h), never on history.
+///     depends on the samples alone, never on history: the edges of open strokes (internal/open_strokes.h) and the
+///     join of the other odd samples in the minimum spanning tree in the order of certainty
+///     (internal/certainty_order.h, internal/conflict_join.h).
 ///  3. An edit changes labels only of faces it made, unless conflicts moved or a gap opened or closed.
 ///
-/// Cost: rebuild O(n). Update O(new faces + faces whose label changes). How: new faces take tentative labels from
-/// their neighbours; where two faces then disagree with the edge between them, the smaller side of the disagreement,
-/// found by searching all sides in lock-step, is turned over. Source: even-odd parity; the locality lemma of
-/// docs/architecture.md.
+/// Cost: rebuild O(n), O(n log n) where a good part of the samples is odd. Update O(new faces + faces whose label
+/// changes), and O(log n) for each changed edge in the latter case. How: new faces take tentative labels from their
+/// neighbours; where two faces then disagree with the edge between them, the smaller side of the disagreement, found by
+/// searching all sides in lock-step, is turned over. Few odd samples are joined in clusters (`ConflictJoin`), and labels
+/// follow from the conflicts. Where clusters would take up a good part of the plane, as in noise, labels are handed on
+/// along the tree of faces (`CertaintyTree`), and the conflicts follow from the labels. Both come to the same. Source:
+/// even-odd parity; the locality lemma of docs/architecture.md.
 class Labels final : public Structure {
  public:
   Labels(Delaunay& delaunay, OneStepCrust& crust);
 
   bool is_inside(FaceSlot face) const { return inside_[face] != 0; }
-  bool is_conflict(EdgeSlot edge) const { return join_.is_conflict(edge); }
-  std::size_t conflict_count() const { return join_.conflict_count(); }
+  bool is_conflict(EdgeSlot edge) const { return conflict_.has(edge) && conflict_[edge] != 0; }
+  std::size_t conflict_count() const { return conflict_count_; }
 
   /// Faces that are new or have a new label.
   const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
@@ -46,27 +57,53 @@ class Labels final : public Structure {
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
-  /// The label must change across the face's edge i.
-  bool is_border(FaceSlot face, int i) const {
-    const unsigned bits = crust_.crust_bits_of_face(face);
-    const bool crust = ((bits >> static_cast<unsigned>(i)) & 1U) != 0;
-    return crust != (join_.conflict_count() != 0 && has_conflict(face, i));
+  /// A tree is grown anew when an edit changes more than one of so many edges.
+  static constexpr std::size_t kFewEdges = 16;
+
+  // Of a face's edge i:
+  bool is_crust(FaceSlot face, int i) const {
+    return ((static_cast<unsigned>(crust_.crust_bits_of_face(face)) >> static_cast<unsigned>(i)) & 1U) != 0;
   }
-  bool has_conflict(FaceSlot face, int i) const {
+  /// The label must change across it.
+  bool is_border(FaceSlot face, int i) const {
+    if (is_idle_) return is_crust(face, i);
     const EdgeSlot edge = delaunay_.face(face).e[i];
-    return edge != kNoSlot && join_.is_conflict(edge);
+    if (edge == kNoSlot) return false;
+    return is_crust(face, i) != (tree_ ? strokes_.has_edge(edge) : is_conflict(edge));
+  }
+  /// Labels follow from one face to the other.
+  bool is_passage(FaceSlot face, int i) const {
+    if (!tree_) return true;
+    const EdgeSlot edge = delaunay_.face(face).e[i];
+    return edge == kNoSlot || tree_->is_between_faces(edge);
   }
   bool is_violated(FaceSlot face, int i) const {
     const FaceSlot other = delaunay_.face(face).n[i];
-    return (inside_[face] != inside_[other]) != is_border(face, i);
+    return is_passage(face, i) && (inside_[face] != inside_[other]) != is_border(face, i);
   }
+
+  void choose_way(JobControl& job);
+  void label_all(JobControl& job);
+  void label_all_anew(JobControl& job);
+  void find_touched_sites();
+  bool follow_conflicts(JobControl& job);
   void label_new_faces();
   bool repair(JobControl& job);
+  void set_conflict(EdgeSlot edge, bool is_conflict);
+  void read_conflict(EdgeSlot edge);
+  void read_conflicts_at(FaceSlot face);
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
+  CertaintyOrder order_;
+  OpenStrokes strokes_;
   ConflictJoin join_;
+  std::unique_ptr<CertaintyTree> tree_;  ///< none while clusters do
+  std::size_t odd_when_tree_grew_ = 0;
+  bool is_idle_ = true;  ///< no site is odd, and there is nothing to forget
   Table<FaceSlot, std::uint8_t> inside_;
+  Table<EdgeSlot, std::uint8_t> conflict_;  ///< empty until there is an odd site
+  std::size_t conflict_count_ = 0;
 
   ChangeRecorder<FaceSlot> face_recorder_;
   ChangeRecorder<EdgeSlot> edge_recorder_;
@@ -74,15 +111,14 @@ class Labels final : public Structure {
   ChangeSet<EdgeSlot> edge_changes_;
 
   // Work space.
-  struct Violation {
-    FaceSlot face;
-    FaceSlot other;
-  };
+  SideSearch side_search_;
   SlotMarks<FaceSlot> unlabelled_;
+  SlotMarks<SiteSlot> touched_marks_;
+  std::vector<SiteSlot> touched_;
   std::vector<FaceSlot> queue_;
   std::vector<EdgeSlot> conflict_edges_;
   std::vector<FaceSlot> turned_;
-  std::vector<Violation> violations_;
+  std::vector<std::pair<FaceSlot, FaceSlot>> violations_;
 };
 
 }  // namespace mes

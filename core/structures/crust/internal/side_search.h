@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "core/base/change_set.h"
 #include "core/base/job_control.h"
 #include "core/structures/delaunay/delaunay.h"
 
@@ -21,10 +22,10 @@ class SideSearch {
  public:
   /// `for_each_open_neighbour(face, visit)` calls `visit(neighbour)` across edges that are not violated;
   /// `is_infinite(face)` tells faces at infinity. `turn(face)` is called once for every face to be turned over.
-  /// False when the demands contradict each other; nothing has been turned then.
+  /// Faces are rows below `face_rows`. False when the demands contradict each other; nothing has been turned then.
   template <class ForEachOpenNeighbour, class IsInfinite, class Turn>
   bool run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated, ForEachOpenNeighbour for_each_open_neighbour,
-           IsInfinite is_infinite, Turn turn, JobControl& job);
+           IsInfinite is_infinite, Turn turn, std::size_t face_rows, JobControl& job);
 
  private:
   struct Front {
@@ -41,14 +42,19 @@ class SideSearch {
     }
     return front;
   }
+  // True when no front had reached the face.
+  bool reach(FaceSlot face, std::uint32_t front) {
+    if (!reached_.insert(face)) return false;
+    front_of_[face] = front;
+    return true;
+  }
   std::uint32_t start(FaceSlot face) {
-    const auto [entry, is_new] = front_of_.try_emplace(face, static_cast<std::uint32_t>(fronts_.size()));
-    if (is_new) {
+    if (reach(face, static_cast<std::uint32_t>(fronts_.size()))) {
       fronts_.push_back({});
       fronts_.back().parent = static_cast<std::uint32_t>(fronts_.size() - 1);
       fronts_.back().faces.push_back(face);
     }
-    return entry->second;
+    return front_of_[face];
   }
   // The smaller joins the larger. Faces that either has not searched from yet remain to be searched from.
   std::uint32_t merge(std::uint32_t a, std::uint32_t b) {
@@ -69,15 +75,17 @@ class SideSearch {
   }
 
   std::vector<Front> fronts_;
-  std::unordered_map<FaceSlot, std::uint32_t> front_of_;
+  SlotMarks<FaceSlot> reached_;
+  Table<FaceSlot, std::uint32_t> front_of_;  // of those reached
 };
 
 template <class ForEachOpenNeighbour, class IsInfinite, class Turn>
 bool SideSearch::run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated,
                      ForEachOpenNeighbour for_each_open_neighbour, IsInfinite is_infinite, Turn turn,
-                     JobControl& job) {
+                     std::size_t face_rows, JobControl& job) {
   fronts_.clear();
-  front_of_.clear();
+  reached_.begin(face_rows);
+  if (front_of_.size() < face_rows) front_of_.resize(face_rows + face_rows / 4);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> demands;
   demands.reserve(violated.size());
   for (const auto& [a, b] : violated) {
@@ -97,12 +105,11 @@ bool SideSearch::run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated,
       const FaceSlot face = fronts_[self].faces[fronts_[self].next++];
       fronts_[self].anchored = fronts_[self].anchored || is_infinite(face);
       for_each_open_neighbour(face, [&](FaceSlot neighbour) {
-        const auto [entry, is_new] = front_of_.try_emplace(neighbour, self);
-        if (is_new) {
+        if (reach(neighbour, self)) {
           fronts_[self].faces.push_back(neighbour);
           return;
         }
-        const std::uint32_t other = root(entry->second);
+        const std::uint32_t other = root(front_of_[neighbour]);
         if (other != self) self = merge(self, other);
       });
       open[kept++] = self;
@@ -164,7 +171,7 @@ bool SideSearch::run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated,
       const FaceSlot face = fronts_[f].faces[fronts_[f].next++];
       if (is_infinite(face)) return false;
       for_each_open_neighbour(face, [&](FaceSlot neighbour) {
-        if (front_of_.try_emplace(neighbour, f).second) fronts_[f].faces.push_back(neighbour);
+        if (reach(neighbour, f)) fronts_[f].faces.push_back(neighbour);
       });
     }
   }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of the spanning tree in which an odd site finds its partner, grown from the site.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/base/job_control.h"
+#include "core/structures/crust/internal/certainty_order.h"
+
+namespace mes {
+
+/// Grows the minimum spanning tree of the triangulation in the order of certainty from one site (Prim). Each time the
+/// next edge is surer than all so far, what has grown is a component that Kruskal's algorithm makes as well, and what
+/// happens inside it depends on nothing outside. The growth *closes* at the first such component with an even number
+/// of odd sites.
+///
+/// Cost: O(sites grown, times log). Threads: none; work space is kept from one growth to the next.
+class CertaintyGrowth {
+ public:
+  /// Position among the sites of a growth.
+  using Place = Slot<struct GrowthTag>;
+  struct Step {
+    CertaintyOrder::Rank rank;  ///< the edge through which the site was reached; none for the seed
+    SiteSlot site;
+    Place from;  ///< the other end of that edge; it comes before this site
+  };
+
+  CertaintyGrowth(const Delaunay& delaunay, const CertaintyOrder& order) : delaunay_(delaunay), order_(order) {}
+
+  /// From `seed`, which is odd; `is_odd(site)` says which sites are, of which there is an even number. False if the
+  /// component would have more than `limit` sites; what has grown by then is what that depends on.
+  template <class IsOdd>
+  bool grow(SiteSlot seed, std::size_t limit, IsOdd is_odd, JobControl& job);
+
+  /// The sites in the order in which they were reached.
+  const Table<Place, Step>& steps() const { return steps_; }
+  bool holds(SiteSlot site) const { return grown_.contains(site); }
+
+ private:
+  void push_edges_of(SiteSlot site, Place place);
+
+  const Delaunay& delaunay_;
+  const CertaintyOrder& order_;
+  SlotMarks<SiteSlot> grown_;
+  std::vector<Step> heap_;
+  Table<Place, Step> steps_;
+};
+
+inline void CertaintyGrowth::push_edges_of(SiteSlot site, Place place) {
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+    if (grown_.contains(other)) return;
+    heap_.push_back({order_.rank_of(edge), other, place});
+    std::ranges::push_heap(heap_, [this](const Step& a, const Step& b) { return order_.is_surer(a.rank, b.rank); });
+  });
+}
+
+template <class IsOdd>
+bool CertaintyGrowth::grow(SiteSlot seed, std::size_t limit, IsOdd is_odd, JobControl& job) {
+  grown_.begin(delaunay_.site_rows());
+  heap_.clear();
+  steps_.clear();
+  steps_.push_back({{}, seed, kNoSlot});
+  grown_.insert(seed);
+  push_edges_of(seed, Place(0));
+  bool is_even = false;
+  CertaintyOrder::Rank surest;
+  const auto by_certainty = [this](const Step& a, const Step& b) { return order_.is_surer(a.rank, b.rank); };
+  for (;;) {
+    while (!heap_.empty() && grown_.contains(heap_.front().site)) {
+      std::ranges::pop_heap(heap_, by_certainty);
+      heap_.pop_back();
+    }
+    if (heap_.empty()) return true;
+    const Step next = heap_.front();
+    const bool is_record = surest.edge == kNoSlot || order_.is_surer(next.rank, surest);
+    if (is_even && is_record) return true;
+    if (steps_.size() == limit) return false;
+    std::ranges::pop_heap(heap_, by_certainty);
+    heap_.pop_back();
+    if (is_record) surest = next.rank;
+    grown_.insert(next.site);
+    if (is_odd(next.site)) is_even = !is_even;
+    const Place place = steps_.next();
+    steps_.push_back(next);
+    if ((steps_.size() & 1023U) == 0) job.checkpoint();
+    push_edges_of(next.site, place);
+  }
+}
+
+}  // namespace mes

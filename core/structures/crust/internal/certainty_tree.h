@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The minimum spanning tree of the whole triangulation, and the tree of faces beside it, under edits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/structures/crust/internal/certainty_order.h"
+#include "core/structures/crust/internal/link_cut_forest.h"
+
+namespace mes {
+
+/// Every Delaunay edge is in one of two trees. The minimum spanning tree of the sites, in the order of certainty, has
+/// the doubtful ones; the faces, with all that lies at infinity as one face, are spanned by the edges that cross the
+/// others, the sure ones. Labels handed on from infinity through the tree of faces are what `ConflictJoin` comes to:
+/// only edges of the tree of sites can contradict the crust.
+///
+/// What it guarantees: the trees depend on the positions of the sites alone, whatever the history.
+///
+/// Cost: rebuild O(n log n), by Kruskal's algorithm; update O(log n) for an edge that came, went or has another rank,
+/// amortised. Some 300 bytes a site. How: an edge that goes is replaced by the most doubtful edge on the way between its
+/// two faces; an edge that comes takes the place of the surest on the way between its two sites, if that is surer. Source:
+/// Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance of a minimum spanning forest in a dynamic plane
+/// graph", 1992.
+class CertaintyTree {
+ public:
+  CertaintyTree(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order);
+  CertaintyTree(const CertaintyTree&) = delete;
+  CertaintyTree& operator=(const CertaintyTree&) = delete;
+
+  /// The edge is in the tree of faces; otherwise in that of the sites.
+  bool is_between_faces(EdgeSlot edge) const { return place_[edge] == Place::faces; }
+
+  void rebuild(JobControl& job);
+  /// Follows the change sets of the triangulation and the crust.
+  void update(JobControl& job);
+  /// Edges that the last update put into the tree of faces.
+  const std::vector<EdgeSlot>& new_between_faces() const { return new_between_faces_; }
+
+ private:
+  enum class Place : std::uint8_t { none, sites, faces };
+  /// Vertices of the two forests. Face 0 is all at infinity.
+  using Vertex = std::uint32_t;
+  struct Ends {
+    Vertex sites[2]{};
+    Vertex faces[2]{};
+  };
+  struct Surer {
+    const CertaintyTree* tree;
+    bool operator()(EdgeSlot a, EdgeSlot b) const { return tree->is_surer(a, b); }
+  };
+  struct MoreDoubtful {
+    const CertaintyTree* tree;
+    bool operator()(EdgeSlot a, EdgeSlot b) const { return tree->is_surer(b, a); }
+  };
+
+  bool is_surer(EdgeSlot a, EdgeSlot b) const { return order_.is_surer({key_[a], a}, {key_[b], b}); }
+  Vertex vertex_of(FaceSlot face) const { return delaunay_.face(face).is_infinite() ? 0 : face.index() + 1; }
+  Ends ends_of(EdgeSlot edge) const;
+  void make_room();
+  std::vector<CertaintyOrder::Rank> ranks_in_order(JobControl& job);
+  void put_between_sites(EdgeSlot edge);
+  void put_between_faces(EdgeSlot edge);
+  void take_out(EdgeSlot edge);
+  void insert(EdgeSlot edge);
+
+  const Delaunay& delaunay_;
+  const OneStepCrust& crust_;
+  const CertaintyOrder& order_;
+  Table<EdgeSlot, double> key_;
+  Table<EdgeSlot, Ends> ends_;
+  Table<EdgeSlot, Place> place_;
+  LinkCutForest<EdgeSlot, Surer> sites_;
+  LinkCutForest<EdgeSlot, MoreDoubtful> faces_;
+
+  // Work space.
+  std::vector<EdgeSlot> going_;
+  std::vector<EdgeSlot> coming_;
+  std::vector<EdgeSlot> new_between_faces_;
+  SlotMarks<EdgeSlot> marks_;
+};
+
+}  // namespace mes

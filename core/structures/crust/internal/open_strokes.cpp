@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/crust/internal/open_strokes.h"
+
+namespace mes {
+
+bool OpenStrokes::repairs(EdgeSlot edge) const {
+  if (order_.mends(edge)) return true;
+  const SiteSlot* end = delaunay_.edge(edge).v;
+  return crust_.is_crust(edge) && crust_.is_odd(end[0]) && crust_.is_odd(end[1]) &&
+         (crust_.degree(end[0]) == 1 || crust_.degree(end[1]) == 1);
+}
+
+void OpenStrokes::set_match(SiteSlot site, const Match& match) {
+  if (noted_.insert(site)) matches_before_.push_back({site, match_[site]});
+  match_[site] = match;
+  degree_change_[site] = match.partner == kNoSlot ? 0 : (crust_.is_crust(match.edge) ? -1 : 1);
+}
+
+// The site and its partner, if any, are free again, and look for others.
+void OpenStrokes::part(SiteSlot site) {
+  const SiteSlot partner = match_[site].partner;
+  set_match(site, {});
+  if (partner == kNoSlot) return;
+  set_match(partner, {});
+  proposers_.push_back(partner);
+}
+
+// Sites propose along their most doubtful edge to those that are free or prefer it to theirs. What comes out is the
+// same whatever the order: all agree on which edges are better.
+void OpenStrokes::match_all(JobControl& job) {
+  std::size_t done = 0;
+  while (!proposers_.empty()) {
+    if ((++done & 1023U) == 0) job.checkpoint();
+    const SiteSlot site = proposers_.back();
+    proposers_.pop_back();
+    if (!delaunay_.is_site(site) || !crust_.is_odd(site)) continue;
+    CertaintyOrder::Rank best;
+    SiteSlot partner;
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+      if (!repairs(edge)) return;
+      const CertaintyOrder::Rank rank = order_.rank_of(edge);
+      if (partner != kNoSlot && order_.is_surer(rank, best)) return;
+      if (!would_take(site, rank) || !would_take(other, rank)) return;
+      best = rank;
+      partner = other;
+    });
+    if (partner == kNoSlot) continue;
+    part(site);
+    part(partner);
+    set_match(site, {best.edge, partner});
+    set_match(partner, {best.edge, site});
+  }
+}
+
+bool OpenStrokes::is_on_curve(EdgeSlot edge) const {
+  return crust_.is_crust(edge) != (match_[delaunay_.edge(edge).v[0]].edge == edge);
+}
+
+void OpenStrokes::watch(ChainSlot chain, SiteSlot site) {
+  WatchSlot slot = watches_.next();
+  if (free_watches_.empty()) {
+    watches_.emplace_back();
+  } else {
+    slot = free_watches_.back();
+    free_watches_.pop_back();
+  }
+  const WatchSlot next = first_watch_[site];
+  watches_[slot] = {chain, site, next, kNoSlot};
+  if (next != kNoSlot) watches_[next].previous = slot;
+  first_watch_[site] = slot;
+  chains_[chain].watched.push_back(slot);
+}
+
+void OpenStrokes::toggle(const Chain& chain) {
+  for (const EdgeSlot edge : chain.edges) {
+    on_stroke_[edge] ^= 1U;
+    changed_edges_.push_back(edge);
+  }
+  for (const SiteSlot site : {chain.begin, chain.end}) {
+    is_end_[site] ^= 1U;
+    changed_ends_.push_back(site);
+  }
+}
+
+void OpenStrokes::forget(ChainSlot slot) {
+  Chain& chain = chains_[slot];
+  for (const WatchSlot watch : chain.watched) {
+    const auto& [of, site, next, previous] = watches_[watch];
+    if (next != kNoSlot) watches_[next].previous = previous;
+    (previous == kNoSlot ? first_watch_[site] : watches_[previous].next) = next;
+    free_watches_.push_back(watch);
+  }
+  if (!chain.edges.empty()) {
+    toggle(chain);
+    --count_;
+  }
+  begins_.push_back(chain.begin);
+  chain = {};
+  free_chains_.push_back(slot);
+}
+
+void OpenStrokes::forget_those_at(SiteSlot site) {
+  while (first_watch_[site] != kNoSlot) forget(watches_[first_watch_[site]].chain);
+}
+
+bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job) {
+  using Place = CertaintyGrowth::Place;
+  const std::size_t reach = kReach + (edges + 1) / kStrokeSites;
+  const auto is_odd = [this](SiteSlot site) { return crust_.is_odd(site) && match_[site].partner == kNoSlot; };
+  const auto look = [&](SiteSlot from) {
+    const bool closes = growth_.grow(from, reach, is_odd, job);
+    for (const auto& step : growth_.steps()) watch(chain, step.site);
+    return closes;
+  };
+  const bool b_finds = look(b);
+  const std::size_t component = growth_.steps().size();
+  if (b_finds && !growth_.holds(a)) return false;
+  const bool a_finds = look(a);
+  if (!a_finds && !b_finds) return true;
+  if (!a_finds || !b_finds || growth_.steps().size() != component) return false;
+  std::size_t apart = 0;
+  const auto& steps = growth_.steps();
+  Place at(0);
+  while (steps[at].site != b) ++at;
+  for (; steps[at].from != kNoSlot; at = steps[at].from) ++apart;
+  return apart > 2 && edges + 1 < kStrokeSites * component;
+}
+
+void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
+  if (!delaunay_.is_site(begin) || curve_degree(begin) != 1) return;
+  // What begins here is known already.
+  for (WatchSlot at = first_watch_[begin]; at != kNoSlot; at = watches_[at].next)
+    if (chains_[watches_[at].chain].begin == begin) return;
+  ChainSlot slot = chains_.next();
+  if (free_chains_.empty()) {
+    chains_.emplace_back();
+  } else {
+    slot = free_chains_.back();
+    free_chains_.pop_back();
+  }
+  chains_[slot].begin = begin;
+  walk_.clear();
+  SiteSlot site = begin;
+  for (;;) {
+    watch(slot, site);
+    if (site != begin && curve_degree(site) != 2) break;
+    const EdgeSlot last = walk_.empty() ? EdgeSlot() : walk_.back();
+    SiteSlot next;
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+      if (next != kNoSlot || edge == last || !is_on_curve(edge)) return;
+      walk_.push_back(edge);
+      next = other;
+    });
+    site = next;
+    if ((walk_.size() & 1023U) == 0) job.checkpoint();
+  }
+  // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
+  if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk_.size(), slot, job)) return;
+  Chain& chain = chains_[slot];
+  chain.end = site;
+  chain.edges = walk_;
+  toggle(chain);
+  ++count_;
+}
+
+void OpenStrokes::make_room() {
+  match_.resize(delaunay_.site_rows());
+  degree_change_.resize(delaunay_.site_rows(), 0);
+  is_end_.resize(delaunay_.site_rows(), 0);
+  first_watch_.resize(delaunay_.site_rows());
+  on_stroke_.resize(delaunay_.edge_rows(), 0);
+}
+
+void OpenStrokes::clear() {
+  match_.clear();
+  degree_change_.clear();
+  is_end_.clear();
+  first_watch_.clear();
+  on_stroke_.clear();
+  chains_.clear();
+  free_chains_.clear();
+  watches_.clear();
+  free_watches_.clear();
+  count_ = 0;
+  proposers_.clear();
+  matches_before_.clear();
+  begins_.clear();
+  changed_edges_.clear();
+  changed_ends_.clear();
+}
+
+void OpenStrokes::rebuild(JobControl& job) {
+  clear();
+  if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
+  make_room();
+  noted_.begin(delaunay_.site_rows());
+  for (const SiteSlot site : delaunay_.site_slots())
+    if (delaunay_.is_site(site) && crust_.is_odd(site)) proposers_.push_back(site);
+  begins_ = proposers_;
+  match_all(job);
+  for (const SiteSlot site : begins_) find_chain(site, job);
+}
+
+void OpenStrokes::update(const std::vector<SiteSlot>& touched, JobControl& job) {
+  changed_edges_.clear();
+  changed_ends_.clear();
+  make_room();
+  noted_.begin(delaunay_.site_rows());
+  matches_before_.clear();
+  proposers_.clear();
+  for (const SiteSlot site : touched) {
+    part(site);
+    proposers_.push_back(site);
+  }
+  match_all(job);
+  begins_ = touched;
+  for (const SiteSlot site : touched) forget_those_at(site);
+  for (const auto& [site, before] : matches_before_) {
+    if (match_[site] == before) continue;
+    forget_those_at(site);
+    begins_.push_back(site);
+  }
+  for (std::size_t i = 0; i < begins_.size(); ++i) find_chain(begins_[i], job);
+}
+
+}  // namespace mes

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stretches of the crust are open strokes, which enclose nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/structures/crust/internal/certainty_growth.h"
+
+namespace mes {
+
+/// Nothing closes a wave or a spiral: between its two ends the spanning tree of the labels runs along and across the
+/// stroke itself, and inside would spill over it wherever it does. What encloses nothing has no inside; so labels do
+/// not change across an open stroke at all.
+///
+/// The rule, on the samples alone:
+///  1. Small defects are repaired. Odd sites are matched with each other along *repairing* edges: those that mend
+///     (`CertaintyOrder`), and crust edges between two odd sites one of which has no other. The matching is the stable
+///     one: most doubtful edges first. The *curve* is the crust without the matched edges that are crust, and with
+///     the others.
+///  2. A *chain* is a stretch of the curve from one site with one curve edge to another through sites with two.
+///  3. Its ends look for partners among the sites with an odd number of curve edges, as Kruskal's algorithm pairs
+///     them: `CertaintyGrowth`, in components of at most `reach` sites, which is `kReach` and a
+///     `kStrokeSites`-th of the chain. The chain is an open stroke if neither end finds a partner. It is one as well
+///     if they find each other, more than two edges of the tree apart and in a component that has more than a
+///     `kStrokeSites`-th of the chain's sites: a component that is small against the chain tells of a gap in a closed
+///     curve, with dirt in it perhaps, and the ends of an arc have an edge in common.
+///
+/// Cost: O(odd sites, the chains, and what their ends grow). An update does this anew where a site has changed that
+/// the decision met: the walk along the chain and the two growths.
+class OpenStrokes {
+ public:
+  OpenStrokes(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order)
+      : delaunay_(delaunay), crust_(crust), growth_(delaunay, order), order_(order) {}
+
+  bool has_edge(EdgeSlot edge) const { return on_stroke_.has(edge) && on_stroke_[edge] != 0; }
+  /// The site is one of the two ends of an open stroke.
+  bool ends_at(SiteSlot site) const { return is_end_.has(site) && is_end_[site] != 0; }
+  std::size_t count() const { return count_; }
+  /// No sites are matched or end a chain.
+  bool is_idle() const { return chains_.size() == free_chains_.size() && match_.empty(); }
+
+  void rebuild(JobControl& job);
+  /// `touched` are all sites at which an edge came or went, or changed its crust bit or its opposite corners, and the
+  /// neighbours of sites whose degree changed.
+  void update(const std::vector<SiteSlot>& touched, JobControl& job);
+  /// Of the last update; among them may be edges that are not alive any more and some that are as they were.
+  const std::vector<EdgeSlot>& changed_edges() const { return changed_edges_; }
+  const std::vector<SiteSlot>& changed_ends() const { return changed_ends_; }
+
+ private:
+  static constexpr std::size_t kReach = 128;
+  /// 8 to 32 do about as well: less, and spirals pass for closed curves with a gap; more, and such curves for
+  /// strokes.
+  static constexpr std::size_t kStrokeSites = 16;
+
+  using ChainSlot = Slot<struct ChainTag>;
+  using WatchSlot = Slot<struct WatchTag>;
+  /// The chain that begins at a site, or what keeps it from being one.
+  struct Chain {
+    SiteSlot begin;
+    SiteSlot end;                    ///< none when no chain begins here, or it is noted at its other end
+    std::vector<EdgeSlot> edges;     ///< of the open stroke that the chain is; empty when it is none
+    std::vector<WatchSlot> watched;  ///< sites on which all this depends
+  };
+  /// A chain depends on a site. Those of one site are linked both ways.
+  struct Watch {
+    ChainSlot chain;
+    SiteSlot site;
+    WatchSlot next, previous;
+  };
+  struct Match {
+    EdgeSlot edge;
+    SiteSlot partner;
+    friend bool operator==(const Match&, const Match&) = default;
+  };
+
+  bool repairs(EdgeSlot edge) const;
+  bool would_take(SiteSlot site, const CertaintyOrder::Rank& rank) const {
+    return match_[site].partner == kNoSlot || order_.is_surer(order_.rank_of(match_[site].edge), rank);
+  }
+  void set_match(SiteSlot site, const Match& match);
+  void part(SiteSlot site);
+  void match_all(JobControl& job);
+  bool is_on_curve(EdgeSlot edge) const;
+  int curve_degree(SiteSlot site) const { return crust_.degree(site) + degree_change_[site]; }
+
+  void watch(ChainSlot chain, SiteSlot site);
+  void forget(ChainSlot chain);
+  void forget_those_at(SiteSlot site);
+  void find_chain(SiteSlot begin, JobControl& job);
+  bool is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job);
+  void toggle(const Chain& chain);
+  void make_room();
+  void clear();
+
+  const Delaunay& delaunay_;
+  const OneStepCrust& crust_;
+  CertaintyGrowth growth_;
+  const CertaintyOrder& order_;
+
+  // Empty until there is an odd site.
+  Table<SiteSlot, Match> match_;
+  Table<SiteSlot, std::int8_t> degree_change_;  ///< by the matched edge
+  Table<SiteSlot, std::uint8_t> is_end_;
+  Table<SiteSlot, WatchSlot> first_watch_;
+  Table<EdgeSlot, std::uint8_t> on_stroke_;
+  Table<ChainSlot, Chain> chains_;
+  std::vector<ChainSlot> free_chains_;
+  Table<WatchSlot, Watch> watches_;
+  std::vector<WatchSlot> free_watches_;
+  std::size_t count_ = 0;
+
+  // Work space.
+  std::vector<SiteSlot> proposers_;  ///< those that may find a partner, or a better one
+  struct Before {
+    SiteSlot site;
+    Match match;
+  };
+  SlotMarks<SiteSlot> noted_;
+  std::vector<Before> matches_before_;
+  std::vector<SiteSlot> begins_;
+  std::vector<EdgeSlot> walk_;
+  std::vector<EdgeSlot> changed_edges_;
+  std::vector<SiteSlot> changed_ends_;
+};
+
+}  // namespace mes
