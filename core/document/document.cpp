@@ -134,7 +134,7 @@ void Document::replace_all(const DocumentDelta& delta) {
   balls_ = balls_.replaced_by(delta.balls_after->disk, delta.balls_after->id, delta.balls_after->free_slots,
                               delta.balls_after->first);
   samples_ = std::move(samples);
-  magnitudes_ = std::move(magnitudes);
+  magnitudes_ = magnitudes;
   sample_sum_ = ball_sum_ = 0;
   for (const SampleSlot slot : slots_below<SampleSlot>(slot_count()))
     if (is_alive(slot)) sample_sum_ += digest_of_sample(slot);

@@ -32,7 +32,7 @@ GeneralPhase<Number> phase_in(const EdgeCorners& e) {
     const Number vx = (left ? rx : qx) - ax, vy = (left ? ry : qy) - ay;
     return {ux * vx + uy * vy, ux * vy - uy * vx};
   };
-  const GeneralPhase<Number> p = apex(e.p, true);
+  GeneralPhase<Number> p = apex(e.p, true);
   if (!e.s) return p;
   const GeneralPhase<Number> s = apex(*e.s, false);
   return {p.h * s.h - p.i * s.i, p.i * s.h + p.h * s.i};

@@ -12,7 +12,7 @@ namespace mes {
 namespace {
 
 using Rational = CGAL::Exact_rational;
-__extension__ typedef __int128 Integer;
+__extension__ typedef __int128 Integer;  // NOLINT(modernize-use-using): with -Wpedantic, only this
 
 template <class Number>
 struct Vector {
