@@ -27,7 +27,6 @@ class ConflictJoin {
       : delaunay_(delaunay), crust_(crust), strokes_(strokes), growth_(delaunay, order) {}
 
   bool has_edge(EdgeSlot edge) const { return in_join_.has(edge) && in_join_[edge] != 0; }
-  bool is_empty() const { return clusters_.empty(); }
 
   void clear();
   /// False if clusters would take up a good part of the plane; what there is then is good for nothing but `clear`.

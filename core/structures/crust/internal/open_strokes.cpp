@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/internal/open_strokes.h"
 
+#include <limits>
+
 namespace mes {
 
 bool OpenStrokes::repairs(EdgeSlot edge) const {
@@ -103,19 +105,20 @@ void OpenStrokes::forget_those_at(SiteSlot site) {
   while (first_watch_[site] != kNoSlot) forget(watches_[first_watch_[site]].chain);
 }
 
+bool OpenStrokes::finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job) {
+  const auto is_odd = [this](SiteSlot one) { return (curve_degree(one) & 1) != 0; };
+  const bool finds = growth_.grow(site, reach, is_odd, job);
+  for (const auto& step : growth_.steps()) watch(chain, step.site);
+  return finds;
+}
+
 bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job) {
   using Place = CertaintyGrowth::Place;
   const std::size_t reach = kReach + (edges + 1) / kStrokeSites;
-  const auto is_odd = [this](SiteSlot site) { return crust_.is_odd(site) && match_[site].partner == kNoSlot; };
-  const auto look = [&](SiteSlot from) {
-    const bool closes = growth_.grow(from, reach, is_odd, job);
-    for (const auto& step : growth_.steps()) watch(chain, step.site);
-    return closes;
-  };
-  const bool b_finds = look(b);
+  const bool b_finds = finds_partner(b, reach, chain, job);
   const std::size_t component = growth_.steps().size();
   if (b_finds && !growth_.holds(a)) return false;
-  const bool a_finds = look(a);
+  const bool a_finds = finds_partner(a, reach, chain, job);
   if (!a_finds && !b_finds) return true;
   if (!a_finds || !b_finds || growth_.steps().size() != component) return false;
   std::size_t apart = 0;
@@ -140,6 +143,7 @@ void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
   }
   chains_[slot].begin = begin;
   walk_.clear();
+  std::size_t most_edges = std::numeric_limits<std::size_t>::max();
   SiteSlot site = begin;
   for (;;) {
     watch(slot, site);
@@ -153,6 +157,10 @@ void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
     });
     site = next;
     if ((walk_.size() & 1023U) == 0) job.checkpoint();
+    // Around a closed curve with a gap it is a long way, and the partner is near.
+    if (walk_.size() == kLong && finds_partner(begin, kReach, slot, job))
+      most_edges = kStrokeSites * growth_.steps().size();
+    if (walk_.size() + 1 >= most_edges) return;
   }
   // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
   if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk_.size(), slot, job)) return;

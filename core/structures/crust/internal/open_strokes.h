@@ -21,11 +21,11 @@ namespace mes {
 ///     the others.
 ///  2. A *chain* is a stretch of the curve from one site with one curve edge to another through sites with two.
 ///  3. Its ends look for partners among the sites with an odd number of curve edges, as Kruskal's algorithm pairs
-///     them: `CertaintyGrowth`, in components of at most `reach` sites, which is `kReach` and a
-///     `kStrokeSites`-th of the chain. The chain is an open stroke if neither end finds a partner. It is one as well
-///     if they find each other, more than two edges of the tree apart and in a component that has more than a
-///     `kStrokeSites`-th of the chain's sites: a component that is small against the chain tells of a gap in a closed
-///     curve, with dirt in it perhaps, and the ends of an arc have an edge in common.
+///     them: `CertaintyGrowth`, in components of at most `kReach` sites and a `kStrokeSites`-th of the chain's. The
+///     chain is an open stroke if neither end finds a partner. It is one as well if they find each other, more than
+///     two edges of the tree apart and in a component that has more than a `kStrokeSites`-th of the chain's sites: a
+///     component that is small against the chain is a gap in a closed curve, with dirt in it perhaps, and the ends of
+///     an arc have an edge in common.
 ///
 /// Cost: O(odd sites, the chains, and what their ends grow). An update does this anew where a site has changed that
 /// the decision met: the walk along the chain and the two growths.
@@ -38,8 +38,6 @@ class OpenStrokes {
   /// The site is one of the two ends of an open stroke.
   bool ends_at(SiteSlot site) const { return is_end_.has(site) && is_end_[site] != 0; }
   std::size_t count() const { return count_; }
-  /// No sites are matched or end a chain.
-  bool is_idle() const { return chains_.size() == free_chains_.size() && match_.empty(); }
 
   void rebuild(JobControl& job);
   /// `touched` are all sites at which an edge came or went, or changed its crust bit or its opposite corners, and the
@@ -51,6 +49,8 @@ class OpenStrokes {
 
  private:
   static constexpr std::size_t kReach = 128;
+  /// Edges after which a walk along the curve first makes sure that it is worth while.
+  static constexpr std::size_t kLong = 64;
   /// 8 to 32 do about as well: less, and spirals pass for closed curves with a gap; more, and such curves for
   /// strokes.
   static constexpr std::size_t kStrokeSites = 16;
@@ -90,6 +90,7 @@ class OpenStrokes {
   void forget(ChainSlot chain);
   void forget_those_at(SiteSlot site);
   void find_chain(SiteSlot begin, JobControl& job);
+  bool finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job);
   bool is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job);
   void toggle(const Chain& chain);
   void make_room();
