@@ -161,9 +161,9 @@ void take_the_short_way(Script& script) {
   script.say("... and its dual, the Delaunay triangulation, which contains the curve: the crust", 0.0);
   script.show({"delaunay", "curve", "points"});
   script.say("... and its dual, the Delaunay triangulation, which contains the curve: the crust");
-  script.say("Voronoi vertices inside the curve are the centers of the inner Voronoi balls", 0.0);
+  script.say("Voronoi vertices inside the curve are the centres of the inner Voronoi balls", 0.0);
   script.show({"interior-voronoi-disks", "interior-voronoi-circles", "curve", "interior-voronoi-vertices", "points"});
-  script.say("Voronoi vertices inside the curve are the centers of the inner Voronoi balls");
+  script.say("Voronoi vertices inside the curve are the centres of the inner Voronoi balls");
   script.say("One step more: Voronoi edges between them are the medial axis of their union", 0.0);
   script.show({"interior-voronoi-disks", "curve", "medial-axis", "points"});
   script.say("One step more: Voronoi edges between them are the medial axis of their union");

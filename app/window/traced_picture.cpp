@@ -24,6 +24,7 @@ bool TracedPicture::follow(const Box2& free) {
 // The layers change only when there is a picture to show.
 void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box2& free) {
   if (!show_image(outcome)) return;
+  messages_.clear_problem();  // another picture was asked for before
   loader_.take_as_read(outcome.file);
   editor_.change_layers("Picture underneath", [&] {
     layers_.set_image(placed_in(free, outcome.file, picture_.background_aspect()));
