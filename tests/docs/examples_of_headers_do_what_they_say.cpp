@@ -3,6 +3,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <thread>
 
 #include "core/base/coordinate_range.h"
@@ -23,6 +24,7 @@
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"
 #include "core/layers/parts/helpers.h"
+#include "core/structures/crust/internal/link_cut_forest.h"
 
 using namespace mes;
 
@@ -325,4 +327,17 @@ TEST_CASE("core/io/json_view.h") {
   REQUIRE(count);
   CHECK(*count == 3);
   CHECK_FALSE(count_timeline("{"));
+}
+
+TEST_CASE("core/structures/crust/internal/link_cut_forest.h") {
+  LinkCutForest<EdgeSlot, std::less<>> forest({});
+  forest.clear(3, 2);
+  forest.link(EdgeSlot(0), 0, 1);
+  forest.link(EdgeSlot(1), 1, 2);
+  const EdgeSlot best = forest.best_between(0, 2);
+  CHECK(best == EdgeSlot(0));
+  CHECK(forest.best_between(2, 1) == EdgeSlot(1));
+  forest.cut(EdgeSlot(0), 0, 1);
+  CHECK_FALSE(forest.are_connected(0, 2));
+  CHECK(forest.are_connected(2, 1));
 }

@@ -15,9 +15,10 @@ namespace mes {
 /// edge `b`, and is a strict order on the edges of one tree.
 ///
 /// Smallest use:
-///     forest.resize(3, 2);
-///     forest.link(edge, 0, 1);
-///     forest.link(other, 1, 2);
+///     LinkCutForest<EdgeSlot, std::less<>> forest({});
+///     forest.clear(3, 2);
+///     forest.link(EdgeSlot(0), 0, 1);
+///     forest.link(EdgeSlot(1), 1, 2);
 ///     const EdgeSlot best = forest.best_between(0, 2);
 ///
 /// Cost: O(log n) a call, amortised; 20 bytes a vertex and 20 an edge. Threads: none, not even for two questions at
