@@ -31,10 +31,10 @@ namespace mes {
 /// Cost: rebuild O(n), O(n log n) where a good part of the samples is odd. Update O(new faces + faces whose label
 /// changes), and O(log n) for each changed edge in the latter case. How: new faces take tentative labels from their
 /// neighbours; where two faces then disagree with the edge between them, the smaller side of the disagreement, found by
-/// searching all sides in lock-step, is turned over. Few odd samples are joined in clusters (`ConflictJoin`), and labels
-/// follow from the conflicts. Where clusters would take up a good part of the plane, as in noise, labels are handed on
-/// along the tree of faces (`CertaintyTree`), and the conflicts follow from the labels. Both come to the same. Source:
-/// even-odd parity; the locality lemma of docs/architecture.md.
+/// searching all sides in lock-step, is turned over. Few odd samples are joined in clusters (`ConflictJoin`), and
+/// labels follow from the conflicts. Where clusters would take up a good part of the plane, as in noise, labels are
+/// handed on along the tree of faces (`CertaintyTree`), and the conflicts follow from the labels. Both ways give the
+/// same labels. Source: even-odd parity; the locality lemma of docs/architecture.md.
 class Labels final : public Structure {
  public:
   Labels(Delaunay& delaunay, OneStepCrust& crust);
@@ -60,7 +60,7 @@ class Labels final : public Structure {
   /// A tree is grown anew when an edit changes more than one of so many edges.
   static constexpr std::size_t kFewEdges = 16;
 
-  // Of a face's edge i:
+  // The next four are about edge `i` of a face, opposite its corner `i`.
   bool is_crust(FaceSlot face, int i) const {
     return ((static_cast<unsigned>(crust_.crust_bits_of_face(face)) >> static_cast<unsigned>(i)) & 1U) != 0;
   }

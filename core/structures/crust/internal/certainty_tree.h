@@ -19,10 +19,10 @@ namespace mes {
 /// What it guarantees: the trees depend on the positions of the sites alone, whatever the history.
 ///
 /// Cost: rebuild O(n log n), by Kruskal's algorithm; update O(log n) for an edge that came, went or has another rank,
-/// amortised. Some 300 bytes a site. How: an edge that goes is replaced by the most doubtful edge on the way between its
-/// two faces; an edge that comes takes the place of the surest on the way between its two sites, if that is surer. Source:
-/// Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance of a minimum spanning forest in a dynamic plane
-/// graph", 1992.
+/// amortised. Some 300 bytes a site. How: an edge that is removed is replaced by the most doubtful edge on the path
+/// between its two faces; an edge that is inserted takes the place of the surest edge on the path between its two
+/// sites, if that is surer than itself. Source: Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance
+/// of a minimum spanning forest in a dynamic plane graph", 1992.
 class CertaintyTree {
  public:
   CertaintyTree(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order);

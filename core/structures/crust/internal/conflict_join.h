@@ -29,7 +29,7 @@ class ConflictJoin {
   bool has_edge(EdgeSlot edge) const { return in_join_.has(edge) && in_join_[edge] != 0; }
 
   void clear();
-  /// False if clusters would take up a good part of the plane; what there is then is good for nothing but `clear`.
+  /// False if clusters would take up a good part of the plane; the object must then be cleared or rebuilt.
   bool rebuild(JobControl& job);
   /// As `rebuild`. `touched` is as for `OpenStrokes::update`, whose changes are taken as well.
   bool update(const std::vector<SiteSlot>& touched, JobControl& job);

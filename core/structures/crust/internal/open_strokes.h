@@ -49,7 +49,7 @@ class OpenStrokes {
 
  private:
   static constexpr std::size_t kReach = 128;
-  /// Edges after which a walk along the curve first makes sure that it is worth while.
+  /// Edges after which a walk along the curve asks how long a stroke from its beginning can be.
   static constexpr std::size_t kLong = 64;
   /// 8 to 32 do about as well: less, and spirals pass for closed curves with a gap; more, and such curves for
   /// strokes.
