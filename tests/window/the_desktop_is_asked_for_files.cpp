@@ -46,6 +46,8 @@ struct Window : DrivenProgram {
   void set_portal(const std::string& words) {
     portal = Child();
     const std::string log = (folder / "portal.log").string();
+    // What the one before wrote would be taken for this one's "ready".
+    std::filesystem::remove(log);
     portal = Child({"sh", "-c", "exec " FAKE_PORTAL " " + words + " > " + log},
                    {{"DBUS_SESSION_BUS_ADDRESS", bus.address()}}, folder / "portal-errors");
     REQUIRE(eventually([&] { return asked().starts_with("ready"); }));
