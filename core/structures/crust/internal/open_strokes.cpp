@@ -2,6 +2,7 @@
 #include "core/structures/crust/internal/open_strokes.h"
 
 #include <limits>
+#include <utility>
 
 namespace mes {
 
@@ -105,15 +106,34 @@ void OpenStrokes::forget_those_at(SiteSlot site) {
   while (first_watch_[site] != kNoSlot) forget(watches_[first_watch_[site]].chain);
 }
 
-bool OpenStrokes::finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job) {
-  const auto is_odd = [this](SiteSlot one) { return (curve_degree(one) & 1) != 0; };
-  const bool finds = growth_.grow(site, reach, is_odd, job);
+bool OpenStrokes::grow(SiteSlot site, std::size_t reach, JobControl& job) {
+  return growth_.grow(site, reach, [this](SiteSlot one) { return (curve_degree(one) & 1) != 0; }, job);
+}
+
+void OpenStrokes::watch_growth(ChainSlot chain) {
   for (const auto& step : growth_.steps()) watch(chain, step.site);
+}
+
+bool OpenStrokes::finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job) {
+  const bool finds = grow(site, reach, job);
+  watch_growth(chain);
   return finds;
+}
+
+// Where one end finds a partner that is not the other end, the other's growth does not count: looking a little way from
+// both first decides most chains of noise.
+bool OpenStrokes::finds_other_nearby(SiteSlot a, SiteSlot b, ChainSlot chain, JobControl& job) {
+  for (const auto& [from, to] : {std::pair(b, a), std::pair(a, b)}) {
+    if (!grow(from, kNearby, job) || growth_.holds(to)) continue;
+    watch_growth(chain);
+    return true;
+  }
+  return false;
 }
 
 bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job) {
   using Place = CertaintyGrowth::Place;
+  if (finds_other_nearby(a, b, chain, job)) return false;
   const std::size_t reach = kReach + (edges + 1) / kStrokeSites;
   const bool b_finds = finds_partner(b, reach, chain, job);
   const std::size_t component = growth_.steps().size();

@@ -49,6 +49,8 @@ class OpenStrokes {
 
  private:
   static constexpr std::size_t kReach = 128;
+  /// Changes no result, but how many sites are looked at.
+  static constexpr std::size_t kNearby = 64;
   /// Edges after which a walk along the curve asks how long a stroke from its beginning can be.
   static constexpr std::size_t kLong = 64;
   /// 8 to 32 do about as well: less, and spirals pass for closed curves with a gap; more, and such curves for
@@ -90,6 +92,9 @@ class OpenStrokes {
   void forget(ChainSlot chain);
   void forget_those_at(SiteSlot site);
   void find_chain(SiteSlot begin, JobControl& job);
+  bool grow(SiteSlot site, std::size_t reach, JobControl& job);
+  void watch_growth(ChainSlot chain);
+  bool finds_other_nearby(SiteSlot a, SiteSlot b, ChainSlot chain, JobControl& job);
   bool finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job);
   bool is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job);
   void toggle(const Chain& chain);
