@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/labels.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "core/base/parallel.h"
+
 namespace mes {
 
 Labels::Labels(Delaunay& delaunay, OneStepCrust& crust)
@@ -43,13 +48,18 @@ void Labels::read_conflicts_at(FaceSlot face) {
     if (edge != kNoSlot) read_conflict(edge);
 }
 
-// By clusters if they are small, otherwise by the tree. Open strokes are known.
-void Labels::choose_way(JobControl& job) {
+std::unique_ptr<CertaintyTree> Labels::grown_tree(JobControl& job) const {
+  auto tree = std::make_unique<CertaintyTree>(delaunay_, crust_, order_);
+  tree->rebuild(job);
+  return tree;
+}
+
+// By clusters if they are small, otherwise by the tree, which may be there already. Open strokes are known.
+void Labels::choose_way(std::unique_ptr<CertaintyTree> tree, JobControl& job) {
   tree_.reset();
   if (join_.rebuild(job)) return;
   join_.clear();
-  tree_ = std::make_unique<CertaintyTree>(delaunay_, crust_, order_);
-  tree_->rebuild(job);
+  tree_ = tree ? std::move(tree) : grown_tree(job);
   odd_when_tree_grew_ = crust_.odd_count();
 }
 
@@ -82,10 +92,19 @@ void Labels::rebuild(JobControl& job) {
   clear_changes();
   conflict_.clear();
   conflict_count_ = 0;
-  strokes_.rebuild(job);
   tree_.reset();
   join_.clear();
   is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
+  // Among so many odd sites clusters are not small. The tree, which needs no strokes, then grows beside them.
+  const bool is_noise =
+      !is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites);
+  std::unique_ptr<CertaintyTree> tree;
+  run_tasks(is_noise ? 2 : 1, [&](std::size_t i) {
+    if (i == 0)
+      strokes_.rebuild(job);
+    else
+      tree = grown_tree(job);
+  });
   if (delaunay_.dimension() < 2) {
     inside_.assign(delaunay_.face_rows(), 0);
     return;
@@ -94,7 +113,7 @@ void Labels::rebuild(JobControl& job) {
     label_all(job);
     return;
   }
-  choose_way(job);
+  choose_way(std::move(tree), job);
   conflict_.resize(delaunay_.edge_rows(), 0);
   if (tree_) label_all(job);
   for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);
@@ -141,7 +160,7 @@ bool Labels::follow_conflicts(JobControl& job) {
 }
 
 void Labels::label_all_anew(JobControl& job) {
-  choose_way(job);
+  choose_way(nullptr, job);
   const Table<FaceSlot, std::uint8_t> before = inside_;
   if (!tree_)
     for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);

@@ -59,6 +59,10 @@ class Labels final : public Structure {
  private:
   /// A tree is grown anew when an edit changes more than one of so many edges.
   static constexpr std::size_t kFewEdges = 16;
+  /// The tree is grown at once, without waiting for clusters, when more than one of so many sites is odd, ...
+  static constexpr std::size_t kFewSites = 4;
+  /// ... and there are so many of them that a thread for it pays.
+  static constexpr std::size_t kManyOddSites = 4096;
 
   // The next four are about edge `i` of a face, opposite its corner `i`.
   bool is_crust(FaceSlot face, int i) const {
@@ -82,7 +86,8 @@ class Labels final : public Structure {
     return is_passage(face, i) && (inside_[face] != inside_[other]) != is_border(face, i);
   }
 
-  void choose_way(JobControl& job);
+  std::unique_ptr<CertaintyTree> grown_tree(JobControl& job) const;
+  void choose_way(std::unique_ptr<CertaintyTree> tree, JobControl& job);
   void label_all(JobControl& job);
   void label_all_anew(JobControl& job);
   void find_touched_sites();
