@@ -49,6 +49,8 @@ enum class ActionId : std::uint8_t {
   toggle_parameters,
   toggle_log,
   toggle_legend,
+  toggle_scale_bar,
+  toggle_axes,
   toggle_evolution,
   toggle_theme,
   projector_mode,

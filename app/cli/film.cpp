@@ -98,8 +98,8 @@ class Studio {
  public:
   Studio(render::GlDevice& device, const Film& film) : device_(device), scene_(device), film_(film) {
     scene_.set_color_maps(load_color_maps(find_assets({}), user_color_map_folder()).maps);
-    if (auto fonts = LegendFonts::read(find_assets({})))
-      fonts_ = std::make_shared<const LegendFonts>(std::move(*fonts));
+    if (auto fonts = PaperFonts::read(find_assets({})))
+      fonts_ = std::make_shared<const PaperFonts>(std::move(*fonts));
     else
       say("captions are left out: " + fonts.error().message());
   }
@@ -126,8 +126,8 @@ class Studio {
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image) return std::unexpected(image.error());
-    return Shot{std::move(*image), picture_overlay_of(legend_of(scene_, views), player.caption(), fonts_,
-                                                      {film_.size.width, film_.size.height, scale, kWhiteCanvas})};
+    return Shot{std::move(*image), picture_overlay_of({legend_of(scene_, views), player.caption()}, fonts_,
+                                                      {camera, scale, kWhiteCanvas})};
   }
 
  private:
@@ -151,7 +151,7 @@ class Studio {
   render::Scene scene_;
   Film film_;
   std::string picture_file_;  // in the scene, or not readable
-  std::shared_ptr<const LegendFonts> fonts_;
+  std::shared_ptr<const PaperFonts> fonts_;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "app/export/carried.h"
 #include "app/export/figure.h"
 #include "app/picture/legend.h"
+#include "app/picture/scale_drawing.h"
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
@@ -57,16 +58,21 @@ render::Camera camera_for(const PictureRequest& picture, const Box2& samples, co
 }
 
 /// Above everything else, once the picture is there.
-void add_legend(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
-                double scale, const std::optional<Rgb>& background) {
-  const std::vector<LegendEntry> entries = legend_of(scene, views);
-  if (entries.empty()) return;
-  const auto fonts = LegendFonts::read(find_assets({}));
-  if (fonts)
-    draw_legend(image, *fonts, layout_legend(entries, *fonts, image.width, image.height, scale, background),
+void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
+               const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request) {
+  const std::vector<LegendEntry> entries = request.with_legend ? legend_of(scene, views) : std::vector<LegendEntry>();
+  if (entries.empty() && request.marks.is_empty()) return;
+  const auto fonts = PaperFonts::read(find_assets({}));
+  if (!fonts) return say("legend, scale bar and axes are left out: " + fonts.error().message());
+  if (!request.marks.is_empty())
+    paint(image, *fonts,
+          layout_scale_marks(request.marks, seen_plane(camera, shown.scale), measure_with(*fonts, shown.scale),
+                             shown.background),
+          {0.0, 0.0}, shown.scale);
+  if (!entries.empty())
+    draw_legend(image, *fonts,
+                layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background),
                 LegendPlace::emptiest_corner);
-  else
-    say("the legend is left out: " + fonts.error().message());
 }
 
 /// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
@@ -114,27 +120,28 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
 
 /// A picture in pixels, as the bytes of a PNG file.
 Expected<std::string> draw_pixels(const PictureRequest& picture, render::Device& device, render::Scene& scene,
-                                  const render::Camera& camera, const std::vector<Vec2>& samples, bool with_legend,
-                                  std::string_view session) {
+                                  const render::Camera& camera, const std::vector<Vec2>& samples,
+                                  const RenderRequest& request, std::string_view session) {
   const std::vector<render::LayerView> views = views_of(picture.shown, camera.units_per_pixel(), samples);
   auto image = draw_in_bands(device, scene, camera, views,
                              {.background = picture.shown.background, .content_scale = picture.shown.scale});
   if (!image) return std::unexpected(image.error());
-  if (with_legend) add_legend(*image, scene, views, picture.shown.scale, picture.shown.background);
+  add_paper(*image, scene, views, camera, picture.shown, request);
   const auto png = render::encode_png(*image, render::kPngSmall, session);
   if (!png) return std::unexpected(png.error());
   return std::string(reinterpret_cast<const char*>(png->data()), png->size());
 }
 
 /// The bytes of a vector format.
-Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSource& source, bool with_legend,
-                                   std::string session) {
+Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSource& source,
+                                   const RenderRequest& wanted, std::string session) {
   FigureRequest request{.shown = picture.shown,
                         .part = Everything{},
                         .page = picture.page,
                         .pixels = {picture.size.width, picture.size.height},
                         .is_tight = picture.is_tight,
-                        .with_legend = with_legend,
+                        .with_legend = wanted.with_legend,
+                        .marks = wanted.marks,
                         .image = picture.image,
                         .rasterized = picture.rasterized,
                         .dots_per_inch = picture.dots_per_inch};
@@ -211,14 +218,14 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   std::string session = session_of(request, *picture, *input, *settings);
   const auto bytes = canvas
                          ? draw_pixels(*picture, canvas->device, canvas->scene, camera_for(*picture, bounds, mirror),
-                                       input->data.positions, request.with_legend, session)
+                                       input->data.positions, request, session)
                          : draw_vectors(*picture,
                                         {.mirror = mirror,
                                          .samples = input->data.positions,
                                          .bounds = bounds,
                                          .maps = maps.maps,
                                          .traced = *traced ? &**traced : nullptr},
-                                        request.with_legend, std::move(session));
+                                        request, std::move(session));
   if (!bytes) return std::unexpected(bytes.error());
   std::vector<SourceFile> sources = std::move(picture->sources);
   sources.insert(sources.end(), input->sources.begin(), input->sources.end());

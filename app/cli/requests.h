@@ -10,6 +10,7 @@
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
 #include "app/cli/manual.h"
+#include "app/model/scale_marks.h"
 #include "core/base/error.h"
 
 namespace mes::cli {
@@ -56,8 +57,9 @@ struct RenderRequest {
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
-  bool with_source = true;          ///< the picture carries samples, view and layers
-  std::string format;               ///< as an extension without its dot; empty: as the name of the output says
+  ScaleMarks marks{};
+  bool with_source = true;  ///< the picture carries samples, view and layers
+  std::string format;       ///< as an extension without its dot; empty: as the name of the output says
   std::string output;
   bool force = false;
 };

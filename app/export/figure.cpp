@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/picture/figure_legend.h"
+#include "app/picture/scale_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
 #include "render/camera.h"
@@ -67,6 +68,14 @@ figure::Page page_for(const FigureRequest& request, const FigureSource& source) 
   return page;
 }
 
+void add_scale_marks(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
+                     const PaperFonts& fonts) {
+  const double scale = request.shown.scale;
+  const PaperDrawing marks = layout_scale_marks(request.marks, seen_plane(page, scale), measure_with(fonts, scale),
+                                                request.shown.background);
+  add_to(figure, fonts, marks, {0.0, 0.0}, scale);
+}
+
 }  // namespace
 
 const figure::FigureLayer* largest_layer(const figure::Figure& figure) {
@@ -97,12 +106,15 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   }
   if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
     return std::unexpected(good.error());
-  if (request.with_legend && has_legend(drawing)) {
-    if (const auto fonts = LegendFonts::read(find_assets({})))
-      add_legend(out.figure, drawing, *fonts);
-    else
-      out.remarks.push_back("the legend is left out: " + fonts.error().message());
+  const bool has_colors = request.with_legend && has_legend(drawing);
+  if (!has_colors && request.marks.is_empty()) return out;
+  const auto fonts = PaperFonts::read(find_assets({}));
+  if (!fonts) {
+    out.remarks.push_back("legend, scale bar and axes are left out: " + fonts.error().message());
+    return out;
   }
+  if (!request.marks.is_empty()) add_scale_marks(out.figure, page, request, *fonts);
+  if (has_colors) add_legend(out.figure, drawing, *fonts);
   return out;
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/export/page_size.h"
 #include "app/export/shown_layers.h"
+#include "app/model/scale_marks.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
@@ -34,6 +35,7 @@ struct FigureRequest {
   int pixels[2] = {1600, 1200};  ///< width and height, of 1/96 inch
   bool is_tight = false;         ///< the page is cut to what is drawn
   bool with_legend = true;
+  ScaleMarks marks{};
   BackgroundImage image{};                ///< the place of the picture to trace
   std::vector<std::string> rasterized{};  ///< ids of layers that become pictures
   double dots_per_inch = 300.0;           ///< of these

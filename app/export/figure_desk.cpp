@@ -38,6 +38,7 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.page = page;
   out.is_tight = settings.extent == FigureExtent::ink;
   out.with_legend = settings.with_legend;
+  out.marks = settings.marks;
   out.shown.background = paper_of(settings.paper, subject.shown.background);
   out.shown.scale =
       settings.as_on_screen ? page.width / (figure::kPointsPerPixel * subject.canvas_width) : settings.line_scale;

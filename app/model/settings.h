@@ -10,6 +10,7 @@
 
 #include "app/model/figure_settings.h"
 #include "app/model/record_settings.h"
+#include "app/model/scale_marks.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
 
@@ -39,6 +40,7 @@ struct Settings {
   double details_share = kUsualDetailsShare;  ///< of the height of that column, for the lower panel, [0.1, 0.9]
   double bundles_height = 0.0;                ///< logical pixels, [0, 4000]; 0: what they need
   bool show_legend = true;                    ///< of the colour maps in use
+  ScaleMarks marks{};                         ///< scale bar and axes
   bool show_evolution = false;
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser

@@ -193,6 +193,12 @@ void FigureDialog::draw_look(const Gui& gui) const {
   title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "In the corner where it hides least");
+  title(gui, "Scale");
+  ImGui::Checkbox("Bar", &settings.marks.bar);
+  tooltip(gui, "A line of a round length, with its length in the units of the samples");
+  ImGui::SameLine();
+  ImGui::Checkbox("Axes", &settings.marks.axes);
+  tooltip(gui, "Numbers along the lower and the left edge");
   title(gui, "Source");
   const figure::Format* const format = figure::format_for(settings.extension);
   const bool can_carry = format != nullptr && format->carries_session;

@@ -107,14 +107,19 @@ void view_menu(const MenuBar& menu) {
     action_item(menu, id);
   ImGui::Separator();
   for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters,
-                            ActionId::toggle_log, ActionId::toggle_legend, ActionId::toggle_panels})
+                            ActionId::toggle_log, ActionId::toggle_panels})
     action_item(menu, id);
+  // Rows in menus of their own, because at twice the size no other row of this one fits a screen of 800 pixels.
+  if (ImGui::BeginMenu("Legend and scale")) {
+    for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_scale_bar, ActionId::toggle_axes})
+      action_item(menu, id);
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   if (ImGui::BeginMenu("Bundles")) {
     for (const ActionId id :
          {ActionId::save_bundle, ActionId::import_bundles, ActionId::export_bundles, ActionId::undo_bundles})
       action_item(menu, id);
-    // Here, because at twice the size no other row of the menu fits a screen of 800 pixels.
     ImGui::Separator();
     for (const ActionId id : {ActionId::balls_inner, ActionId::balls_polar, ActionId::balls_own})
       action_item(menu, id);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/figure_legend.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,12 +11,8 @@
 namespace mes {
 namespace {
 
+constexpr std::size_t kWritten = 1U << 30U;
 constexpr double kMargin = 12.0 * figure::kPointsPerPixel;
-// From the top of a line to its baseline.
-constexpr double kAscent = 0.8;
-// Sizes of lines are from the ascender to the descender of Inter, 3408 units, where fonts count its em of 2816.
-constexpr double kEm = 2816.0 / 3408.0;
-
 std::vector<LegendEntry> legend_of(const figure::Drawing& drawing) {
   return entries_of(drawing.views, [&](const render::LayerView& view) { return shown_map(drawing, view); });
 }
@@ -27,7 +24,14 @@ Vec2 emptiest_corner(const figure::Figure& figure, double width, double height, 
   Vec2 best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const Vec2 corner : {Vec2{right, bottom}, Vec2{margin, bottom}, Vec2{right, margin}, Vec2{margin, margin}}) {
-    const std::size_t hidden = figure::shapes_in(figure, {corner, corner + Vec2{width, height}});
+    const Box2 legend{corner, corner + Vec2{width, height}};
+    // What is written there already counts as more than any geometry.
+    const auto covers = [&](const figure::Box& box) {
+      return box.corner.x < legend.high.x && legend.low.x < box.corner.x + box.width &&
+             box.corner.y < legend.high.y && legend.low.y < box.corner.y + box.height;
+    };
+    const auto written = static_cast<std::size_t>(std::ranges::count_if(figure.legend.boxes, covers));
+    const std::size_t hidden = figure::shapes_in(figure, legend) + kWritten * written;
     if (hidden < least) {
       least = hidden;
       best = corner;
@@ -42,7 +46,7 @@ bool has_legend(const figure::Drawing& drawing) {
   return !legend_of(drawing).empty();
 }
 
-void add_legend(figure::Figure& figure, const figure::Drawing& drawing, const LegendFonts& fonts) {
+void add_legend(figure::Figure& figure, const figure::Drawing& drawing, const PaperFonts& fonts) {
   const std::vector<LegendEntry> entries = legend_of(drawing);
   if (entries.empty()) return;
   const auto pixels = [](double points) { return static_cast<int>(std::ceil(points / figure::kPointsPerPixel)); };
@@ -51,16 +55,7 @@ void add_legend(figure::Figure& figure, const figure::Drawing& drawing, const Le
   const double scale = legend.scale * figure::kPointsPerPixel;
   const Vec2 corner =
       emptiest_corner(figure, scale * legend.drawing.width, scale * legend.drawing.height, kMargin * legend.scale);
-  for (const LegendDrawing::Box& box : legend.drawing.boxes)
-    figure.legend.boxes.push_back(
-        {corner + scale * Vec2{box.left, box.top}, scale * box.width, scale * box.height, box.color, box.opacity});
-  for (const LegendDrawing::Line& line : legend.drawing.lines) {
-    const double width =
-        render::text_width(line.is_bold ? fonts.bold : fonts.plain, legend.scale * line.size, line.text) *
-        figure::kPointsPerPixel;
-    figure.legend.texts.push_back({corner + scale * Vec2{line.x, line.top + kAscent * line.size}, scale * line.size,
-                                   width, line.is_bold, line.color, line.text});
-  }
+  add_to(figure, fonts, legend.drawing, corner, legend.scale);
 }
 
 }  // namespace mes

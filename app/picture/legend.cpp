@@ -4,11 +4,10 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <limits>
 
-#include "app/picture/canvas_look.h"
 #include "app/picture/internal/legend_entries.h"
+#include "app/picture/internal/round_numbers.h"
 
 namespace mes {
 namespace {
@@ -24,43 +23,6 @@ constexpr double kGap = 12.0;  // between entries
 constexpr double kMargin = 12.0;
 constexpr int kBarSteps = 108;
 constexpr std::size_t kMostSwatches = 12;
-
-struct Colors {
-  Rgb paper;
-  Rgb frame;
-  Rgb ink;
-  Rgb quiet;
-};
-constexpr Colors kOnLight{{0xff, 0xff, 0xff}, {0xd0, 0xd4, 0xd9}, {0x1f, 0x23, 0x28}, {0x5b, 0x64, 0x6e}};
-constexpr Colors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf4, 0xf6}, {0xb4, 0xbc, 0xc4}};
-
-std::string shortest(double value, int digits) {
-  return fmt::format("{:.{}g}", value, digits);
-}
-
-// Logarithms of round numbers may come out just below whole ones.
-constexpr double kRounding = 1e-9;
-
-/// With as many digits as distinguish steps of that size; without an exponent if that is short.
-std::string number_text(double value, double step) {
-  if (std::abs(value) < 0.5 * step || value == 0.0) return "0";
-  constexpr double kMostDigits = 17.0;
-  constexpr double kMostPlain = 6.0;
-  const double before_point = std::floor(std::log10(std::abs(value)) + kRounding) + 1.0;
-  const double after_point = step > 0.0 ? -std::floor(std::log10(step) + kRounding) : 0.0;
-  const double least = before_point <= kMostPlain ? before_point : 1.0;
-  const double digits = std::clamp(before_point + after_point, std::max(least, 1.0), kMostDigits);
-  return shortest(value, static_cast<int>(digits));
-}
-
-/// 1, 2 or 5 times a power of ten, about a fifth of the width.
-double round_step(double width) {
-  const double raw = width / 5.0;
-  const double power = std::pow(10.0, std::floor(std::log10(raw) + kRounding));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= (1.0 - kRounding) * raw) return factor * power;
-  return 10.0 * power;
-}
 
 /// The text in lines of at most this width, broken at spaces.
 std::vector<std::string> wrapped(const std::string& text, double width, const MeasureText& measure) {
@@ -84,10 +46,10 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
 /// Places one entry below the other.
 class Layout {
  public:
-  Layout(const MeasureText& measure, const Colors& colors) : measure_(&measure), colors_(colors) {}
+  Layout(const MeasureText& measure, const PaperColors& colors) : measure_(&measure), colors_(colors) {}
 
   double y() const { return y_; }
-  LegendDrawing& drawing() { return drawing_; }
+  PaperDrawing& drawing() { return drawing_; }
 
   void text(const std::string& line, bool is_bold, Rgb color) {
     drawing_.lines.push_back({kPadding, y_, is_bold ? kTitleSize : kTextSize, is_bold, color, line});
@@ -152,7 +114,7 @@ class Layout {
     std::size_t shown = 0;
     for (double value = low; value <= high; value += 1.0) {
       const bool is_left_out = shown == kMostSwatches;
-      const std::string label = is_left_out ? "..." : shortest(value, 9);
+      const std::string label = is_left_out ? "..." : shortest_text(value, 9);
       const double size = (is_left_out ? 0.0 : kBar + 4.0) + (*measure_)(label, kTextSize, false);
       if (x > kPadding && x + size > kWidth - kPadding) {
         x = kPadding;
@@ -171,8 +133,8 @@ class Layout {
   }
 
   const MeasureText* measure_;
-  Colors colors_;
-  LegendDrawing drawing_;
+  PaperColors colors_;
+  PaperDrawing drawing_;
   double y_ = kPadding;
 };
 
@@ -187,12 +149,14 @@ PixelPlace lower_right(const render::Image& image, double width, double height, 
           image.height - m - static_cast<int>(std::ceil(height))};
 }
 
-/// The corner where a rectangle hides the fewest pixels that differ from the first pixel of the picture.
+/// The corner where a rectangle hides the fewest pixels that differ from the upper right one of the picture, where
+/// neither axes nor a scale bar are.
 PixelPlace emptiest_corner(const render::Image& image, double width, double height, double margin) {
   const auto w = static_cast<int>(std::ceil(width));
   const auto h = static_cast<int>(std::ceil(height));
   const auto m = static_cast<int>(std::lround(margin));
   const auto [right, bottom] = lower_right(image, width, height, margin);
+  const auto* const empty = &image.rgba[image.offset(image.width - 1, 0)];
   PixelPlace best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const PixelPlace place :
@@ -200,9 +164,7 @@ PixelPlace emptiest_corner(const render::Image& image, double width, double heig
     std::size_t hidden = 0;
     for (int y = std::max(place.top, 0); y < std::min(place.top + h, image.height); ++y)
       for (int x = std::max(place.left, 0); x < std::min(place.left + w, image.width); ++x)
-        hidden += std::equal(&image.rgba[image.offset(x, y)], &image.rgba[image.offset(x, y)] + 4, image.rgba.begin())
-                      ? 0U
-                      : 1U;
+        hidden += std::equal(&image.rgba[image.offset(x, y)], &image.rgba[image.offset(x, y)] + 4, empty) ? 0U : 1U;
     if (hidden < least) {
       least = hidden;
       best = place;
@@ -220,13 +182,13 @@ std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const r
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   if (range.is_empty() || !std::isfinite(range.low) || !std::isfinite(range.high)) return {};
   constexpr int kAlone = 6;
-  if (range.low == range.high) return {{0.5, shortest(range.low, kAlone)}};
+  if (range.low == range.high) return {{0.5, shortest_text(range.low, kAlone)}};
   const double width = range.high - range.low;
   // An end need not be round; it is written to a hundredth of the width.
   const double fine = 0.005 * range.high - 0.005 * range.low;
   std::vector<LegendTick> out{{0.0, number_text(range.low, fine)}};
   if (std::isfinite(width)) {
-    const double step = round_step(width);
+    const double step = round_number_from(width / 5.0);
     const double first = std::ceil(range.low / step);
     constexpr int kMostTicks = 12;
     constexpr double kNearEnd = 0.02;
@@ -241,10 +203,10 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   return out;
 }
 
-LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
-                            const std::optional<Rgb>& background) {
+PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
+                           const std::optional<Rgb>& background) {
   if (entries.empty()) return {};
-  const Colors& colors = background && is_dark(*background) ? kOnDark : kOnLight;
+  const PaperColors colors = paper_colors(background);
   Layout layout(measure, colors);
   std::size_t shown = 0;
   for (const LegendEntry& entry : entries) {
@@ -256,7 +218,7 @@ LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureT
     ++shown;
   }
   if (shown < entries.size()) layout.text(fmt::format("and {} more", entries.size() - shown), false, colors.quiet);
-  LegendDrawing out = std::move(layout.drawing());
+  PaperDrawing out = std::move(layout.drawing());
   out.width = kWidth;
   out.height = layout.y() + kPadding - 4.0;
   out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, colors.frame},
@@ -264,30 +226,15 @@ LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureT
   return out;
 }
 
-glm::dmat3 legend_placement(const glm::dvec2& corner, double scale) {
-  return glm::dmat3(glm::dvec3(scale, 0.0, 0.0), glm::dvec3(0.0, scale, 0.0), glm::dvec3(corner, 1.0));
-}
-
-Expected<LegendFonts> LegendFonts::read(const std::filesystem::path& assets) {
-  auto plain = render::Font::read(assets / "fonts" / "Inter-Regular.otf");
-  if (!plain) return std::unexpected(plain.error());
-  auto bold = render::Font::read(assets / "fonts" / "Inter-SemiBold.otf");
-  if (!bold) return std::unexpected(bold.error());
-  return LegendFonts{std::move(*plain), std::move(*bold)};
-}
-
-PictureLegend layout_legend(std::span<const LegendEntry> entries, const LegendFonts& fonts, int width, int height,
+PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFonts& fonts, int width, int height,
                             double scale, const std::optional<Rgb>& background) {
   constexpr double kShare = 0.3;
   constexpr double kLeast = 0.7;
   scale *= std::clamp(kShare * width / (scale * kWidth), kLeast, 1.0);
-  const MeasureText measure = [&](const std::string& text, double size, bool is_bold) {
-    return render::text_width(is_bold ? fonts.bold : fonts.plain, scale * size, text) / scale;
-  };
-  return {layout_legend(entries, measure, height / scale - 2.0 * kMargin, background), scale};
+  return {layout_legend(entries, measure_with(fonts, scale), height / scale - 2.0 * kMargin, background), scale};
 }
 
-void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLegend& picture_legend,
+void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& picture_legend,
                  LegendPlace place, double foot) {
   const auto& [legend, scale] = picture_legend;
   const double width = scale * legend.width;
@@ -295,21 +242,7 @@ void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLe
   PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
                                                     : emptiest_corner(image, width, height, scale * kMargin);
   if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
-  const glm::dmat3 place_of = legend_placement({at.left, at.top}, scale);
-  // On whole pixels, so that edges are sharp and thin lines look alike.
-  for (const LegendDrawing::Box& box : legend.boxes) {
-    const glm::dvec2 from = glm::round(glm::dvec2(place_of * glm::dvec3(box.left, box.top, 1.0)));
-    const glm::dvec3 end(box.left + box.width, box.top + box.height, 1.0);
-    const glm::dvec2 size = glm::max(glm::round(glm::dvec2(place_of * end)) - from, glm::dvec2(1.0));
-    render::fill_rectangle(image, from.x, from.y, size.x, size.y, box.color, box.opacity);
-  }
-  // From the top of a line to its baseline.
-  constexpr double kAscent = 0.8;
-  for (const LegendDrawing::Line& line : legend.lines) {
-    const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kAscent * line.size, 1.0));
-    render::draw_text(image, line.is_bold ? fonts.bold : fonts.plain, scale * line.size, from.x, from.y, line.color,
-                      line.text);
-  }
+  paint(image, fonts, legend, {at.left, at.top}, scale);
 }
 
 }  // namespace mes

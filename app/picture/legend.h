@@ -2,9 +2,6 @@
 // The legend of the colour maps in use: the name of each layer, the meaning of its scalar, and a bar of colours with
 // numbers.
 //
-// The layout consists of rectangles and lines of text. The window paints it on itself, and `draw_legend` on a picture
-// in memory, so both look alike.
-//
 // Smallest use:
 //     const std::vector<LegendEntry> entries = ...;
 //     draw_legend(image, fonts, layout_legend(entries, fonts, image.width, image.height, 1.0, kWhiteCanvas),
@@ -14,18 +11,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <glm/mat3x3.hpp>
-#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/picture/paper_drawing.h"
 #include "core/draw/layer_descriptor.h"
 #include "render/colormap.h"
 #include "render/scene.h"
-#include "render/text.h"
 
 namespace mes {
 
@@ -52,62 +46,24 @@ std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const r
 /// has one tick, an empty one none.
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range);
 
-/// A legend as rectangles and text. Lengths are in logical pixels, from the upper left corner of the legend.
-struct LegendDrawing {
-  struct Box {
-    double left = 0.0;
-    double top = 0.0;
-    double width = 0.0;
-    double height = 0.0;
-    Rgb color;
-    double opacity = 1.0;
-  };
-  struct Line {
-    double x = 0.0;
-    double top = 0.0;
-    double size = 0.0;
-    bool is_bold = false;
-    Rgb color;
-    std::string text;
-  };
-  double width = 0.0;
-  double height = 0.0;
-  std::vector<Box> boxes;
-  std::vector<Line> lines;  ///< above the boxes
-};
-
-/// Returns the width of a text in logical pixels, at a size in logical pixels.
-using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
-
 /// Places the entries one below the other, with light text on a dark background. A last line counts the entries that do
 /// not fit into the height `room`. Without entries the legend is empty.
-LegendDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
-                            const std::optional<Rgb>& background);
-
-/// The map from the coordinates of a layout to pixels: `scale` pixels per logical pixel, the upper left corner of the
-/// legend at `corner`.
-glm::dmat3 legend_placement(const glm::dvec2& corner, double scale);
-
-struct LegendFonts {
-  render::Font plain;
-  render::Font bold;
-  /// Reads the fonts that come with the program.
-  static Expected<LegendFonts> read(const std::filesystem::path& assets);
-};
+PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
+                           const std::optional<Rgb>& background);
 
 /// A legend for a picture of some size; `scale` is in pixels per logical pixel.
 struct PictureLegend {
-  LegendDrawing drawing;
+  PaperDrawing drawing;
   double scale = 1.0;
 };
 /// Reduces `scale` somewhat for a small picture.
-PictureLegend layout_legend(std::span<const LegendEntry> entries, const LegendFonts& fonts, int width, int height,
+PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFonts& fonts, int width, int height,
                             double scale, const std::optional<Rgb>& background);
 
 /// The corner of a legend: the one where it hides least, the lower right one if all are alike; or always the lower
 /// right one, for sequences of pictures, `foot` pixels above the bottom.
 enum class LegendPlace : std::uint8_t { emptiest_corner, lower_right };
-void draw_legend(render::Image& image, const LegendFonts& fonts, const PictureLegend& legend, LegendPlace place,
+void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, LegendPlace place,
                  double foot = 0.0);
 
 }  // namespace mes

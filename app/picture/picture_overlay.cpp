@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/picture/canvas_look.h"
+#include "app/picture/scale_drawing.h"
 #include "render/text.h"
 
 namespace mes {
@@ -16,10 +17,10 @@ struct CaptionSize {
   double band = 0.0;
 };
 
-CaptionSize caption_size(const render::Image& image, const render::Font& font, const std::string& text) {
+CaptionSize caption_size(int width_px, int height_px, const render::Font& font, const std::string& text) {
   if (text.empty()) return {};
-  double letters = std::max(11.0, 0.034 * image.height);
-  const double room = 0.94 * image.width;
+  double letters = std::max(11.0, 0.034 * height_px);
+  const double room = 0.94 * width_px;
   const double width = render::text_width(font, letters, text);
   if (width > room) letters *= room / width;
   return {letters, 2.2 * letters};
@@ -40,16 +41,30 @@ void draw_caption(render::Image& image, const render::Font& font, const std::str
 
 void PictureOverlay::paint(render::Image& image) const {
   if (is_empty()) return;
-  const CaptionSize size = caption_size(image, fonts->bold, caption);
-  if (!legend.drawing.boxes.empty()) draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band);
+  const CaptionSize size = caption_size(image.width, image.height, fonts->bold, caption);
+  const double axes = has_axes ? marks_scale * kAxisRoom : 0.0;
+  if (!marks.boxes.empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
+  if (!legend.drawing.boxes.empty()) draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band + axes);
   if (!caption.empty()) draw_caption(image, fonts->bold, caption, size, background);
 }
 
-PictureOverlay picture_overlay_of(std::span<const LegendEntry> entries, std::string caption,
-                                  std::shared_ptr<const LegendFonts> fonts, const OverlayTarget& target) {
-  PictureOverlay out{std::move(fonts), {}, std::move(caption), target.background};
-  if (out.fonts && !entries.empty())
-    out.legend = layout_legend(entries, *out.fonts, target.width, target.height, target.scale, target.background);
+PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const PaperFonts> fonts,
+                                  const OverlayTarget& target) {
+  PictureOverlay out{.fonts = std::move(fonts),
+                     .legend = {},
+                     .marks = {},
+                     .marks_scale = target.scale,
+                     .has_axes = content.marks.axes,
+                     .caption = std::move(content.caption),
+                     .background = target.background};
+  if (!out.fonts) return out;
+  const auto& [camera, scale, background] = target;
+  if (!content.legend.empty())
+    out.legend = layout_legend(content.legend, *out.fonts, camera.width(), camera.height(), scale, background);
+  if (content.marks.is_empty()) return out;
+  SeenPlane plane = seen_plane(camera, scale);
+  plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
+  out.marks = layout_scale_marks(content.marks, plane, measure_with(*out.fonts, scale), background);
   return out;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a saved picture shows beside the drawing: the legend, and a caption below it.
+// What a saved picture shows beside the drawing: the legend, scale bar and axes, and a caption below it.
 //
 // An overlay is plain data, so pictures can be finished on other threads.
 //
 // Smallest use:
 //     const PictureOverlay overlay =
-//         picture_overlay_of(legend_of(scene, views), caption, fonts, {width, height, scale, background});
+//         picture_overlay_of({legend_of(scene, views), caption}, fonts, {camera, scale, background});
 //     overlay.paint(image);
 //
 // Cost: some microseconds to make, some milliseconds to paint. Threads: const calls may run at the same time.
@@ -13,35 +13,46 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
+#include "app/model/scale_marks.h"
 #include "app/picture/legend.h"
 #include "core/base/color.h"
+#include "render/camera.h"
 #include "render/image.h"
 
 namespace mes {
 
 struct PictureOverlay {
-  std::shared_ptr<const LegendFonts> fonts;
+  std::shared_ptr<const PaperFonts> fonts;
   PictureLegend legend;
+  PaperDrawing marks;  ///< scale bar and axes
+  double marks_scale = 1.0;
+  bool has_axes = false;
   std::string caption;
   std::optional<Rgb> background;  ///< none: transparent
 
-  bool is_empty() const { return !fonts || (legend.drawing.boxes.empty() && caption.empty()); }
+  bool is_empty() const { return !fonts || (legend.drawing.boxes.empty() && marks.boxes.empty() && caption.empty()); }
   void paint(render::Image& image) const;
 };
 
 /// The picture that an overlay is made for.
 struct OverlayTarget {
-  int width = 0;
-  int height = 0;
+  render::Camera camera;
   double scale = 1.0;  ///< pixels per logical pixel
   std::optional<Rgb> background;
 };
 
+/// What is wanted of it.
+struct OverlayContent {
+  std::vector<LegendEntry> legend;
+  std::string caption;
+  ScaleMarks marks{};
+};
+
 /// Without fonts the overlay is empty.
-PictureOverlay picture_overlay_of(std::span<const LegendEntry> entries, std::string caption,
-                                  std::shared_ptr<const LegendFonts> fonts, const OverlayTarget& target);
+PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const PaperFonts> fonts,
+                                  const OverlayTarget& target);
 
 }  // namespace mes

@@ -53,7 +53,7 @@ fs::path video_name(const fs::path& take) {
 
 }  // namespace
 
-RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
+RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
                        std::function<void()> wake)
     : picture_(picture),
       messages_(messages),
@@ -176,9 +176,10 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
   const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
   const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
-  PictureOverlay overlay = picture_overlay_of(
-      drawn.state.legend ? picture_.legend(drawn.layers) : std::vector<LegendEntry>(), drawn.state.caption, fonts_,
-      {view.camera.width(), view.camera.height(), view.content_scale, behind});
+  PictureOverlay overlay =
+      picture_overlay_of({drawn.state.legend ? picture_.legend(drawn.layers) : std::vector<LegendEntry>(),
+                          drawn.state.caption, drawn.state.marks},
+                         fonts_, {view.camera, view.content_scale, behind});
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
                             view.content_scale == drawn.content_scale && settings.supersampling == 1 &&
                             !settings.transparent && background == picture_.canvas() && picture_.every() == 1;

@@ -37,7 +37,7 @@ namespace mes {
 /// Threads: the window's, with its OpenGL context current; `wake` is called from others.
 class RecordDesk {
  public:
-  RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const LegendFonts> fonts,
+  RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
              std::function<void()> wake);
 
   /// What a snapshot carries (core/io/carried_session.h) comes from here; without it snapshots carry nothing.
@@ -127,7 +127,7 @@ class RecordDesk {
 
   Picture& picture_;
   Messages& messages_;
-  std::shared_ptr<const LegendFonts> fonts_;  // none: no legend, no caption
+  std::shared_ptr<const PaperFonts> fonts_;  // none: no legend, no caption
   std::function<void()> wake_;
   std::function<Session()> source_;
   render::FrameCapture capture_;

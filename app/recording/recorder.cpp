@@ -24,7 +24,8 @@ Change Recorder::change(const ShownState& now) const {
   if (now.settings != captured_.settings) return Change::settings;
   if (now.layers != captured_.layers || now.solo != captured_.solo) return Change::layers;
   if (now.selection != captured_.selection) return Change::selection;
-  if (now.legend != captured_.legend || now.caption != captured_.caption) return Change::texts;
+  if (now.legend != captured_.legend || now.marks != captured_.marks || now.caption != captured_.caption)
+    return Change::texts;
   return now.view == captured_.view ? Change::none : Change::view;
 }
 
@@ -53,7 +54,7 @@ std::string name_of(Change change, const TimelineLog& timeline) {
   switch (change) {
     case Change::none: return "Nothing";
     case Change::view: return "View";
-    case Change::texts: return "Legend or caption";
+    case Change::texts: return "Legend, scale or caption";
     case Change::selection: return "Selection";
     case Change::layers: return "Layers";
     case Change::settings: return "Computation";

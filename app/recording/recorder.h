@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 
+#include "app/model/scale_marks.h"
 #include "core/document/computation_settings.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_descriptor.h"
@@ -37,6 +38,7 @@ struct ShownState {
   ComputationSettings settings{};
   render::Camera view{};
   bool legend = false;
+  ScaleMarks marks{};
   std::string caption{};
   friend bool operator==(const ShownState&, const ShownState&) = default;
 };

@@ -10,9 +10,9 @@ namespace mes {
 namespace {
 
 // Pictures without legend and caption are better than none.
-std::shared_ptr<const LegendFonts> fonts_of_pictures(const std::filesystem::path& assets) {
-  auto fonts = LegendFonts::read(assets);
-  return fonts ? std::make_shared<const LegendFonts>(std::move(*fonts)) : nullptr;
+std::shared_ptr<const PaperFonts> fonts_of_pictures(const std::filesystem::path& assets) {
+  auto fonts = PaperFonts::read(assets);
+  return fonts ? std::make_shared<const PaperFonts>(std::move(*fonts)) : nullptr;
 }
 
 }  // namespace
@@ -45,10 +45,15 @@ void LiveRecording::bind(ActionBindings& actions) {
 }
 
 ShownState LiveRecording::shown_state() const {
-  return {uses_.work.document().revision(),    uses_.work.editor().selection().revision(),
-          uses_.work.layers().revision(),      uses_.work.layers().soloed(),
-          uses_.work.computation().settings(), uses_.board.view().camera(),
-          uses_.settings.show_legend,          uses_.demo.caption()};
+  return {uses_.work.document().revision(),
+          uses_.work.editor().selection().revision(),
+          uses_.work.layers().revision(),
+          uses_.work.layers().soloed(),
+          uses_.work.computation().settings(),
+          uses_.board.view().camera(),
+          uses_.settings.show_legend,
+          uses_.settings.marks,
+          uses_.demo.caption()};
 }
 
 AtRest LiveRecording::at_rest() const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/panels/canvas_legend.h"
+#include "app/panels/canvas_marks.h"
 #include "app/panels/empty_hint.h"
 #include "app/panels/empty_view_note.h"
 #include "app/panels/evolution_strip.h"
@@ -86,6 +87,8 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_panels, are_shown_);
   bind_toggle(ActionId::toggle_layers, settings.show_layers);
   bind_toggle(ActionId::toggle_legend, settings.show_legend);
+  bind_toggle(ActionId::toggle_scale_bar, settings.marks.bar);
+  bind_toggle(ActionId::toggle_axes, settings.marks.axes);
   const auto bind_page = [&](ActionId id, DetailsPage page) {
     actions.bind(id, {[&settings, page] { settings.details = settings.details == page ? DetailsPage::none : page; },
                       {},
@@ -141,6 +144,7 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_over(sides);
+  draw_scale_marks(sides);
   const ImVec2 legend = uses_.settings.show_legend ? draw_legend(sides) : ImVec2{};
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float unit = uses_.screen.gui.unit();
@@ -249,12 +253,21 @@ void Panels::draw_over(Sides& sides) {
                                 {width, 0.6F * (screen.y - sides.top - sides.bottom)});
 }
 
+void Panels::draw_scale_marks(const Sides& sides) {
+  if (uses_.settings.marks.is_empty()) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  CanvasMarks{uses_.screen.gui, uses_.board.picture(), uses_.board.view().camera()}.draw(
+      uses_.settings.marks, {sides.left, sides.top}, {screen.x - sides.right, screen.y - sides.bottom},
+      uses_.screen.window->pixel_ratio());
+}
+
 // Its size with its margin while it is in its corner, of which the drawing is kept clear.
 ImVec2 Panels::draw_legend(const Sides& sides) {
   const Gui& gui = uses_.screen.gui;
   const float margin = kMargin * gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 corner(screen.x - sides.right - margin, screen.y - sides.bottom - margin);
+  const float axes = uses_.settings.marks.axes ? static_cast<float>(kAxisRoom) * gui.unit() : 0.0F;
+  const ImVec2 corner(screen.x - sides.right - margin, screen.y - sides.bottom - axes - margin);
   const ImVec2 at(std::clamp(corner.x + legend_moved_.x, sides.left, corner.x),
                   std::clamp(corner.y + legend_moved_.y, sides.top, corner.y));
   const ImVec2 size = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers()}.draw(

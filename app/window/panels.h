@@ -67,6 +67,7 @@ class Panels {
   /// `upper`: where the details begin below the top; 0: no details, or nothing above them.
   void draw_splitters(const PanelArea& column, float upper);
   void draw_over(Sides& sides);
+  void draw_scale_marks(const Sides& sides);
   ImVec2 draw_legend(const Sides& sides);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);

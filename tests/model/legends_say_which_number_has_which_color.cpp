@@ -85,16 +85,16 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
                        {0.0, i == 3   ? 1e300
                              : i == 4 ? -1.0
                                       : 30.0}});
-  const LegendDrawing legend = layout_legend(entries, letter_width, 400.0, kWhiteCanvas);
+  const PaperDrawing legend = layout_legend(entries, letter_width, 400.0, kWhiteCanvas);
   CHECK(legend.height <= 400.0);
   CHECK(legend.lines.back().text.starts_with("and "));
-  for (const LegendDrawing::Box& box : legend.boxes) {
+  for (const PaperDrawing::Box& box : legend.boxes) {
     CHECK(box.left >= 0.0);
     CHECK(box.top >= 0.0);
     CHECK(box.left + box.width <= legend.width + 1e-9);
     CHECK(box.top + box.height <= legend.height + 1e-9);
   }
-  for (const LegendDrawing::Line& line : legend.lines) {
+  for (const PaperDrawing::Line& line : legend.lines) {
     CHECK(line.x >= 0.0);
     CHECK(line.x + letter_width(line.text, line.size, line.is_bold) <= legend.width);
     CHECK(line.top + line.size <= legend.height);
@@ -104,7 +104,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
 }
 
 TEST_CASE("a legend on a picture shows the map's colours, and one of any size does no harm") {
-  const auto fonts = LegendFonts::read(find_assets({}));
+  const auto fonts = PaperFonts::read(find_assets({}));
   REQUIRE(fonts);
   const ColorMap map{"ends", {{1, 0, 0}, {0, 0, 1}}, false};
   const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
@@ -135,17 +135,22 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
 }
 
 TEST_CASE("the legend of a film stays in its corner, above the caption") {
-  const auto read = [] { return LegendFonts::read(find_assets({})); };
+  const auto read = [] { return PaperFonts::read(find_assets({})); };
   REQUIRE(read());
-  const auto fonts = std::make_shared<const LegendFonts>(std::move(*read()));
+  const auto fonts = std::make_shared<const PaperFonts>(std::move(*read()));
   const ColorMap map{"ends", {{1, 0, 0}, {0, 0, 1}}, false};
   const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
-  const auto painted = [&](std::span<const LegendEntry> legend, const std::string& caption) {
+  const auto camera_of = [](int width, int height) {
+    render::Camera camera;
+    camera.set_viewport(width, height);
+    return camera;
+  };
+  const auto painted = [&](const std::vector<LegendEntry>& legend, const std::string& caption) {
     Image image = white(800, 600);
     // What is in its place does not drive it away.
     for (int x = 700; x < 790; ++x) image.rgba[image.offset(x, 560)] = 0;
     const Image before = image;
-    picture_overlay_of(legend, caption, fonts, {800, 600, 1.0, kWhiteCanvas}).paint(image);
+    picture_overlay_of({legend, caption}, fonts, {camera_of(800, 600), 1.0, kWhiteCanvas}).paint(image);
     int top = 600;
     int bottom = 0;
     int left = 800;
@@ -173,12 +178,12 @@ TEST_CASE("the legend of a film stays in its corner, above the caption") {
   CHECK(both[2] == caption[2]);
   CHECK(painted({}, "") == std::array{800, 600, 0});
   Image image = white(80, 60);
-  picture_overlay_of(entries, "caption", nullptr, {80, 60, 1.0, kWhiteCanvas}).paint(image);
+  picture_overlay_of({entries, "caption"}, nullptr, {camera_of(80, 60), 1.0, kWhiteCanvas}).paint(image);
   CHECK(image == white(80, 60));
 }
 
 TEST_CASE("text is as wide as measured, whatever its bytes are") {
-  const auto fonts = LegendFonts::read(find_assets({}));
+  const auto fonts = PaperFonts::read(find_assets({}));
   REQUIRE(fonts);
   const double width = render::text_width(fonts->plain, 20.0, "medial axis");
   CHECK(width > 60.0);

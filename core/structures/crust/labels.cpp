@@ -96,8 +96,7 @@ void Labels::rebuild(JobControl& job) {
   join_.clear();
   is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
   // Among so many odd sites clusters are not small. The tree, which needs no strokes, then grows beside them.
-  const bool is_noise =
-      !is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites);
+  const bool is_noise = !is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites);
   std::unique_ptr<CertaintyTree> tree;
   run_tasks(is_noise ? 2 : 1, [&](std::size_t i) {
     if (i == 0)

@@ -107,7 +107,8 @@ void OpenStrokes::forget_those_at(SiteSlot site) {
 }
 
 bool OpenStrokes::grow(SiteSlot site, std::size_t reach, JobControl& job) {
-  return growth_.grow(site, reach, [this](SiteSlot one) { return (curve_degree(one) & 1) != 0; }, job);
+  return growth_.grow(
+      site, reach, [this](SiteSlot one) { return (curve_degree(one) & 1) != 0; }, job);
 }
 
 void OpenStrokes::watch_growth(ChainSlot chain) {

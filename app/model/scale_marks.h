@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What says on a picture how large things are, and where. Plain data.
+#pragma once
+
+namespace mes {
+
+struct ScaleMarks {
+  bool bar = false;   ///< a line of a round length, with that length
+  bool axes = false;  ///< numbers along the lower and the left edge
+  bool is_empty() const { return !bar && !axes; }
+  friend bool operator==(const ScaleMarks&, const ScaleMarks&) = default;
+};
+
+}  // namespace mes

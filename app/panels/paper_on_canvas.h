@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings of rectangles and text, above the canvas and below the panels.
+#pragma once
+
+#include "app/picture/paper_drawing.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+/// In the fonts of the window.
+MeasureText measure_on_canvas(const Gui& gui);
+
+/// `corner` is in screen coordinates.
+void paint_on_canvas(const Gui& gui, const PaperDrawing& drawing, ImVec2 corner);
+
+}  // namespace mes

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rectangles and lines of text that stand on a picture: legends, axes, scale bars.
+//
+// The window paints them on itself, `paint` on a picture in memory, and `add_to` on the page of a figure, so all three
+// look alike.
+//
+// Cost: some hundred rectangles. Threads: any, with a picture or a figure of its own.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/color.h"
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "render/figure/figure.h"
+#include "render/image.h"
+#include "render/text.h"
+
+namespace mes {
+
+/// Lengths are in logical pixels, from the upper left corner of the drawing, y down.
+struct PaperDrawing {
+  struct Box {
+    double left = 0.0;
+    double top = 0.0;
+    double width = 0.0;
+    double height = 0.0;
+    Rgb color;
+    double opacity = 1.0;
+  };
+  struct Line {
+    double x = 0.0;
+    double top = 0.0;
+    double size = 0.0;
+    bool is_bold = false;
+    Rgb color;
+    std::string text;
+  };
+  double width = 0.0;
+  double height = 0.0;
+  std::vector<Box> boxes;
+  std::vector<Line> lines;  ///< above the boxes
+};
+
+/// The colours of what explains a picture.
+struct PaperColors {
+  Rgb paper;
+  Rgb frame;
+  Rgb ink;
+  Rgb quiet;
+};
+/// Light text for a dark background; none: transparent.
+PaperColors paper_colors(const std::optional<Rgb>& background);
+
+/// Returns the width of a text in logical pixels, at a size in logical pixels.
+using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
+
+struct PaperFonts {
+  render::Font plain;
+  render::Font bold;
+  /// Reads the fonts that come with the program.
+  static Expected<PaperFonts> read(const std::filesystem::path& assets);
+};
+
+/// With `scale` pixels per logical pixel; the fonts have to outlive it.
+MeasureText measure_with(const PaperFonts& fonts, double scale);
+
+/// The map from the coordinates of a drawing to pixels: `scale` pixels per logical pixel, the upper left corner at
+/// `corner`.
+glm::dmat3 paper_placement(const glm::dvec2& corner, double scale);
+
+/// `corner` in pixels, `scale` in pixels per logical pixel.
+void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& drawing, const glm::dvec2& corner,
+           double scale);
+
+/// Adds it to what lies above the layers. `corner` in points on the page, `scale` in units of 1/96 inch per logical
+/// pixel.
+void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner, double scale);
+
+}  // namespace mes

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/scale_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "app/picture/internal/round_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr double kTextSize = 13.0;
+constexpr double kLineHeight = 17.0;
+constexpr double kTick = 5.0;
+constexpr double kMargin = 12.0;
+constexpr double kApart = 10.0;
+constexpr double kBarShare = 0.25;
+// Ticks are at least so far apart.
+constexpr double kLeastStep = 56.0;
+
+/// A place along an axis, from the first end of the edge, and the number there.
+struct Tick {
+  double at = 0.0;
+  std::string label;
+};
+
+std::vector<Tick> ticks_along(double center, double length, double units_per_pixel) {
+  const double half = 0.5 * length * units_per_pixel;
+  const double largest = std::abs(center) + half;
+  const double step = round_number_from(kLeastStep * units_per_pixel);
+  // Otherwise neighbouring numbers are equal, or their lines are not where they say.
+  constexpr double kDoublesInStep = 64.0;
+  if (!std::isfinite(largest) || step < kDoublesInStep * std::numeric_limits<double>::epsilon() * largest) return {};
+  std::vector<Tick> out;
+  const double first = std::ceil((center - half) / step);
+  for (double i = first; i * step <= center + half; i += 1.0)
+    out.push_back({(i * step - (center - half)) / units_per_pixel, number_text(i * step, step)});
+  return out;
+}
+
+class Layout {
+ public:
+  Layout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
+      : plane_(plane), measure_(measure), colors_(paper_colors(background)), paper_(background) {
+    drawing_.width = plane.width;
+    drawing_.height = plane.height;
+  }
+
+  void axes() {
+    const double bottom = plane_.height - plane_.covered;
+    line(0.0, bottom - 1.0, plane_.width, 1.0);
+    line(0.0, 0.0, 1.0, bottom);
+    // The left edge first, so that the bar knows its room; upwards.
+    for (const Tick& tick : ticks_along(plane_.center.y, plane_.height, plane_.units_per_pixel)) {
+      const double y = plane_.height - tick.at;
+      if (y > bottom) continue;
+      line(0.0, y - 0.5, kTick, 1.0);
+      const double width = measure_(tick.label, kTextSize, false);
+      if (y - 0.5 * kLineHeight < 0.0 || y + 0.5 * kLineHeight > bottom - kAxisRoom) continue;
+      number(kTick + 4.0, y - 0.5 * kLineHeight, width, tick.label);
+      left_room_ = std::max(left_room_, kTick + 4.0 + width);
+    }
+    double taken = 0.0;
+    for (const Tick& tick : ticks_along(plane_.center.x, plane_.width, plane_.units_per_pixel)) {
+      line(tick.at - 0.5, bottom - kTick, 1.0, kTick);
+      const double width = measure_(tick.label, kTextSize, false);
+      const double left = tick.at - 0.5 * width;
+      if (left < taken + kApart || left + width > plane_.width - 2.0) continue;
+      number(left, bottom - kTick - 2.0 - kLineHeight, width, tick.label);
+      taken = left + width;
+    }
+    bottom_room_ = kAxisRoom;
+  }
+
+  void bar() {
+    const double most = kBarShare * plane_.width * plane_.units_per_pixel;
+    if (!(most > 0.0) || !std::isfinite(most)) return;
+    const double units = round_number_up_to(most);
+    const double length = units / plane_.units_per_pixel;
+    const std::string label = number_text(units, units);
+    const double width = measure_(label, kTextSize, false);
+    const double left = left_room_ + kMargin;
+    const double foot = plane_.height - plane_.covered - bottom_room_ - kMargin;
+    constexpr double kThick = 2.0;
+    constexpr double kEnd = 8.0;
+    const double text = left + 0.5 * (length - width);
+    const double paper_left = std::min(left, text) - 6.0;
+    const double paper_width = std::max(length, width) + 12.0;
+    box(paper_left, foot - kEnd - kLineHeight - 4.0, paper_width, kEnd + kLineHeight + 8.0, paper());
+    box(left, foot - kThick, length, kThick, colors_.ink);
+    box(left, foot - kEnd, kThick, kEnd, colors_.ink);
+    box(left + length - kThick, foot - kEnd, kThick, kEnd, colors_.ink);
+    drawing_.lines.push_back({text, foot - kEnd - kLineHeight, kTextSize, false, colors_.ink, label});
+  }
+
+  PaperDrawing take() { return std::move(drawing_); }
+
+ private:
+  Rgb paper() const { return paper_.value_or(colors_.paper); }
+  void box(double left, double top, double width, double height, Rgb color) {
+    drawing_.boxes.push_back({left, top, width, height, color});
+  }
+  void line(double left, double top, double width, double height) { box(left, top, width, height, colors_.quiet); }
+  void number(double left, double top, double width, const std::string& text) {
+    box(left - 2.0, top + 1.0, width + 4.0, kLineHeight - 2.0, paper());
+    drawing_.lines.push_back({left, top + 1.0, kTextSize, false, colors_.quiet, text});
+  }
+
+  const SeenPlane& plane_;
+  const MeasureText& measure_;
+  PaperColors colors_;
+  std::optional<Rgb> paper_;
+  PaperDrawing drawing_;
+  double left_room_ = 0.0;
+  double bottom_room_ = 0.0;
+};
+
+}  // namespace
+
+SeenPlane seen_plane(const render::Camera& camera, double scale) {
+  return {.center = camera.center(),
+          .units_per_pixel = camera.units_per_pixel() * scale,
+          .width = camera.width() / scale,
+          .height = camera.height() / scale};
+}
+
+SeenPlane seen_plane(const figure::Page& page, double scale) {
+  const double points = scale * figure::kPointsPerPixel;
+  return {.center = page.center,
+          .units_per_pixel = page.units_per_point * points,
+          .width = page.width / points,
+          .height = page.height / points};
+}
+
+PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
+                                const std::optional<Rgb>& background) {
+  Layout layout(plane, measure, background);
+  if (marks.axes) layout.axes();
+  if (marks.bar) layout.bar();
+  return layout.take();
+}
+
+}  // namespace mes

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scale bar, and axes with numbers, for a part of the plane.
+//
+// Smallest use:
+//     const PaperDrawing marks = layout_scale_marks({.bar = true}, seen_plane(camera, 1.0), measure, kWhiteCanvas);
+//     paint(image, fonts, marks, {0.0, 0.0}, 1.0);
+//
+// Cost: microseconds. Threads: any.
+#pragma once
+
+#include <optional>
+
+#include "app/model/scale_marks.h"
+#include "app/picture/paper_drawing.h"
+#include "render/camera.h"
+#include "render/figure/figure_of.h"
+
+namespace mes {
+
+/// The part of the plane behind a drawing; the drawing has its size in logical pixels.
+struct SeenPlane {
+  Vec2 center{};
+  double units_per_pixel = 1.0;  ///< of a logical pixel
+  double width = 0.0;
+  double height = 0.0;
+  double covered = 0.0;  ///< of the height: what lies over the lower end, such as a caption
+};
+/// `scale`: pixels, or units of 1/96 inch, per logical pixel.
+SeenPlane seen_plane(const render::Camera& camera, double scale);
+SeenPlane seen_plane(const figure::Page& page, double scale);
+
+/// The bar is in the lower left corner, and at most a quarter of the width; the axes are the lower and the left edge.
+/// Their numbers are round, and each tells its place from that of its neighbours: where doubles do not, as in a deep
+/// zoom far from the origin, there are none. Numbers that would run together or out of the drawing are left out.
+PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
+                                const std::optional<Rgb>& background);
+
+/// The height in logical pixels that axes take from the lower edge.
+inline constexpr double kAxisRoom = 26.0;
+
+}  // namespace mes
