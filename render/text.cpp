@@ -148,4 +148,15 @@ void fill_rectangle(Image& image, double left, double top, double width, double 
       blend(image, x, y, color, opacity * overlap(x, left, right) * overlap(y, top, bottom));
 }
 
+void fill_disk(Image& image, double x, double y, double radius, Rgb color) {
+  const auto from = [](double at, int size) { return std::clamp(static_cast<int>(std::floor(at)), 0, size); };
+  const int right = from(x + radius + 1.0, image.width);
+  const int bottom = from(y + radius + 1.0, image.height);
+  for (int row = from(y - radius, image.height); row < bottom; ++row)
+    for (int column = from(x - radius, image.width); column < right; ++column) {
+      const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y);
+      blend(image, column, row, color, std::clamp(radius + 0.5 - distance, 0.0, 1.0));
+    }
+}
+
 }  // namespace mes::render

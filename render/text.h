@@ -52,4 +52,7 @@ void draw_text(Image& image, const Font& font, double size_px, double x, double 
 void fill_rectangle(Image& image, double left, double top, double width, double height, Rgb color,
                     double opacity = 1.0);
 
+/// Paints a disk with a rim of one pixel that fades out. Parts outside the picture are dropped.
+void fill_disk(Image& image, double x, double y, double radius, Rgb color);
+
 }  // namespace mes::render

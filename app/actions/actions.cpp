@@ -79,6 +79,8 @@ constexpr auto kViewRows = std::to_array<Row>({
      "P"},
     {Id::toggle_log, "toggle-log", "Log", "Show or hide what the program has said"},
     {Id::toggle_legend, "toggle-legend", "Legend", "Show or hide the colour bars of layers with a colour map", "C"},
+    {Id::toggle_key, "toggle-key", "Key of layers",
+     "Show or hide the names of all visible layers, with a sample of how each is drawn"},
     {Id::toggle_scale_bar, "toggle-scale-bar", "Scale bar",
      "Show or hide a line of a round length, with its length in the units of the samples"},
     {Id::toggle_axes, "toggle-axes", "Axes", "Show or hide numbers along the lower and the left edge"},

@@ -49,6 +49,7 @@ enum class ActionId : std::uint8_t {
   toggle_parameters,
   toggle_log,
   toggle_legend,
+  toggle_key,
   toggle_scale_bar,
   toggle_axes,
   toggle_evolution,

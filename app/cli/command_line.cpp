@@ -225,6 +225,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_flag("--legend,!--no-legend", to.render.with_legend,
                    "With a colour map: whether its colour bar is drawn, in the corner\n"
                    "where it hides least; default: yes");
+  render->add_flag("--key", to.render.with_key, "With all layers in the legend, and a sample of how each is drawn");
   render->add_flag("--scale-bar", to.render.marks.bar,
                    "A line of a round length, with its length in the units of the samples");
   render->add_flag("--axes", to.render.marks.axes, "Numbers along the lower and the left edge");

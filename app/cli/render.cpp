@@ -60,7 +60,8 @@ render::Camera camera_for(const PictureRequest& picture, const Box2& samples, co
 /// Above everything else, once the picture is there.
 void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
                const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request) {
-  const std::vector<LegendEntry> entries = request.with_legend ? legend_of(scene, views) : std::vector<LegendEntry>();
+  const std::vector<LegendEntry> entries =
+      legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
   if (entries.empty() && request.marks.is_empty()) return;
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) return say("legend, scale bar and axes are left out: " + fonts.error().message());
@@ -140,7 +141,7 @@ Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSo
                         .page = picture.page,
                         .pixels = {picture.size.width, picture.size.height},
                         .is_tight = picture.is_tight,
-                        .with_legend = wanted.with_legend,
+                        .legend = legend_scope(wanted.with_legend, wanted.with_key),
                         .marks = wanted.marks,
                         .image = picture.image,
                         .rasterized = picture.rasterized,

@@ -57,6 +57,7 @@ struct RenderRequest {
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
+  bool with_key = false;
   ScaleMarks marks{};
   bool with_source = true;  ///< the picture carries samples, view and layers
   std::string format;       ///< as an extension without its dot; empty: as the name of the output says

@@ -106,15 +106,15 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   }
   if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
     return std::unexpected(good.error());
-  const bool has_colors = request.with_legend && has_legend(drawing);
-  if (!has_colors && request.marks.is_empty()) return out;
+  const bool is_explained = has_legend(drawing, request.legend);
+  if (!is_explained && request.marks.is_empty()) return out;
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) {
     out.remarks.push_back("legend, scale bar and axes are left out: " + fonts.error().message());
     return out;
   }
   if (!request.marks.is_empty()) add_scale_marks(out.figure, page, request, *fonts);
-  if (has_colors) add_legend(out.figure, drawing, *fonts);
+  if (is_explained) add_legend(out.figure, drawing, request.legend, *fonts);
   return out;
 }
 

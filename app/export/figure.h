@@ -10,6 +10,7 @@
 
 #include "app/export/page_size.h"
 #include "app/export/shown_layers.h"
+#include "app/model/legend_scope.h"
 #include "app/model/scale_marks.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
@@ -34,7 +35,7 @@ struct FigureRequest {
   std::optional<PageSize> page{};
   int pixels[2] = {1600, 1200};  ///< width and height, of 1/96 inch
   bool is_tight = false;         ///< the page is cut to what is drawn
-  bool with_legend = true;
+  LegendScope legend = LegendScope::color_maps;
   ScaleMarks marks{};
   BackgroundImage image{};                ///< the place of the picture to trace
   std::vector<std::string> rasterized{};  ///< ids of layers that become pictures

@@ -37,7 +37,7 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   if (settings.height_mm > 0.0) page.height = kPointsPerMillimeter * std::max(settings.height_mm, kLeastFigureSide);
   out.page = page;
   out.is_tight = settings.extent == FigureExtent::ink;
-  out.with_legend = settings.with_legend;
+  out.legend = legend_scope(settings.with_legend, settings.with_key);
   out.marks = settings.marks;
   out.shown.background = paper_of(settings.paper, subject.shown.background);
   out.shown.scale =

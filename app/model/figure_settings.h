@@ -33,6 +33,7 @@ struct FigureSettings {
   bool as_on_screen = true;  ///< lines and points are to the page as they are to the canvas
   double line_scale = 1.0;   ///< otherwise: factor for their widths, whose pixels are 1/96 inch; [0.1, 10]
   bool with_legend = true;
+  bool with_key = false;  ///< of all layers
   ScaleMarks marks{};
   bool with_source = true;       ///< the file carries the document, where the format can
   double dots_per_inch = 300.0;  ///< of layers that become pictures

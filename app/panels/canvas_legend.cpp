@@ -10,7 +10,7 @@
 namespace mes {
 
 ImVec2 CanvasLegend::draw(ImVec2 corner, float room) const {
-  std::vector<LegendEntry> entries = picture.legend(layers);
+  std::vector<LegendEntry> entries = picture.legend(layers, scope);
   if (entries.empty()) return {};
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
   const float unit = gui.unit();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colour bars of visible layers, above the canvas.
+// The legend of visible layers, above the canvas.
 #pragma once
 
 #include "app/model/layer_stack.h"
@@ -12,9 +12,10 @@ struct CanvasLegend {
   const Gui& gui;
   const Picture& picture;
   const LayerStack& layers;
+  LegendScope scope;
 
-  /// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while no
-  /// visible layer has a colour map.
+  /// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while there
+  /// is no entry.
   ImVec2 draw(ImVec2 corner, float room) const;
 };
 

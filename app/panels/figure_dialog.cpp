@@ -193,6 +193,9 @@ void FigureDialog::draw_look(const Gui& gui) const {
   title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "In the corner where it hides least");
+  ImGui::SameLine();
+  ImGui::Checkbox("Of all layers", &settings.with_key);
+  tooltip(gui, "The names of the layers, with a sample of how each is drawn");
   title(gui, "Scale");
   ImGui::Checkbox("Bar", &settings.marks.bar);
   tooltip(gui, "A line of a round length, with its length in the units of the samples");

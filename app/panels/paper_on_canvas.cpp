@@ -35,6 +35,8 @@ void paint_on_canvas(const Gui& gui, const PaperDrawing& drawing, ImVec2 corner)
     list.AddRectFilled(place(box.left, box.top), place(box.left + box.width, box.top + box.height),
                        to_imgui(box.color, box.opacity));
   }
+  for (const PaperDrawing::Dot& dot : drawing.dots)
+    list.AddCircleFilled(place(dot.x, dot.y), static_cast<float>(dot.radius) * unit, to_imgui(dot.color));
   for (const PaperDrawing::Line& line : drawing.lines)
     list.AddText(font_of(gui, line.is_bold), static_cast<float>(line.size) * unit, place(line.x, line.top),
                  to_imgui(line.color), line.text.c_str());

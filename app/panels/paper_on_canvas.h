@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings of rectangles and text, above the canvas and below the panels.
+// Drawings of rectangles, dots and text, above the canvas and below the panels.
 #pragma once
 
 #include "app/picture/paper_drawing.h"

@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::size_t kWritten = 1U << 30U;
 constexpr double kMargin = 12.0 * figure::kPointsPerPixel;
-std::vector<LegendEntry> legend_of(const figure::Drawing& drawing) {
-  return entries_of(drawing.views, [&](const render::LayerView& view) { return shown_map(drawing, view); });
+std::vector<LegendEntry> legend_of(const figure::Drawing& drawing, LegendScope scope) {
+  return entries_of(
+      drawing.views, scope, [&](const render::LayerView& view) { return shown_map(drawing, view); },
+      [&](LayerIndex layer, PrimitiveKind kind) { return !drawing.mirror.instances(layer, kind).empty(); });
 }
 
 /// The upper left corner of the legend.
@@ -42,12 +44,12 @@ Vec2 emptiest_corner(const figure::Figure& figure, double width, double height, 
 
 }  // namespace
 
-bool has_legend(const figure::Drawing& drawing) {
-  return !legend_of(drawing).empty();
+bool has_legend(const figure::Drawing& drawing, LegendScope scope) {
+  return !legend_of(drawing, scope).empty();
 }
 
-void add_legend(figure::Figure& figure, const figure::Drawing& drawing, const PaperFonts& fonts) {
-  const std::vector<LegendEntry> entries = legend_of(drawing);
+void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope, const PaperFonts& fonts) {
+  const std::vector<LegendEntry> entries = legend_of(drawing, scope);
   if (entries.empty()) return;
   const auto pixels = [](double points) { return static_cast<int>(std::ceil(points / figure::kPointsPerPixel)); };
   const PictureLegend legend =

@@ -9,10 +9,10 @@
 
 namespace mes {
 
-/// Adds it in the corner where it hides the fewest shapes; nothing where no layer has a colour map.
-void add_legend(figure::Figure& figure, const figure::Drawing& drawing, const PaperFonts& fonts);
+/// Adds it in the corner where it hides the fewest shapes; nothing where it would explain no layer.
+void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope, const PaperFonts& fonts);
 
 /// True if `add_legend` would add something.
-bool has_legend(const figure::Drawing& drawing);
+bool has_legend(const figure::Drawing& drawing, LegendScope scope);
 
 }  // namespace mes

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/picture/canvas_look.h"
 #include "app/picture/internal/legend_entries.h"
 #include "app/picture/internal/round_numbers.h"
 
@@ -20,9 +21,21 @@ constexpr double kTitleSize = 15.0;
 constexpr double kTextSize = 13.0;
 constexpr double kLineHeight = 17.0;
 constexpr double kGap = 12.0;  // between entries
+constexpr double kRow = 19.0;  // of a key
+constexpr double kSample = 15.0;
+constexpr double kBesideSample = 9.0;
+constexpr double kDashGap = 2.0;
 constexpr double kMargin = 12.0;
 constexpr int kBarSteps = 108;
 constexpr std::size_t kMostSwatches = 12;
+
+/// The second, as opaque as said, on the first.
+Rgb mixed(Rgb below, Rgb above, double opacity) {
+  const auto channel = [opacity](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::lround(a + opacity * (b - a)));
+  };
+  return {channel(below.r, above.r), channel(below.g, above.g), channel(below.b, above.b)};
+}
 
 /// The text in lines of at most this width, broken at spaces.
 std::vector<std::string> wrapped(const std::string& text, double width, const MeasureText& measure) {
@@ -46,9 +59,17 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
 /// Places one entry below the other.
 class Layout {
  public:
-  Layout(const MeasureText& measure, const PaperColors& colors) : measure_(&measure), colors_(colors) {}
+  Layout(const MeasureText& measure, const std::optional<Rgb>& background)
+      : measure_(&measure), colors_(paper_colors(background)), background_(background) {}
 
   double y() const { return y_; }
+  /// Where the longest line of text ends.
+  double right() const {
+    double out = 0.0;
+    for (const PaperDrawing::Line& line : drawing_.lines)
+      out = std::max(out, line.x + (*measure_)(line.text, line.size, line.is_bold));
+    return out;
+  }
   PaperDrawing& drawing() { return drawing_; }
 
   void text(const std::string& line, bool is_bold, Rgb color) {
@@ -57,7 +78,10 @@ class Layout {
   }
 
   void entry(const LegendEntry& entry) {
-    if (y_ > kPadding) y_ += kGap;
+    const bool is_row = entry.map == nullptr;
+    if (y_ > kPadding && !(is_row && after_row_)) y_ += kGap;
+    after_row_ = is_row;
+    if (is_row) return row(entry);
     text(entry.title, true, colors_.ink);
     for (const std::string& line : wrapped(entry.scalar, kWidth - 2.0 * kPadding, *measure_))
       text(line, false, colors_.quiet);
@@ -69,6 +93,47 @@ class Layout {
   }
 
  private:
+  // A sample of the layer, and its name beside it.
+  void row(const LegendEntry& entry) {
+    sample(entry.sample, {kPadding, y_ + 0.5 * (kRow - kSample), kSample, kSample, {}});
+    for (const std::string& line :
+         wrapped(entry.title, kWidth - 2.0 * kPadding - kSample - kBesideSample, *measure_)) {
+      drawing_.lines.push_back({kPadding + kSample + kBesideSample, y_ + 0.5 * (kRow - kLineHeight) + 1.0, kTextSize,
+                                false, colors_.ink, line});
+      y_ += kRow;
+    }
+  }
+
+  void sample(const LayerSample& sample, const PaperDrawing::Box& place) {
+    const LayerStyle style = drawn_on(sample.style, background_);
+    const Rgb color = mixed(colors_.paper, style.color, style.opacity);
+    const Vec2 middle{place.left + 0.5 * place.width, place.top + 0.5 * place.height};
+    const double thick = std::clamp(style.line_width_px, 1.0, 5.0);
+    switch (sample.kind) {
+      case PrimitiveKind::point:
+        drawing_.dots.push_back(
+            {middle.x, middle.y, 0.5 * std::clamp(style.point_size_px, 2.0, place.height), color});
+        return;
+      case PrimitiveKind::disk: drawing_.dots.push_back({middle.x, middle.y, 0.5 * place.height, color}); return;
+      case PrimitiveKind::circle:
+        drawing_.dots.push_back({middle.x, middle.y, 0.5 * place.height, color});
+        drawing_.dots.push_back({middle.x, middle.y, 0.5 * place.height - thick, colors_.paper});
+        return;
+      case PrimitiveKind::triangle:
+        drawing_.boxes.push_back({place.left, place.top, place.width, place.height, color});
+        return;
+      case PrimitiveKind::segment:
+      case PrimitiveKind::ray:
+      case PrimitiveKind::line:
+      case PrimitiveKind::arc: break;
+    }
+    const int dashes = style.dashed ? 3 : 1;
+    const double step = (place.width + (dashes > 1 ? kDashGap : 0.0)) / dashes;
+    for (int i = 0; i < dashes; ++i)
+      drawing_.boxes.push_back(
+          {place.left + i * step, middle.y - 0.5 * thick, dashes > 1 ? step - kDashGap : step, thick, color});
+  }
+
   void bar(const LegendEntry& entry) {
     const double width = kWidth - 2.0 * kPadding;
     for (int i = 0; i < kBarSteps; ++i) {
@@ -134,6 +199,8 @@ class Layout {
 
   const MeasureText* measure_;
   PaperColors colors_;
+  std::optional<Rgb> background_;
+  bool after_row_ = false;  // the last entry was a sample and a name
   PaperDrawing drawing_;
   double y_ = kPadding;
 };
@@ -175,8 +242,11 @@ PixelPlace emptiest_corner(const render::Image& image, double width, double heig
 
 }  // namespace
 
-std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views) {
-  return entries_of(views, [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); });
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views,
+                                   LegendScope scope) {
+  return entries_of(
+      views, scope, [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); },
+      [&](LayerIndex layer, PrimitiveKind kind) { return scene.instances(layer, kind) > 0; });
 }
 
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
@@ -207,7 +277,7 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
                            const std::optional<Rgb>& background) {
   if (entries.empty()) return {};
   const PaperColors colors = paper_colors(background);
-  Layout layout(measure, colors);
+  Layout layout(measure, background);
   std::size_t shown = 0;
   for (const LegendEntry& entry : entries) {
     Layout with = layout;
@@ -218,8 +288,13 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
     ++shown;
   }
   if (shown < entries.size()) layout.text(fmt::format("and {} more", entries.size() - shown), false, colors.quiet);
+  const bool has_bar =
+      std::ranges::any_of(entries.first(shown), [](const LegendEntry& entry) { return entry.map != nullptr; });
+  // Programs that show figures may take another font.
+  constexpr double kWiderFont = 1.1;
+  const double width = has_bar ? kWidth : kWiderFont * layout.right() + kPadding;
   PaperDrawing out = std::move(layout.drawing());
-  out.width = kWidth;
+  out.width = width;
   out.height = layout.y() + kPadding - 4.0;
   out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, colors.frame},
                                        {1.0, 1.0, out.width - 2.0, out.height - 2.0, colors.paper}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The legend of the colour maps in use: the name of each layer, the meaning of its scalar, and a bar of colours with
-// numbers.
+// The legend: of layers with a colour map the name, the meaning of the scalar, and a bar of colours with numbers; in a
+// key, of all other layers a sample of how they are drawn, and the name.
 //
 // Smallest use:
 //     const std::vector<LegendEntry> entries = ...;
@@ -16,8 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "app/model/legend_scope.h"
 #include "app/picture/paper_drawing.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/draw/layer_style.h"
+#include "core/draw/primitives.h"
 #include "render/colormap.h"
 #include "render/scene.h"
 
@@ -30,17 +32,25 @@ struct LegendTick {
   friend bool operator==(const LegendTick&, const LegendTick&) = default;
 };
 
+/// How a layer is drawn.
+struct LayerSample {
+  PrimitiveKind kind = PrimitiveKind::segment;
+  LayerStyle style{};
+  friend bool operator==(const LayerSample&, const LayerSample&) = default;
+};
+
 struct LegendEntry {
   std::string title;
   std::string scalar;
-  const render::ColorMap* map = nullptr;
+  const render::ColorMap* map = nullptr;  ///< null: one colour, as in the sample
   render::ScalarRange range;
+  LayerSample sample{};
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
-/// The entries of the layers that a map colours, topmost first; `views` are bottom first. The maps are those of the
-/// scene.
-std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views);
+/// The entries of layers, topmost first; `views` are bottom first. The maps are those of the scene.
+std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views,
+                                   LegendScope scope = LegendScope::color_maps);
 
 /// The ends of a range and a few round numbers between, with as few digits as distinguish them. A range of one value
 /// has one tick, an empty one none.

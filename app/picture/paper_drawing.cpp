@@ -53,6 +53,10 @@ void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& dr
     const glm::dvec2 size = glm::max(glm::round(glm::dvec2(place_of * end)) - from, glm::dvec2(1.0));
     render::fill_rectangle(image, from.x, from.y, size.x, size.y, box.color, box.opacity);
   }
+  for (const PaperDrawing::Dot& dot : drawing.dots) {
+    const glm::dvec2 center(place_of * glm::dvec3(dot.x, dot.y, 1.0));
+    render::fill_disk(image, center.x, center.y, scale * dot.radius, dot.color);
+  }
   for (const PaperDrawing::Line& line : drawing.lines) {
     const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kAscent * line.size, 1.0));
     render::draw_text(image, font_of(fonts, line.is_bold), scale * line.size, from.x, from.y, line.color, line.text);
@@ -64,6 +68,14 @@ void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing&
   for (const PaperDrawing::Box& box : drawing.boxes)
     figure.legend.boxes.push_back(
         {corner + points * Vec2{box.left, box.top}, points * box.width, points * box.height, box.color, box.opacity});
+  for (const PaperDrawing::Dot& dot : drawing.dots) {
+    figure::Run run{.color = dot.color, .opacity = 1.0, .is_filled = true, .dashes = {}, .shapes = {}};
+    run.shapes.push_back({.kind = figure::ShapeKind::disk,
+                          .p = {corner + points * Vec2{dot.x, dot.y}},
+                          .radius = points * dot.radius,
+                          .sweep = 0.0});
+    figure.legend.runs.push_back(std::move(run));
+  }
   for (const PaperDrawing::Line& line : drawing.lines) {
     const double width =
         render::text_width(font_of(fonts, line.is_bold), scale * line.size, line.text) * figure::kPointsPerPixel;

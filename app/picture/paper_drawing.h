@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rectangles and lines of text that stand on a picture: legends, axes, scale bars.
+// Rectangles, dots and lines of text that stand on a picture: legends, axes, scale bars.
 //
 // The window paints them on itself, `paint` on a picture in memory, and `add_to` on the page of a figure, so all three
 // look alike.
@@ -41,10 +41,17 @@ struct PaperDrawing {
     Rgb color;
     std::string text;
   };
+  struct Dot {
+    double x = 0.0;
+    double y = 0.0;
+    double radius = 0.0;
+    Rgb color;
+  };
   double width = 0.0;
   double height = 0.0;
   std::vector<Box> boxes;
-  std::vector<Line> lines;  ///< above the boxes
+  std::vector<Dot> dots{};  ///< above the boxes
+  std::vector<Line> lines;  ///< above both
 };
 
 /// The colours of what explains a picture.

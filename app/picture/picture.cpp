@@ -220,10 +220,10 @@ Expected<void> Picture::capture(render::FrameCapture& capture, const render::Cam
   return capture.draw(scene_, camera, views, options);
 }
 
-std::vector<LegendEntry> Picture::legend(const LayerStack& layers) const {
+std::vector<LegendEntry> Picture::legend(const LayerStack& layers, LegendScope scope) const {
   std::vector<render::LayerView> views;
   for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-  return legend_of(scene_, views);
+  return legend_of(scene_, views, scope);
 }
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,

@@ -62,7 +62,7 @@ class Picture {
                          const render::CaptureOptions& options);
   render::GlDevice& device() { return device_; }
   /// The legend of the visible layers.
-  std::vector<LegendEntry> legend(const LayerStack& layers) const;
+  std::vector<LegendEntry> legend(const LayerStack& layers, LegendScope scope) const;
 
   /// True if the picture at rest can be painted in more detail: it needs another `draw` soon.
   bool is_refining() const { return detail_.is_refining() || is_coarse_; }

@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 
+#include "app/model/legend_scope.h"
 #include "app/model/scale_marks.h"
 #include "core/document/computation_settings.h"
 #include "core/document/timeline.h"
@@ -37,7 +38,7 @@ struct ShownState {
   LayerIndex solo = kNoLayer;
   ComputationSettings settings{};
   render::Camera view{};
-  bool legend = false;
+  LegendScope legend = LegendScope::none;
   ScaleMarks marks{};
   std::string caption{};
   friend bool operator==(const ShownState&, const ShownState&) = default;

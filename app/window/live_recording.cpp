@@ -51,7 +51,7 @@ ShownState LiveRecording::shown_state() const {
           uses_.work.layers().soloed(),
           uses_.work.computation().settings(),
           uses_.board.view().camera(),
-          uses_.settings.show_legend,
+          legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
           uses_.settings.marks,
           uses_.demo.caption()};
 }

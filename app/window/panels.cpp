@@ -87,6 +87,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_panels, are_shown_);
   bind_toggle(ActionId::toggle_layers, settings.show_layers);
   bind_toggle(ActionId::toggle_legend, settings.show_legend);
+  bind_toggle(ActionId::toggle_key, settings.show_key);
   bind_toggle(ActionId::toggle_scale_bar, settings.marks.bar);
   bind_toggle(ActionId::toggle_axes, settings.marks.axes);
   const auto bind_page = [&](ActionId id, DetailsPage page) {
@@ -145,7 +146,7 @@ Panels::Room Panels::draw() {
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_over(sides);
   draw_scale_marks(sides);
-  const ImVec2 legend = uses_.settings.show_legend ? draw_legend(sides) : ImVec2{};
+  const ImVec2 legend = draw_legend(sides);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float unit = uses_.screen.gui.unit();
   const float width = screen.x - sides.left - sides.right;
@@ -270,8 +271,9 @@ ImVec2 Panels::draw_legend(const Sides& sides) {
   const ImVec2 corner(screen.x - sides.right - margin, screen.y - sides.bottom - axes - margin);
   const ImVec2 at(std::clamp(corner.x + legend_moved_.x, sides.left, corner.x),
                   std::clamp(corner.y + legend_moved_.y, sides.top, corner.y));
-  const ImVec2 size = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers()}.draw(
-      at, screen.y - sides.top - sides.bottom - 2 * margin);
+  const ImVec2 size = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
+                                   legend_scope(uses_.settings.show_legend, uses_.settings.show_key)}
+                          .draw(at, screen.y - sides.top - sides.bottom - 2 * margin);
   if (size.x <= 0.0F) return {};
   const SplitterMove move = drag_handle(gui, "##legend-handle", {{at.x - size.x, at.y - size.y}, size},
                                         "Drag to move the legend; double click to put it back");

@@ -114,6 +114,7 @@ struct Text {
 /// What lies above all layers and explains them.
 struct Legend {
   std::vector<Box> boxes;
+  std::vector<Run> runs;    ///< above the boxes: disks
   std::vector<Text> texts;  ///< above the boxes
 };
 

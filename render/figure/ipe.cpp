@@ -197,6 +197,11 @@ class IpeWriter {
     for (const Box& box : figure_.legend.boxes)
       body_ += "<path layer=\"legend\" fill=\"" + color(box.color) + '"' + opacity(box.opacity) + ">\n" +
                rectangle(box.corner, box.width, box.height) + "</path>\n";
+    if (!figure_.legend.runs.empty()) {
+      body_ += "<group layer=\"legend\">\n";
+      for (const Run& run : figure_.legend.runs) write(run, 1.0, 1.0);
+      body_ += "</group>\n";
+    }
     for (const Text& each : figure_.legend.texts)
       body_ += "<text layer=\"legend\" pos=\"" + text(each.start) + "\" stroke=\"" + color(each.color) +
                "\" type=\"label\" valign=\"baseline\" size=\"" + number(each.size) + "\">\\textsf{" +

@@ -320,6 +320,7 @@ class PdfWriter {
       rectangle(content, box.corner, box.width, box.height);
       content += "f\nQ\n";
     }
+    for (const Run& run : legend.runs) write(run, content);
     for (const Text& text : legend.texts) {
       paint(content, text.color, true);
       content += text.is_bold ? "BT /F1 " : "BT /F0 ";

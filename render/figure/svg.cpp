@@ -264,6 +264,7 @@ class SvgWriter {
       if (box.opacity < 1.0) fraction("fill-opacity", box.opacity);
       out_ += "/>\n";
     }
+    for (const Run& run : legend.runs) write(run);
     for (const Text& text : legend.texts) {
       out_ += "<text";
       attribute("x", text.start.x);

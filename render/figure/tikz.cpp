@@ -157,6 +157,7 @@ class TikzWriter {
       if (box.opacity < 1.0) body_ += ",opacity=" + fraction(box.opacity);
       body_ += "] " + text(box.corner) + " rectangle " + text(box.corner + Vec2{box.width, box.height}) + ";\n";
     }
+    for (const Run& run : legend.runs) write(run);
     for (const Text& each : legend.texts) {
       const std::string size = number(each.size) + "bp";
       body_ += "\\node[anchor=base west,inner sep=0pt," + color(each.color) + ",font=\\sffamily" +

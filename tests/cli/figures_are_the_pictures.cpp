@@ -94,6 +94,7 @@ const std::vector<Case>& cases() {
         "--set-style", "curve:dashed=on,line-width=3"},
        0.012},
       {"scale", {kBean, "--scale-bar", "--axes"}, 0.004},
+      {"key", {kBean, "--key", "--layers", "interior-voronoi-disks,interior-voronoi-circles,curve,points"}, 0.006},
       {"on a dark ground", {kDude, "--background", "1b1e22", "--scale", "1.5"}, 0.006},
   };
   return kCases;

@@ -146,14 +146,24 @@ TEST_CASE("a frame shows what is between the panels") {
   CHECK(twice.content_scale == 4.0);
 }
 
-TEST_CASE("showing the legend is a frame, and so is another caption") {
+TEST_CASE("showing the legend is a frame, and so are a key, a scale bar, axes, and another caption") {
   ShownState now;
   Recorder recorder(now, false);
-  now.legend = true;
-  recorder.note_complete(now);
-  CHECK(recorder.is_due(now, {}));
-  CHECK(recorder.change(now) == Change::texts);
-  recorder.note_captured(now);
+  const auto check_frame = [&] {
+    recorder.note_complete(now);
+    CHECK(recorder.is_due(now, {}));
+    CHECK(recorder.change(now) == Change::texts);
+    recorder.note_captured(now);
+    CHECK_FALSE(recorder.is_due(now, {}));
+  };
+  now.legend = LegendScope::color_maps;
+  check_frame();
+  now.legend = LegendScope::all_layers;
+  check_frame();
+  now.marks.bar = true;
+  check_frame();
+  now.marks.axes = true;
+  check_frame();
   now.caption = "What of it the union covers";
   recorder.note_complete(now);
   CHECK(recorder.is_due(now, {}));

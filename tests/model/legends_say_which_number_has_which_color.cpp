@@ -182,6 +182,50 @@ TEST_CASE("the legend of a film stays in its corner, above the caption") {
   CHECK(image == white(80, 60));
 }
 
+TEST_CASE("a key has a sample and a name for each layer, and fits what it says") {
+  const MeasureText measure = [](const std::string& text, double, bool) {
+    return 6.0 * static_cast<double>(text.size());
+  };
+  const auto entry = [](const std::string& title, PrimitiveKind kind, LayerStyle style) {
+    return LegendEntry{title, {}, nullptr, {}, {kind, style}};
+  };
+  LayerStyle red;
+  red.color = {0xff, 0, 0};
+  red.opacity = 0.5;
+  LayerStyle dashed = red;
+  dashed.dashed = true;
+  dashed.line_width_px = 3.0;
+  const std::vector<LegendEntry> entries{
+      entry("Dots", PrimitiveKind::point, red), entry("Circles", PrimitiveKind::circle, red),
+      entry("Edges", PrimitiveKind::segment, dashed), entry("Faces", PrimitiveKind::triangle, red)};
+  const PaperDrawing key = layout_legend(entries, measure, 1000.0, Rgb{0xff, 0xff, 0xff});
+  REQUIRE(key.lines.size() == 4);
+  // Opacity is that on paper, so that no format has to blend.
+  const Rgb pink{0xff, 0x80, 0x80};
+  REQUIRE(key.dots.size() == 3);
+  CHECK(key.dots[0].color == pink);
+  CHECK(key.dots[1].color == pink);
+  // A circle is a disk with a hole.
+  CHECK(key.dots[2].color == Rgb{0xff, 0xff, 0xff});
+  CHECK(key.dots[2].radius < key.dots[1].radius);
+  std::vector<PaperDrawing::Box> samples;
+  for (const PaperDrawing::Box& box : key.boxes)
+    if (box.color == pink) samples.push_back(box);
+  REQUIRE(samples.size() == 4);
+  for (int i = 0; i < 3; ++i) CHECK(samples[static_cast<std::size_t>(i)].height == 3.0);
+  CHECK(samples[3].width == samples[3].height);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const PaperDrawing::Line& line = key.lines[i];
+    CHECK(line.text == entries[i].title);
+    CHECK(line.x + measure(line.text, line.size, false) < key.width);
+    CHECK(line.top + line.size < key.height);
+    if (i > 0) CHECK(line.top > key.lines[i - 1].top + line.size);
+  }
+  // What does not fit is counted.
+  const PaperDrawing low = layout_legend(entries, measure, 60.0, Rgb{0xff, 0xff, 0xff});
+  CHECK(low.lines.back().text == "and 3 more");
+}
+
 TEST_CASE("text is as wide as measured, whatever its bytes are") {
   const auto fonts = PaperFonts::read(find_assets({}));
   REQUIRE(fonts);

@@ -2,6 +2,7 @@
 // Which layers a legend explains, wherever their colour maps are known from.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,15 +13,22 @@
 
 namespace mes {
 
-/// `shown_map` gives the map of a view.
-template <class ShownMapOf>
-std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, const ShownMapOf& shown_map) {
+/// `shown_map` gives the map of a view, `has` says whether a layer draws something of a kind.
+template <class ShownMapOf, class Has>
+std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, LegendScope scope,
+                                    const ShownMapOf& shown_map, const Has& has) {
   std::vector<LegendEntry> out;
+  if (scope == LegendScope::none) return out;
   for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const render::ShownMap shown = shown_map(*view);
     const LayerDescriptor& layer = layer_descriptors()[view->layer];
-    if (shown.map != nullptr)
-      out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range});
+    const render::ShownMap shown = shown_map(*view);
+    if (shown.map != nullptr) {
+      out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range, {}});
+      continue;
+    }
+    if (scope != LegendScope::all_layers) continue;
+    const auto kind = std::ranges::find_if(layer.kinds, [&](PrimitiveKind each) { return has(view->layer, each); });
+    if (kind != layer.kinds.end()) out.push_back({std::string(layer.name), {}, nullptr, {}, {*kind, view->style}});
   }
   return out;
 }

@@ -148,6 +148,7 @@ void CairoPainter::legend() {
     cairo_rectangle(cairo_, box.corner.x, box.corner.y, box.width, box.height);
     cairo_fill(cairo_);
   }
+  for (const Run& run : figure_.legend.runs) paint(run);
   for (const Text& text : figure_.legend.texts) {
     cairo_select_font_face(cairo_, "Helvetica", CAIRO_FONT_SLANT_NORMAL,
                            text.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
