@@ -63,6 +63,8 @@ constexpr auto kToolsRows = std::to_array<Row>({
     {Id::tool_spray, "tool-spray", "Spray", "Drag to draw a stroke of evenly spaced samples", "S"},
     {Id::tool_ball, "tool-ball", "Ball",
      "Press at the centre of a ball and drag to its circle; a click alone makes nothing", "B"},
+    {Id::tool_measure, "tool-measure", "Measure",
+     "Click two places for their distance, a third for angle and circle; on a sample they go with it", "M"},
 });
 
 constexpr auto kViewRows = std::to_array<Row>({

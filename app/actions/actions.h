@@ -38,6 +38,7 @@ enum class ActionId : std::uint8_t {
   tool_insert,
   tool_spray,
   tool_ball,
+  tool_measure,
   zoom_in,
   zoom_out,
   fit,

@@ -5,6 +5,7 @@
 
 #include "app/canvas/tools/ball_tool.h"
 #include "app/canvas/tools/insert_tool.h"
+#include "app/canvas/tools/measure_tool.h"
 #include "app/canvas/tools/select_tool.h"
 #include "app/canvas/tools/spray_tool.h"
 
@@ -17,7 +18,8 @@ constexpr double kZoomPerStep = 1.2;
 
 Canvas::Canvas(ToolContext& context)
     : tools_{std::make_unique<SelectTool>(context), std::make_unique<InsertTool>(context),
-             std::make_unique<SprayTool>(context), std::make_unique<BallTool>(context)} {}
+             std::make_unique<SprayTool>(context), std::make_unique<BallTool>(context),
+             std::make_unique<MeasureTool>(context)} {}
 
 Pointer Canvas::pointer(Vec2 px, Modifiers modifiers) const {
   return {(1.0 / content_scale_) * px, view_.camera().to_world(px), content_scale_ * view_.camera().units_per_pixel(),
@@ -78,6 +80,10 @@ bool Canvas::cancel_gesture() {
   panning_ = false;
   tool().cancel();
   return true;
+}
+
+void Canvas::clear_all_tools() {
+  for (const auto& tool : tools_) tool->clear();
 }
 
 void Canvas::choose_tool(ToolId chosen) {

@@ -11,8 +11,8 @@
 namespace mes {
 
 enum class PointerButton : std::uint8_t { left, middle, right };
-enum class ToolId : std::uint8_t { select, insert, spray, ball };
-inline constexpr std::size_t kToolCount = 4;
+enum class ToolId : std::uint8_t { select, insert, spray, ball, measure };
+inline constexpr std::size_t kToolCount = 5;
 
 /// What it guarantees: from press to release one gesture has the pointer, whatever else is pressed meanwhile; the
 /// view may move under a tool's gesture, which then follows the pointer. Positions are framebuffer pixels. It knows
@@ -48,6 +48,10 @@ class Canvas {
   /// Where the pointer is, as tools see it.
   Pointer pointer() const { return pointer(pointer_px_, modifiers_); }
 
+  /// Lets go of what the tool shows between gestures; false if that is nothing.
+  bool clear_tool() { return tool().clear(); }
+  /// The same for all tools: another document has come.
+  void clear_all_tools();
   void choose_tool(ToolId tool);
   ToolId tool_id() const { return tool_id_; }
   Tool& tool() { return *tools_[static_cast<std::size_t>(tool_id_)]; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/pointer_marks.h"
 
+#include "app/model/measurement.h"
+#include "app/panels/paper_on_canvas.h"
 #include "app/ui/theme.h"
 
 namespace mes {
@@ -27,6 +29,8 @@ class Pen {
     if (radius < kLargestCirclePx)
       list_.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit_, ink_, 0, width * unit_);
   }
+  void segment(Vec2 a, Vec2 b) const { list_.AddLine(at(to_px(a)), at(to_px(b)), ink_, 1.5F * unit_); }
+  ImVec2 on_screen(Vec2 world) const { return at(to_px(world)); }
   void line(Vec2 world, Vec2 px) const { list_.AddLine(at(to_px(world)), at(px), ink_, unit_); }
   void box(const Box2& px) const {
     list_.AddRectFilled(at(px.low), at(px.high), to_imgui(color_, 0.13));
@@ -66,6 +70,36 @@ void PointerMarks::draw() const {
   }
   if (feedback.box_px) pen.box(*feedback.box_px);
   if (feedback.marker_px && feedback.ring_px > 0.0) pen.faint_ring(*feedback.marker_px, feedback.ring_px);
+}
+
+void PointerMarks::draw_measurement() const {
+  const std::vector<Vec2> places = canvas.tool().feedback().measured;
+  if (places.empty()) return;
+  const Pen pen(*this);
+  if (const auto circle = measured_circle(places)) {
+    pen.circle(*circle, 1.0F);
+    pen.dot(circle->center);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    pen.dot(places[i]);
+    if (i > 0) pen.segment(places[i - 1], places[i]);
+  }
+  const PaperDrawing words = layout_words(measured_words(places), measure_on_canvas(gui), background);
+  const float unit = gui.unit();
+  const Insets& panels = canvas.view().insets();
+  const auto on_screen = [&](double px) { return static_cast<float>(px / canvas.content_scale()) * unit; };
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 end(screen.x - on_screen(panels.right), screen.y - on_screen(panels.bottom));
+  const ImVec2 at = pen.on_screen(places.back());
+  constexpr float kBeside = 16.0F;
+  // On the other side of the place where there is no room.
+  const auto beside = [&](float from, float size, float last) {
+    const float after = from + kBeside * unit;
+    return after + size <= last ? after : from - kBeside * unit - size;
+  };
+  paint_on_canvas(gui, words,
+                  {beside(at.x, static_cast<float>(words.width) * unit, end.x),
+                   beside(at.y, static_cast<float>(words.height) * unit, end.y)});
 }
 
 }  // namespace mes

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tool in use shows over the drawing: the sample under the pointer, a box, a ball being drawn.
+// What the tool in use shows over the drawing: the sample under the pointer, a box, a ball being drawn, a measurement.
 #pragma once
+
+#include <optional>
 
 #include "app/canvas/canvas.h"
 #include "app/ui/gui.h"
@@ -14,9 +16,12 @@ struct PointerMarks {
   const Canvas& canvas;
   const Document& document;
   Rgb color;
+  std::optional<Rgb> background;
 
   /// Behind all panels.
   void draw() const;
+  /// What is measured, with its numbers; nothing if that is nothing.
+  void draw_measurement() const;
 };
 
 }  // namespace mes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/paper_drawing.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -23,6 +24,26 @@ const render::Font& font_of(const PaperFonts& fonts, bool is_bold) {
 
 PaperColors paper_colors(const std::optional<Rgb>& background) {
   return background && is_dark(*background) ? kOnDark : kOnLight;
+}
+
+PaperDrawing layout_words(std::span<const std::string> lines, const MeasureText& measure,
+                          const std::optional<Rgb>& background) {
+  constexpr double kTextSize = 13.0;
+  constexpr double kLineHeight = 17.0;
+  constexpr double kPadding = 7.0;
+  PaperDrawing out;
+  if (lines.empty()) return out;
+  const PaperColors colors = paper_colors(background);
+  double y = kPadding;
+  for (const std::string& line : lines) {
+    out.lines.push_back({kPadding, y, kTextSize, false, colors.ink, line});
+    out.width = std::max(out.width, 2.0 * kPadding + measure(line, kTextSize, false));
+    y += kLineHeight;
+  }
+  out.height = y + kPadding - 2.0;
+  out.boxes = {{0.0, 0.0, out.width, out.height, colors.frame},
+               {1.0, 1.0, out.width - 2.0, out.height - 2.0, colors.paper}};
+  return out;
 }
 
 Expected<PaperFonts> PaperFonts::read(const std::filesystem::path& assets) {

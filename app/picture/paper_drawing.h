@@ -11,6 +11,8 @@
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,10 @@ PaperColors paper_colors(const std::optional<Rgb>& background);
 
 /// Returns the width of a text in logical pixels, at a size in logical pixels.
 using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
+
+/// A note of some lines, as large as they need; empty for none.
+PaperDrawing layout_words(std::span<const std::string> lines, const MeasureText& measure,
+                          const std::optional<Rgb>& background);
 
 struct PaperFonts {
   render::Font plain;

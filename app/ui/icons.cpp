@@ -79,6 +79,12 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.dot(12, 12, 1.9F);
       pen.line(12, 12, 18, 6);
       break;
+    case Icon::measure:
+      pen.line(4, 20, 20, 4);
+      pen.line(2, 16, 8, 22);
+      pen.line(16, 2, 22, 8);
+      pen.line(9, 12, 12, 15);
+      break;
     case Icon::fit:
       for (const float sx : {0.0F, 1.0F}) {
         for (const float sy : {0.0F, 1.0F}) {

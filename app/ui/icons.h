@@ -13,6 +13,7 @@ enum class Icon : std::uint8_t {
   insert,
   spray,
   ball,
+  measure,
   fit,
   undo,
   redo,

@@ -67,7 +67,8 @@ void App::bind_actions() {
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
-  else if (!board_.canvas().cancel_gesture() && !board_.provenance().clear() && !panels_.end_presentation())
+  else if (!board_.canvas().cancel_gesture() && !board_.canvas().clear_tool() && !board_.provenance().clear() &&
+           !panels_.end_presentation())
     work_.editor().selection().clear();
 }
 

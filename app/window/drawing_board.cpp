@@ -41,6 +41,7 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_tool(ActionId::tool_insert, ToolId::insert);
   bind_tool(ActionId::tool_spray, ToolId::spray);
   bind_tool(ActionId::tool_ball, ToolId::ball);
+  bind_tool(ActionId::tool_measure, ToolId::measure);
 }
 
 void DrawingBoard::bind_nudges(ActionBindings& actions) {
@@ -91,6 +92,7 @@ void DrawingBoard::watch_memory() {
 }
 
 void DrawingBoard::note_new_document() {
+  canvas_.clear_all_tools();
   picture_.expect(work_.document().revision());
   memory_.forget();
   watch_memory();
@@ -148,7 +150,9 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
   const bool is_marked = over_canvas && !frame.hides_pointer;
   pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
   pointed_.draw(screen_.gui, canvas_);
-  if (is_marked) PointerMarks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas())}.draw();
+  const PointerMarks marks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas()), picture_.canvas()};
+  if (is_marked) marks.draw();
+  marks.draw_measurement();
 }
 
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "app/actions/key_chord.h"
 #include "app/model/editor.h"
@@ -37,12 +38,14 @@ struct ToolFeedback {
   std::optional<Box2> box_px;     ///< the selection box being drawn
   std::optional<Vec2> marker_px;  ///< where a press would put a sample
   double ring_px = 0.0;           ///< radius of a circle around the marker; 0 = none
+  std::vector<Vec2> measured{};   ///< places in the world between which something is measured
 };
 
 enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
 
 /// What it guarantees: a tool holds the state of a gesture and nothing else; between gestures it holds only where the
-/// pointer last was. A gesture is one step of undo. `cancel` takes it back. Threads: the window's.
+/// pointer last was, and what `clear` lets go. A gesture is at most one step of undo. `cancel` takes it back.
+/// Threads: the window's.
 class Tool {
  public:
   explicit Tool(ToolContext& context) : context_(context) {}
@@ -56,6 +59,8 @@ class Tool {
   virtual void release(const Pointer& pointer) = 0;
   virtual void cancel() = 0;
   virtual bool is_active() const = 0;
+  /// Lets go of what it shows between gestures; false if that is nothing.
+  virtual bool clear() { return false; }
 
   /// The wheel was turned, positive away from the user; false when the tool has no use for it and the view zooms.
   virtual bool wheel(const Pointer& /*pointer*/, double /*steps*/) { return false; }
