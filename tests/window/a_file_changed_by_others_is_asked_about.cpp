@@ -108,13 +108,14 @@ TEST_CASE("a session that another window has saved is overwritten only by the an
 TEST_CASE("on the way out the work goes into another file, and the shared one stays") {
   Contest contest;
   contest.ask("ctrl+q");
-  const Screenshot unsaved = contest.screen.settled();
-  contest.answer(0);
-  REQUIRE(eventually([&] { return contest.screen.settled().differences(unsaved, 30) > 500; }));
-  contest.answer(kSaveAs);
-  contest.screen.settled();
-  contest.screen.xdotool("key ctrl+a");
-  contest.screen.xdotool("type --delay 30 '" + (contest.home / "mine.json").string() + "'");
+  const auto answer_until_another_dialog = [&](int button) {
+    const Screenshot question = contest.screen.settled();
+    contest.answer(button);
+    REQUIRE(eventually([&] { return contest.screen.settled().differences(question, 30) > 500; }));
+  };
+  answer_until_another_dialog(0);
+  answer_until_another_dialog(kSaveAs);
+  contest.screen.type_over((contest.home / "mine.json").string());
   contest.screen.xdotool("keydown Return");
   const bool is_gone = eventually([&] { return !contest.program.is_running(); });
   contest.screen.xdotool("keyup Return");

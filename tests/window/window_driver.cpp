@@ -242,6 +242,15 @@ void VirtualScreen::click(std::array<int, 2> at) const {
   xdotool(fmt::format("mousemove {} {} click 1", at[0], at[1]));
 }
 
+void VirtualScreen::type_over(const std::string& text) const {
+  // Fields of text look once a frame which keys are down, so these are held until they were seen.
+  xdotool("keydown ctrl keydown a");
+  static_cast<void>(settled());
+  xdotool("keyup a keyup ctrl");
+  xdotool("type --delay 20 '" + text + "'");
+  static_cast<void>(settled());
+}
+
 void DrivenProgram::start(const std::string& name, const Environment& extra) {
   program = Child();
   Environment environment{{"DISPLAY", screen.display()},
@@ -277,14 +286,10 @@ Screenshot DrivenProgram::other_than(const Screenshot& look) const {
 }
 
 void DrivenProgram::save_as(const std::string& name) const {
+  const Screenshot before = screen.settled();
   press("ctrl+shift+s");
-  static_cast<void>(screen.settled());
-  // Fields of text look once a frame which keys are down, so these are held until they were seen.
-  screen.xdotool("keydown ctrl keydown a");
-  static_cast<void>(screen.settled());
-  screen.xdotool("keyup a keyup ctrl");
-  screen.xdotool("type --delay 20 '" + (folder / name).string() + "'");
-  static_cast<void>(screen.settled());
+  REQUIRE(eventually([&] { return screen.settled().differences(before, 30) > 500; }));
+  screen.type_over((folder / name).string());
   press("Return");
   REQUIRE(eventually([&] { return title().starts_with(name); }));
 }
