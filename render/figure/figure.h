@@ -115,7 +115,8 @@ struct Text {
 struct Legend {
   std::vector<Box> boxes;
   std::vector<Run> runs;    ///< above the boxes: disks
-  std::vector<Text> texts;  ///< above the boxes
+  std::vector<Text> texts;  ///< above both
+  bool is_empty() const { return boxes.empty() && runs.empty() && texts.empty(); }
 };
 
 struct Figure {

@@ -58,7 +58,7 @@ class IpeWriter {
 
  private:
   bool has_background() const { return figure_.background || figure_.layers.empty(); }
-  bool has_legend() const { return !figure_.legend.boxes.empty() || !figure_.legend.texts.empty(); }
+  bool has_legend() const { return !figure_.legend.is_empty(); }
 
   std::string number(double value) const {
     std::string out;

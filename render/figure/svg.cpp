@@ -256,7 +256,7 @@ class SvgWriter {
 
   void legend() {
     const Legend& legend = figure_.legend;
-    if (legend.boxes.empty() && legend.texts.empty()) return;
+    if (legend.is_empty()) return;
     out_ += "<g id=\"legend\" inkscape:groupmode=\"layer\" inkscape:label=\"Legend\">\n";
     for (const Box& box : legend.boxes) {
       rectangle(box.corner, box.width, box.height);

@@ -150,7 +150,7 @@ class TikzWriter {
 
   void legend() {
     const Legend& legend = figure_.legend;
-    if (legend.boxes.empty() && legend.texts.empty()) return;
+    if (legend.is_empty()) return;
     body_ += "% legend\n\\begin{scope}\n";
     for (const Box& box : legend.boxes) {
       body_ += "\\fill[" + color(box.color);

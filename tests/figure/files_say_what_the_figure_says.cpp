@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <clocale>
+#include <map>
+#include <string>
 
 #include "layers_of_a_test.h"
 #include "render/figure/internal/grid.h"
@@ -155,6 +157,23 @@ TEST_CASE("every colour of a TikZ picture is defined above it") {
     ++used;
   }
   CHECK(used >= 7);
+}
+
+TEST_CASE("every format paints the dots of a legend") {
+  Figure figure = some_layers().figure();
+  std::map<std::string, std::string> without;
+  for (const Format& format : formats())
+    without[std::string(format.extension)] = text_of(format.extension.data(), figure);
+  Run dot{.color = {7, 8, 9}, .opacity = 1.0, .is_filled = true, .dashes = {}, .shapes = {}};
+  dot.shapes.push_back({.kind = ShapeKind::disk, .p = {Vec2{50.0, 50.0}}, .radius = 3.0, .sweep = 0.0});
+  figure.legend.runs.push_back(dot);
+  for (const Format& format : formats()) {
+    INFO(format.name);
+    CHECK(text_of(format.extension.data(), figure).size() > without[std::string(format.extension)].size());
+  }
+  CHECK(count_of(text_of(".svg", figure), "<circle fill=\"#070809\" cx=\"50\" cy=\"50\" r=\"3\"/>") == 1);
+  CHECK(count_of(text_of(".ipe", figure), "3 0 0 3 50 50 e\n") == 1);
+  CHECK(count_of(text_of(".tex", figure), " (50,50) circle[radius=3bp]") == 1);
 }
 
 TEST_CASE("PostScript says its size, and nothing that changes from run to run") {

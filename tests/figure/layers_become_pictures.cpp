@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -59,6 +60,28 @@ TEST_CASE("a picture of a figure has its colours, its opacities, and nothing whe
   CHECK(std::abs(inside.b - 50) <= 1);
   CHECK(alpha_at(*picture, 100, 100 - 38) == 128);
   CHECK(alpha_at(*picture, 100, 100 - 42) == 0);
+}
+
+TEST_CASE("text is no wider than was counted on, and dots stand on their boxes") {
+  Figure figure;
+  figure.width = 200.0;
+  figure.height = 100.0;
+  constexpr double kWidth = 40.0;
+  figure.legend.texts.push_back({{10.0, 50.0}, 20.0, kWidth, false, {0, 0, 0}, "MMMMMMMMMM"});
+  figure.legend.boxes.push_back({{100.0, 20.0}, 40.0, 40.0, {0, 0, 255}});
+  Run red{.color = {255, 0, 0}, .opacity = 1.0, .is_filled = true, .dashes = {}, .shapes = {}};
+  red.shapes.push_back({.kind = ShapeKind::disk, .p = {Vec2{120.0, 40.0}}, .radius = 10.0, .sweep = 0.0});
+  figure.legend.runs.push_back(red);
+  const auto picture = picture_of(figure, 1.0);
+  REQUIRE(picture);
+  int last = 0;
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 95; ++x)
+      if (alpha_at(*picture, x, y) > 0) last = std::max(last, x);
+  CHECK(last > 10 + static_cast<int>(kWidth) - 6);
+  CHECK(last <= 10 + static_cast<int>(kWidth));
+  CHECK(color_at(*picture, 120, 40) == Rgb{255, 0, 0});
+  CHECK(color_at(*picture, 105, 25) == Rgb{0, 0, 255});
 }
 
 TEST_CASE("a layer becomes a picture of what it showed, and the others stay as they are") {

@@ -154,8 +154,15 @@ void CairoPainter::legend() {
                            text.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo_, text.size);
     color(text.color, 1.0);
-    cairo_move_to(cairo_, text.start.x, text.start.y);
+    // No wider than was counted on, whichever font takes the place of that name.
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_, text.text.c_str(), &extents);
+    cairo_save(cairo_);
+    cairo_translate(cairo_, text.start.x, text.start.y);
+    if (extents.x_advance > text.width && text.width > 0.0) cairo_scale(cairo_, text.width / extents.x_advance, 1.0);
+    cairo_move_to(cairo_, 0.0, 0.0);
     cairo_show_text(cairo_, text.text.c_str());
+    cairo_restore(cairo_);
   }
 }
 
