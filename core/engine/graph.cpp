@@ -445,7 +445,7 @@ bool Graph::run(FramePatch& out, JobControl& job) {
         bring_up_to_date(node, job);
       }
       if (i == last_source_) follow_extent();
-      if (i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
+      if (kForksBesideThreads && i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
     }
     emit_layers(out, tasks, job);
     if (!keeps_frame_) sent_frame_ = frame_;
