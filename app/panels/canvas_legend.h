@@ -14,8 +14,8 @@ struct CanvasLegend {
   const LayerStack& layers;
   LegendScope scope;
 
-  /// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while there
-  /// is no entry.
+  /// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while it
+  /// has no entries.
   ImVec2 draw(ImVec2 corner, float room) const;
 };
 

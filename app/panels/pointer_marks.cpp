@@ -92,7 +92,7 @@ void PointerMarks::draw_measurement() const {
   const ImVec2 end(screen.x - on_screen(panels.right), screen.y - on_screen(panels.bottom));
   const ImVec2 at = pen.on_screen(places.back());
   constexpr float kBeside = 16.0F;
-  // On the other side of the place where there is no room.
+  // On the other side of the place if this one has too little room.
   const auto beside = [&](float from, float size, float last) {
     const float after = from + kBeside * unit;
     return after + size <= last ? after : from - kBeside * unit - size;
