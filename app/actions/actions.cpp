@@ -64,7 +64,7 @@ constexpr auto kToolsRows = std::to_array<Row>({
     {Id::tool_ball, "tool-ball", "Ball",
      "Press at the centre of a ball and drag to its circle; a click alone makes nothing", "B"},
     {Id::tool_measure, "tool-measure", "Measure",
-     "Click two places for their distance, a third for angle and circle; on a sample they go with it", "M"},
+     "Click two places for their distance, a third for angle and circle; places on samples follow them", "M"},
 });
 
 constexpr auto kViewRows = std::to_array<Row>({

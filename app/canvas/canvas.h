@@ -48,9 +48,9 @@ class Canvas {
   /// Where the pointer is, as tools see it.
   Pointer pointer() const { return pointer(pointer_px_, modifiers_); }
 
-  /// Lets go of what the tool shows between gestures; false if that is nothing.
+  /// Discards what the tool in use shows between gestures; returns false if it showed nothing.
   bool clear_tool() { return tool().clear(); }
-  /// The same for all tools: another document has come.
+  /// The same for all tools, when another document replaces this one.
   void clear_all_tools();
   void choose_tool(ToolId tool);
   ToolId tool_id() const { return tool_id_; }

@@ -14,7 +14,8 @@ namespace mes {
 
 /// Of two places their distance, the steps along the axes, and the direction from the first to the second in degrees,
 /// counter-clockwise from the x axis, in (-180, 180]. Of three the distance of the last two, the angle at the second
-/// one, in [0, 180] degrees, and the circle through them, or that they are on one line, which is decided exactly.
+/// one, in [0, 180] degrees, and the circle through them, or that they are on one line, which is decided exactly
+/// within the range of coordinates (core/base/coordinate_range.h).
 /// What places that coincide leave undefined is left out. Six digits. Fewer places than two give no lines.
 std::vector<std::string> measured_words(std::span<const Vec2> places);
 

@@ -20,7 +20,7 @@ struct PointerMarks {
 
   /// Behind all panels.
   void draw() const;
-  /// What is measured, with its numbers; nothing if that is nothing.
+  /// The places that the tool measures between, lines, the circle, and the numbers.
   void draw_measurement() const;
 };
 

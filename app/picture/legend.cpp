@@ -29,7 +29,7 @@ constexpr double kMargin = 12.0;
 constexpr int kBarSteps = 108;
 constexpr std::size_t kMostSwatches = 12;
 
-/// The second, as opaque as said, on the first.
+/// `above` blended onto `below`.
 Rgb mixed(Rgb below, Rgb above, double opacity) {
   const auto channel = [opacity](std::uint8_t a, std::uint8_t b) {
     return static_cast<std::uint8_t>(std::lround(a + opacity * (b - a)));
@@ -290,7 +290,7 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
   if (shown < entries.size()) layout.text(fmt::format("and {} more", entries.size() - shown), false, colors.quiet);
   const bool has_bar =
       std::ranges::any_of(entries.first(shown), [](const LegendEntry& entry) { return entry.map != nullptr; });
-  // Programs that show figures may take another font.
+  // Programs that show figures may substitute a wider font.
   constexpr double kWiderFont = 1.1;
   const double width = has_bar ? kWidth : kWiderFont * layout.right() + kPadding;
   PaperDrawing out = std::move(layout.drawing());

@@ -62,7 +62,7 @@ TEST_CASE("a picture of a figure has its colours, its opacities, and nothing whe
   CHECK(alpha_at(*picture, 100, 100 - 42) == 0);
 }
 
-TEST_CASE("text is no wider than was counted on, and dots stand on their boxes") {
+TEST_CASE("text keeps to the width that its layout measured, and dots are painted above boxes") {
   Figure figure;
   figure.width = 200.0;
   figure.height = 100.0;

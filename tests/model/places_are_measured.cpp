@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The measuring tool: what it says of two and of three places, and that places on samples go with them.
+// The measuring tool: what it says of two and of three places, and that places on samples follow them.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -66,7 +66,7 @@ TEST_CASE("places that coincide or are on one line are said to be that") {
   CHECK_FALSE(measured_circle(line));
   const std::vector<Vec2> thrice{{1, 1}, {1, 1}, {1, 1}};
   CHECK(measured_words(thrice) == Words{"distance 0", "on one line"});
-  // A tenth is no double, so these three are not on a line, though their cross product in doubles may be 0.
+  // The last place lies one double above the line through the others, on which x = y.
   const std::vector<Vec2> nearly{{0.1, 0.1}, {0.2, 0.2}, {0.3, std::nextafter(0.3, 1.0)}};
   CHECK(measured_circle(nearly).has_value());
 }
@@ -109,7 +109,7 @@ TEST_CASE("a drag measures from where it began, and Esc in the middle of it take
   CHECK_FALSE(bench.tool.is_active());
 }
 
-TEST_CASE("a place on a sample goes with it, and is where it was clicked when the sample is deleted") {
+TEST_CASE("a place on a sample follows it, and is where it was clicked once the sample is deleted") {
   Bench bench;
   // Some pixels beside the samples.
   bench.click(at(103, 102));
@@ -127,7 +127,7 @@ TEST_CASE("a place on a sample goes with it, and is where it was clicked when th
   CHECK(bench.measured() == std::vector<Vec2>{at(100, 100).world, at(200, 100).world});
 }
 
-TEST_CASE("what is measured is let go with the document") {
+TEST_CASE("measurements are discarded with the document") {
   Bench bench;
   Canvas canvas(bench.context);
   canvas.view().set_viewport(800, 600);

@@ -8,9 +8,9 @@
 
 namespace mes {
 
-/// What it guarantees: nothing of the document changes. A place on a sample goes with the sample, also while another
-/// tool, undo or an evolution moves it; where the sample is gone, the place is where it was clicked. A fourth click
-/// begins anew.
+/// What it guarantees: nothing of the document changes. A place on a sample follows the sample, also when another
+/// tool, undo or an evolution moves it; once the sample is deleted, the place is where it was clicked. A fourth click
+/// starts a new measurement.
 class MeasureTool final : public Tool {
  public:
   using Tool::Tool;

@@ -44,7 +44,7 @@ struct ToolFeedback {
 enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
 
 /// What it guarantees: a tool holds the state of a gesture and nothing else; between gestures it holds only where the
-/// pointer last was, and what `clear` lets go. A gesture is at most one step of undo. `cancel` takes it back.
+/// pointer last was, and what `clear` discards. A gesture is at most one step of undo. `cancel` takes it back.
 /// Threads: the window's.
 class Tool {
  public:
@@ -59,7 +59,7 @@ class Tool {
   virtual void release(const Pointer& pointer) = 0;
   virtual void cancel() = 0;
   virtual bool is_active() const = 0;
-  /// Lets go of what it shows between gestures; false if that is nothing.
+  /// Discards what the tool shows between gestures; returns false if it showed nothing.
   virtual bool clear() { return false; }
 
   /// The wheel was turned, positive away from the user; false when the tool has no use for it and the view zooms.

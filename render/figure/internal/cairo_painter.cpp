@@ -154,7 +154,7 @@ void CairoPainter::legend() {
                            text.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo_, text.size);
     color(text.color, 1.0);
-    // No wider than was counted on, whichever font takes the place of that name.
+    // Another font may be substituted for Helvetica; text then keeps to the width that its layout measured.
     cairo_text_extents_t extents;
     cairo_text_extents(cairo_, text.text.c_str(), &extents);
     cairo_save(cairo_);
