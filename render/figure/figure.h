@@ -85,14 +85,6 @@ struct PlacedImage {
   double opacity = 1.0;
 };
 
-struct FigureLayer {
-  std::string id;  ///< public name, kebab case
-  std::string title;
-  double line_width = 1.0;
-  std::optional<PlacedImage> image{};  ///< below the groups
-  std::vector<Group> groups{};
-};
-
 /// A rectangle without outline.
 struct Box {
   Vec2 corner;  ///< upper left
@@ -102,6 +94,7 @@ struct Box {
   double opacity = 1.0;
 };
 
+/// Letters of one look on one line.
 struct Text {
   Vec2 start;  ///< of the baseline
   double size = 0.0;
@@ -109,6 +102,19 @@ struct Text {
   bool is_bold = false;
   Rgb color;
   std::string text;  ///< UTF-8
+  bool is_italic = false;
+  /// What TeX typesets instead of this text and of those after it that continue it; empty: each text by itself.
+  std::string latex{};
+  bool continues = false;  ///< belongs to the text before
+};
+
+struct FigureLayer {
+  std::string id;  ///< public name, kebab case
+  std::string title;
+  double line_width = 1.0;
+  std::optional<PlacedImage> image{};  ///< below the groups
+  std::vector<Group> groups{};
+  std::vector<Text> texts{};  ///< above the groups
 };
 
 /// What lies above all layers and explains them.
