@@ -52,6 +52,7 @@ DocumentDelta Editor::replacement() const {
   out.before = out.after = document_.snapshot();
   out.balls_before = out.balls_after = document_.ball_snapshot();
   out.curve_before = out.curve_after = document_.curve_order();
+  out.annotations_before = out.annotations_after = document_.annotations();
   return out;
 }
 
@@ -160,6 +161,10 @@ Expected<std::vector<BallSlot>> Editor::insert_balls(std::span<const Disk> disks
   for (const BallEdit& edit : delta->ball_edits) slots.push_back(edit.slot);
   record(*delta, name);
   return slots;
+}
+
+Expected<void> Editor::annotate(Annotations annotations, const std::string& name, bool continues) {
+  return perform(mes::annotate(document_, std::move(annotations)), name, continues);
 }
 
 Expected<void> Editor::perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues) {

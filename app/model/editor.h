@@ -92,6 +92,9 @@ class Editor {
                       std::span<const std::pair<BallId, Disk>> balls, const std::string& name);
   Expected<void> remove(std::span<const SampleId> ids, const std::string& name) { return remove(ids, {}, name); }
   Expected<void> remove(std::span<const SampleId> samples, std::span<const BallId> balls, const std::string& name);
+  /// Makes these the annotations. With `continues`, it is the same step as the call before if nothing else happened
+  /// since, and only places differ.
+  Expected<void> annotate(Annotations annotations, const std::string& name, bool continues = false);
   /// A change as it stands on a timeline.
   Expected<void> perform(const TimelineEdit& edit) {
     return perform(delta_of(document_, edit), edit.name, edit.continues);

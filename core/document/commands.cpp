@@ -2,6 +2,7 @@
 #include "core/document/commands.h"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <unordered_set>
@@ -28,6 +29,7 @@ DocumentDelta delta_from(const Document& document) {
   delta.from_revision = document.revision();
   delta.to_revision = document.next_revision();
   delta.curve_before = delta.curve_after = document.curve_order();
+  delta.annotations_before = delta.annotations_after = document.annotations();
   return delta;
 }
 
@@ -147,6 +149,23 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
   return {};
 }
 
+/// Anchors on samples that are removed become fixed.
+void leave_where_they_are(const Document& document, DocumentDelta& delta) {
+  const Annotations& before = *document.annotations();
+  if (before.empty()) return;
+  const std::uint32_t first = document.first_id().value;
+  std::unordered_set<std::uint32_t> removed;
+  for (const SampleEdit& edit : delta.edits)
+    if (edit.kind == SampleEdit::Kind::remove) removed.insert(edit.id.value - first);
+  if (removed.empty()) return;
+  Annotations after = before;
+  for (Annotation& annotation : after)
+    for (Anchor& anchor : annotation.anchors)
+      if (std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return removed.contains(number); }))
+        anchor = {.at = document.place_of(anchor)};
+  if (after != before) delta.annotations_after = std::make_shared<const Annotations>(std::move(after));
+}
+
 }  // namespace
 
 Expected<DocumentDelta> change_document(const Document& document, const DocumentChange& change) {
@@ -157,7 +176,17 @@ Expected<DocumentDelta> change_document(const Document& document, const Document
                                    delta.ball_edits);
       !done)
     return std::unexpected(done.error());
+  leave_where_they_are(document, delta);
   return fitting(document, std::move(delta));
+}
+
+Expected<DocumentDelta> annotate(const Document& document, Annotations annotations) {
+  if (auto fault = fault_of(annotations, document.next_id().value - document.first_id().value); !fault.empty())
+    return refuse(std::move(fault));
+  DocumentDelta delta = delta_from(document);
+  if (annotations != *document.annotations())
+    delta.annotations_after = std::make_shared<const Annotations>(std::move(annotations));
+  return delta;
 }
 
 Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
@@ -211,6 +240,8 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
     }
     curve->contours.push_back(std::move(out));
   }
+  if (auto fault = fault_of(data.annotations, data.positions.size()); !fault.empty()) return refuse(std::move(fault));
+  delta.annotations_after = std::make_shared<const Annotations>(data.annotations);
   after->first = document.next_id();
   balls_after->first = document.next_ball_id();
   delta.before = document.snapshot();
@@ -237,6 +268,21 @@ SampleData data_of(const Document& document) {
     if (!kept.points.empty()) out.contours.push_back(std::move(kept));
   }
   for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
+  const std::uint32_t first = document.first_id().value;
+  out.annotations = *document.annotations();
+  for (Annotation& annotation : out.annotations) {
+    for (Anchor& anchor : annotation.anchors) {
+      anchor.at = document.place_of(anchor);
+      for (std::uint32_t& number : anchor.samples) {
+        const SampleSlot slot = document.slot_of(SampleId{first + number});
+        if (slot == kNoSlot) {
+          anchor.samples.clear();
+          break;
+        }
+        number = place[slot];
+      }
+    }
+  }
   return out;
 }
 

@@ -60,7 +60,11 @@ struct SampleData {
   std::vector<Vec2> positions{};
   std::vector<Contour> contours{};
   std::vector<Disk> balls{};
+  Annotations annotations{};  ///< samples by their place in `positions`
 };
+
+/// Makes these the annotations. Error: what `fault_of` says of them.
+Expected<DocumentDelta> annotate(const Document& document, Annotations annotations);
 
 /// All of the document: samples and balls in input order. `replace_all` makes it again, with other ids. O(n log n).
 SampleData data_of(const Document& document);
@@ -71,8 +75,8 @@ SampleData data_of(const Document& document);
 Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
                                         std::span<const SampleData::Contour> contours);
 
-/// Replaces all samples, the curve order and all balls. New ids. Error: as when samples and balls are inserted, an
-/// index out of range.
+/// Replaces all samples, the curve order, all balls and all annotations. New ids. Error: as when samples and balls are
+/// inserted, an index out of range, what `fault_of` says of annotations.
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data);
 
 }  // namespace mes

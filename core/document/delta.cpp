@@ -13,6 +13,7 @@ DocumentDelta DocumentDelta::inverted() const {
   std::swap(out.before, out.after);
   std::swap(out.balls_before, out.balls_after);
   std::swap(out.curve_before, out.curve_after);
+  std::swap(out.annotations_before, out.annotations_after);
   out.edits.assign(edits.rbegin(), edits.rend());
   for (SampleEdit& edit : out.edits) {
     std::swap(edit.from, edit.to);
@@ -42,6 +43,7 @@ DocumentDelta one_after_the_other(std::span<const DocumentDelta> deltas) {
     out.ball_edits.insert(out.ball_edits.end(), delta.ball_edits.begin(), delta.ball_edits.end());
     out.to_revision = delta.to_revision;
     out.curve_after = delta.curve_after;
+    out.annotations_after = delta.annotations_after;
   }
   return out;
 }

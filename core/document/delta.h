@@ -11,6 +11,7 @@
 #include "core/base/slot.h"
 #include "core/base/table.h"
 #include "core/base/vec2.h"
+#include "core/document/annotation.h"
 
 namespace mes {
 
@@ -74,10 +75,14 @@ struct DocumentDelta {
   std::shared_ptr<const BallSnapshot> balls_after;
   std::shared_ptr<const CurveOrder> curve_before;  ///< equal to `curve_after` when the order does not change
   std::shared_ptr<const CurveOrder> curve_after;
+  std::shared_ptr<const Annotations> annotations_before;  ///< equal to `annotations_after` when they do not change
+  std::shared_ptr<const Annotations> annotations_after;
 
   bool replaces_all() const { return after != nullptr; }
+  bool changes_annotations() const { return annotations_before != annotations_after; }
   bool is_empty() const {
-    return !replaces_all() && edits.empty() && ball_edits.empty() && curve_before == curve_after;
+    return !replaces_all() && edits.empty() && ball_edits.empty() && curve_before == curve_after &&
+           !changes_annotations();
   }
   /// The delta that undoes this one.
   DocumentDelta inverted() const;

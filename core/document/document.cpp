@@ -2,10 +2,13 @@
 #include "core/document/document.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <functional>
 
 #include "core/base/assert.h"
+#include "core/kernel/circumcircle.h"
 
 namespace mes {
 namespace {
@@ -62,7 +65,8 @@ void make_room_for(std::span<const DocumentDelta> deltas, Edits edits_of, ThingR
 
 }  // namespace
 
-Document::Document() : curve_(std::make_shared<const CurveOrder>()) {}
+Document::Document()
+    : curve_(std::make_shared<const CurveOrder>()), annotations_(std::make_shared<const Annotations>()) {}
 
 Document Document::successor() const {
   Document out;
@@ -70,6 +74,19 @@ Document Document::successor() const {
   out.samples_.number_from(samples_.next_id());
   out.balls_.number_from(balls_.next_id());
   return out;
+}
+
+Vec2 Document::place_of(const Anchor& anchor) const {
+  std::array<Vec2, 3> on{};
+  if (anchor.samples.empty() || anchor.samples.size() > on.size()) return anchor.at;
+  for (std::size_t i = 0; i < anchor.samples.size(); ++i) {
+    const SampleSlot slot = slot_of(SampleId{first_id().value + anchor.samples[i]});
+    if (slot == kNoSlot) return anchor.at;
+    on[i] = position(slot);
+  }
+  if (anchor.samples.size() == 1) return on[0];
+  const Vec2 center = circumcircle(on[0], on[1], on[2]).center;
+  return std::isfinite(center.x) && std::isfinite(center.y) ? center : anchor.at;
 }
 
 Box2 Document::bounding_box() const {
@@ -181,6 +198,7 @@ void Document::apply(const DocumentDelta& delta) {
   for (const SampleEdit& edit : delta.edits) apply(edit);
   for (const BallEdit& edit : delta.ball_edits) apply(edit);
   if (delta.curve_after) curve_ = delta.curve_after;
+  if (delta.annotations_after) annotations_ = delta.annotations_after;
   revision_ = delta.to_revision;
   highest_revision_ = std::max(highest_revision_, revision_);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The persistent state of the program: samples and balls with stable ids, and the known order of the samples' curve.
+// The persistent state of the program: samples and balls with stable ids, the known order of the samples' curve, and
+// annotations.
 //
 // What it guarantees:
 //  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never given twice.
@@ -50,6 +51,10 @@ class Document {
   /// Live slots by increasing id, which is input order. O(n log n).
   std::vector<SampleSlot> slots_in_input_order() const { return samples_.by_age(); }
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
+  /// Never null; equal pointers: nothing of them changed.
+  const std::shared_ptr<const Annotations>& annotations() const { return annotations_; }
+  /// Where the anchor is now.
+  Vec2 place_of(const Anchor& anchor) const;
 
   /// Id that the first sample had since everything was last replaced: what counts from it is the same however often
   /// the same data were opened before.
@@ -65,6 +70,7 @@ class Document {
   BallSlot ball_slot_of(BallId id) const { return balls_.slot_of(id); }
   std::vector<BallSlot> ball_slots_in_input_order() const { return balls_.by_age(); }
 
+  /// Has neither samples nor balls.
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
   /// Bounding box of samples and balls; finite. O(n).
   Box2 bounding_box() const;
@@ -107,6 +113,7 @@ class Document {
   Rows<Disk, BallTag> balls_;
   MagnitudeCounts magnitudes_;
   std::shared_ptr<const CurveOrder> curve_;
+  std::shared_ptr<const Annotations> annotations_;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;
   std::uint64_t sample_sum_ = 0;  // of the digests of all samples

@@ -32,7 +32,7 @@ std::vector<SampleData::Contour> numbered(const CurveOrder& curve, SampleId firs
 // Only gives things other places.
 bool is_motion(const TimelineEdit& edit) {
   return edit.removed.empty() && edit.inserted.empty() && edit.removed_balls.empty() && edit.inserted_balls.empty() &&
-         !edit.curve;
+         !edit.curve && !edit.annotations;
 }
 
 template <class Place>
@@ -86,6 +86,7 @@ TimelineEdit edit_of(const Document& document, const DocumentDelta& delta) {
     }
   }
   if (delta.curve_after != delta.curve_before) out.curve = numbered(*delta.curve_after, document.first_id());
+  if (delta.changes_annotations()) out.annotations = *delta.annotations_after;
   return out;
 }
 
@@ -245,6 +246,12 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
                                         .removed_balls = removed_balls,
                                         .changed_balls = changed_balls,
                                         .inserted_balls = edit.inserted_balls});
+  if (out && edit.annotations) {
+    if (auto fault = fault_of(*edit.annotations, known + edit.inserted.size()); !fault.empty())
+      return refuse(std::move(fault));
+    if (*edit.annotations != *out->annotations_after)
+      out->annotations_after = std::make_shared<const Annotations>(*edit.annotations);
+  }
   if (!out || !edit.curve) return out;
   auto curve = std::make_shared<CurveOrder>();
   for (const SampleData::Contour& contour : *edit.curve) {

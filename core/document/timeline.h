@@ -56,6 +56,7 @@ struct TimelineEdit {
   std::vector<std::pair<std::uint32_t, Disk>> changed_balls{};
   std::vector<Disk> inserted_balls{};
   std::optional<std::vector<SampleData::Contour>> curve{};  ///< the new order, if it changed
+  std::optional<Annotations> annotations{};                 ///< all of them, if any changed
   friend bool operator==(const TimelineEdit&, const TimelineEdit&) = default;
 };
 
@@ -100,7 +101,7 @@ struct Captioned {
 using TimelineEntry = std::variant<TimelineEdit, GestureBegun, GestureEnded, Undone, Redone, LayersChanged,
                                    SettingsChanged, ViewChanged, Captioned>;
 
-/// Whether the entry is about samples and balls.
+/// Whether the entry is about samples, balls and annotations.
 bool changes_document(const TimelineEntry& entry);
 /// Whether the entry is something that was done and would be missed: an edit, a change of the layers by hand.
 bool is_work(const TimelineEntry& entry);

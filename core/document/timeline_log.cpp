@@ -138,9 +138,8 @@ void each(auto& archive, Some<SampleData::Contour> auto& contour) {
 }
 void each(auto& archive, Some<LayerStyle> auto& style) {
   if (!archive.differs(style, LayerStyle{})) return;
-  fields(archive, style.color.r, style.color.g, style.color.b, style.opacity, style.point_size_px,
-         style.line_width_px, style.dashed, style.flat, style.color_map, style.range_locked, style.range_low,
-         style.range_high, style.thin_when_dense);
+  fields(archive, style.color, style.opacity, style.point_size_px, style.line_width_px, style.dashed, style.flat,
+         style.color_map, style.range_locked, style.range_low, style.range_high, style.thin_when_dense);
 }
 void each(auto& archive, Some<LayerConfiguration::Entry> auto& entry) {
   fields(archive, entry.layer, entry.visible, entry.style);
@@ -148,9 +147,21 @@ void each(auto& archive, Some<LayerConfiguration::Entry> auto& entry) {
 void each(auto& archive, Some<BackgroundImage> auto& image) {
   fields(archive, image.file, image.center, image.width);
 }
+void each(auto& archive, Some<Rgb> auto& color) {
+  fields(archive, color.r, color.g, color.b);
+}
+void each(auto& archive, Some<Anchor> auto& anchor) {
+  fields(archive, anchor.at, anchor.samples);
+}
+void each(auto& archive, Some<Annotation> auto& annotation) {
+  auto kind = static_cast<std::uint8_t>(annotation.kind);
+  fields(archive, kind, annotation.text, annotation.anchors, annotation.shift, annotation.letters, annotation.color);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(annotation)>>)
+    annotation.kind = static_cast<AnnotationKind>(kind);
+}
 void each(auto& archive, Some<TimelineEdit> auto& edit) {
   fields(archive, edit.name, edit.continues, edit.replaces, edit.removed, edit.moved, edit.inserted,
-         edit.removed_balls, edit.changed_balls, edit.inserted_balls, edit.curve);
+         edit.removed_balls, edit.changed_balls, edit.inserted_balls, edit.curve, edit.annotations);
 }
 void each(auto& archive, Some<GestureBegun> auto& begun) {
   fields(archive, begun.name);

@@ -3,13 +3,13 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/coordinate_range.h"
+#include "core/io/json_color.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -19,10 +19,6 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestPath = 4096;
-
-std::string hexadecimal(Rgb color) {
-  return fmt::format("#{:02X}{:02X}{:02X}", color.r, color.g, color.b);
-}
 
 json to_json(const LayerStyle& style) {
   json out = {{"color", hexadecimal(style.color)}, {"opacity", style.opacity}, {"point_size", style.point_size_px},
@@ -92,13 +88,10 @@ class Reader {
   void color(const char* key, Rgb& out) {
     std::string word = hexadecimal(out);
     text(key, kLongestName, word);
-    unsigned value = 0;
-    const char* const end = word.data() + word.size();
-    if (word.size() != 7 || word.front() != '#' || std::from_chars(word.data() + 1, end, value, 16).ptr != end)
-      complain("a colour is #RRGGBB, not " + in_quotes(word));
+    if (const auto color = color_from(word))
+      out = *color;
     else
-      out = {static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>((value >> 8U) & 0xffU),
-             static_cast<std::uint8_t>(value & 0xffU)};
+      complain("a colour is #RRGGBB, not " + in_quotes(word));
   }
   void complain(const std::string& what) {
     if (fault_.empty()) fault_ = where_ + ": " + what;

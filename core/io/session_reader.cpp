@@ -8,6 +8,7 @@
 
 #include "core/base/coordinate_range.h"
 #include "core/document/layer_fold.h"
+#include "core/io/json_annotations.h"
 #include "core/io/json_layers.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
@@ -169,10 +170,17 @@ std::vector<SampleData::Contour> contours_of(JsonView list, const std::string& w
   return out;
 }
 
+Annotations annotations_of(JsonView list) {
+  auto out = annotations_from(list);
+  if (!out) throw Nonsense{"annotations: " + out.error().text};
+  return std::move(*out);
+}
+
 SampleData data_of(JsonView object) {
   const std::string where = "data";
   if (!object.is_object()) complain(where, "not an object");
-  const auto [samples, contours, balls] = object.pick<3>({"samples", "contours", "balls"});
+  const auto [samples, contours, balls, annotations] =
+      object.pick<4>({"samples", "contours", "balls", "annotations"});
   SampleData out;
   read_flat(samples, "samples", out.positions, where);
   if (contours) out.contours = contours_of(contours, "contours");
@@ -180,6 +188,7 @@ SampleData data_of(JsonView object) {
   Magnitudes seen;
   require_together(out.positions, samples, "samples", where, seen);
   require_together(out.balls, balls, "balls", where, seen);
+  if (annotations) out.annotations = annotations_of(annotations);
   return out;
 }
 
@@ -246,9 +255,10 @@ Box2 view_from(JsonView value) {
 TimelineEdit edit_from(JsonView object) {
   const std::string where = "edit";
   if (!object.is_object()) complain(where, "not an object");
-  const auto [name, continues, replaces, remove, move, insert, remove_balls, change_balls, insert_balls, contours] =
-      object.pick<10>({"name", "continues", "replaces", "remove", "move", "insert", "remove_balls", "change_balls",
-                       "insert_balls", "contours"});
+  const auto [name, continues, replaces, remove, move, insert, remove_balls, change_balls, insert_balls, contours,
+              annotations] =
+      object.pick<11>({"name", "continues", "replaces", "remove", "move", "insert", "remove_balls", "change_balls",
+                       "insert_balls", "contours", "annotations"});
   TimelineEdit out;
   out.name = text_from(name, "name", where);
   out.continues = continues.is_flag() && continues.flag();
@@ -260,6 +270,7 @@ TimelineEdit edit_from(JsonView object) {
   read_flat(change_balls, "change_balls", out.changed_balls, where);
   read_flat(insert_balls, "insert_balls", out.inserted_balls, where);
   if (contours) out.curve = contours_of(contours, "contours");
+  if (annotations) out.annotations = annotations_of(annotations);
   return out;
 }
 

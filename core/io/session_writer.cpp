@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/io/json_annotations.h"
 #include "core/io/json_layers.h"
 #include "core/io/session.h"
 
@@ -50,7 +51,9 @@ json to_json(const std::vector<SampleData::Contour>& contours) {
 }
 
 json to_json(const SampleData& data) {
-  return {{"samples", flat(data.positions)}, {"contours", to_json(data.contours)}, {"balls", flat(data.balls)}};
+  json out = {{"samples", flat(data.positions)}, {"contours", to_json(data.contours)}, {"balls", flat(data.balls)}};
+  if (!data.annotations.empty()) out["annotations"] = to_json(data.annotations);
+  return out;
 }
 
 json to_json(const ComputationSettings& settings) {
@@ -84,6 +87,7 @@ json to_json(const TimelineEdit& edit) {
   add("change_balls", edit.changed_balls);
   add("insert_balls", edit.inserted_balls);
   if (edit.curve) out["contours"] = to_json(*edit.curve);
+  if (edit.annotations) out["annotations"] = to_json(*edit.annotations);
   return {{"edit", std::move(out)}};
 }
 json to_json(const GestureBegun& begun) {

@@ -58,6 +58,17 @@ TimelineEdit some_edit(Rng& random) {
   many([&] { out.removed_balls.push_back(some_count(random)); });
   many([&] { out.changed_balls.push_back({some_count(random), {some_place(random), some_number(random)}}); });
   many([&] { out.inserted_balls.push_back({some_place(random), some_number(random)}); });
+  if (random.below(3) == 0) {
+    out.annotations.emplace();
+    many([&] {
+      out.annotations->push_back({static_cast<AnnotationKind>(random.below(kAnnotationKinds)),
+                                  some_text(random),
+                                  {{some_place(random), {some_count(random)}}, {some_place(random), {}}},
+                                  some_place(random),
+                                  some_number(random),
+                                  random.below(2) == 0 ? std::optional(Rgb{1, 2, 3}) : std::nullopt});
+    });
+  }
   if (random.below(3) == 0) out.curve = {{true, {some_count(random), 0}}, {false, {}}};
   return out;
 }

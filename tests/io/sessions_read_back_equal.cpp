@@ -14,7 +14,10 @@ Session sample_session() {
   Session session;
   session.title = "Elephant \"1\"";
   session.data = std::make_shared<const SampleData>(
-      SampleData{{{0.1, 1e-15}, {1.0 / 3.0, -2}, {3, 1e15}}, {{true, {0, 1, 2}}, {false, {2}}}, {{{1, 2}, 0.3}}});
+      SampleData{{{0.1, 1e-15}, {1.0 / 3.0, -2}, {3, 1e15}},
+                 {{true, {0, 1, 2}}, {false, {2}}},
+                 {{{1, 2}, 0.3}},
+                 {{.text = "$r_1$ \"is\"\nlong", .anchors = {{{0.1, -1e-100}, {}}}, .letters = 20.5}}});
   LayerStyle style;
   style.color = {1, 2, 3};
   style.color_map = "viridis";
@@ -37,6 +40,13 @@ Session sample_session() {
       Undone{},
       Redone{},
       TimelineEdit{.name = "Delete", .removed = {1}, .removed_balls = {0}},
+      TimelineEdit{.name = "Annotate",
+                   .annotations = Annotations{{.kind = AnnotationKind::angle,
+                                               .anchors = {{{1.0 / 3.0, 2}, {0}}, {{3, 4}, {0, 1, 2}}, {{5, 6}, {}}},
+                                               .shift = {0.1, -30},
+                                               .color = Rgb{1, 2, 254}},
+                                              {.kind = AnnotationKind::leader, .anchors = {{}}}}},
+      TimelineEdit{.name = "Annotate", .annotations = Annotations{}},
       TimelineEdit{.name = "Ball", .inserted_balls = {{{1, 1}, 0}}},
       TimelineEdit{.name = "Radius", .continues = true, .changed_balls = {{1, {{1, 1}, 0.1}}}},
       LayersChanged{{{"curve", true, style}}, {"curve", "points"}, BackgroundImage{"a.png", {1, 2}, 3}},
@@ -50,8 +60,8 @@ Session sample_session() {
 
 bool equal(const Session& a, const Session& b) {
   return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
-         a.data->balls == b.data->balls && a.entries == b.entries && a.layers == b.layers &&
-         a.settings == b.settings && a.evolution == b.evolution && a.view == b.view;
+         a.data->balls == b.data->balls && a.data->annotations == b.data->annotations && a.entries == b.entries &&
+         a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view;
 }
 
 }  // namespace
@@ -97,24 +107,43 @@ TEST_CASE("a session is a source of samples and balls: those of its last state")
 TEST_CASE("what is not known is skipped, what makes no sense is refused") {
   const auto read = [](const std::string& text) { return read_session(text, "a.json"); };
   const auto later = read(R"({"mesecina":"session","schema":1,"of the future":[1],
-    "data":{"samples":[1,2],"colours":7},
+    "data":{"samples":[1,2],"colours":7,"annotations":[{"kind":"fresco","at":"a wall"},
+      {"kind":"text","at":[1,2],"letters":1e9,"shift":[-1e9,3],"scent":"rose"}]},
     "settings":{"precision":"quantum","parameters":{"medial-sampling-angle":1e9,"union-shortcut":0.2,"x":1}},
     "timeline":[{"teleport":3},{"edit":{"insert":[3,4],"why":"because"}}]})");
   REQUIRE(later);
   CHECK(later->entries.size() == 1);
+  REQUIRE(later->data->annotations.size() == 1);
+  CHECK(later->data->annotations[0].letters == kMostLetters);
+  CHECK(later->data->annotations[0].shift == Vec2{-kMostShift, 3});
   CHECK(later->settings.precision == Precision::fast);
   CHECK(later->settings[Parameter::medial_sampling_angle] == 179.9);
   CHECK(later->settings[Parameter::union_shortcut] == 0.0);
   for (const char* text :
-       {"", "{}", "[]", "null", R"({"mesecina":"session"})", R"({"mesecina":"session","schema":2})",
+       {"",
+        "{}",
+        "[]",
+        "null",
+        R"({"mesecina":"session"})",
+        R"({"mesecina":"session","schema":2})",
         R"({"mesecina":"session","schema":1,"data":{"samples":[1]}})",
         R"({"mesecina":"session","schema":1,"data":{"samples":[1,"2"]}})",
         R"({"mesecina":"session","schema":1,"data":{"samples":{"0":1}}})",
-        R"({"mesecina":"session","schema":1,"data":[]})", R"({"mesecina":"session","schema":1,"view":[1,2,3]})",
-        R"({"mesecina":"session","schema":1,"timeline":{}})", R"({"mesecina":"session","schema":1,"timeline":[4]})",
+        R"({"mesecina":"session","schema":1,"data":[]})",
+        R"({"mesecina":"session","schema":1,"view":[1,2,3]})",
+        R"({"mesecina":"session","schema":1,"timeline":{}})",
+        R"({"mesecina":"session","schema":1,"timeline":[4]})",
         R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[-1]}}]})",
         R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[4294967296]}}]})",
         R"({"mesecina":"session","schema":1,"timeline":[{"begin":7}]})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":{}}})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"at":[1,2]}]}})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1]}]}})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,1e300]}]}})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"text":3}]}})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"follows":[1]}]}})",
+        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"color":"red"}]}})",
+        R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"annotations":[7]}}]})",
         R"({"mesecina":"session","schema":1,"evolution":{"seed":-1}})",
         R"({"mesecina":"session","schema":1,"evolution":{"parameters":{"x":"y"}}})"}) {
     INFO(text);
@@ -124,10 +153,14 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
     CHECK(refused.error().message().find('\n') == std::string::npos);
   }
   // Well formed, but of samples that are not there.
-  const auto impossible =
-      read_sample_bytes(R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[0]}}]})", "a.json");
-  REQUIRE_FALSE(impossible);
-  CHECK(impossible.error().message().find("entry 1") != std::string::npos);
+  for (
+      const char* text :
+      {R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[0]}}]})",
+       R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"annotations":[{"kind":"text","at":[1,2],"follows":[[0]]}]}}]})"}) {
+    const auto impossible = read_sample_bytes(text, "a.json");
+    REQUIRE_FALSE(impossible);
+    CHECK(impossible.error().message().find("entry 1") != std::string::npos);
+  }
 }
 
 TEST_CASE("a journal is read up to where it was torn") {
@@ -150,7 +183,7 @@ TEST_CASE("a journal is read up to where it was torn") {
     CHECK(journal->complaint.empty());
   }
   const auto all = read_journal(text, "x.journal");
-  CHECK(all->unsaved_edits == 8);
+  CHECK(all->unsaved_edits == 10);
   CHECK(all->session.layers.layers.front().layer == "curve");
   CHECK(all->session.layers.image.file.empty());
   CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Annotations: text, arrows, leader lines and dimension lines that explain a drawing.
+//
+// They are part of the document: edits of them are undone and written into sessions like those of samples. Nothing is
+// computed from them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/color.h"
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// A place in the plane that an annotation refers to, and that moves with what it is on.
+struct Anchor {
+  Vec2 at{};  ///< the place itself if it follows nothing
+  /// Samples by their number, counted from the first one of the document. None: the place is fixed. One: that sample.
+  /// Three: the centre of the circle through them, as of a vertex of the Voronoi diagram. When a sample is removed,
+  /// the anchors that follow it become fixed.
+  std::vector<std::uint32_t> samples{};
+  friend bool operator==(const Anchor&, const Anchor&) = default;
+};
+
+enum class AnnotationKind : std::uint8_t {
+  text,      ///< words at a place
+  leader,    ///< words beside an element, with a line to it
+  arrow,     ///< from the first place to the second one
+  distance,  ///< between two places
+  angle,     ///< at the second place, between the first and the third one
+  radius,    ///< of the circle through three places
+};
+inline constexpr std::size_t kAnnotationKinds = 6;
+
+/// How many places an annotation of a kind has.
+constexpr std::size_t anchor_count(AnnotationKind kind) {
+  switch (kind) {
+    case AnnotationKind::text:
+    case AnnotationKind::leader: return 1;
+    case AnnotationKind::arrow:
+    case AnnotationKind::distance: return 2;
+    case AnnotationKind::angle:
+    case AnnotationKind::radius: return 3;
+  }
+  return 0;
+}
+/// Public name, kebab case.
+std::string_view id_of(AnnotationKind kind);
+std::optional<AnnotationKind> annotation_kind_of(std::string_view id);
+
+inline constexpr double kUsualLetters = 15.0;
+inline constexpr double kLeastLetters = 6.0;
+inline constexpr double kMostLetters = 120.0;
+/// Of shifts, in logical pixels along each axis.
+inline constexpr double kMostShift = 10'000.0;
+inline constexpr std::size_t kMostAnnotationBytes = 4000;
+inline constexpr std::size_t kMostAnnotations = 1000;
+
+struct Annotation {
+  AnnotationKind kind = AnnotationKind::text;
+  std::string text{};              ///< in a small part of LaTeX; a dimension without text shows what it measures
+  std::vector<Anchor> anchors{};   ///< `anchor_count` of them
+  Vec2 shift{};                    ///< of the words from their usual place, logical pixels, y down
+  double letters = kUsualLetters;  ///< size of the letters, logical pixels
+  std::optional<Rgb> color{};      ///< none: dark on a light canvas, light on a dark one
+  friend bool operator==(const Annotation&, const Annotation&) = default;
+};
+
+using Annotations = std::vector<Annotation>;
+
+/// Why no document can hold it; empty: it can. `samples`: how many samples have a number.
+std::string fault_of(const Annotation& annotation, std::size_t samples);
+/// The same of all.
+std::string fault_of(const Annotations& annotations, std::size_t samples);
+
+/// Whether they differ in places and shifts at most.
+bool same_but_for_places(const Annotations& a, const Annotations& b);
+
+}  // namespace mes

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Annotations are edited, undone and put on the timeline like samples, and follow what they are on.
+#include <array>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/document/commands.h"
+#include "core/document/history.h"
+#include "core/document/timeline.h"
+#include "core/kernel/circumcircle.h"
+
+using namespace mes;
+
+namespace {
+
+struct Desk {
+  Document document;
+  History history;
+  Timeline timeline;
+
+  void perform(const Expected<DocumentDelta>& delta, const std::string& name = {}) {
+    REQUIRE(delta.has_value());
+    if (delta->is_empty()) return;
+    timeline.note_edit(document, *delta, name, false);
+    document.apply(*delta);
+    history.record(*delta, name);
+  }
+  void insert(std::span<const Vec2> positions) { perform(insert_samples(document, positions)); }
+  void move(std::uint32_t number, Vec2 to) { perform(move_samples(document, std::array{std::pair{id(number), to}})); }
+  void remove(std::uint32_t number) { perform(remove_samples(document, std::array{id(number)})); }
+  SampleId id(std::uint32_t number) const { return SampleId{document.first_id().value + number}; }
+  void undo() {
+    if (history.can_undo()) timeline.note(Undone{});
+    for (const DocumentDelta& delta : history.undo()) document.apply(delta);
+  }
+  void redo() {
+    if (history.can_redo()) timeline.note(Redone{});
+    for (const DocumentDelta& delta : history.redo()) document.apply(delta);
+  }
+};
+
+Annotation note_on(std::vector<std::uint32_t> samples, Vec2 at = {}) {
+  return {
+      .kind = AnnotationKind::leader, .text = "here", .anchors = {{at, std::move(samples)}}, .shift = {10.0, -20.0}};
+}
+
+std::vector<Vec2> places(const Document& document) {
+  std::vector<Vec2> out;
+  for (const Annotation& annotation : *document.annotations())
+    for (const Anchor& anchor : annotation.anchors) out.push_back(document.place_of(anchor));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("an anchor follows its sample, and stays where that was removed") {
+  Desk desk;
+  desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}});
+  desk.perform(annotate(desk.document, {note_on({1}, {4, 0}), note_on({0, 1, 2}, {2, 2}), note_on({}, {7, 8})}));
+  CHECK(places(desk.document) == std::vector<Vec2>{{4, 0}, {2, 2}, {7, 8}});
+  desk.move(1, {8, 0});
+  CHECK(places(desk.document) == std::vector<Vec2>{{8, 0}, circumcircle({0, 0}, {8, 0}, {0, 4}).center, {7, 8}});
+  const std::vector<Vec2> before = places(desk.document);
+  desk.remove(1);
+  CHECK(places(desk.document) == before);
+  for (const Annotation& annotation : *desk.document.annotations()) CHECK(annotation.anchors[0].samples.empty());
+  desk.undo();
+  CHECK(places(desk.document) == before);
+  desk.move(1, {6, 0});
+  CHECK(places(desk.document)[0] == Vec2{6, 0});
+  // On one line there is no circle: the anchor is where it was put.
+  desk.move(2, {3, 0});
+  CHECK(places(desk.document)[1] == Vec2{2, 2});
+}
+
+TEST_CASE("undo, redo and the timeline bring annotations back, whatever happened to samples") {
+  const int seed = GENERATE(range(1, 9));
+  Rng rng(static_cast<std::uint64_t>(seed));
+  Desk desk;
+  std::vector<Annotations> states{*desk.document.annotations()};
+  std::vector<std::vector<Vec2>> place_states{places(desk.document)};
+  const auto any = [&](std::size_t count) { return static_cast<std::uint32_t>(rng.below(count)); };
+  const auto any_place = [&] { return Vec2{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)}; };
+  desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}, Vec2{1, 1}});
+  states.push_back(*desk.document.annotations());
+  place_states.push_back(places(desk.document));
+  for (int step = 0; step < 60; ++step) {
+    const std::size_t before = desk.history.step_count();
+    const std::uint32_t numbers = desk.document.next_id().value - desk.document.first_id().value;
+    const std::uint32_t number = any(numbers);
+    const bool is_alive = desk.document.slot_of(desk.id(number)) != kNoSlot;
+    Annotations now = *desk.document.annotations();
+    switch (any(5)) {
+      case 0: desk.insert(std::array{any_place()}); break;
+      case 1:
+        if (is_alive) desk.move(number, any_place());
+        break;
+      case 2:
+        if (is_alive) desk.remove(number);
+        break;
+      case 3:
+        now.push_back(any(2) == 0 ? note_on({number}, any_place())
+                                  : note_on({any(numbers), any(numbers), any(numbers)}, any_place()));
+        desk.perform(annotate(desk.document, now));
+        break;
+      default:
+        if (now.empty()) break;
+        if (any(3) == 0)
+          now.erase(now.begin());
+        else
+          now.back().shift = 10.0 * any_place();
+        desk.perform(annotate(desk.document, now));
+    }
+    if (desk.history.step_count() == before) continue;
+    states.push_back(*desk.document.annotations());
+    place_states.push_back(places(desk.document));
+  }
+  REQUIRE(states.size() == desk.history.step_count() + 1);
+  for (std::size_t i = states.size() - 1; i-- > 0;) {
+    desk.undo();
+    REQUIRE(*desk.document.annotations() == states[i]);
+    REQUIRE(places(desk.document) == place_states[i]);
+  }
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    desk.redo();
+    REQUIRE(*desk.document.annotations() == states[i]);
+    REQUIRE(places(desk.document) == place_states[i]);
+  }
+  DocumentReplay replay;
+  REQUIRE(replay.begin(*desk.timeline.data()));
+  for (const TimelineEntry& entry : desk.timeline.entries()) REQUIRE(replay.apply(entry));
+  CHECK(*replay.document().annotations() == states.back());
+  CHECK(places(replay.document()) == place_states.back());
+
+  // The data alone hold them too, with samples numbered anew.
+  const SampleData data = data_of(desk.document);
+  Document fresh;
+  const auto all = replace_all(fresh, data);
+  REQUIRE(all.has_value());
+  fresh.apply(*all);
+  CHECK(places(fresh) == place_states.back());
+  CHECK(data_of(fresh).annotations == data.annotations);
+}
+
+TEST_CASE("an annotation being dragged is one step") {
+  Desk desk;
+  desk.perform(annotate(desk.document, {note_on({}, {1, 1})}), "Annotate");
+  desk.history.begin_gesture("Move annotation");
+  for (int i = 1; i <= 20; ++i) {
+    Annotations now = *desk.document.annotations();
+    now[0].anchors[0].at = {static_cast<double>(i), 0.0};
+    const auto delta = annotate(desk.document, now);
+    REQUIRE(delta.has_value());
+    desk.document.apply(*delta);
+    desk.history.record(*delta);
+  }
+  desk.history.end_gesture();
+  CHECK(desk.history.step_count() == 2);
+  CHECK(desk.history.deltas_of_undo().size() == 1);
+  for (const DocumentDelta& delta : desk.history.undo()) desk.document.apply(delta);
+  CHECK(places(desk.document) == std::vector<Vec2>{{1, 1}});
+  for (const DocumentDelta& delta : desk.history.redo()) desk.document.apply(delta);
+  CHECK(places(desk.document) == std::vector<Vec2>{{20, 0}});
+  // Other words are another step.
+  Annotations reworded = *desk.document.annotations();
+  reworded[0].text = "there";
+  const auto delta = annotate(desk.document, reworded);
+  REQUIRE(delta.has_value());
+  desk.document.apply(*delta);
+  CHECK_FALSE(desk.history.extend(*delta, "Move annotation"));
+}
+
+TEST_CASE("what no document can hold is refused") {
+  Desk desk;
+  desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}});
+  const Annotation good = note_on({1}, {4, 0});
+  const auto refused = [&](const Annotation& annotation) {
+    const auto delta = annotate(desk.document, {good, annotation});
+    return !delta.has_value() && !delta.error().text.empty();
+  };
+  CHECK_FALSE(refused(good));
+  const auto with = [&](auto change) {
+    Annotation out = good;
+    change(out);
+    return out;
+  };
+  CHECK(refused(with([](Annotation& a) { a.kind = AnnotationKind::arrow; })));
+  CHECK(refused(with([](Annotation& a) { a.anchors.clear(); })));
+  CHECK(refused(with([](Annotation& a) { a.anchors[0].samples = {2}; })));
+  CHECK(refused(with([](Annotation& a) { a.anchors[0].samples = {0, 1}; })));
+  CHECK(refused(with([](Annotation& a) { a.anchors[0].samples = {0, 1, 0, 1}; })));
+  CHECK(refused(with([](Annotation& a) { a.anchors[0].at.x = std::numeric_limits<double>::quiet_NaN(); })));
+  CHECK(refused(with([](Annotation& a) { a.anchors[0].at.y = 1e300; })));
+  CHECK(refused(with([](Annotation& a) { a.letters = 0.0; })));
+  CHECK(refused(with([](Annotation& a) { a.shift.x = std::numeric_limits<double>::infinity(); })));
+  CHECK(refused(with([](Annotation& a) { a.text.assign(kMostAnnotationBytes + 1, 'x'); })));
+  CHECK_FALSE(annotate(desk.document, Annotations(kMostAnnotations + 1, good)).has_value());
+  SampleData data;
+  data.annotations = {note_on({0})};
+  CHECK_FALSE(replace_all(desk.document, data).has_value());
+  data.positions = {{1, 1}};
+  CHECK(replace_all(desk.document, data).has_value());
+  // An edit of a file that names what never was.
+  CHECK_FALSE(delta_of(desk.document, {.annotations = Annotations{note_on({7})}}).has_value());
+  CHECK(delta_of(desk.document, {.inserted = {{9, 9}}, .annotations = Annotations{note_on({2})}}).has_value());
+}
