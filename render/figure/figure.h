@@ -94,14 +94,18 @@ struct Box {
   double opacity = 1.0;
 };
 
+/// The em square of the program's fonts, which formats count in, against the height of their letters from ascent to
+/// descent, which layouts count in (render/text.h).
+inline constexpr double kEmOfSize = 2816.0 / 3408.0;
+
 /// Letters of one look on one line.
 struct Text {
-  Vec2 start;  ///< of the baseline
-  double size = 0.0;
+  Vec2 start;          ///< of the baseline
+  double size = 0.0;   ///< from the ascent of the font to its descent
   double width = 0.0;  ///< that was counted on
   bool is_bold = false;
-  Rgb color;
-  std::string text;  ///< UTF-8
+  Rgb color{};
+  std::string text{};  ///< UTF-8
   bool is_italic = false;
   /// What TeX typesets instead of this text and of those after it that continue it; empty: each text by itself.
   std::string latex{};

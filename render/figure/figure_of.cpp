@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "core/base/arc.h"
@@ -332,6 +333,16 @@ Box2 bounds_of(const Shape& shape) {
   return box;
 }
 
+/// What letters cover at most, whichever they are.
+void add(Box2& box, std::span<const Text> texts) {
+  constexpr double kAscent = 0.8;
+  constexpr double kDescent = 0.25;
+  for (const Text& text : texts) {
+    box.add(text.start - Vec2{0.0, kAscent * text.size});
+    box.add(text.start + Vec2{text.width, kDescent * text.size});
+  }
+}
+
 }  // namespace
 
 Page page_of(const render::Camera& camera, double width) {
@@ -394,7 +405,7 @@ std::size_t shapes_in(const Figure& figure, const Box2& box) {
   return out;
 }
 
-Box2 ink_box(const FigureLayer& layer) {
+Box2 ink_below_texts(const FigureLayer& layer) {
   Box2 box;
   if (layer.image) {
     box.add(layer.image->corner);
@@ -413,6 +424,12 @@ Box2 ink_box(const FigureLayer& layer) {
   return box;
 }
 
+Box2 ink_box(const FigureLayer& layer) {
+  Box2 box = ink_below_texts(layer);
+  add(box, layer.texts);
+  return box;
+}
+
 Box2 ink_box(const Figure& figure) {
   Box2 box;
   for (const FigureLayer& layer : figure.layers)
@@ -421,6 +438,7 @@ Box2 ink_box(const Figure& figure) {
     box.add(part.corner);
     box.add(part.corner + Vec2{part.width, part.height});
   }
+  add(box, figure.legend.texts);
   if (box.is_empty()) return box;
   const Vec2 size{figure.width, figure.height};
   const auto within = [](double value, double high) { return std::clamp(value, 0.0, high); };

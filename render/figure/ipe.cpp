@@ -99,7 +99,7 @@ class IpeWriter {
   }
 
   void write(const FigureLayer& layer) {
-    if (layer.groups.empty() && !layer.image) return;
+    if (layer.groups.empty() && !layer.image && layer.texts.empty()) return;
     std::string clip = rectangle({}, figure_.width, figure_.height);
     for (char& c : clip)
       if (c == '\n') c = ' ';
@@ -107,6 +107,7 @@ class IpeWriter {
     if (layer.image) write(*layer.image);
     for (const Group& group : layer.groups)
       for (const Run& run : group.runs) write(run, group.opacity, layer.line_width);
+    write(layer.texts, {});
     body_ += "</group>\n";
   }
 
@@ -202,10 +203,15 @@ class IpeWriter {
       for (const Run& run : figure_.legend.runs) write(run, 1.0, 1.0);
       body_ += "</group>\n";
     }
-    for (const Text& each : figure_.legend.texts)
-      body_ += "<text layer=\"legend\" pos=\"" + text(each.start) + "\" stroke=\"" + color(each.color) +
-               "\" type=\"label\" valign=\"baseline\" size=\"" + number(each.size) + "\">\\textsf{" +
-               (each.is_bold ? "\\bfseries " : "") + escaped_xml(escaped_tex(each.text)) + "}</text>\n";
+    write(figure_.legend.texts, " layer=\"legend\"");
+  }
+
+  /// `layer`: the attribute that names it, with a space before; what is in a group has none.
+  void write(std::span<const Text> texts, const std::string& layer) {
+    for (const TexText& each : tex_texts(texts))
+      body_ += "<text" + layer + " pos=\"" + text(each.text.start) + "\" stroke=\"" + color(each.text.color) +
+               "\" type=\"label\" valign=\"baseline\" size=\"" + number(kEmOfSize * each.text.size) + "\">\\textsf{" +
+               escaped_xml(each.look.empty() ? each.content : each.look + ' ' + each.content) + "}</text>\n";
   }
 
   const Figure& figure_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -183,6 +184,7 @@ class PdfWriter {
       opacity(content, each.opacity);
       content += '/' + form(inside) + " Do\nQ\n";
     }
+    for (const Text& text : layer.texts) write(text, content);
     content += "Q\nEMC\n";
   }
 
@@ -321,14 +323,20 @@ class PdfWriter {
       content += "f\nQ\n";
     }
     for (const Run& run : legend.runs) write(run, content);
-    for (const Text& text : legend.texts) {
-      paint(content, text.color, true);
-      content += text.is_bold ? "BT /F1 " : "BT /F0 ";
-      decimal(content, text.size);
-      content += " Tf 1 0 0 -1 ";
-      point(content, text.start);
-      content += "Tm " + shown_string(text.text) + " Tj ET\n";
-    }
+    for (const Text& text : legend.texts) write(text, content);
+  }
+
+  void write(const Text& text, std::string& content) {
+    if (text.text.empty()) return;
+    constexpr const char* kNames[] = {"F0", "F1", "F2", "F3"};
+    const char* const name = kNames[(text.is_bold ? 1 : 0) + (text.is_italic ? 2 : 0)];
+    named_fonts_.insert(name);
+    paint(content, text.color, true);
+    content += "BT /" + std::string(name) + ' ';
+    decimal(content, kEmOfSize * text.size);
+    content += " Tf 1 0 0 -1 ";
+    point(content, text.start);
+    content += "Tm " + shown_string(text.text) + " Tj ET\n";
   }
 
   void finish(const std::string& content) {
@@ -347,10 +355,12 @@ class PdfWriter {
     std::string states;
     for (const auto& [value, name] : states_) states += '/' + name + "<</ca " + value + "/CA " + value + ">>";
     std::string fonts;
-    if (!figure_.legend.texts.empty())
-      fonts =
-          "/Font<</F0<</Type/Font/Subtype/Type1/BaseFont/Helvetica/Encoding/WinAnsiEncoding>>"
-          "/F1<</Type/Font/Subtype/Type1/BaseFont/Helvetica-Bold/Encoding/WinAnsiEncoding>>>>";
+    for (const std::string& name : named_fonts_) {
+      constexpr const char* kLooks[] = {"", "-Bold", "-Oblique", "-BoldOblique"};
+      fonts += '/' + name + "<</Type/Font/Subtype/Type1/BaseFont/Helvetica" + kLooks[name.back() - '0'] +
+               "/Encoding/WinAnsiEncoding>>";
+    }
+    if (!fonts.empty()) fonts = "/Font<<" + fonts + ">>";
     objects_.set(resources_, "<</ExtGState<<" + states + ">>/XObject<<" + externals + ">>/Properties<<" + properties +
                                  ">>" + fonts + ">>");
     const std::size_t stream = objects_.add(Objects::stream("", content));
@@ -385,6 +395,7 @@ class PdfWriter {
   std::vector<std::size_t> ocgs_;
   std::vector<std::size_t> externals_;
   std::map<std::string, std::string> states_;  // opacity to name
+  std::set<std::string> named_fonts_;
 };
 
 }  // namespace

@@ -78,7 +78,7 @@ Expected<render::Image> painted(const Figure& figure, const Box2& part, double p
 
 /// The part of the page that the layer covers, with whole pixels around it.
 Box2 part_covered(const Figure& figure, const FigureLayer& layer, double pixels_per_point) {
-  const Box2 ink = ink_box(layer);
+  const Box2 ink = ink_below_texts(layer);
   if (ink.is_empty() || ink.low.x > figure.width || ink.low.y > figure.height || ink.high.x < 0.0 || ink.high.y < 0.0)
     return {};
   const auto below = [&](double x) { return std::floor(x * pixels_per_point) / pixels_per_point; };
@@ -105,7 +105,8 @@ Expected<void> rasterize_layers(Figure& figure, std::span<const std::string> lay
     if (std::ranges::find(layers, layer.id) == layers.end() || shape_count(layer) == 0) continue;
     const Box2 part = part_covered(figure, layer, pixels_per_point);
     if (part.is_empty() || !(part.width() > 0.0) || !(part.height() > 0.0)) continue;
-    auto picture = painted(figure, part, pixels_per_point, [&layer](CairoPainter& painter) { painter.paint(layer); });
+    auto picture =
+        painted(figure, part, pixels_per_point, [&layer](CairoPainter& painter) { painter.paint_shapes(layer); });
     if (!picture) return std::unexpected(picture.error());
     pictures.push_back({&layer, {std::move(*picture), part.low, part.width(), part.height(), 1.0}});
   }

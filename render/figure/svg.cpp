@@ -102,6 +102,7 @@ class SvgWriter {
       for (const Run& run : group.runs) write(run);
       if (group.opacity < 1.0) out_ += "</g>\n";
     }
+    for (const Text& text : layer.texts) write(text);
     out_ += "</g>\n";
     return {};
   }
@@ -265,18 +266,24 @@ class SvgWriter {
       out_ += "/>\n";
     }
     for (const Run& run : legend.runs) write(run);
-    for (const Text& text : legend.texts) {
-      out_ += "<text";
-      attribute("x", text.start.x);
-      attribute("y", text.start.y);
-      attribute("font-size", text.size);
-      attribute("textLength", text.width);
-      attribute("font-family", std::string("Inter, Helvetica, Arial, sans-serif"));
-      if (text.is_bold) attribute("font-weight", std::string("600"));
-      attribute("fill", hex(text.color));
-      out_ += '>' + escaped_xml(text.text) + "</text>\n";
-    }
+    for (const Text& text : legend.texts) write(text);
     out_ += "</g>\n";
+  }
+
+  void write(const Text& text) {
+    if (text.text.empty()) return;
+    out_ += "<text";
+    attribute("x", text.start.x);
+    attribute("y", text.start.y);
+    attribute("font-size", kEmOfSize * text.size);
+    if (text.width > 0.0) attribute("textLength", text.width);
+    attribute("font-family", std::string("Inter, Helvetica, Arial, sans-serif"));
+    if (text.is_bold) attribute("font-weight", std::string("600"));
+    if (text.is_italic) attribute("font-style", std::string("italic"));
+    attribute("fill", hex(text.color));
+    // Spaces at the ends are a part of the width.
+    if (text.text.front() == ' ' || text.text.back() == ' ') attribute("xml:space", std::string("preserve"));
+    out_ += '>' + escaped_xml(text.text) + "</text>\n";
   }
 
   const Figure& figure_;

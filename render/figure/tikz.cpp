@@ -75,6 +75,7 @@ class TikzWriter {
       for (const Run& run : group.runs) write(run);
       if (group.opacity < 1.0) body_ += "\\end{scope}\n";
     }
+    write(layer.texts);
     body_ += "\\end{scope}\n";
   }
 
@@ -158,13 +159,17 @@ class TikzWriter {
       body_ += "] " + text(box.corner) + " rectangle " + text(box.corner + Vec2{box.width, box.height}) + ";\n";
     }
     for (const Run& run : legend.runs) write(run);
-    for (const Text& each : legend.texts) {
-      const std::string size = number(each.size) + "bp";
-      body_ += "\\node[anchor=base west,inner sep=0pt," + color(each.color) + ",font=\\sffamily" +
-               (each.is_bold ? "\\bfseries" : "") + "\\fontsize{" + size + "}{" + size + "}\\selectfont] at " +
-               text(each.start) + " {" + escaped_tex(each.text) + "};\n";
-    }
+    write(legend.texts);
     body_ += "\\end{scope}\n";
+  }
+
+  void write(std::span<const Text> texts) {
+    for (const TexText& each : tex_texts(texts)) {
+      const std::string size = number(kEmOfSize * each.text.size) + "bp";
+      body_ += "\\node[anchor=base west,inner sep=0pt," + color(each.text.color) + ",font=\\sffamily" + each.look +
+               "\\fontsize{" + size + "}{" + size + "}\\selectfont] at " + text(each.text.start) + " {" +
+               each.content + "};\n";
+    }
   }
 
   const Figure& figure_;

@@ -218,3 +218,15 @@ TEST_CASE("the box of the ink holds every stroke and nothing else, and is a page
   CHECK(center.x - 0.5 * part.width == Approx(18.5));
   CHECK(center.y + 0.5 * part.height == Approx(61.5));
 }
+
+TEST_CASE("texts count to what a figure covers, but not to its shapes") {
+  Figure figure{.width = 200.0, .height = 100.0};
+  FigureLayer& layer = figure.layers.emplace_back();
+  layer.texts.push_back({.start = {50.0, 40.0}, .size = 10.0, .width = 30.0, .text = "text"});
+  CHECK(shape_count(figure) == 0);
+  CHECK(ink_box(layer) == Box2{{50.0, 32.0}, {80.0, 42.5}});
+  CHECK(ink_below_texts(layer).is_empty());
+  layer.texts.push_back({.start = {180.0, 40.0}, .size = 10.0, .width = 30.0, .text = "text"});
+  CHECK(ink_box(layer).high == Vec2{210.0, 42.5});
+  CHECK(ink_box(figure).high == Vec2{200.0, 42.5});
+}

@@ -31,6 +31,29 @@ Layers some_layers() {
   return layers;
 }
 
+/// A layer of texts alone: plain, and a formula in two parts that TeX has as one.
+Figure some_texts() {
+  Figure figure{.width = 200.0, .height = 100.0};
+  FigureLayer& layer = figure.layers.emplace_back();
+  layer.id = "notes";
+  layer.title = "Notes";
+  const Rgb ink{1, 2, 3};
+  layer.texts.push_back(
+      {.start = {10, 20}, .size = 12.0, .width = 40.0, .is_bold = true, .color = ink, .text = "a < b_1 "});
+  layer.texts.push_back({.start = {10, 50},
+                         .size = 12.0,
+                         .width = 8.0,
+                         .color = ink,
+                         .text = "\xCE\xB1",
+                         .is_italic = true,
+                         .latex = "$\\alpha_1<2$"});
+  layer.texts.push_back(
+      {.start = {18, 53}, .size = 8.0, .width = 30.0, .color = ink, .text = "one<2", .continues = true});
+  layer.texts.push_back(
+      {.start = {10, 80}, .size = 12.0, .width = 30.0, .color = ink, .text = "slanted", .is_italic = true});
+  return figure;
+}
+
 std::string text_of(const char* extension, const Figure& figure) {
   const Format* const format = format_for(extension);
   REQUIRE(format != nullptr);
@@ -157,6 +180,41 @@ TEST_CASE("every colour of a TikZ picture is defined above it") {
     ++used;
   }
   CHECK(used >= 7);
+}
+
+TEST_CASE("texts of a layer are in it, above its shapes, in all formats") {
+  Figure figure = some_texts();
+  const std::string svg = text_of(".svg", figure);
+  CHECK(values_of(svg, "id") == std::vector<std::string>{"page", "notes"});
+  CHECK(count_of(svg, "<text") == 4);
+  CHECK(count_of(svg, "xml:space=\"preserve\">a &lt; b_1 </text>") == 1);
+  CHECK(count_of(svg, "font-style=\"italic\"") == 2);
+  CHECK(values_of(svg, "font-weight") == std::vector<std::string>{"600"});
+  CHECK(values_of(svg, "textLength") == std::vector<std::string>{"40", "8", "30", "30"});
+  CHECK(count_of(text_of(".pdf", figure), "/Type/OCG/") == 1);
+  const std::string ipe = text_of(".ipe", figure);
+  CHECK(count_of(ipe, "<group layer=\"notes\" clip=") == 1);
+  CHECK(count_of(ipe, ">\\textsf{\\bfseries a &lt; b\\_1 }</text>") == 1);
+  CHECK(count_of(ipe, "pos=\"10 50\"") == 1);
+  CHECK(count_of(ipe, ">\\textsf{$\\alpha_1&lt;2$}</text>") == 1);
+  CHECK(count_of(ipe, ">\\textsf{\\itshape slanted}</text>") == 1);
+  CHECK(count_of(ipe, "<text") == 3);
+  const std::string tex = text_of(".tex", figure);
+  CHECK(count_of(tex, "\\sffamily\\bfseries\\fontsize") == 1);
+  CHECK(count_of(tex, "\\sffamily\\itshape\\fontsize") == 1);
+  CHECK(count_of(tex, "at (10,50) {$\\alpha_1<2$};\n") == 1);
+  CHECK(count_of(tex, "\\node") == 3);
+  CHECK(tex.find("\\node") > tex.find("\\begin{scope}"));
+  CHECK(tex.rfind("\\node") < tex.find("\\end{scope}"));
+  // What continues a text that TeX has no own words for is written by itself.
+  figure.layers[0].texts[1].latex.clear();
+  CHECK(count_of(text_of(".tex", figure), "\\node") == 4);
+  figure.layers[0].texts.clear();
+  for (const Format& format : formats()) {
+    INFO(format.name);
+    CHECK(text_of(format.extension.data(), some_texts()).size() >
+          text_of(format.extension.data(), figure).size() + 100);
+  }
 }
 
 TEST_CASE("every format paints the dots of a legend") {

@@ -127,6 +127,19 @@ TEST_CASE("a layer cut by the edge of the page is a picture of what lies on it; 
   CHECK_FALSE(empty.layers[0].image);
 }
 
+TEST_CASE("texts of a layer that becomes a picture stay text") {
+  Figure figure = two_layers().figure();
+  const Text text{.start = {100.0, 20.0}, .size = 10.0, .width = 30.0, .text = "text"};
+  figure.layers[0].texts.push_back(text);
+  figure.layers.push_back({.id = "notes", .title = "Notes", .texts = {text}});
+  REQUIRE(rasterize_layers(figure, std::vector<std::string>{figure.layers[0].id, "notes"}, 4 * kPointsPerInch));
+  REQUIRE(figure.layers[0].image);
+  CHECK(figure.layers[0].image->image.width == 200);
+  CHECK(figure.layers[0].texts.size() == 1);
+  CHECK_FALSE(figure.layers.back().image);
+  CHECK(figure.layers.back().texts.size() == 1);
+}
+
 TEST_CASE("a picture that no memory holds is refused, and the figure stays as it was") {
   Figure figure = two_layers().figure();
   const auto refused = rasterize_layers(figure, std::vector<std::string>{figure.layers[1].id}, 1e6);

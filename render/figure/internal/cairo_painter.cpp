@@ -34,6 +34,11 @@ void CairoPainter::color(Rgb color, double opacity) {
 }
 
 void CairoPainter::paint(const FigureLayer& layer) {
+  paint_shapes(layer);
+  for (const Text& text : layer.texts) paint(text);
+}
+
+void CairoPainter::paint_shapes(const FigureLayer& layer) {
   cairo_set_line_width(cairo_, layer.line_width);
   if (layer.image) image(*layer.image);
   for (const Group& group : layer.groups) {
@@ -149,21 +154,24 @@ void CairoPainter::legend() {
     cairo_fill(cairo_);
   }
   for (const Run& run : figure_.legend.runs) paint(run);
-  for (const Text& text : figure_.legend.texts) {
-    cairo_select_font_face(cairo_, "Helvetica", CAIRO_FONT_SLANT_NORMAL,
-                           text.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo_, text.size);
-    color(text.color, 1.0);
-    // Another font may be substituted for Helvetica; text then keeps to the width that its layout measured.
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo_, text.text.c_str(), &extents);
-    cairo_save(cairo_);
-    cairo_translate(cairo_, text.start.x, text.start.y);
-    if (extents.x_advance > text.width && text.width > 0.0) cairo_scale(cairo_, text.width / extents.x_advance, 1.0);
-    cairo_move_to(cairo_, 0.0, 0.0);
-    cairo_show_text(cairo_, text.text.c_str());
-    cairo_restore(cairo_);
-  }
+  for (const Text& text : figure_.legend.texts) paint(text);
+}
+
+void CairoPainter::paint(const Text& text) {
+  if (text.text.empty()) return;
+  cairo_select_font_face(cairo_, "Helvetica", text.is_italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+                         text.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo_, kEmOfSize * text.size);
+  color(text.color, 1.0);
+  // Another font may be substituted for Helvetica; text then keeps to the width that its layout measured.
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo_, text.text.c_str(), &extents);
+  cairo_save(cairo_);
+  cairo_translate(cairo_, text.start.x, text.start.y);
+  if (extents.x_advance > text.width && text.width > 0.0) cairo_scale(cairo_, text.width / extents.x_advance, 1.0);
+  cairo_move_to(cairo_, 0.0, 0.0);
+  cairo_show_text(cairo_, text.text.c_str());
+  cairo_restore(cairo_);
 }
 
 }  // namespace mes::figure

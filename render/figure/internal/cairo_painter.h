@@ -20,13 +20,15 @@ class CairoPainter {
 
   /// The whole figure, cut at the edge of its page.
   void paint();
-  /// One layer of it alone.
-  void paint(const FigureLayer& layer);
+  /// Image and shapes of one layer of it alone, without its texts.
+  void paint_shapes(const FigureLayer& layer);
 
  private:
   void color(Rgb color, double opacity);
   void image(const PlacedImage& placed);
+  void paint(const FigureLayer& layer);
   void paint(const Run& run);
+  void paint(const Text& text);
   void curve(const Bezier& bezier);
   /// Adds the shape at `i`, or the chain that begins there, to the path. Returns the number of shapes.
   std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains);

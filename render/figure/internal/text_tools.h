@@ -7,8 +7,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/color.h"
+#include "render/figure/figure.h"
 
 namespace mes::figure {
 
@@ -56,6 +58,31 @@ inline std::string escaped_tex(std::string_view text) {
       case '}': out += '\\'; [[fallthrough]];
       default: out += c;
     }
+  }
+  return out;
+}
+
+/// A text as TeX is to typeset it.
+struct TexText {
+  const Text& text;
+  std::string look;  ///< commands that choose series and shape
+  std::string content;
+};
+
+/// Where a text comes with TeX of its own, this stands for it and for those that continue it, in series and shape as it
+/// says itself.
+inline std::vector<TexText> tex_texts(std::span<const Text> texts) {
+  std::vector<TexText> out;
+  bool is_said = false;
+  for (const Text& text : texts) {
+    is_said = is_said && text.continues;
+    if (is_said) continue;
+    is_said = !text.latex.empty();
+    if (is_said)
+      out.push_back({text, text.is_bold ? "\\bfseries" : "", text.latex});
+    else if (!text.text.empty())
+      out.push_back({text, std::string(text.is_bold ? "\\bfseries" : "") + (text.is_italic ? "\\itshape" : ""),
+                     escaped_tex(text.text)});
   }
   return out;
 }
