@@ -28,7 +28,7 @@ def main():
     letters = [letter for first, last in RANGES for letter in range(first, last + 1)]
     target = pathlib.Path(__file__).resolve().parent.parent / "assets" / "fonts"
     for name in NAMES:
-        options = subset.Options(layout_features=["kern"], hinting=True)
+        options = subset.Options(layout_features=["kern"], hinting=True, notdef_outline=True)
         font = subset.load_font(pathlib.Path(sys.argv[1]) / f"{name}.otf", options)
         missing = [chr(letter) for letter in letters if letter not in font.getBestCmap()]
         if missing:
