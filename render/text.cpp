@@ -64,17 +64,14 @@ struct Font::Data {
   stbtt_fontinfo info{};
 };
 
-Font::Font(std::unique_ptr<Data> data) : data_(std::move(data)) {}
-Font::~Font() = default;
-Font::Font(Font&& other) noexcept = default;
-Font& Font::operator=(Font&& other) noexcept = default;
+Font::Font(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
 Expected<Font> Font::read(const std::filesystem::path& file) {
   const auto fail = [&](std::string text) {
     return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file.string()});
   };
   std::ifstream stream(file, std::ios::binary);
-  auto data = std::make_unique<Data>();
+  auto data = std::make_shared<Data>();
   data->bytes.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream || data->bytes.empty()) return fail("the font cannot be read");
   const int offset = stbtt_GetFontOffsetForIndex(data->bytes.data(), 0);
@@ -82,30 +79,72 @@ Expected<Font> Font::read(const std::filesystem::path& file) {
   return Font(std::move(data));
 }
 
-double text_width(const Font& font, double size_px, std::string_view text) {
-  const stbtt_fontinfo& info = font.data_->info;
-  const auto scale = static_cast<double>(stbtt_ScaleForPixelHeight(&info, static_cast<float>(size_px)));
-  double width = 0.0;
-  int before = 0;
+std::vector<Glyph> Font::glyphs(std::string_view text) const {
+  const stbtt_fontinfo& info = data_->info;
+  std::vector<Glyph> out;
+  int x = 0;
   while (!text.empty()) {
     const int letter = next_letter(text);
+    const int index = stbtt_FindGlyphIndex(&info, letter);
     int advance = 0;
-    stbtt_GetCodepointHMetrics(&info, letter, &advance, nullptr);
-    width += scale * (advance + (before == 0 ? 0 : stbtt_GetCodepointKernAdvance(&info, before, letter)));
-    before = letter;
+    stbtt_GetGlyphHMetrics(&info, index, &advance, nullptr);
+    if (!out.empty()) x += stbtt_GetGlyphKernAdvance(&info, out.back().index, index);
+    out.push_back({index, static_cast<char32_t>(letter), x, advance});
+    x += advance;
   }
-  return width;
+  return out;
+}
+
+int Font::units_per_em() const {
+  return static_cast<int>(std::lround(1.0F / stbtt_ScaleForMappingEmToPixels(&data_->info, 1.0F)));
+}
+
+int Font::units_per_size() const {
+  int ascent = 0;
+  int descent = 0;
+  stbtt_GetFontVMetrics(&data_->info, &ascent, &descent, nullptr);
+  return ascent - descent;
+}
+
+std::span<const unsigned char> Font::bytes() const {
+  return data_->bytes;
+}
+
+std::span<const unsigned char> Font::table(std::string_view name) const {
+  // OpenType specification, "Table directory": the number of tables, then of each its name, checksum, offset and length.
+  constexpr std::size_t kHead = 12;
+  constexpr std::size_t kEntry = 16;
+  const std::span<const unsigned char> file = bytes();
+  const auto number = [&](std::size_t at, std::size_t size) {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < size; ++i) out = out << 8U | file[at + i];
+    return out;
+  };
+  const auto start = static_cast<std::size_t>(data_->info.fontstart);
+  const std::size_t count = file.size() >= start + kHead ? number(start + 4, 2) : 0;
+  for (std::size_t at = start + kHead; at < start + kHead + kEntry * count && at + kEntry <= file.size();
+       at += kEntry) {
+    if (!std::equal(name.begin(), name.end(), file.begin() + static_cast<std::ptrdiff_t>(at))) continue;
+    const std::size_t offset = number(at + 8, 4);
+    const std::size_t length = number(at + 12, 4);
+    return offset <= file.size() && length <= file.size() - offset ? file.subspan(offset, length) : file.first(0);
+  }
+  return {};
+}
+
+double text_width(const Font& font, double size_px, std::string_view text) {
+  const float scale = stbtt_ScaleForPixelHeight(&font.data_->info, static_cast<float>(size_px));
+  const std::vector<Glyph> glyphs = font.glyphs(text);
+  return glyphs.empty() ? 0.0 : static_cast<double>(scale) * (glyphs.back().x + glyphs.back().advance);
 }
 
 void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color, std::string_view text) {
   const stbtt_fontinfo& info = font.data_->info;
   const float scale = stbtt_ScaleForPixelHeight(&info, static_cast<float>(size_px));
   std::vector<unsigned char> cover;
-  int before = 0;
-  while (!text.empty()) {
-    const int letter = next_letter(text);
-    if (before != 0) x += static_cast<double>(scale) * stbtt_GetCodepointKernAdvance(&info, before, letter);
-    before = letter;
+  const double start = x;
+  for (const Glyph& glyph : font.glyphs(text)) {
+    x = start + static_cast<double>(scale) * glyph.x;
     const double left = std::floor(x);
     const double base = std::floor(y);
     const auto part_x = static_cast<float>(x - left);
@@ -114,13 +153,13 @@ void draw_text(Image& image, const Font& font, double size_px, double x, double 
     int y0 = 0;
     int x1 = 0;
     int y1 = 0;
-    stbtt_GetCodepointBitmapBoxSubpixel(&info, letter, scale, scale, part_x, part_y, &x0, &y0, &x1, &y1);
+    stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph.index, scale, scale, part_x, part_y, &x0, &y0, &x1, &y1);
     const int width = x1 - x0;
     const int height = y1 - y0;
     if (width > 0 && height > 0) {
       cover.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-      stbtt_MakeCodepointBitmapSubpixel(&info, cover.data(), width, height, width, scale, scale, part_x, part_y,
-                                        letter);
+      stbtt_MakeGlyphBitmapSubpixel(&info, cover.data(), width, height, width, scale, scale, part_x, part_y,
+                                    glyph.index);
       for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {
           const int to_x = static_cast<int>(left) + x0 + column;
@@ -132,9 +171,6 @@ void draw_text(Image& image, const Font& font, double size_px, double x, double 
         }
       }
     }
-    int advance = 0;
-    stbtt_GetCodepointHMetrics(&info, letter, &advance, nullptr);
-    x += static_cast<double>(scale) * advance;
   }
 }
 

@@ -15,7 +15,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/base/color.h"
 #include "core/base/error.h"
@@ -23,19 +25,36 @@
 
 namespace mes::render {
 
+/// A letter where it stands on a line of text, in units of its font.
+struct Glyph {
+  int index = 0;        ///< in the font; 0 is its empty box
+  char32_t letter = 0;  ///< U+FFFD for bytes that are not UTF-8
+  int x = 0;            ///< of its origin, kerning included
+  int advance = 0;
+};
+
+/// Copies share one file in memory.
 class Font {
  public:
   /// Reads a TrueType or OpenType file, which must be trusted, as those that come with the program are: the reader does
   /// not check it. Error: `bad_input`.
   static Expected<Font> read(const std::filesystem::path& file);
-  ~Font();
-  Font(Font&& other) noexcept;
-  Font& operator=(Font&& other) noexcept;
+
+  /// The letters of a line, in order.
+  std::vector<Glyph> glyphs(std::string_view text) const;
+  int units_per_em() const;
+  /// From the ascent to the descent, which is what sizes of text are here.
+  int units_per_size() const;
+
+  /// The whole file.
+  std::span<const unsigned char> bytes() const;
+  /// One table of it, by its name of four letters; empty if it has none.
+  std::span<const unsigned char> table(std::string_view name) const;
 
  private:
   struct Data;
-  explicit Font(std::unique_ptr<Data> data);
-  std::unique_ptr<Data> data_;
+  explicit Font(std::shared_ptr<const Data> data);
+  std::shared_ptr<const Data> data_;
   friend double text_width(const Font& font, double size_px, std::string_view text);
   friend void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color,
                         std::string_view text);

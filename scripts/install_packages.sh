@@ -38,6 +38,7 @@ build          libglx-mesa0        mesa-libGL          mesa           -
 build          libstb-dev          stb-devel           stb            -
 build          libdeflate-dev      libdeflate-devel    libdeflate     libdeflate
 build          libcairo2-dev       cairo-devel         cairo          cairo
+build          libfreetype-dev     freetype-devel      freetype2      freetype
 build          libglib2.0-dev      glib2-devel         glib2          glib
 build          libcli11-dev        cli11-devel         cli11          cli11
 build          nlohmann-json3-dev  json-devel          nlohmann-json  nlohmann-json

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <memory>
 #include <utility>
 
 #include "app/picture/canvas_look.h"
@@ -15,10 +16,6 @@ constexpr PaperColors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf
 
 // From the top of a line to its baseline.
 constexpr double kAscent = 0.8;
-
-const render::Font& font_of(const PaperFonts& fonts, bool is_bold) {
-  return is_bold ? fonts.bold : fonts.plain;
-}
 
 }  // namespace
 
@@ -51,12 +48,14 @@ Expected<PaperFonts> PaperFonts::read(const std::filesystem::path& assets) {
   if (!plain) return std::unexpected(plain.error());
   auto bold = render::Font::read(assets / "fonts" / "Inter-SemiBold.otf");
   if (!bold) return std::unexpected(bold.error());
-  return PaperFonts{std::move(*plain), std::move(*bold)};
+  auto italic = render::Font::read(assets / "fonts" / "Inter-Italic.otf");
+  if (!italic) return std::unexpected(italic.error());
+  return PaperFonts{{std::move(*plain), std::move(*bold), std::move(*italic)}};
 }
 
 MeasureText measure_with(const PaperFonts& fonts, double scale) {
   return [&fonts, scale](const std::string& text, double size, bool is_bold) {
-    return render::text_width(font_of(fonts, is_bold), scale * size, text) / scale;
+    return render::text_width(fonts.of(is_bold, false), scale * size, text) / scale;
   };
 }
 
@@ -80,12 +79,17 @@ void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& dr
   }
   for (const PaperDrawing::Line& line : drawing.lines) {
     const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kAscent * line.size, 1.0));
-    render::draw_text(image, font_of(fonts, line.is_bold), scale * line.size, from.x, from.y, line.color, line.text);
+    render::draw_text(image, fonts.of(line.is_bold, false), scale * line.size, from.x, from.y, line.color, line.text);
   }
+}
+
+void set_fonts(figure::Figure& figure, const PaperFonts& fonts) {
+  figure.fonts = std::make_shared<const figure::Fonts>(fonts);
 }
 
 void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner, double scale) {
   const double points = scale * figure::kPointsPerPixel;
+  set_fonts(figure, fonts);
   for (const PaperDrawing::Box& box : drawing.boxes)
     figure.legend.boxes.push_back(
         {corner + points * Vec2{box.left, box.top}, points * box.width, points * box.height, box.color, box.opacity});
@@ -99,7 +103,7 @@ void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing&
   }
   for (const PaperDrawing::Line& line : drawing.lines) {
     const double width =
-        render::text_width(font_of(fonts, line.is_bold), scale * line.size, line.text) * figure::kPointsPerPixel;
+        render::text_width(fonts.of(line.is_bold, false), scale * line.size, line.text) * figure::kPointsPerPixel;
     figure.legend.texts.push_back({corner + points * Vec2{line.x, line.top + kAscent * line.size}, points * line.size,
                                    width, line.is_bold, line.color, line.text});
   }

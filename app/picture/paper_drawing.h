@@ -73,9 +73,7 @@ using MeasureText = std::function<double(const std::string& text, double size, b
 PaperDrawing layout_words(std::span<const std::string> lines, const MeasureText& measure,
                           const std::optional<Rgb>& background);
 
-struct PaperFonts {
-  render::Font plain;
-  render::Font bold;
+struct PaperFonts : figure::Fonts {
   /// Reads the fonts that come with the program.
   static Expected<PaperFonts> read(const std::filesystem::path& assets);
 };
@@ -91,8 +89,11 @@ glm::dmat3 paper_placement(const glm::dvec2& corner, double scale);
 void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& drawing, const glm::dvec2& corner,
            double scale);
 
-/// Adds it to what lies above the layers. `corner` in points on the page, `scale` in units of 1/96 inch per logical
-/// pixel.
+/// Puts the texts of the figure into these fonts.
+void set_fonts(figure::Figure& figure, const PaperFonts& fonts);
+
+/// Adds it to what lies above the layers, and sets the fonts. `corner` in points on the page, `scale` in units of 1/96
+/// inch per logical pixel.
 void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner, double scale);
 
 }  // namespace mes

@@ -12,11 +12,12 @@
 //  3. Lines, rays and segments end at most a stroke's width beyond the page; what is drawn is cut at its edge by the
 //     writer. No coordinate of a shape is farther from the page than some diagonals of it.
 //
-// Cost: plain data. Threads: const use from several.
+// Cost: plain data; copies share the fonts. Threads: const use from several.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "core/base/color.h"
 #include "core/base/vec2.h"
 #include "render/image.h"
+#include "render/text.h"
 
 namespace mes::figure {
 
@@ -112,6 +114,15 @@ struct Text {
   bool continues = false;  ///< belongs to the text before
 };
 
+/// The fonts of texts.
+struct Fonts {
+  render::Font plain;
+  render::Font bold;
+  render::Font italic;
+  /// What is both bold and italic is in italic.
+  const render::Font& of(bool is_bold, bool is_italic) const { return is_italic ? italic : is_bold ? bold : plain; }
+};
+
 struct FigureLayer {
   std::string id;  ///< public name, kebab case
   std::string title;
@@ -136,7 +147,8 @@ struct Figure {
   std::optional<Rgb> background{};  ///< none: the page itself
   std::vector<FigureLayer> layers{};
   Legend legend{};
-  std::string session{};  ///< that files carry, compressed (core/base/carried_session.h); empty: none
+  std::shared_ptr<const Fonts> fonts{};  ///< that files and pictures have texts in; none: Helvetica, by name
+  std::string session{};                 ///< that files carry, compressed (core/base/carried_session.h); empty: none
 };
 
 /// Shapes of one layer, or of all.

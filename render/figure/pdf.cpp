@@ -7,17 +7,17 @@
 #include <map>
 #include <memory>
 #include <new>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/carried_session.h"
-#include "core/base/zlib.h"
 #include "render/figure/internal/bezier_arcs.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
+#include "render/figure/internal/pdf_fonts.h"
+#include "render/figure/internal/pdf_objects.h"
 #include "render/figure/writers.h"
 
 namespace mes::figure {
@@ -25,58 +25,9 @@ namespace {
 
 constexpr int kColorDecimals = 4;
 
-/// The objects of a file, numbered from 1, and where each begins.
-class Objects {
- public:
-  std::size_t reserve() {
-    bodies_.emplace_back();
-    return bodies_.size();
-  }
-  void set(std::size_t number, std::string body) { bodies_[number - 1] = std::move(body); }
-  std::size_t add(std::string body) {
-    bodies_.push_back(std::move(body));
-    return bodies_.size();
-  }
-  /// `dictionary` without its brackets.
-  static std::string stream(const std::string& dictionary, std::string_view bytes) {
-    return packed_stream(dictionary, zlib_compressed(bytes));
-  }
-  static std::string packed_stream(const std::string& dictionary, const std::string& packed) {
-    return "<<" + dictionary + "/Filter/FlateDecode/Length " + std::to_string(packed.size()) + ">>\nstream\n" +
-           packed + "\nendstream";
-  }
-  static std::string reference(std::size_t number) { return std::to_string(number) + " 0 R"; }
-
-  std::string file(std::size_t catalog, std::size_t info) const {
-    // The comment of bytes above 127 marks the file as binary.
-    std::string out = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
-    std::vector<std::size_t> offsets;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      offsets.push_back(out.size());
-      out += std::to_string(i + 1) + " 0 obj\n" + bodies_[i] + "\nendobj\n";
-    }
-    const std::size_t table = out.size();
-    out += "xref\n0 " + std::to_string(bodies_.size() + 1) + "\n0000000000 65535 f \n";
-    for (const std::size_t offset : offsets) {
-      const std::string digits = std::to_string(offset);
-      out += std::string(10 - std::min<std::size_t>(digits.size(), 10), '0') + digits + " 00000 n \n";
-    }
-    out += "trailer\n<</Size " + std::to_string(bodies_.size() + 1) + "/Root " + reference(catalog) + "/Info " +
-           reference(info) + ">>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
-    return out;
-  }
-
- private:
-  std::vector<std::string> bodies_;
-};
-
 /// A string of PDF in UTF-16, so that any title can be said.
 std::string text_string(std::string_view utf8) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string out = "<FEFF";
-  const auto unit = [&](std::uint32_t value) {
-    for (const unsigned shift : {12U, 8U, 4U, 0U}) out += kDigits[value >> shift & 15U];
-  };
   for (std::size_t i = 0; i < utf8.size();) {
     const auto first = static_cast<unsigned char>(utf8[i++]);
     std::uint32_t code = first;
@@ -92,31 +43,14 @@ std::string text_string(std::string_view utf8) {
       more = 1;
     }
     for (; more > 0 && i < utf8.size(); --more) code = code << 6U | (static_cast<unsigned char>(utf8[i++]) & 63U);
-    if (code >= 0x10000) {
-      unit(0xD800U + ((code - 0x10000U) >> 10U));
-      unit(0xDC00U + ((code - 0x10000U) & 0x3FFU));
-    } else {
-      unit(code);
-    }
+    append_utf16(out, code);
   }
   return out + '>';
 }
 
-/// A string in the encoding of the fonts; letters beyond ASCII become question marks.
-std::string shown_string(std::string_view utf8) {
-  std::string out = "(";
-  for (const char c : utf8) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 && byte < 0xC0) continue;  // the rest of a letter
-    if (c == '(' || c == ')' || c == '\\') out += '\\';
-    out += byte >= 0x20 && byte < 0x7F ? c : '?';
-  }
-  return out + ')';
-}
-
 class PdfWriter {
  public:
-  explicit PdfWriter(const Figure& figure) : figure_(figure) {
+  explicit PdfWriter(const Figure& figure) : figure_(figure), fonts_(figure.fonts) {
     for (std::size_t* const number : {&catalog_, &pages_, &page_, &resources_}) *number = objects_.reserve();
   }
 
@@ -192,10 +126,10 @@ class PdfWriter {
   std::string form(const std::string& inside) {
     std::string box;
     point(box, {figure_.width, figure_.height});
-    const std::size_t number = objects_.add(Objects::stream("/Type/XObject/Subtype/Form/BBox[0 0 " + box +
-                                                                "]/Group<</S/Transparency/I true>>/Resources " +
-                                                                Objects::reference(resources_),
-                                                            inside));
+    const std::size_t number = objects_.add(PdfObjects::stream("/Type/XObject/Subtype/Form/BBox[0 0 " + box +
+                                                                   "]/Group<</S/Transparency/I true>>/Resources " +
+                                                                   PdfObjects::reference(resources_),
+                                                               inside));
     return external(number);
   }
   std::string external(std::size_t number) {
@@ -217,8 +151,10 @@ class PdfWriter {
                              std::to_string(image.height) + "/BitsPerComponent 8/Interpolate true";
     std::string mask;
     if (!is_opaque)
-      mask = "/SMask " + Objects::reference(objects_.add(Objects::stream(size + "/ColorSpace/DeviceGray", alphas)));
-    const std::string name = external(objects_.add(Objects::stream(size + "/ColorSpace/DeviceRGB" + mask, colors)));
+      mask = "/SMask " +
+             PdfObjects::reference(objects_.add(PdfObjects::stream(size + "/ColorSpace/DeviceGray", alphas)));
+    const std::string name =
+        external(objects_.add(PdfObjects::stream(size + "/ColorSpace/DeviceRGB" + mask, colors)));
     content += "q\n";
     opacity(content, placed.opacity);
     decimal(content, placed.width);
@@ -328,50 +264,39 @@ class PdfWriter {
 
   void write(const Text& text, std::string& content) {
     if (text.text.empty()) return;
-    constexpr const char* kNames[] = {"F0", "F1", "F2", "F3"};
-    const char* const name = kNames[(text.is_bold ? 1 : 0) + (text.is_italic ? 2 : 0)];
-    named_fonts_.insert(name);
     paint(content, text.color, true);
-    content += "BT /" + std::string(name) + ' ';
-    decimal(content, kEmOfSize * text.size);
-    content += " Tf 1 0 0 -1 ";
+    content += "BT 1 0 0 -1 ";
     point(content, text.start);
-    content += "Tm " + shown_string(text.text) + " Tj ET\n";
+    content += "Tm " + fonts_.shown(text) + "ET\n";
   }
 
   void finish(const std::string& content) {
     std::string groups;
     std::string properties;
     for (std::size_t i = 0; i < ocgs_.size(); ++i) {
-      groups += Objects::reference(ocgs_[i]) + ' ';
-      properties += "/L" + std::to_string(i) + ' ' + Objects::reference(ocgs_[i]);
+      groups += PdfObjects::reference(ocgs_[i]) + ' ';
+      properties += "/L" + std::to_string(i) + ' ' + PdfObjects::reference(ocgs_[i]);
     }
     // A viewer lists them as it draws them: the topmost first.
     std::string order;
-    for (auto group = ocgs_.rbegin(); group != ocgs_.rend(); ++group) order += Objects::reference(*group) + ' ';
+    for (auto group = ocgs_.rbegin(); group != ocgs_.rend(); ++group) order += PdfObjects::reference(*group) + ' ';
     std::string externals;
     for (std::size_t i = 0; i < externals_.size(); ++i)
-      externals += "/X" + std::to_string(i) + ' ' + Objects::reference(externals_[i]);
+      externals += "/X" + std::to_string(i) + ' ' + PdfObjects::reference(externals_[i]);
     std::string states;
     for (const auto& [value, name] : states_) states += '/' + name + "<</ca " + value + "/CA " + value + ">>";
-    std::string fonts;
-    for (const std::string& name : named_fonts_) {
-      constexpr const char* kLooks[] = {"", "-Bold", "-Oblique", "-BoldOblique"};
-      fonts += '/' + name + "<</Type/Font/Subtype/Type1/BaseFont/Helvetica" + kLooks[name.back() - '0'] +
-               "/Encoding/WinAnsiEncoding>>";
-    }
-    if (!fonts.empty()) fonts = "/Font<<" + fonts + ">>";
+    const std::string fonts = fonts_.resources(objects_);
     objects_.set(resources_, "<</ExtGState<<" + states + ">>/XObject<<" + externals + ">>/Properties<<" + properties +
                                  ">>" + fonts + ">>");
-    const std::size_t stream = objects_.add(Objects::stream("", content));
+    const std::size_t stream = objects_.add(PdfObjects::stream("", content));
     std::string box;
     point(box, {figure_.width, figure_.height});
-    objects_.set(page_, "<</Type/Page/Parent " + Objects::reference(pages_) + "/MediaBox[0 0 " + box +
-                            "]/Group<</S/Transparency/CS/DeviceRGB>>/Resources " + Objects::reference(resources_) +
-                            "/Contents " + Objects::reference(stream) + ">>");
-    objects_.set(pages_, "<</Type/Pages/Count 1/Kids[" + Objects::reference(page_) + "]>>");
-    objects_.set(catalog_, "<</Type/Catalog/Pages " + Objects::reference(pages_) + "/OCProperties<</OCGs[" + groups +
-                               "]/D<</Order[" + order + "]/ON[" + groups + "]>>>>" + attachment() + ">>");
+    objects_.set(page_, "<</Type/Page/Parent " + PdfObjects::reference(pages_) + "/MediaBox[0 0 " + box +
+                            "]/Group<</S/Transparency/CS/DeviceRGB>>/Resources " + PdfObjects::reference(resources_) +
+                            "/Contents " + PdfObjects::reference(stream) + ">>");
+    objects_.set(pages_, "<</Type/Pages/Count 1/Kids[" + PdfObjects::reference(page_) + "]>>");
+    objects_.set(catalog_, "<</Type/Catalog/Pages " + PdfObjects::reference(pages_) + "/OCProperties<</OCGs[" +
+                               groups + "]/D<</Order[" + order + "]/ON[" + groups + "]>>>>" + attachment() + ">>");
   }
 
   /// For the catalogue: the session, as a file that viewers list and save.
@@ -380,14 +305,14 @@ class PdfWriter {
     const std::string key(kCarriedSession);
     const std::string name = '(' + key + ".json)";
     const std::size_t stream = objects_.add(
-        Objects::packed_stream("/Type/EmbeddedFile/Subtype/application#2Fjson/" + key + " true", figure_.session));
-    const std::size_t file =
-        objects_.add("<</Type/Filespec/F" + name + "/UF" + name + "/EF<</F " + Objects::reference(stream) + ">>>>");
-    return "/Names<</EmbeddedFiles<</Names[" + name + Objects::reference(file) + "]>>>>";
+        PdfObjects::packed_stream("/Type/EmbeddedFile/Subtype/application#2Fjson/" + key + " true", figure_.session));
+    const std::size_t file = objects_.add("<</Type/Filespec/F" + name + "/UF" + name + "/EF<</F " +
+                                          PdfObjects::reference(stream) + ">>>>");
+    return "/Names<</EmbeddedFiles<</Names[" + name + PdfObjects::reference(file) + "]>>>>";
   }
 
   const Figure& figure_;
-  Objects objects_;
+  PdfObjects objects_;
   std::size_t catalog_ = 0;
   std::size_t pages_ = 0;
   std::size_t page_ = 0;
@@ -395,7 +320,7 @@ class PdfWriter {
   std::vector<std::size_t> ocgs_;
   std::vector<std::size_t> externals_;
   std::map<std::string, std::string> states_;  // opacity to name
-  std::set<std::string> named_fonts_;
+  PdfFonts fonts_;
 };
 
 }  // namespace

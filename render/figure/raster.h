@@ -20,7 +20,8 @@ inline constexpr int kMostPixelsOfSide = 32'767;
 Expected<render::Image> picture_of(const Figure& figure, double pixels_per_point);
 
 /// Puts a picture of the page in the place of all shapes of these layers, given by their ids; others stay as they are.
-/// Texts of the layers stay text, above it, so that they can still be read, searched and edited. It is as large as what it shows, at so many dots an inch. Layers that show nothing on the page stay empty.
+/// It is as large as what it shows, at so many dots an inch. Layers that show nothing on the page stay empty. Texts of
+/// the layers stay text, above the picture, so that they can still be read sharply, searched and edited.
 /// Errors as above; then the figure is as before.
 Expected<void> rasterize_layers(Figure& figure, std::span<const std::string> layers, double dots_per_inch);
 

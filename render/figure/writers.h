@@ -24,7 +24,8 @@ namespace mes::figure {
 /// circles or disks share one path.
 Expected<std::string> svg_of(const Figure& figure);
 
-/// PDF 1.5: layers are optional content groups, which viewers switch on and off. Text is in Helvetica, by name.
+/// PDF 1.5: layers are optional content groups, which viewers switch on and off. Text is in the fonts of the figure, of
+/// which the file carries the letters that occur; without them it is in Helvetica, by name.
 Expected<std::string> pdf_of(const Figure& figure);
 
 /// PostScript of level 3 and its encapsulated form. Where something is translucent, a picture of 300 dots an inch takes

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <numbers>
+#include <vector>
 
+#include "render/figure/internal/cairo_fonts.h"
 #include "render/figure/internal/chains.h"
 
 namespace mes::figure {
@@ -18,6 +21,13 @@ CairoPainter::CairoPainter(cairo_t* cairo, const Figure& figure) : cairo_(cairo)
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
   cairo_rectangle(cairo_, 0.0, 0.0, figure_.width, figure_.height);
   cairo_clip(cairo_);
+  // Letters stand where the layout has them, not on whole pixels.
+  const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
+      cairo_font_options_create(), cairo_font_options_destroy);
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(cairo_, options.get());
 }
 
 void CairoPainter::paint() {
@@ -159,19 +169,47 @@ void CairoPainter::legend() {
 
 void CairoPainter::paint(const Text& text) {
   if (text.text.empty()) return;
+  cairo_save(cairo_);
+  cairo_translate(cairo_, text.start.x, text.start.y);
+  color(text.color, 1.0);
+  if (!show_glyphs(text)) show_in_named_font(text);
+  cairo_restore(cairo_);
+}
+
+void CairoPainter::keep_to(double width, double measured) {
+  // What was counted on was measured at another size, in single precision.
+  constexpr double kRounding = 1e-4;
+  if (width > 0.0 && measured > (1.0 + kRounding) * width) cairo_scale(cairo_, width / measured, 1.0);
+}
+
+bool CairoPainter::show_glyphs(const Text& text) {
+  if (!figure_.fonts) return false;
+  const render::Font& font = figure_.fonts->of(text.is_bold, text.is_italic);
+  cairo_font_face_t* const face = cairo_face_of(font);
+  if (face == nullptr) return false;
+  const double unit = text.size / font.units_per_size();
+  std::vector<cairo_glyph_t> glyphs;
+  double width = 0.0;
+  for (const render::Glyph& glyph : font.glyphs(text.text)) {
+    glyphs.push_back({static_cast<unsigned long>(glyph.index), unit * glyph.x, 0.0});
+    width = unit * (glyph.x + glyph.advance);
+  }
+  cairo_set_font_face(cairo_, face);
+  cairo_set_font_size(cairo_, unit * font.units_per_em());
+  keep_to(text.width, width);
+  cairo_show_glyphs(cairo_, glyphs.data(), static_cast<int>(glyphs.size()));
+  return true;
+}
+
+void CairoPainter::show_in_named_font(const Text& text) {
   cairo_select_font_face(cairo_, "Helvetica", text.is_italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
                          text.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo_, kEmOfSize * text.size);
-  color(text.color, 1.0);
-  // Another font may be substituted for Helvetica; text then keeps to the width that its layout measured.
   cairo_text_extents_t extents;
   cairo_text_extents(cairo_, text.text.c_str(), &extents);
-  cairo_save(cairo_);
-  cairo_translate(cairo_, text.start.x, text.start.y);
-  if (extents.x_advance > text.width && text.width > 0.0) cairo_scale(cairo_, text.width / extents.x_advance, 1.0);
+  keep_to(text.width, extents.x_advance);
   cairo_move_to(cairo_, 0.0, 0.0);
   cairo_show_text(cairo_, text.text.c_str());
-  cairo_restore(cairo_);
 }
 
 }  // namespace mes::figure

@@ -29,6 +29,12 @@ class CairoPainter {
   void paint(const FigureLayer& layer);
   void paint(const Run& run);
   void paint(const Text& text);
+  /// In a font of the figure; false if it has none, or FreeType does not read it.
+  bool show_glyphs(const Text& text);
+  /// In Helvetica, or in what the system has instead.
+  void show_in_named_font(const Text& text);
+  /// Makes what follows narrower if it is wider than its layout counted on.
+  void keep_to(double width, double measured);
   void curve(const Bezier& bezier);
   /// Adds the shape at `i`, or the chain that begins there, to the path. Returns the number of shapes.
   std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains);
