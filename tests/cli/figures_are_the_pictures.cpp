@@ -125,6 +125,17 @@ TEST_CASE("a PDF looks as the picture of the same view") {
   compare_all(".pdf");
 }
 
+TEST_CASE("a PDF carries the fonts of its legend and its marks") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "key.pdf").string();
+  render({kBean, "--key", "--axes", "--layers", "curve,medial-axis"}, file);
+  const RunResult fonts = run({file}, {.program = "pdffonts"});
+  CHECK(fonts.out.find("+Inter-Regular ") != std::string::npos);
+  CHECK(fonts.out.find("Helvetica") == std::string::npos);
+  const RunResult text = run({file, "-"}, {.program = "pdftotext"});
+  CHECK(text.out.find("Medial axis") != std::string::npos);
+}
+
 TEST_CASE("each layer that a picture shows is missed in a figure without it") {
   const TemporaryFolder folder;
   const std::vector<std::string> layers{"interior-voronoi-disks", "curve", "medial-axis", "points"};
