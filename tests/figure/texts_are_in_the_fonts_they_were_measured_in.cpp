@@ -13,6 +13,10 @@
 #include "tests/io/temporary_folder.h"
 #include "tests/support/golden_image.h"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 using namespace mes;
 using namespace mes::figure;
 using test::count_of;
@@ -54,6 +58,21 @@ Figure page_of_texts() {
   return figure_of_texts({text_at({10, 30}, 24.0, kFormula), text_at({10, 65}, 24.0, "AVATAR, Tofu", true),
                           text_at({10, 100}, 24.0, "∞ ∂ √ ϑ ϕ ϵ ℓ ∅ x′", false, true)});
 }
+
+/// While there is one, what is lost is not reported: cairo 1.16 does not free 810 bytes of fonts that it puts into
+/// PostScript.
+struct LossesOfCairo {
+#ifdef __SANITIZE_ADDRESS__
+  LossesOfCairo() {
+    __lsan_disable();
+  }
+  ~LossesOfCairo() {
+    __lsan_enable();
+  }
+  LossesOfCairo(const LossesOfCairo&) = delete;
+  LossesOfCairo& operator=(const LossesOfCairo&) = delete;
+#endif
+};
 
 std::string output_of(const std::string& program, const std::vector<std::string>& arguments) {
   const test::RunResult result = test::run(arguments, {.program = program});
@@ -151,6 +170,7 @@ TEST_CASE("letters that a font lacks, and bytes that are none, are shown as its 
   REQUIRE(here);
   CHECK(last_dark_column(*here) > 60);
   CHECK(std::abs(last_dark_column(test::read_png(file + ".png")) - last_dark_column(*here)) <= 1);
+  [[maybe_unused]] const LossesOfCairo losses;
   for (const Format& format : formats()) CHECK(format.write(figure));
 }
 
@@ -167,6 +187,7 @@ TEST_CASE("a figure without fonts names Helvetica") {
 
 TEST_CASE("PostScript carries its letters") {
   const Figure figure = page_of_texts();
+  [[maybe_unused]] const LossesOfCairo losses;
   const auto eps = eps_of(figure);
   REQUIRE(eps);
   CHECK(count_of(*eps, "Helvetica") == 0);

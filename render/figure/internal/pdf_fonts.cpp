@@ -69,7 +69,7 @@ std::size_t glyphs_of_cff(Bytes cff, std::size_t dictionary, std::size_t end) {
       while (at < end && at < cff.size() && (cff[at] & 15U) != 15U && cff[at] >> 4U != 15U) ++at;
       ++at;
     } else if (first >= 247 && first <= 254) {
-      operand = (first - 247U) * 256U + number_at(cff, at, 1) + 108U;
+      operand = (first - std::size_t{247}) * 256 + number_at(cff, at, 1) + 108;
       ++at;
     } else if (first >= 32) {
       operand = first - 139U;
