@@ -65,6 +65,11 @@ constexpr auto kToolsRows = std::to_array<Row>({
      "Press at the centre of a ball and drag to its circle; a click alone makes nothing", "B"},
     {Id::tool_measure, "tool-measure", "Measure",
      "Click two places for their distance, a third for angle and circle; places on samples follow them", "M"},
+    {Id::tool_annotate, "tool-annotate", "Annotate",
+     "Click to write on the drawing; drag for an arrow, or from a sample or a vertex for words with a line to it",
+     "A"},
+    {Id::keep_measurement, "keep-measurement", "Keep measurement",
+     "Make what is measured a part of the document: a dimension line, an angle or a radius", "K"},
 });
 
 constexpr auto kViewRows = std::to_array<Row>({
@@ -86,6 +91,8 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_scale_bar, "toggle-scale-bar", "Scale bar",
      "Show or hide a line of a round length, with its length in the units of the samples"},
     {Id::toggle_axes, "toggle-axes", "Axes", "Show or hide numbers along the lower and the left edge"},
+    {Id::toggle_annotations, "toggle-annotations", "Annotations",
+     "Show or hide text, arrows and dimensions that were put on the drawing"},
     {Id::toggle_evolution, "toggle-evolution", "Evolution",
      "Show or hide the slider of evolutions: smooth, subdivide and others, step by step", "E"},
     {Id::toggle_theme, "toggle-theme", "Dark theme",
@@ -262,7 +269,7 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 14> table{{
+  static constexpr std::array<GestureDescriptor, 17> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
@@ -275,6 +282,9 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Drag empty space", "select what the box holds"},
       {"Drag with the spray tool", "draw a stroke"},
       {"Drag with the ball tool", "draw a ball from its centre"},
+      {"Click with the annotation tool", "write words; on a sample or a vertex, with a line to it"},
+      {"Drag with the annotation tool", "draw an arrow; from a sample or a vertex, a line to words"},
+      {"Drag an annotation", "move it, or one of its ends (annotation tool)"},
       {"Wheel on a selected ball", "change its radius; take it at its centre or its circle"},
       {"Drop files on the window", "open them; samples and balls together, bundles besides"},
   }};

@@ -126,8 +126,9 @@ class Studio {
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image) return std::unexpected(image.error());
-    return Shot{std::move(*image), picture_overlay_of({legend_of(scene_, views), player.caption()}, fonts_,
-                                                      {camera, scale, kWhiteCanvas})};
+    return Shot{std::move(*image),
+                picture_overlay_of({legend_of(scene_, views), player.caption(), {}, place(player.document())}, fonts_,
+                                   {camera, scale, kWhiteCanvas})};
   }
 
  private:

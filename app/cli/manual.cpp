@@ -11,6 +11,7 @@
 #include "app/cli/markdown.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/picture/rich_text.h"
 #include "app/store/bundles.h"
 #include "app/store/color_maps.h"
 #include "app/store/layer_text.h"
@@ -193,6 +194,11 @@ Session example_session() {
   out.title = "Triangle";
   out.data = std::make_shared<const SampleData>(std::move(data));
   out.entries = {TimelineEdit{.name = "Move", .moved = {{2, {2, 3.5}}}},
+                 TimelineEdit{.name = "Annotate",
+                              .annotations = Annotations{{.kind = AnnotationKind::leader,
+                                                          .text = "top",
+                                                          .anchors = {{.at = {2, 3.5}, .samples = {2}}},
+                                                          .shift = {22, -22}}}},
                  TimelineEdit{.name = "Insert", .inserted = {{1, 2}}}, Undone{}};
   return out;
 }
@@ -256,7 +262,9 @@ void write_formats(Markdown& page) {
   page.paragraph(
       "One JSON object: the data as they were opened, everything that happened since, and how they are looked at.\n"
       "`samples` holds x and y in turn, `balls` x, y and radius; `points` of a contour are numbers of samples, from\n"
-      "0. Entries of the timeline name samples and balls by the order in which they came into being. What is not\n"
+      "0. Entries of the timeline name samples and balls by the order in which they came into being. Each place of "
+      "an\n"
+      "annotation is `at` x and y, or `follows` a sample, or the centre of the circle through three. What is not\n"
       "known is skipped. A small one, without layers:");
   page.block(write_session(example_session()), "json");
 
@@ -281,6 +289,27 @@ void write_formats(Markdown& page) {
               {"Settings of the window", "`$XDG_CONFIG_HOME/mesecina`, or `~/.config/mesecina`"},
               {"Shapes, fonts and maps of the program",
                "`assets` beside the program or `../share/mesecina`; `$MESECINA_ASSETS` overrides both"}});
+}
+
+void write_annotations(Markdown& page) {
+  page.section("Words of annotations");
+  page.paragraph(
+      "Annotations are written in a small part of LaTeX. Pictures, PDF and SVG have them laid out by the program; "
+      "TikZ\n"
+      "and Ipe get the source for TeX, with nothing in it but what is listed here. Other commands are shown as they\n"
+      "stand, with a message.");
+  page.table({"Source", "Meaning"},
+             {{"`$...$`", "mathematics: letters in italics, relations with space around them"},
+              {"`x_1`, `x^2`, `x_{ij}^{2}`", "sub- and superscripts, within mathematics"},
+              {"`\\textbf{}`, `\\textit{}`, `\\emph{}`", "bold, italics"},
+              {"`\\mathrm{}`, `\\text{}`", "upright letters, within mathematics"},
+              {"`\\\\`, a new line", "another line"},
+              {"`\\$`, `\\%`, `\\&`, `\\#`, `\\_`, `\\{`, `\\}`", "the sign itself"},
+              {"`\\value`", "what a dimension measures, in four digits; a dimension without words shows it alone"}});
+  std::string signs;
+  for (const RichSign& sign : rich_text_signs())
+    signs += (signs.empty() ? "`\\" : ", `\\") + std::string(sign.command) + "` " + std::string(sign.sign);
+  page.paragraph(signs + ".");
 }
 
 void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
@@ -320,6 +349,7 @@ std::string manual_text(std::span<const CommandHelp> commands, const fs::path& a
   write_evolutions(page);
   write_structures(page);
   write_formats(page);
+  write_annotations(page);
   write_commands(page, commands);
   return page.text();
 }

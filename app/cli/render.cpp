@@ -59,12 +59,17 @@ render::Camera camera_for(const PictureRequest& picture, const Box2& samples, co
 
 /// Above everything else, once the picture is there.
 void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
-               const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request) {
+               const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request,
+               const PlacedAnnotations& annotations) {
   const std::vector<LegendEntry> entries =
       legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
-  if (entries.empty() && request.marks.is_empty()) return;
+  if (entries.empty() && request.marks.is_empty() && annotations.is_empty()) return;
   const auto fonts = PaperFonts::read(find_assets({}));
-  if (!fonts) return say("legend, scale bar and axes are left out: " + fonts.error().message());
+  if (!fonts) return say("annotations, legend, scale bar and axes are left out: " + fonts.error().message());
+  const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
+                                                         measure_with(*fonts, shown.scale), shown.background);
+  for (const std::string& complaint : annotated.complaints) say(complaint);
+  paint(image, *fonts, annotated.drawing, {0.0, 0.0}, shown.scale);
   if (!request.marks.is_empty())
     paint(image, *fonts,
           layout_scale_marks(request.marks, seen_plane(camera, shown.scale), measure_with(*fonts, shown.scale),
@@ -121,13 +126,13 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
 
 /// A picture in pixels, as the bytes of a PNG file.
 Expected<std::string> draw_pixels(const PictureRequest& picture, render::Device& device, render::Scene& scene,
-                                  const render::Camera& camera, const std::vector<Vec2>& samples,
+                                  const render::Camera& camera, const FigureSource& source,
                                   const RenderRequest& request, std::string_view session) {
-  const std::vector<render::LayerView> views = views_of(picture.shown, camera.units_per_pixel(), samples);
+  const std::vector<render::LayerView> views = views_of(picture.shown, camera.units_per_pixel(), source.samples);
   auto image = draw_in_bands(device, scene, camera, views,
                              {.background = picture.shown.background, .content_scale = picture.shown.scale});
   if (!image) return std::unexpected(image.error());
-  add_paper(*image, scene, views, camera, picture.shown, request);
+  add_paper(*image, scene, views, camera, picture.shown, request, source.annotations);
   const auto png = render::encode_png(*image, render::kPngSmall, session);
   if (!png) return std::unexpected(png.error());
   return std::string(reinterpret_cast<const char*>(png->data()), png->size());
@@ -217,16 +222,15 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
 
   const Box2 bounds = result->document.bounding_box();
   std::string session = session_of(request, *picture, *input, *settings);
-  const auto bytes = canvas
-                         ? draw_pixels(*picture, canvas->device, canvas->scene, camera_for(*picture, bounds, mirror),
-                                       input->data.positions, request, session)
-                         : draw_vectors(*picture,
-                                        {.mirror = mirror,
-                                         .samples = input->data.positions,
-                                         .bounds = bounds,
-                                         .maps = maps.maps,
-                                         .traced = *traced ? &**traced : nullptr},
-                                        request, std::move(session));
+  const FigureSource source{.mirror = mirror,
+                            .samples = input->data.positions,
+                            .bounds = bounds,
+                            .maps = maps.maps,
+                            .traced = *traced ? &**traced : nullptr,
+                            .annotations = request.with_annotations ? place(result->document) : PlacedAnnotations{}};
+  const auto bytes = canvas ? draw_pixels(*picture, canvas->device, canvas->scene,
+                                          camera_for(*picture, bounds, mirror), source, request, session)
+                            : draw_vectors(*picture, source, request, std::move(session));
   if (!bytes) return std::unexpected(bytes.error());
   std::vector<SourceFile> sources = std::move(picture->sources);
   sources.insert(sources.end(), input->sources.begin(), input->sources.end());

@@ -59,6 +59,7 @@ struct RenderRequest {
   bool with_legend = true;          ///< where a colour map is used
   bool with_key = false;
   ScaleMarks marks{};
+  bool with_annotations = true;
   bool with_source = true;  ///< the picture carries samples, view and layers
   std::string format;       ///< as an extension without its dot; empty: as the name of the output says
   std::string output;

@@ -76,6 +76,19 @@ void add_scale_marks(figure::Figure& figure, const figure::Page& page, const Fig
   add_to(figure, fonts, marks, {0.0, 0.0}, scale);
 }
 
+/// As a layer of its own, above all others. Returns what there is to say of them.
+std::vector<std::string> add_annotations(figure::Figure& figure, const figure::Page& page,
+                                         const FigureRequest& request, const PlacedAnnotations& annotations,
+                                         const PaperFonts& fonts) {
+  const double scale = request.shown.scale;
+  const AnnotationDrawing drawn =
+      layout_annotations(annotations, seen_plane(page, scale), measure_with(fonts, scale), request.shown.background);
+  add_layer(
+      figure, fonts, drawn.drawing, {0.0, 0.0}, scale,
+      {.id = "annotations", .title = "Annotations", .line_width = kAnnotationLine * scale * figure::kPointsPerPixel});
+  return drawn.complaints;
+}
+
 }  // namespace
 
 const figure::FigureLayer* largest_layer(const figure::Figure& figure) {
@@ -96,23 +109,34 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
       .background = request.shown.background,
       .scale = request.shown.scale,
       .traced = {find_layer("image"), source.traced, {request.image.center, request.image.width}}};
-  DrawnFigure out{figure::figure_of(drawing, page), {}};
+  const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
+  const bool is_explained = has_legend(drawing, request.legend);
+  std::optional<PaperFonts> fonts;
+  DrawnFigure out;
+  if (is_annotated || is_explained || !request.marks.is_empty()) {
+    if (auto read = PaperFonts::read(find_assets({})))
+      fonts = std::move(*read);
+    else
+      out.remarks.push_back("annotations, legend, scale bar and axes are left out: " + read.error().message());
+  }
+  std::vector<std::string> complaints;
+  const auto drawn_on_page = [&] {
+    figure::Figure figure = figure::figure_of(drawing, page);
+    if (is_annotated && fonts) complaints = add_annotations(figure, page, request, source.annotations, *fonts);
+    return figure;
+  };
+  out.figure = drawn_on_page();
   if (request.is_tight) {
     const Box2 ink = figure::ink_box(out.figure);
     if (!ink.is_empty() && ink.width() > 0.0 && ink.height() > 0.0) {
       page = figure::part_of(page, ink);
-      out.figure = figure::figure_of(drawing, page);
+      out.figure = drawn_on_page();
     }
   }
   if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
     return std::unexpected(good.error());
-  const bool is_explained = has_legend(drawing, request.legend);
-  if (!is_explained && request.marks.is_empty()) return out;
-  const auto fonts = PaperFonts::read(find_assets({}));
-  if (!fonts) {
-    out.remarks.push_back("legend, scale bar and axes are left out: " + fonts.error().message());
-    return out;
-  }
+  out.remarks.insert(out.remarks.end(), complaints.begin(), complaints.end());
+  if (!fonts) return out;
   if (!request.marks.is_empty()) add_scale_marks(out.figure, page, request, *fonts);
   if (is_explained) add_legend(out.figure, drawing, request.legend, *fonts);
   return out;

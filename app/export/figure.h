@@ -12,6 +12,7 @@
 #include "app/export/shown_layers.h"
 #include "app/model/legend_scope.h"
 #include "app/model/scale_marks.h"
+#include "app/picture/annotation_drawing.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
@@ -37,6 +38,7 @@ struct FigureRequest {
   bool is_tight = false;         ///< the page is cut to what is drawn
   LegendScope legend = LegendScope::color_maps;
   ScaleMarks marks{};
+  bool with_annotations = true;
   BackgroundImage image{};                ///< the place of the picture to trace
   std::vector<std::string> rasterized{};  ///< ids of layers that become pictures
   double dots_per_inch = 300.0;           ///< of these
@@ -49,6 +51,7 @@ struct FigureSource {
   const Box2& bounds;  ///< of the document
   std::span<const render::ColorMap> maps;
   const render::Image* traced = nullptr;  ///< null: none
+  PlacedAnnotations annotations{};
 };
 
 /// Files of figures above this are worth a warning: mail refuses them, viewers are slow.

@@ -39,6 +39,7 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.is_tight = settings.extent == FigureExtent::ink;
   out.legend = legend_scope(settings.with_legend, settings.with_key);
   out.marks = settings.marks;
+  out.with_annotations = settings.with_annotations;
   out.shown.background = paper_of(settings.paper, subject.shown.background);
   out.shown.scale =
       settings.as_on_screen ? page.width / (figure::kPointsPerPixel * subject.canvas_width) : settings.line_scale;
@@ -57,6 +58,7 @@ FigurePreview::Layer counted(const figure::FigureLayer& layer) {
 /// Everything that a figure is made of, whatever its settings.
 struct FigureDesk::Contents {
   FigureSubject subject;
+  PlacedAnnotations annotations;
   LayerMirror mirror;
   Box2 bounds;
   std::optional<render::Image> traced;
@@ -98,6 +100,7 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
                                      .stop = stop});
   if (!result) return std::unexpected(result.error());
   out->bounds = result->document.bounding_box();
+  out->annotations = place(result->document);
   const bool is_traced = std::ranges::find(subject.shown.layers, find_layer("image")) != subject.shown.layers.end();
   if (is_traced && !subject.image.file.empty()) {
     if (auto image = read_background(subject.image.file))
@@ -117,7 +120,8 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
                                      .samples = subject.data.positions,
                                      .bounds = contents.bounds,
                                      .maps = subject.maps,
-                                     .traced = contents.traced ? &*contents.traced : nullptr});
+                                     .traced = contents.traced ? &*contents.traced : nullptr,
+                                     .annotations = contents.annotations});
   if (!drawn) return {wanted, std::unexpected(drawn.error())};
   FigurePreview preview{.image = {},
                         .width = drawn->figure.width,

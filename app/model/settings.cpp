@@ -119,6 +119,7 @@ FigureSettings figure_from_json(const json& object) {
   out.line_scale = number_in(object, "line_scale", 0.1, 10.0, out.line_scale);
   out.with_legend = flag_in(object, "with_legend", out.with_legend);
   out.with_key = flag_in(object, "with_key", out.with_key);
+  out.with_annotations = flag_in(object, "with_annotations", out.with_annotations);
   out.marks.bar = flag_in(object, "with_scale_bar", out.marks.bar);
   out.marks.axes = flag_in(object, "with_axes", out.marks.axes);
   out.with_source = flag_in(object, "with_source", out.with_source);
@@ -137,6 +138,7 @@ json to_json(const FigureSettings& figure) {
           {"line_scale", figure.line_scale},
           {"with_legend", figure.with_legend},
           {"with_key", figure.with_key},
+          {"with_annotations", figure.with_annotations},
           {"with_scale_bar", figure.marks.bar},
           {"with_axes", figure.marks.axes},
           {"with_source", figure.with_source},
@@ -165,6 +167,7 @@ Settings from_json(const json& object) {
   out.bundles_height = number_in(object, "bundles_height", 0.0, 4000.0, out.bundles_height);
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_key = flag_in(object, "show_key", out.show_key);
+  out.show_annotations = flag_in(object, "show_annotations", out.show_annotations);
   out.marks.bar = flag_in(object, "show_scale_bar", out.marks.bar);
   out.marks.axes = flag_in(object, "show_axes", out.marks.axes);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
@@ -244,6 +247,7 @@ json to_json(const Settings& settings) {
           {"bundles_height", settings.bundles_height},
           {"show_legend", settings.show_legend},
           {"show_key", settings.show_key},
+          {"show_annotations", settings.show_annotations},
           {"show_scale_bar", settings.marks.bar},
           {"show_axes", settings.marks.axes},
           {"show_evolution", settings.show_evolution},

@@ -41,7 +41,8 @@ struct Settings {
   double bundles_height = 0.0;                ///< logical pixels, [0, 4000]; 0: what they need
   bool show_legend = true;                    ///< of the colour maps in use
   bool show_key = false;                      ///< of all visible layers
-  ScaleMarks marks{};                         ///< scale bar and axes
+  bool show_annotations = true;
+  ScaleMarks marks{};  ///< scale bar and axes
   bool show_evolution = false;
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser

@@ -202,6 +202,9 @@ void FigureDialog::draw_look(const Gui& gui) const {
   ImGui::SameLine();
   ImGui::Checkbox("Axes", &settings.marks.axes);
   tooltip(gui, "Numbers along the lower and the left edge");
+  title(gui, "Annotations");
+  ImGui::Checkbox("Text, arrows, dimensions", &settings.with_annotations);
+  tooltip(gui, "What the annotation tool has put on the drawing, as a layer of its own");
   title(gui, "Source");
   const figure::Format* const format = figure::format_for(settings.extension);
   const bool can_carry = format != nullptr && format->carries_session;

@@ -8,17 +8,22 @@
 namespace mes {
 namespace {
 
-ImFont* font_of(const Gui& gui, bool is_bold) {
-  return is_bold ? gui.bold() : ImGui::GetFont();
+ImFont* font_of(const Gui& gui, Face face) {
+  switch (face) {
+    case Face::plain: return ImGui::GetFont();
+    case Face::bold: return gui.bold();
+    case Face::italic: return gui.italic();
+  }
+  return ImGui::GetFont();
 }
 
 }  // namespace
 
 MeasureText measure_on_canvas(const Gui& gui) {
-  return [&gui](const std::string& text, double size, bool is_bold) {
+  return [&gui](const std::string& text, double size, Face face) {
     const float unit = gui.unit();
     const ImVec2 extent =
-        font_of(gui, is_bold)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
+        font_of(gui, face)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
     return static_cast<double>(extent.x / unit);
   };
 }
@@ -35,10 +40,27 @@ void paint_on_canvas(const Gui& gui, const PaperDrawing& drawing, ImVec2 corner)
     list.AddRectFilled(place(box.left, box.top), place(box.left + box.width, box.top + box.height),
                        to_imgui(box.color, box.opacity));
   }
+  const auto add_points = [&](std::span<const Vec2> points) {
+    for (const Vec2 p : points) list.PathLineTo(place(p.x, p.y));
+  };
+  for (const PaperDrawing::Stroke& stroke : drawing.strokes) {
+    add_points(stroke.points);
+    list.PathStroke(to_imgui(stroke.color), ImDrawFlags_None, static_cast<float>(stroke.width) * unit);
+  }
+  for (const PaperDrawing::Arc& arc : drawing.arcs) {
+    const auto from = static_cast<float>(arc.from);
+    list.PathArcTo(place(arc.center.x, arc.center.y), static_cast<float>(arc.radius) * unit, from,
+                   from + static_cast<float>(arc.sweep));
+    list.PathStroke(to_imgui(arc.color), ImDrawFlags_None, static_cast<float>(arc.width) * unit);
+  }
+  for (const PaperDrawing::Triangle& triangle : drawing.triangles) {
+    add_points(triangle.corners);
+    list.PathFillConvex(to_imgui(triangle.color));
+  }
   for (const PaperDrawing::Dot& dot : drawing.dots)
     list.AddCircleFilled(place(dot.x, dot.y), static_cast<float>(dot.radius) * unit, to_imgui(dot.color));
   for (const PaperDrawing::Line& line : drawing.lines)
-    list.AddText(font_of(gui, line.is_bold), static_cast<float>(line.size) * unit, place(line.x, line.top),
+    list.AddText(font_of(gui, line.face), static_cast<float>(line.size) * unit, place(line.x, line.top),
                  to_imgui(line.color), line.text.c_str());
 }
 

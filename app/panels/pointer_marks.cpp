@@ -68,6 +68,8 @@ void PointerMarks::draw() const {
     pen.dot(feedback.ball->center);
     if (feedback.marker_px) pen.line(feedback.ball->center, *feedback.marker_px);
   }
+  if (feedback.ringed) pen.ring(*feedback.ringed);
+  if (feedback.line) pen.segment(feedback.line->first, feedback.line->second);
   if (feedback.box_px) pen.box(*feedback.box_px);
   if (feedback.marker_px && feedback.ring_px > 0.0) pen.faint_ring(*feedback.marker_px, feedback.ring_px);
 }

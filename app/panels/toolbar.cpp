@@ -30,11 +30,12 @@ struct Button {
   Icon icon;
   bool begins_group = false;
 };
-constexpr std::array<Button, 15> kButtons{{{ActionId::tool_select, Icon::select},
+constexpr std::array<Button, 16> kButtons{{{ActionId::tool_select, Icon::select},
                                            {ActionId::tool_insert, Icon::insert},
                                            {ActionId::tool_spray, Icon::spray},
                                            {ActionId::tool_ball, Icon::ball},
                                            {ActionId::tool_measure, Icon::measure},
+                                           {ActionId::tool_annotate, Icon::annotate},
                                            {ActionId::undo, Icon::undo, true},
                                            {ActionId::redo, Icon::redo},
                                            {ActionId::fit, Icon::fit, true},

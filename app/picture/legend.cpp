@@ -47,7 +47,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
     std::string& line = lines.back();
     if (line.empty())
       line = word;
-    else if (measure(line + ' ' + word, kTextSize, false) <= width)
+    else if (measure(line + ' ' + word, kTextSize, Face::plain) <= width)
       line += ' ' + word;
     else
       lines.push_back(word);
@@ -67,13 +67,14 @@ class Layout {
   double right() const {
     double out = 0.0;
     for (const PaperDrawing::Line& line : drawing_.lines)
-      out = std::max(out, line.x + (*measure_)(line.text, line.size, line.is_bold));
+      out = std::max(out, line.x + (*measure_)(line.text, line.size, line.face));
     return out;
   }
   PaperDrawing& drawing() { return drawing_; }
 
   void text(const std::string& line, bool is_bold, Rgb color) {
-    drawing_.lines.push_back({kPadding, y_, is_bold ? kTitleSize : kTextSize, is_bold, color, line});
+    drawing_.lines.push_back(
+        {kPadding, y_, is_bold ? kTitleSize : kTextSize, is_bold ? Face::bold : Face::plain, color, line});
     y_ += is_bold ? kLineHeight + 2.0 : kLineHeight;
   }
 
@@ -99,7 +100,7 @@ class Layout {
     for (const std::string& line :
          wrapped(entry.title, kWidth - 2.0 * kPadding - kSample - kBesideSample, *measure_)) {
       drawing_.lines.push_back({kPadding + kSample + kBesideSample, y_ + 0.5 * (kRow - kLineHeight) + 1.0, kTextSize,
-                                false, colors_.ink, line});
+                                Face::plain, colors_.ink, line});
       y_ += kRow;
     }
   }
@@ -154,7 +155,7 @@ class Layout {
     for (const LegendTick& tick : ticks) {
       const double x = kPadding + tick.at * width;
       drawing_.boxes.push_back({std::min(x, kPadding + width - 1.0), y_, 1.0, kTickLength, colors_.quiet});
-      const double size = (*measure_)(tick.label, kTextSize, false);
+      const double size = (*measure_)(tick.label, kTextSize, Face::plain);
       const double left = std::clamp(x - 0.5 * size, kPadding, std::max(kPadding, kPadding + width - size));
       constexpr double kApart = 8.0;
       const bool is_free = std::ranges::none_of(taken, [&](const auto& other) {
@@ -162,7 +163,7 @@ class Layout {
       });
       if (!is_free) continue;
       taken.emplace_back(left, left + size);
-      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kTextSize, false, colors_.ink, tick.label});
+      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kTextSize, Face::plain, colors_.ink, tick.label});
     }
     y_ += kTickLength + 1.0 + kLineHeight;
   }
@@ -180,7 +181,7 @@ class Layout {
     for (double value = low; value <= high; value += 1.0) {
       const bool is_left_out = shown == kMostSwatches;
       const std::string label = is_left_out ? "..." : shortest_text(value, 9);
-      const double size = (is_left_out ? 0.0 : kBar + 4.0) + (*measure_)(label, kTextSize, false);
+      const double size = (is_left_out ? 0.0 : kBar + 4.0) + (*measure_)(label, kTextSize, Face::plain);
       if (x > kPadding && x + size > kWidth - kPadding) {
         x = kPadding;
         y_ += kLineHeight + 2.0;
@@ -189,7 +190,8 @@ class Layout {
         const std::optional<Rgb> color = entry.map->color_of(value, entry.range);
         drawing_.boxes.push_back({x, y_ + 2.0, kBar, kBar, *color});
       }
-      drawing_.lines.push_back({x + (is_left_out ? 0.0 : kBar + 4.0), y_, kTextSize, false, colors_.ink, label});
+      drawing_.lines.push_back(
+          {x + (is_left_out ? 0.0 : kBar + 4.0), y_, kTextSize, Face::plain, colors_.ink, label});
       x += size + 12.0;
       if (is_left_out) break;
       ++shown;

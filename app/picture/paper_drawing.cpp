@@ -2,11 +2,14 @@
 #include "app/picture/paper_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "app/picture/canvas_look.h"
+#include "render/strokes.h"
 
 namespace mes {
 namespace {
@@ -16,6 +19,81 @@ constexpr PaperColors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf
 
 // From the top of a line to its baseline.
 constexpr double kAscent = 0.8;
+
+const render::Font& font_of(const PaperFonts& fonts, Face face) {
+  return fonts.of(face == Face::bold, face == Face::italic);
+}
+
+/// A text of the figure, whose `corner` is in points.
+figure::Text figure_text(const PaperFonts& fonts, const PaperDrawing::Line& line, Vec2 corner, double scale) {
+  const double points = scale * figure::kPointsPerPixel;
+  const double width =
+      render::text_width(font_of(fonts, line.face), scale * line.size, line.text) * figure::kPointsPerPixel;
+  return {.start = corner + points * Vec2{line.x, line.top + kAscent * line.size},
+          .size = points * line.size,
+          .width = width,
+          .is_bold = line.face == Face::bold,
+          .color = line.color,
+          .text = line.text,
+          .is_italic = line.face == Face::italic,
+          .latex = line.latex,
+          .continues = line.continues};
+}
+
+/// The shapes of a layer of annotations, runs of one colour and width put together.
+class Shapes {
+ public:
+  /// `points` of a logical pixel; coordinates are rounded to `decimals`.
+  Shapes(figure::FigureLayer& layer, Vec2 corner, double points, int decimals)
+      : layer_(layer), corner_(corner), points_(points), steps_(std::pow(10.0, decimals)) {}
+
+  void add(const PaperDrawing::Stroke& stroke) {
+    figure::Run& run = run_of(stroke.color, false);
+    for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i)
+      run.shapes.push_back(
+          {.kind = figure::ShapeKind::segment, .p = {at(stroke.points[i]), at(stroke.points[i + 1])}});
+  }
+  void add(const PaperDrawing::Arc& arc) {
+    const Vec2 center = at(arc.center);
+    const double radius = rounded(points_ * arc.radius);
+    figure::Run& run = run_of(arc.color, false);
+    if (arc.sweep >= 2.0 * std::numbers::pi) {
+      run.shapes.push_back({.kind = figure::ShapeKind::circle, .p = {center}, .radius = radius});
+      return;
+    }
+    const auto end = [&](double angle) { return rounded(center + radius * Vec2{std::cos(angle), std::sin(angle)}); };
+    // Counter-clockwise as seen.
+    run.shapes.push_back({.kind = figure::ShapeKind::arc,
+                          .p = {end(arc.from + arc.sweep), end(arc.from), center},
+                          .radius = radius,
+                          .sweep = arc.sweep});
+  }
+  void add(const PaperDrawing::Triangle& triangle) {
+    run_of(triangle.color, true)
+        .shapes.push_back({.kind = figure::ShapeKind::triangle,
+                           .p = {at(triangle.corners[0]), at(triangle.corners[1]), at(triangle.corners[2])}});
+  }
+  void add(const PaperDrawing::Dot& dot) {
+    run_of(dot.color, true)
+        .shapes.push_back(
+            {.kind = figure::ShapeKind::disk, .p = {at({dot.x, dot.y})}, .radius = rounded(points_ * dot.radius)});
+  }
+
+ private:
+  double rounded(double x) const { return std::round(steps_ * x) / steps_; }
+  Vec2 rounded(Vec2 p) const { return {rounded(p.x), rounded(p.y)}; }
+  Vec2 at(Vec2 p) const { return rounded(corner_ + points_ * p); }
+  figure::Run& run_of(Rgb color, bool is_filled) {
+    std::vector<figure::Run>& runs = layer_.groups.back().runs;
+    if (runs.empty() || runs.back().color != color || runs.back().is_filled != is_filled)
+      runs.push_back({.color = color, .opacity = 1.0, .is_filled = is_filled, .dashes = {}, .shapes = {}});
+    return runs.back();
+  }
+  figure::FigureLayer& layer_;
+  Vec2 corner_;
+  double points_;
+  double steps_;
+};
 
 }  // namespace
 
@@ -33,8 +111,8 @@ PaperDrawing layout_words(std::span<const std::string> lines, const MeasureText&
   const PaperColors colors = paper_colors(background);
   double y = kPadding;
   for (const std::string& line : lines) {
-    out.lines.push_back({kPadding, y, kTextSize, false, colors.ink, line});
-    out.width = std::max(out.width, 2.0 * kPadding + measure(line, kTextSize, false));
+    out.lines.push_back({kPadding, y, kTextSize, Face::plain, colors.ink, line});
+    out.width = std::max(out.width, 2.0 * kPadding + measure(line, kTextSize, Face::plain));
     y += kLineHeight;
   }
   out.height = y + kPadding - 2.0;
@@ -54,8 +132,8 @@ Expected<PaperFonts> PaperFonts::read(const std::filesystem::path& assets) {
 }
 
 MeasureText measure_with(const PaperFonts& fonts, double scale) {
-  return [&fonts, scale](const std::string& text, double size, bool is_bold) {
-    return render::text_width(fonts.of(is_bold, false), scale * size, text) / scale;
+  return [&fonts, scale](const std::string& text, double size, Face face) {
+    return render::text_width(font_of(fonts, face), scale * size, text) / scale;
   };
 }
 
@@ -73,13 +151,28 @@ void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& dr
     const glm::dvec2 size = glm::max(glm::round(glm::dvec2(place_of * end)) - from, glm::dvec2(1.0));
     render::fill_rectangle(image, from.x, from.y, size.x, size.y, box.color, box.opacity);
   }
+  const auto at = [&](Vec2 p) {
+    const glm::dvec3 out = place_of * glm::dvec3(p.x, p.y, 1.0);
+    return Vec2{out.x, out.y};
+  };
+  const auto all_at = [&](std::span<const Vec2> points) {
+    std::vector<Vec2> out;
+    for (const Vec2 p : points) out.push_back(at(p));
+    return out;
+  };
+  for (const PaperDrawing::Stroke& stroke : drawing.strokes)
+    render::stroke_path(image, all_at(stroke.points), scale * stroke.width, stroke.color);
+  for (const PaperDrawing::Arc& arc : drawing.arcs)
+    render::stroke_arc(image, at(arc.center), scale * arc.radius, arc.from, arc.sweep, scale * arc.width, arc.color);
+  for (const PaperDrawing::Triangle& triangle : drawing.triangles)
+    render::fill_polygon(image, all_at(triangle.corners), triangle.color);
   for (const PaperDrawing::Dot& dot : drawing.dots) {
     const glm::dvec2 center(place_of * glm::dvec3(dot.x, dot.y, 1.0));
     render::fill_disk(image, center.x, center.y, scale * dot.radius, dot.color);
   }
   for (const PaperDrawing::Line& line : drawing.lines) {
     const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kAscent * line.size, 1.0));
-    render::draw_text(image, fonts.of(line.is_bold, false), scale * line.size, from.x, from.y, line.color, line.text);
+    render::draw_text(image, font_of(fonts, line.face), scale * line.size, from.x, from.y, line.color, line.text);
   }
 }
 
@@ -101,12 +194,21 @@ void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing&
                           .sweep = 0.0});
     figure.legend.runs.push_back(std::move(run));
   }
-  for (const PaperDrawing::Line& line : drawing.lines) {
-    const double width =
-        render::text_width(fonts.of(line.is_bold, false), scale * line.size, line.text) * figure::kPointsPerPixel;
-    figure.legend.texts.push_back({corner + points * Vec2{line.x, line.top + kAscent * line.size}, points * line.size,
-                                   width, line.is_bold, line.color, line.text});
-  }
+  for (const PaperDrawing::Line& line : drawing.lines)
+    figure.legend.texts.push_back(figure_text(fonts, line, corner, scale));
+}
+
+void add_layer(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner,
+               double scale, figure::FigureLayer layer) {
+  set_fonts(figure, fonts);
+  layer.groups.emplace_back();
+  Shapes shapes(layer, corner, scale * figure::kPointsPerPixel, figure.decimals);
+  for (const PaperDrawing::Stroke& stroke : drawing.strokes) shapes.add(stroke);
+  for (const PaperDrawing::Arc& arc : drawing.arcs) shapes.add(arc);
+  for (const PaperDrawing::Triangle& triangle : drawing.triangles) shapes.add(triangle);
+  for (const PaperDrawing::Dot& dot : drawing.dots) shapes.add(dot);
+  for (const PaperDrawing::Line& line : drawing.lines) layer.texts.push_back(figure_text(fonts, line, corner, scale));
+  figure.layers.push_back(std::move(layer));
 }
 
 }  // namespace mes

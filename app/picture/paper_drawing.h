@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rectangles, dots and lines of text that stand on a picture: legends, axes, scale bars.
+// What stands on a picture to explain it: legends, axes, scale bars, annotations.
 //
 // The window paints them on itself, `paint` on a picture in memory, and `add_to` on the page of a figure, so all three
 // look alike.
 //
-// Cost: some hundred rectangles. Threads: any, with a picture or a figure of its own.
+// Cost: some hundred shapes. Threads: any, with a picture or a figure of its own.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/mat3x3.hpp>
@@ -25,6 +27,8 @@
 
 namespace mes {
 
+enum class Face : std::uint8_t { plain, bold, italic };
+
 /// Lengths are in logical pixels, from the upper left corner of the drawing, y down.
 struct PaperDrawing {
   struct Box {
@@ -39,9 +43,11 @@ struct PaperDrawing {
     double x = 0.0;
     double top = 0.0;
     double size = 0.0;
-    bool is_bold = false;
+    Face face = Face::plain;
     Rgb color;
     std::string text;
+    std::string latex{};     ///< of this line and those after it that continue it, for TeX; empty: the text
+    bool continues = false;  ///< goes on with the line before, of another look
   };
   struct Dot {
     double x = 0.0;
@@ -49,11 +55,35 @@ struct PaperDrawing {
     double radius = 0.0;
     Rgb color;
   };
+  struct Stroke {
+    std::vector<Vec2> points;
+    double width = 1.0;
+    Rgb color;
+  };
+  struct Arc {
+    Vec2 center;
+    double radius = 0.0;
+    double from = 0.0;   ///< radians from the x axis, clockwise as seen
+    double sweep = 0.0;  ///< on from there, in (0, 2 pi]
+    double width = 1.0;
+    Rgb color;
+  };
+  struct Triangle {
+    std::array<Vec2, 3> corners;
+    Rgb color;
+  };
   double width = 0.0;
   double height = 0.0;
+  // Each above those before.
   std::vector<Box> boxes;
-  std::vector<Dot> dots{};  ///< above the boxes
-  std::vector<Line> lines;  ///< above both
+  std::vector<Stroke> strokes{};
+  std::vector<Arc> arcs{};
+  std::vector<Triangle> triangles{};
+  std::vector<Dot> dots{};
+  std::vector<Line> lines;
+  bool is_empty() const {
+    return boxes.empty() && strokes.empty() && arcs.empty() && triangles.empty() && dots.empty() && lines.empty();
+  }
 };
 
 /// The colours of what explains a picture.
@@ -67,7 +97,7 @@ struct PaperColors {
 PaperColors paper_colors(const std::optional<Rgb>& background);
 
 /// Returns the width of a text in logical pixels, at a size in logical pixels.
-using MeasureText = std::function<double(const std::string& text, double size, bool is_bold)>;
+using MeasureText = std::function<double(const std::string& text, double size, Face face)>;
 
 /// A note of some lines, as large as they need; empty for none.
 PaperDrawing layout_words(std::span<const std::string> lines, const MeasureText& measure,
@@ -92,8 +122,12 @@ void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& dr
 /// Puts the texts of the figure into these fonts.
 void set_fonts(figure::Figure& figure, const PaperFonts& fonts);
 
-/// Adds it to what lies above the layers, and sets the fonts. `corner` in points on the page, `scale` in units of 1/96
-/// inch per logical pixel.
+/// Adds it to the legend of the figure, which lies above the layers, and sets the fonts: boxes, dots and text. `corner` in points on the page, `scale` in units of 1/96 inch per logical
+/// pixel.
 void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner, double scale);
+
+/// The same as a layer of the figure, above those it has: all but boxes.
+void add_layer(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner,
+               double scale, figure::FigureLayer layer);
 
 }  // namespace mes

@@ -43,7 +43,8 @@ void PictureOverlay::paint(render::Image& image) const {
   if (is_empty()) return;
   const CaptionSize size = caption_size(image.width, image.height, fonts->bold, caption);
   const double axes = has_axes ? marks_scale * kAxisRoom : 0.0;
-  if (!marks.boxes.empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
+  if (!annotations.is_empty()) mes::paint(image, *fonts, annotations, {0.0, 0.0}, marks_scale);
+  if (!marks.is_empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
   if (!legend.drawing.boxes.empty()) draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band + axes);
   if (!caption.empty()) draw_caption(image, fonts->bold, caption, size, background);
 }
@@ -52,6 +53,7 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
                                   const OverlayTarget& target) {
   PictureOverlay out{.fonts = std::move(fonts),
                      .legend = {},
+                     .annotations = {},
                      .marks = {},
                      .marks_scale = target.scale,
                      .has_axes = content.marks.axes,
@@ -61,10 +63,13 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
   const auto& [camera, scale, background] = target;
   if (!content.legend.empty())
     out.legend = layout_legend(content.legend, *out.fonts, camera.width(), camera.height(), scale, background);
+  const MeasureText measure = measure_with(*out.fonts, scale);
+  if (!content.annotations.is_empty())
+    out.annotations = layout_annotations(content.annotations, seen_plane(camera, scale), measure, background).drawing;
   if (content.marks.is_empty()) return out;
   SeenPlane plane = seen_plane(camera, scale);
   plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
-  out.marks = layout_scale_marks(content.marks, plane, measure_with(*out.fonts, scale), background);
+  out.marks = layout_scale_marks(content.marks, plane, measure, background);
   return out;
 }
 

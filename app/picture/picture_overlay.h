@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a saved picture shows beside the drawing: the legend, scale bar and axes, and a caption below it.
+// What a saved picture shows beside the drawing: annotations, the legend, scale bar and axes, and a caption below it.
 //
 // An overlay is plain data, so pictures can be finished on other threads.
 //
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "app/model/scale_marks.h"
+#include "app/picture/annotation_drawing.h"
 #include "app/picture/legend.h"
 #include "core/base/color.h"
 #include "render/camera.h"
@@ -27,13 +28,16 @@ namespace mes {
 struct PictureOverlay {
   std::shared_ptr<const PaperFonts> fonts;
   PictureLegend legend;
+  PaperDrawing annotations;
   PaperDrawing marks;  ///< scale bar and axes
   double marks_scale = 1.0;
   bool has_axes = false;
   std::string caption;
   std::optional<Rgb> background;  ///< none: transparent
 
-  bool is_empty() const { return !fonts || (legend.drawing.boxes.empty() && marks.boxes.empty() && caption.empty()); }
+  bool is_empty() const {
+    return !fonts || (legend.drawing.is_empty() && annotations.is_empty() && marks.is_empty() && caption.empty());
+  }
   void paint(render::Image& image) const;
 };
 
@@ -49,6 +53,7 @@ struct OverlayContent {
   std::vector<LegendEntry> legend;
   std::string caption;
   ScaleMarks marks{};
+  PlacedAnnotations annotations{};
 };
 
 /// Without fonts the overlay is empty.

@@ -57,7 +57,7 @@ class Layout {
       const double y = plane_.height - tick.at;
       if (y > bottom) continue;
       line(0.0, y - 0.5, kTick, 1.0);
-      const double width = measure_(tick.label, kTextSize, false);
+      const double width = measure_(tick.label, kTextSize, Face::plain);
       if (y - 0.5 * kLineHeight < 0.0 || y + 0.5 * kLineHeight > bottom - kAxisRoom) continue;
       number(kTick + 4.0, y - 0.5 * kLineHeight, width, tick.label);
       left_room_ = std::max(left_room_, kTick + 4.0 + width);
@@ -65,7 +65,7 @@ class Layout {
     double taken = 0.0;
     for (const Tick& tick : ticks_along(plane_.center.x, plane_.width, plane_.units_per_pixel)) {
       line(tick.at - 0.5, bottom - kTick, 1.0, kTick);
-      const double width = measure_(tick.label, kTextSize, false);
+      const double width = measure_(tick.label, kTextSize, Face::plain);
       const double left = tick.at - 0.5 * width;
       if (left < taken + kApart || left + width > plane_.width - 2.0) continue;
       number(left, bottom - kTick - 2.0 - kLineHeight, width, tick.label);
@@ -80,7 +80,7 @@ class Layout {
     const double units = round_number_up_to(most);
     const double length = units / plane_.units_per_pixel;
     const std::string label = number_text(units, units);
-    const double width = measure_(label, kTextSize, false);
+    const double width = measure_(label, kTextSize, Face::plain);
     const double left = left_room_ + kMargin;
     const double foot = plane_.height - plane_.covered - bottom_room_ - kMargin;
     constexpr double kThick = 2.0;
@@ -92,7 +92,7 @@ class Layout {
     box(left, foot - kThick, length, kThick, colors_.ink);
     box(left, foot - kEnd, kThick, kEnd, colors_.ink);
     box(left + length - kThick, foot - kEnd, kThick, kEnd, colors_.ink);
-    drawing_.lines.push_back({text, foot - kEnd - kLineHeight, kTextSize, false, colors_.ink, label});
+    drawing_.lines.push_back({text, foot - kEnd - kLineHeight, kTextSize, Face::plain, colors_.ink, label});
   }
 
   PaperDrawing take() { return std::move(drawing_); }
@@ -105,7 +105,7 @@ class Layout {
   void line(double left, double top, double width, double height) { box(left, top, width, height, colors_.quiet); }
   void number(double left, double top, double width, const std::string& text) {
     box(left - 2.0, top + 1.0, width + 4.0, kLineHeight - 2.0, paper());
-    drawing_.lines.push_back({left, top + 1.0, kTextSize, false, colors_.quiet, text});
+    drawing_.lines.push_back({left, top + 1.0, kTextSize, Face::plain, colors_.quiet, text});
   }
 
   const SeenPlane& plane_;

@@ -40,6 +40,7 @@ struct ShownState {
   render::Camera view{};
   LegendScope legend = LegendScope::none;
   ScaleMarks marks{};
+  bool annotations = true;  ///< shown
   std::string caption{};
   friend bool operator==(const ShownState&, const ShownState&) = default;
 };

@@ -19,8 +19,8 @@ constexpr double kProjectorScale = 1.35;
 constexpr float kRestSeconds = 0.4F;  // before a tooltip; a shorter time shows tooltips of items passed by
 
 // Latin, Greek, and the few symbols that messages and panels use.
-constexpr std::array<ImWchar, 13> kGlyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2032, 0x2190,
-                                          0x2193, 0x2212, 0x2265, 0x25CF, 0x25CF, 0};
+constexpr std::array<ImWchar, 15> kGlyphs{0x0020, 0x017F, 0x0391, 0x03F5, 0x2010, 0x2032, 0x2113, 0x2113,
+                                          0x2190, 0x2194, 0x2202, 0x2265, 0x25CF, 0x25CF, 0};
 
 ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
   std::error_code error;
@@ -69,6 +69,8 @@ void Gui::load_fonts(double scale) {
   }
   bold_ = add_font(atlas, fonts / "Inter-SemiBold.otf", size(kTextPx));
   if (bold_ == nullptr) bold_ = regular;
+  italic_ = add_font(atlas, fonts / "Inter-Italic.otf", size(kTextPx));
+  if (italic_ == nullptr) italic_ = regular;
   small_ = add_font(atlas, fonts / "Inter-Regular.otf", size(kSmallTextPx));
   if (small_ == nullptr) small_ = regular;
   atlas.Build();

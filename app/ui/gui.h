@@ -30,6 +30,7 @@ class Gui {
   double drawing_scale() const;
   const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
+  ImFont* italic() const { return italic_; }
   ImFont* small() const { return small_; }
 
   /// True if a panel, popup or menu is at this framebuffer position, or has captured the pointer.
@@ -61,6 +62,7 @@ class Gui {
   ThemeColors colors_;
   float unit_ = 1.0F;
   ImFont* bold_ = nullptr;
+  ImFont* italic_ = nullptr;
   ImFont* small_ = nullptr;
 };
 

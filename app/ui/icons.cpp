@@ -79,6 +79,13 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.dot(12, 12, 1.9F);
       pen.line(12, 12, 18, 6);
       break;
+    case Icon::annotate:
+      // The letter T, and a line that leads to it.
+      pen.line(9, 4, 20.5F, 4);
+      pen.line(14.75F, 4, 14.75F, 15);
+      pen.line(4, 20, 10.5F, 13.5F);
+      pen.dot(4.5F, 19.5F, 2.0F);
+      break;
     case Icon::measure:
       pen.line(4, 20, 20, 4);
       pen.line(2, 16, 8, 22);

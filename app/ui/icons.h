@@ -14,6 +14,7 @@ enum class Icon : std::uint8_t {
   spray,
   ball,
   measure,
+  annotate,
   fit,
   undo,
   redo,

@@ -35,8 +35,8 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       keys_(settings_.settings(), messages_),
       panels_(
           {screen_, work_, board_, demo_, recording_, documents_, keys_.actions(), settings_.settings(), messages_}),
-      input_({screen_, board_.canvas(), work_.editor().selection(), dialogs_, documents_, recording_, keys_.actions(),
-              messages_, panels_.presenter()}) {
+      input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
+              recording_, keys_.actions(), messages_, panels_.presenter()}) {
   bind_actions();
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
                                [this] { screen_.clock.settle(); });
@@ -67,8 +67,8 @@ void App::bind_actions() {
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
-  else if (!board_.canvas().cancel_gesture() && !board_.canvas().clear_tool() && !board_.provenance().clear() &&
-           !panels_.end_presentation())
+  else if (!board_.canvas().cancel_gesture() && !work_.annotations().close() && !board_.canvas().clear_tool() &&
+           !board_.provenance().clear() && !panels_.end_presentation())
     work_.editor().selection().clear();
 }
 

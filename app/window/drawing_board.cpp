@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "app/panels/canvas_annotations.h"
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/store/color_maps.h"
@@ -17,10 +18,16 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       settings_(settings),
       messages_(messages),
       screen_(screen),
-      tool_context_{work.editor(), settings.spray_spacing_px,
+      tool_context_{work.editor(),
+                    work.annotations(),
+                    settings.spray_spacing_px,
                     [this](const Error& error) { messages_.problem(error.message()); },
                     [this](const Pointer& pointer) {
                       provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
+                    },
+                    [this](Vec2 px) {
+                      constexpr double kReach = 6.0;
+                      return annotation_at(annotations_, px, kReach);
                     }},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
@@ -42,6 +49,9 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_tool(ActionId::tool_spray, ToolId::spray);
   bind_tool(ActionId::tool_ball, ToolId::ball);
   bind_tool(ActionId::tool_measure, ToolId::measure);
+  bind_tool(ActionId::tool_annotate, ToolId::annotate);
+  actions.bind(ActionId::keep_measurement,
+               {[this] { keep_measurement(); }, [this] { return canvas_.tool().measurement().has_value(); }});
 }
 
 void DrawingBoard::bind_nudges(ActionBindings& actions) {
@@ -123,8 +133,11 @@ void DrawingBoard::follow() {
 void DrawingBoard::fit(Vec2 legend) {
   // Panels know their size when they have been drawn once.
   constexpr int kFramesBefore = 2;
-  if (ImGui::GetFrameCount() > kFramesBefore)
-    fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
+  if (ImGui::GetFrameCount() <= kFramesBefore) return;
+  const render::Camera before = view().camera();
+  fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
+  // Axes, scale bar and status bar were drawn for the view before.
+  if (view().camera() != before) screen_.clock.want(1);
 }
 
 void DrawingBoard::draw(const Frame& frame) {
@@ -150,9 +163,29 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
   const bool is_marked = over_canvas && !frame.hides_pointer;
   pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
   pointed_.draw(screen_.gui, canvas_);
+  draw_annotations(is_marked);
   const PointerMarks marks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas()), picture_.canvas()};
   if (is_marked) marks.draw();
   marks.draw_measurement();
+}
+
+void DrawingBoard::draw_annotations(bool is_marked) {
+  annotations_ = {};
+  if (!settings_.show_annotations) return;
+  const CanvasAnnotations shown{screen_.gui, canvas_, work_.document(), work_.annotations(), picture_.canvas()};
+  annotations_ = shown.layout();
+  shown.draw(annotations_, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);
+}
+
+void DrawingBoard::keep_measurement() {
+  auto measured = canvas_.tool().measurement();
+  if (!measured) return;
+  if (const auto done = work_.annotations().begin(std::move(*measured)); !done) {
+    messages_.problem(done.error().message());
+    return;
+  }
+  canvas_.clear_tool();
+  canvas_.choose_tool(ToolId::annotate);
 }
 
 }  // namespace mes

@@ -11,6 +11,7 @@
 #include "app/model/view_fitter.h"
 #include "app/panels/pointed_element.h"
 #include "app/panels/provenance_card.h"
+#include "app/picture/annotation_drawing.h"
 #include "app/picture/picture.h"
 #include "app/ui/screen.h"
 #include "app/window/traced_picture.h"
@@ -32,6 +33,8 @@ class DrawingBoard {
   const ViewMotion& view() const { return canvas_.view(); }
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
+  /// Annotations as they were drawn last, in logical pixels.
+  const AnnotationDrawing& annotations() const { return annotations_; }
   TracedPicture& traced() { return traced_; }
   const TracedPicture& traced() const { return traced_; }
 
@@ -67,6 +70,8 @@ class DrawingBoard {
   void watch_memory();
   void dim_outdated();
   void draw_pointer(const Frame& frame);
+  void draw_annotations(bool is_marked);
+  void keep_measurement();
 
   Workspace& work_;
   const Settings& settings_;
@@ -80,6 +85,7 @@ class DrawingBoard {
   ViewFitter fitter_;
   TracedPicture traced_;
   MemoryWatch memory_;
+  AnnotationDrawing annotations_;  // as they were drawn last
 };
 
 }  // namespace mes

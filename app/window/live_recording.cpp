@@ -53,6 +53,7 @@ ShownState LiveRecording::shown_state() const {
           uses_.board.view().camera(),
           legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
           uses_.settings.marks,
+          uses_.settings.show_annotations,
           uses_.demo.caption()};
 }
 

@@ -90,6 +90,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_key, settings.show_key);
   bind_toggle(ActionId::toggle_scale_bar, settings.marks.bar);
   bind_toggle(ActionId::toggle_axes, settings.marks.axes);
+  bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
   const auto bind_page = [&](ActionId id, DetailsPage page) {
     actions.bind(id, {[&settings, page] { settings.details = settings.details == page ? DetailsPage::none : page; },
                       {},
@@ -145,6 +146,7 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_over(sides);
+  draw_annotation_card(sides);
   draw_scale_marks(sides);
   const ImVec2 legend = draw_legend(sides);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -252,6 +254,23 @@ void Panels::draw_over(Sides& sides) {
             corner(), width);
   uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
                                 {width, 0.6F * (screen.y - sides.top - sides.bottom)});
+}
+
+// Below what it is about.
+void Panels::draw_annotation_card(const Sides& sides) {
+  AnnotationDesk& desk = uses_.work.annotations();
+  const Annotation* const current = desk.current();
+  if (current == nullptr) return;
+  const Canvas& canvas = uses_.board.canvas();
+  const float unit = uses_.screen.gui.unit();
+  const Vec2 place = canvas.view().camera().to_screen(uses_.work.document().place_of(current->anchors.back()));
+  const Vec2 px = (1.0 / canvas.content_scale()) * place + current->shift;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float margin = kMargin * unit;
+  const ImVec2 room[2] = {{sides.left + margin, sides.top + margin},
+                          {screen.x - sides.right - margin, screen.y - sides.bottom - margin}};
+  annotation_card_.draw(uses_.screen.gui, desk, {static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit},
+                        room, [this](const Error& error) { uses_.messages.problem(error.message()); });
 }
 
 void Panels::draw_scale_marks(const Sides& sides) {

@@ -4,6 +4,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/model/palette.h"
+#include "app/panels/annotation_card.h"
 #include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
 #include "app/panels/layers_panel.h"
@@ -67,6 +68,7 @@ class Panels {
   /// `upper`: where the details begin below the top; 0: no details, or nothing above them.
   void draw_splitters(const PanelArea& column, float upper);
   void draw_over(Sides& sides);
+  void draw_annotation_card(const Sides& sides);
   void draw_scale_marks(const Sides& sides);
   ImVec2 draw_legend(const Sides& sides);
   void bind_shown(ActionBindings& actions);
@@ -81,6 +83,7 @@ class Panels {
   DetailsPanel details_panel_;
   bool are_shown_ = true;
   bool were_shown_ = true;  // before the presentation
+  AnnotationCard annotation_card_;
   Presenter presenter_;
   ImVec2 legend_moved_{};                 // from its corner, by hand
   std::optional<ImVec2> legend_grasped_;  // where it was when it was taken, while it is held

@@ -76,7 +76,8 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (gui.wants_text()) return;
   if (chord.symbol == key::escape && gui.close_popup()) return;
   if (gui.has_popup()) return;
-  const auto action = uses_.actions.keymap().find(chord, !uses_.selection.is_empty());
+  const auto action =
+      uses_.actions.keymap().find(chord, !uses_.selection.is_empty() || uses_.annotations.current() != nullptr);
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   // A gesture under way is ended only by Esc; the document must not change beneath it.
   if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;

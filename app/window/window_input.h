@@ -22,6 +22,7 @@ class WindowInput final : private WindowListener {
     Screen& screen;
     Canvas& canvas;
     const Selection& selection;
+    const AnnotationDesk& annotations;
     Dialogs& dialogs;
     DocumentFlow& documents;
     const LiveRecording& recording;

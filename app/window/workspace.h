@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/actions/action_bindings.h"
+#include "app/model/annotation_desk.h"
 #include "app/model/ball_families.h"
 #include "app/model/computation_control.h"
 #include "app/model/editor.h"
@@ -39,6 +40,8 @@ class Workspace {
   Editor& editor() { return editor_; }
   const Editor& editor() const { return editor_; }
   const Document& document() const { return editor_.document(); }
+  AnnotationDesk& annotations() { return annotations_; }
+  const AnnotationDesk& annotations() const { return annotations_; }
   EvolutionPlayer& evolution() { return evolution_; }
   const EvolutionPlayer& evolution() const { return evolution_; }
 
@@ -78,6 +81,7 @@ class Workspace {
   LayerStack layers_;
   BundleDesk bundles_;
   Editor editor_;
+  AnnotationDesk annotations_{editor_};
   EvolutionPlayer evolution_;
   EngineDemand demand_;
   FirstBall first_ball_;

@@ -31,15 +31,19 @@ void Workspace::bind_editing(ActionBindings& actions) {
                                 [this] { return editor_.can_redo(); }});
   actions.bind(ActionId::select_all, {[this] { editor_.selection().select_all(document()); }, has_something});
   actions.bind(ActionId::invert_selection, {[this] { editor_.selection().invert(document()); }, has_something});
-  actions.bind(ActionId::delete_selection, {[this] {
-                                              const Selection& selection = editor_.selection();
-                                              const std::string what =
-                                                  counted(selection.sample_count(), selection.ball_count());
-                                              const Expected<void> done = editor_.remove_selection();
-                                              report(done);
-                                              if (done) messages_.remark("Deleted " + what);
-                                            },
-                                            has_selection});
+  actions.bind(ActionId::delete_selection,
+               {[this] {
+                  if (annotations_.current() != nullptr) {
+                    report(annotations_.erase());
+                    return;
+                  }
+                  const Selection& selection = editor_.selection();
+                  const std::string what = counted(selection.sample_count(), selection.ball_count());
+                  const Expected<void> done = editor_.remove_selection();
+                  report(done);
+                  if (done) messages_.remark("Deleted " + what);
+                },
+                [this, has_selection] { return has_selection() || annotations_.current() != nullptr; }});
 }
 
 void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {

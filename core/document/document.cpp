@@ -95,6 +95,9 @@ Box2 Document::bounding_box() const {
     if (is_alive(slot)) box.add(position(slot));
   for (const BallSlot slot : slots_below<BallSlot>(ball_slot_count()))
     if (is_ball_alive(slot)) box.add(bounding_box_of(disk(slot)));
+  for (const Annotation& annotation : *annotations_)
+    for (const Anchor& anchor : annotation.anchors)
+      if (anchor.samples.empty()) box.add(anchor.at);
   return box;
 }
 

@@ -72,7 +72,7 @@ class Document {
 
   /// Has neither samples nor balls.
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
-  /// Bounding box of samples and balls; finite. O(n).
+  /// Bounding box of samples, balls, and anchors of annotations that are fixed; finite. O(n).
   Box2 bounding_box() const;
   /// Order-independent digest of ids, counted from the first, positions and disks: equal work on equal data gives
   /// equal digests, whatever was open before. O(1): sums are kept up to date by `apply`.

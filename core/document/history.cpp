@@ -26,13 +26,13 @@ void merge(std::vector<Edit>& earlier, const std::vector<Edit>& later) {
 }  // namespace
 
 // Two deltas that move the same samples and change the same balls, in the same order, are one delta; so are two that
-// move annotations.
+// change annotations, and leave as many as there are.
 bool History::are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later) {
   if (earlier.replaces_all() || later.replaces_all()) return false;
   if (earlier.curve_after != later.curve_after) return false;
   if (later.changes_annotations())
     return later.edits.empty() && later.ball_edits.empty() && earlier.edits.empty() && earlier.ball_edits.empty() &&
-           earlier.changes_annotations() && same_but_for_places(*earlier.annotations_after, *later.annotations_after);
+           earlier.changes_annotations() && earlier.annotations_after->size() == later.annotations_after->size();
   return !earlier.is_empty() && can_merge(earlier.edits, later.edits, SampleEdit::Kind::move) &&
          can_merge(earlier.ball_edits, later.ball_edits, BallEdit::Kind::change);
 }

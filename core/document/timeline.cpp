@@ -247,8 +247,8 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
                                         .changed_balls = changed_balls,
                                         .inserted_balls = edit.inserted_balls});
   if (out && edit.annotations) {
-    if (auto fault = fault_of(*edit.annotations, known + edit.inserted.size()); !fault.empty())
-      return refuse(std::move(fault));
+    const std::size_t numbered = edit.inserted.size() + known;
+    if (auto fault = fault_of(*edit.annotations, numbered); !fault.empty()) return refuse(std::move(fault));
     if (*edit.annotations != *out->annotations_after)
       out->annotations_after = std::make_shared<const Annotations>(*edit.annotations);
   }

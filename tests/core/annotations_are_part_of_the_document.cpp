@@ -163,13 +163,20 @@ TEST_CASE("an annotation being dragged is one step") {
   CHECK(places(desk.document) == std::vector<Vec2>{{1, 1}});
   for (const DocumentDelta& delta : desk.history.redo()) desk.document.apply(delta);
   CHECK(places(desk.document) == std::vector<Vec2>{{20, 0}});
-  // Other words are another step.
-  Annotations reworded = *desk.document.annotations();
-  reworded[0].text = "there";
-  const auto delta = annotate(desk.document, reworded);
-  REQUIRE(delta.has_value());
-  desk.document.apply(*delta);
-  CHECK_FALSE(desk.history.extend(*delta, "Move annotation"));
+  // One more is another step, and so is what has another name.
+  Annotations more = *desk.document.annotations();
+  more.push_back(note_on({}, {2, 2}));
+  const auto added = annotate(desk.document, more);
+  REQUIRE(added.has_value());
+  desk.document.apply(*added);
+  CHECK_FALSE(desk.history.extend(*added, "Move annotation"));
+  desk.history.record(*added, "Annotate");
+  more.back().text = "there";
+  const auto reworded = annotate(desk.document, more);
+  REQUIRE(reworded.has_value());
+  desk.document.apply(*reworded);
+  CHECK_FALSE(desk.history.extend(*reworded, "Move annotation"));
+  CHECK(desk.history.extend(*reworded, "Annotate"));
 }
 
 TEST_CASE("what no document can hold is refused") {

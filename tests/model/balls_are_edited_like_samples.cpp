@@ -22,7 +22,8 @@ struct Bench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
-  ToolContext context{editor, spacing, [this](const Error&) { ++refused; }};
+  AnnotationDesk annotations{editor};
+  ToolContext context{editor, annotations, spacing, [this](const Error&) { ++refused; }};
 
   // Balls with 40 pixels of radius around the pixels (100, 100), (300, 100) and (500, 100), and a sample between each
   // two.

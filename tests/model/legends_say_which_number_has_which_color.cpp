@@ -28,7 +28,7 @@ Image white(int width, int height) {
           std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255)};
 }
 
-double letter_width(const std::string& text, double size, bool /*is_bold*/) {
+double letter_width(const std::string& text, double size, Face /*face*/) {
   return 0.5 * size * static_cast<double>(text.size());
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
   }
   for (const PaperDrawing::Line& line : legend.lines) {
     CHECK(line.x >= 0.0);
-    CHECK(line.x + letter_width(line.text, line.size, line.is_bold) <= legend.width);
+    CHECK(line.x + letter_width(line.text, line.size, line.face) <= legend.width);
     CHECK(line.top + line.size <= legend.height);
   }
   // However little room there is, the first is shown.
@@ -183,7 +183,7 @@ TEST_CASE("the legend of a film stays in its corner, above the caption") {
 }
 
 TEST_CASE("a key has a sample and a name for each layer, and fits what it says") {
-  const MeasureText measure = [](const std::string& text, double, bool) {
+  const MeasureText measure = [](const std::string& text, double, Face) {
     return 6.0 * static_cast<double>(text.size());
   };
   const auto entry = [](const std::string& title, PrimitiveKind kind, LayerStyle style) {
@@ -217,7 +217,7 @@ TEST_CASE("a key has a sample and a name for each layer, and fits what it says")
   for (std::size_t i = 0; i < 4; ++i) {
     const PaperDrawing::Line& line = key.lines[i];
     CHECK(line.text == entries[i].title);
-    CHECK(line.x + measure(line.text, line.size, false) < key.width);
+    CHECK(line.x + measure(line.text, line.size, Face::plain) < key.width);
     CHECK(line.top + line.size < key.height);
     if (i > 0) CHECK(line.top > key.lines[i - 1].top + line.size);
   }

@@ -21,7 +21,8 @@ Pointer at(double x, double y) {
 struct Bench {
   Editor editor{{}};
   double spacing = 10.0;
-  ToolContext context{editor, spacing, [](const Error&) {}};
+  AnnotationDesk annotations{editor};
+  ToolContext context{editor, annotations, spacing, [](const Error&) {}};
   MeasureTool tool{context};
 
   Bench() {

@@ -16,7 +16,7 @@ using namespace mes;
 namespace {
 
 // Six logical pixels a letter.
-double measure(const std::string& text, double, bool) {
+double measure(const std::string& text, double, Face) {
   return 6.0 * static_cast<double>(text.size());
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("numbers along the axes are where they say, apart from each other, and
     int of_columns = 0;
     for (const PaperDrawing::Line& line : drawing.lines) {
       const double said = std::atof(line.text.c_str());
-      const double width = measure(line.text, 0.0, false);
+      const double width = measure(line.text, 0.0, Face::plain);
       CAPTURE(plane.units_per_pixel, plane.center.x, plane.center.y, line.text);
       if (is_number_of_a_row(line, plane)) {
         const double at = (said - plane.center.x) / plane.units_per_pixel + 0.5 * plane.width;

@@ -11,7 +11,8 @@ namespace {
 struct Bench {
   Editor editor{{}};
   double spacing = 10.0;
-  ToolContext context{editor, spacing, {}};
+  AnnotationDesk annotations{editor};
+  ToolContext context{editor, annotations, spacing, {}};
   Canvas canvas{context};
   ViewMotion& view = canvas.view();
 

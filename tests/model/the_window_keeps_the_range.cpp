@@ -17,7 +17,8 @@ struct Bench {
   Editor editor{{}};
   double spacing = 10.0;
   std::vector<std::string> refused;
-  ToolContext context{editor, spacing, [this](const Error& error) { refused.push_back(error.text); }};
+  AnnotationDesk annotations{editor};
+  ToolContext context{editor, annotations, spacing, [this](const Error& error) { refused.push_back(error.text); }};
 
   explicit Bench(const SampleData& data = {{{1.0, 2.0}, {-3.0, 0.0}}, {}, {{{1.0, 1.0}, 0.5}}}) {
     REQUIRE(editor.load(data));

@@ -20,7 +20,8 @@ struct Bench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
-  ToolContext context{editor, spacing, [this](const Error&) { ++refused; }};
+  AnnotationDesk annotations{editor};
+  ToolContext context{editor, annotations, spacing, [this](const Error&) { ++refused; }};
 
   // Samples in a row, 40 pixels apart, beginning at pixel (100, 100).
   Bench() {

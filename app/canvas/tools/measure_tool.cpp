@@ -59,4 +59,16 @@ ToolFeedback MeasureTool::feedback() const {
   return out;
 }
 
+std::optional<Annotation> MeasureTool::measurement() const {
+  if (places_.size() < 2 || is_active()) return std::nullopt;
+  Annotation out{.kind = places_.size() == 2 ? AnnotationKind::distance : AnnotationKind::angle};
+  const Document& document = context_.editor.document();
+  for (const Place& place : places_) {
+    Anchor& anchor = out.anchors.emplace_back(Anchor{.at = position_of(place)});
+    if (const SampleSlot slot = sample_of(place); slot != kNoSlot)
+      anchor.samples.push_back(document.id(slot).value - document.first_id().value);
+  }
+  return out;
+}
+
 }  // namespace mes

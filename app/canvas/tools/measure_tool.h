@@ -23,9 +23,10 @@ class MeasureTool final : public Tool {
   void leave() override { now_.reset(); }
   bool clear() override;
   ToolFeedback feedback() const override;
+  std::optional<Annotation> measurement() const override;
   PointerShape pointer_shape() const override { return PointerShape::crosshair; }
   std::string_view hint() const override {
-    return "Click two places for their distance, a third for angle and circle; Esc clears";
+    return "Click two places for their distance, a third for angle and circle; K keeps them, Esc clears";
   }
 
  private:

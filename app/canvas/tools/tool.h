@@ -5,9 +5,11 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/actions/key_chord.h"
+#include "app/model/annotation_desk.h"
 #include "app/model/editor.h"
 #include "core/base/box2.h"
 
@@ -24,21 +26,27 @@ struct Pointer {
 /// What a tool works with. Everything outlives the tool.
 struct ToolContext {
   Editor& editor;
+  AnnotationDesk& annotations;
   const double& spray_spacing_px;
   std::function<void(const Error&)> report;         ///< a command was refused
   std::function<void(const Pointer&)> ask_about{};  ///< what lies there, and where does it come from?
+  /// The annotation that is drawn at a place in logical pixels; nothing where none is.
+  std::function<std::optional<std::size_t>(Vec2)> annotation_at{};
 };
 
 /// What the canvas shows of a tool besides the drawing.
 struct ToolFeedback {
-  SampleSlot hovered;             ///< the sample a press would take
-  BallSlot hovered_ball;          ///< the ball it would take; never both
-  bool asks = false;              ///< a click would ask what lies here
-  std::optional<Disk> ball;       ///< a ball being drawn
-  std::optional<Box2> box_px;     ///< the selection box being drawn
-  std::optional<Vec2> marker_px;  ///< where a press would put a sample
-  double ring_px = 0.0;           ///< radius of a circle around the marker; 0 = none
-  std::vector<Vec2> measured{};   ///< places in the world between which something is measured
+  SampleSlot hovered;                           ///< the sample a press would take
+  BallSlot hovered_ball;                        ///< the ball it would take; never both
+  bool asks = false;                            ///< a click would ask what lies here
+  std::optional<Disk> ball;                     ///< a ball being drawn
+  std::optional<Box2> box_px;                   ///< the selection box being drawn
+  std::optional<Vec2> marker_px;                ///< where a press would put a sample
+  double ring_px = 0.0;                         ///< radius of a circle around the marker; 0 = none
+  std::vector<Vec2> measured{};                 ///< places in the world between which something is measured
+  std::optional<std::size_t> annotation{};      ///< that a press would take
+  std::optional<Vec2> ringed{};                 ///< the place in the world of an element that a press would be on
+  std::optional<std::pair<Vec2, Vec2>> line{};  ///< in the world, being drawn
 };
 
 enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
@@ -69,6 +77,8 @@ class Tool {
   /// The pointer left the canvas.
   virtual void leave() = 0;
   virtual ToolFeedback feedback() const = 0;
+  /// What it measures, as an annotation; nothing for other tools, and before there are two places.
+  virtual std::optional<Annotation> measurement() const { return std::nullopt; }
   virtual PointerShape pointer_shape() const = 0;
   /// What to do with it, one line for the status bar.
   virtual std::string_view hint() const = 0;

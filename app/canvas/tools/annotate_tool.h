@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Click for text, drag from an element for text with a line to it, drag from anywhere else for an arrow; drag words
+// and ends to move them.
+#pragma once
+
+#include "app/canvas/tools/tool.h"
+#include "app/model/annotation_desk.h"
+
+namespace mes {
+
+/// What it guarantees: a drag of an annotation is one step of undo. A click on one chooses it on the desk, where it is
+/// written. Ends and lines are on the element under the pointer, a sample or a vertex of the Voronoi diagram, and
+/// follow it.
+class AnnotateTool final : public Tool {
+ public:
+  using Tool::Tool;
+  void press(const Pointer& pointer) override;
+  void drag(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  void cancel() override;
+  bool is_active() const override { return pressed_.has_value(); }
+  void hover(const Pointer& pointer) override;
+  void leave() override;
+  bool clear() override { return context_.annotations.close(); }
+  ToolFeedback feedback() const override;
+  PointerShape pointer_shape() const override;
+  std::string_view hint() const override {
+    return "Click to write; drag for an arrow, from a sample for a line to words; drag words to move them";
+  }
+
+ private:
+  struct Pressed {
+    Pointer at{};
+    Anchor anchor{};                          ///< of what is new
+    std::optional<std::size_t> annotation{};  ///< that lies there
+    std::optional<std::size_t> end{};         ///< of its anchors, the one there
+    Annotation before{};
+    bool is_dragged = false;
+  };
+  Anchor anchor_at(const Pointer& pointer) const;
+  Annotation moved(const Pointer& pointer) const;
+  void end_gesture();
+  void make(const Pointer& pointer);
+
+  std::optional<Pressed> pressed_;
+  std::optional<Pointer> now_;
+  std::optional<std::size_t> hovered_;
+};
+
+}  // namespace mes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/canvas_annotations.h"
+
+#include "app/panels/paper_on_canvas.h"
+#include "app/ui/theme.h"
+
+namespace mes {
+
+AnnotationDrawing CanvasAnnotations::layout() const {
+  return layout_annotations(place(document), seen_plane(canvas.view().camera(), canvas.content_scale()),
+                            measure_on_canvas(gui), background);
+}
+
+void CanvasAnnotations::draw(const AnnotationDrawing& drawn, std::optional<std::size_t> pointed_at) const {
+  paint_on_canvas(gui, drawn.drawing, {0.0F, 0.0F});
+  const float unit = gui.unit();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto frame = [&](std::size_t i, float width) {
+    if (i >= drawn.words.size() || drawn.words[i].is_empty()) return;
+    const auto corner = [&](Vec2 p, float out) {
+      return ImVec2(static_cast<float>(p.x) * unit + out * unit, static_cast<float>(p.y) * unit + out * unit);
+    };
+    constexpr float kMargin = 4.0F;
+    list.AddRect(corner(drawn.words[i].low, -kMargin), corner(drawn.words[i].high, kMargin), gui.colors().accent,
+                 3.0F * unit, 0, width * unit);
+  };
+  if (pointed_at) frame(*pointed_at, 1.0F);
+  if (desk.current() != nullptr && desk.selected()) frame(*desk.selected(), 2.0F);
+}
+
+}  // namespace mes

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/annotation_drawing.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "app/model/measurement.h"
+#include "app/picture/rich_text.h"
+
+namespace mes {
+namespace {
+
+constexpr double kLineHeight = 1.35;
+constexpr double kAscent = 0.8;
+constexpr double kHead = 9.0;
+constexpr double kHeadHalf = 3.2;
+// Between a line and the element it leads to, which stays visible.
+constexpr double kGap = 6.0;
+constexpr double kWordsGap = 4.0;
+constexpr double kPi = std::numbers::pi;
+
+Vec2 unit(Vec2 v) {
+  const double size = length(v);
+  return size > 0.0 ? (1.0 / size) * v : Vec2{};
+}
+
+/// The part of a segment within a box, by Liang and Barsky (1984); nothing if it misses.
+std::optional<std::pair<Vec2, Vec2>> clipped(Vec2 from, Vec2 to, const Box2& box) {
+  double begin = 0.0;
+  double end = 1.0;
+  const Vec2 way = to - from;
+  const auto cut = [&](double against, double room) {
+    if (against == 0.0) return room >= 0.0;
+    const double at = room / against;
+    if (against < 0.0)
+      begin = std::max(begin, at);
+    else
+      end = std::min(end, at);
+    return begin <= end;
+  };
+  if (!cut(-way.x, from.x - box.low.x) || !cut(way.x, box.high.x - from.x) || !cut(-way.y, from.y - box.low.y) ||
+      !cut(way.y, box.high.y - from.y))
+    return std::nullopt;
+  return std::pair{from + begin * way, from + end * way};
+}
+
+class Layout {
+ public:
+  Layout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
+      : plane_(plane), measure_(measure), ink_(paper_colors(background).ink) {
+    const double margin = plane.width + plane.height;
+    reach_.add(Vec2{-margin, -margin});
+    reach_.add(Vec2{plane.width + margin, plane.height + margin});
+    out_.drawing.width = plane.width;
+    out_.drawing.height = plane.height;
+  }
+
+  void add(const Annotation& annotation, const std::vector<Vec2>& places) {
+    annotation_ = &annotation;
+    color_ = annotation.color.value_or(ink_);
+    words_box_ = {};
+    text_ = rich_text(annotation.text, measured_value(annotation.kind, places), annotation.letters, measure_);
+    if (!text_.complaint.empty()) out_.complaints.push_back("an annotation: " + text_.complaint);
+    std::vector<Vec2> at;
+    for (const Vec2 p : places) at.push_back(on_paper(p));
+    if (std::ranges::all_of(at, [](Vec2 p) { return is_finite(p); })) draw(at, places);
+    out_.words.push_back(words_box_);
+    out_.places.push_back(std::move(at));
+  }
+
+  AnnotationDrawing take() { return std::move(out_); }
+
+ private:
+  Vec2 on_paper(Vec2 p) const {
+    const Vec2 from_center = (1.0 / plane_.units_per_pixel) * (p - plane_.center);
+    return {0.5 * plane_.width + from_center.x, 0.5 * plane_.height - from_center.y};
+  }
+
+  void draw(const std::vector<Vec2>& at, const std::vector<Vec2>& places) {
+    switch (annotation_->kind) {
+      case AnnotationKind::text: words_from(at[0] + annotation_->shift); break;
+      case AnnotationKind::leader: leader(at[0]); break;
+      case AnnotationKind::arrow: arrow(at[0], at[1]); break;
+      case AnnotationKind::distance: distance(at[0], at[1], measured(places)); break;
+      case AnnotationKind::angle: angle(at, measured(places)); break;
+      case AnnotationKind::radius: radius(at, places, measured(places)); break;
+    }
+  }
+  std::string measured(const std::vector<Vec2>& places) const { return measured_value(annotation_->kind, places); }
+
+  // Lines
+
+  void line(Vec2 from, Vec2 to) {
+    if (const auto part = clipped(from, to, reach_))
+      out_.drawing.strokes.push_back({{part->first, part->second}, kAnnotationLine, color_});
+  }
+  void head(Vec2 tip, Vec2 direction) {
+    const Vec2 back = tip - kHead * direction;
+    const Vec2 aside = kHeadHalf * Vec2{-direction.y, direction.x};
+    if (contains(tip)) out_.drawing.triangles.push_back({{tip, back + aside, back - aside}, color_});
+  }
+  bool contains(Vec2 p) const {
+    return reach_.low.x <= p.x && p.x <= reach_.high.x && reach_.low.y <= p.y && p.y <= reach_.high.y;
+  }
+  /// Ends below its head, so that the tip is sharp.
+  void line_with_head(Vec2 from, Vec2 tip) {
+    const Vec2 direction = unit(tip - from);
+    if (direction == Vec2{}) return;
+    const double room = length(tip - from);
+    line(from, tip - std::min(0.8 * kHead, room) * direction);
+    head(tip, direction);
+  }
+
+  // Words
+
+  double words_width() const {
+    double out = 0.0;
+    for (const RichLine& line : text_.lines) out = std::max(out, line.width);
+    return out;
+  }
+  double words_height() const {
+    return text_.lines.empty()
+               ? 0.0
+               : annotation_->letters * (1.0 + kLineHeight * static_cast<double>(text_.lines.size() - 1));
+  }
+  /// With the beginning of the first baseline at `start`.
+  void words_from(Vec2 start) {
+    const double letters = annotation_->letters;
+    if (text_.lines.empty()) return;
+    const Vec2 corner = start - Vec2{0.0, kAscent * letters};
+    words_box_.add(corner);
+    words_box_.add(corner + Vec2{words_width(), words_height()});
+    if (!contains(corner)) return;
+    double baseline = start.y;
+    for (const RichLine& line : text_.lines) {
+      bool is_first = true;
+      for (const RichPiece& piece : line.pieces) {
+        out_.drawing.lines.push_back({.x = start.x + piece.x,
+                                      .top = baseline - piece.raise - kAscent * piece.size,
+                                      .size = piece.size,
+                                      .face = piece.face,
+                                      .color = color_,
+                                      .text = piece.text,
+                                      .latex = is_first ? line.latex : std::string(),
+                                      .continues = !is_first});
+        is_first = false;
+      }
+      baseline += kLineHeight * letters;
+    }
+  }
+  /// With their middle at `center`.
+  void words_around(Vec2 center) {
+    words_from(center + Vec2{-0.5 * words_width(), kAscent * annotation_->letters - 0.5 * words_height()});
+  }
+  /// Such that they touch `at` and lie on its side towards `direction`.
+  void words_towards(Vec2 at, Vec2 direction) {
+    const double half_width = 0.5 * words_width();
+    const double half_height = 0.5 * words_height();
+    const double reach = std::abs(direction.x) * half_width + std::abs(direction.y) * half_height;
+    words_around(at + (reach + kWordsGap) * direction);
+  }
+  void measured_words(const std::string& value) {
+    if (text_.lines.empty() && annotation_->text.empty() && !value.empty())
+      text_ = rich_text("\\value", value, annotation_->letters, measure_);
+  }
+
+  // Kinds
+
+  void leader(Vec2 at) {
+    words_from(at + annotation_->shift);
+    if (words_box_.is_empty()) return;
+    // From the middle of the nearest side of the words.
+    const Vec2 middle = 0.5 * (words_box_.low + words_box_.high);
+    Vec2 from = middle;
+    if (at.x < words_box_.low.x)
+      from.x = words_box_.low.x - kWordsGap;
+    else if (at.x > words_box_.high.x)
+      from.x = words_box_.high.x + kWordsGap;
+    else if (at.y < words_box_.low.y)
+      from.y = words_box_.low.y - kWordsGap;
+    else if (at.y > words_box_.high.y)
+      from.y = words_box_.high.y + kWordsGap;
+    else
+      return;  // the words cover the place
+    const double room = length(at - from);
+    if (room > kGap) line_with_head(from, at - kGap * unit(at - from));
+  }
+
+  void arrow(Vec2 from, Vec2 to) {
+    line_with_head(from, to);
+    const Vec2 direction = unit(from - to);
+    words_towards(from + annotation_->shift, direction == Vec2{} ? Vec2{0.0, -1.0} : direction);
+  }
+
+  /// A line beside the two places if the words were dragged aside, with lines out to it.
+  void distance(Vec2 a, Vec2 b, const std::string& value) {
+    measured_words(value);
+    const Vec2 along = unit(b - a);
+    if (along == Vec2{}) return words_around(a + Vec2{0.0, -annotation_->letters});
+    // Upwards, so that words stand on the line.
+    Vec2 normal{along.y, -along.x};
+    if (normal.y > 0.0 || (normal.y == 0.0 && normal.x > 0.0)) normal = -1.0 * normal;
+    const double aside = dot(annotation_->shift, normal);
+    const Vec2 shift = aside * normal;
+    const Vec2 out = aside >= 0.0 ? normal : -1.0 * normal;
+    if (std::abs(aside) > kGap + kWordsGap) {
+      line(a + kGap * out, a + shift + kWordsGap * out);
+      line(b + kGap * out, b + shift + kWordsGap * out);
+    }
+    const Vec2 from = a + shift;
+    const Vec2 to = b + shift;
+    const Vec2 middle = 0.5 * (from + to);
+    const bool has_room = length(to - from) > 3.0 * kHead;
+    if (has_room) {
+      line_with_head(middle, from);
+      line_with_head(middle, to);
+    } else {
+      // From outside where the heads do not fit between.
+      line(from, to);
+      line_with_head(from - 2.0 * kHead * along, from);
+      line_with_head(to + 2.0 * kHead * along, to);
+    }
+    words_towards(middle + dot(annotation_->shift, along) * along, out);
+  }
+
+  void angle(const std::vector<Vec2>& at, const std::string& value) {
+    measured_words(value);
+    const Vec2 first = at[0] - at[1];
+    const Vec2 second = at[2] - at[1];
+    if (first == Vec2{} || second == Vec2{}) return words_around(at[1] + annotation_->shift);
+    const double arm = std::min(length(first), length(second));
+    const double radius = std::clamp(0.5 * arm, std::min(arm, 16.0), 48.0);
+    line(at[1], at[0]);
+    line(at[1], at[2]);
+    const double turn = std::atan2(cross(first, second), dot(first, second));
+    const double begin = turn >= 0.0 ? std::atan2(first.y, first.x) : std::atan2(second.y, second.x);
+    const double sweep = std::abs(turn);
+    if (sweep > 0.0 && contains(at[1]))
+      out_.drawing.arcs.push_back({at[1], radius, begin, sweep, kAnnotationLine, color_});
+    const double middle = begin + 0.5 * sweep;
+    const Vec2 direction{std::cos(middle), std::sin(middle)};
+    words_towards(at[1] + radius * direction + annotation_->shift, direction);
+  }
+
+  void radius(const std::vector<Vec2>& at, const std::vector<Vec2>& places, const std::string& value) {
+    measured_words(value);
+    const auto circle = measured_circle(places);
+    if (!circle) return words_around(at[2] + annotation_->shift);
+    const Vec2 center = on_paper(circle->center);
+    const double size = circle->radius / plane_.units_per_pixel;
+    if (!is_finite(center) || !std::isfinite(size)) return;
+    circle_around(center, size);
+    if (contains(center)) out_.drawing.dots.push_back({center.x, center.y, 2.0, color_});
+    const Vec2 direction = unit(at[2] - center);
+    line_with_head(center, center + size * direction);
+    Vec2 normal{direction.y, -direction.x};
+    if (normal.y > 0.0) normal = -1.0 * normal;
+    words_towards(center + 0.5 * size * direction + annotation_->shift, normal);
+  }
+
+  void circle_around(Vec2 center, double size) {
+    // Beyond this the part in reach is drawn as a chain of chords, which do not differ from it by a pixel.
+    constexpr double kLargest = 50'000.0;
+    if (size <= kLargest && contains(center)) {
+      out_.drawing.arcs.push_back({center, size, 0.0, 2.0 * kPi, kAnnotationLine, color_});
+      return;
+    }
+    constexpr double kFlat = 0.1;
+    const Vec2 middle{0.5 * plane_.width, 0.5 * plane_.height};
+    const double reach = plane_.width + plane_.height;
+    const double toward = std::atan2(middle.y - center.y, middle.x - center.x);
+    const double half = std::min(kPi, 2.0 * std::asin(std::min(1.0, reach / size)));
+    const double step = 2.0 * std::acos(std::max(0.0, 1.0 - kFlat / size));
+    if (!(step > 0.0)) return;
+    const int count = std::clamp(static_cast<int>(std::ceil(2.0 * half / step)), 1, 2000);
+    PaperDrawing::Stroke stroke{{}, kAnnotationLine, color_};
+    for (int i = 0; i <= count; ++i) {
+      const double at = toward - half + 2.0 * half * i / count;
+      const Vec2 p = center + size * Vec2{std::cos(at), std::sin(at)};
+      if (contains(p)) {
+        stroke.points.push_back(p);
+      } else if (!stroke.points.empty()) {
+        break;
+      }
+    }
+    if (stroke.points.size() > 1) out_.drawing.strokes.push_back(std::move(stroke));
+  }
+
+  const SeenPlane& plane_;
+  const MeasureText& measure_;
+  Rgb ink_;
+  Rgb color_;
+  Box2 reach_;
+  AnnotationDrawing out_;
+  const Annotation* annotation_ = nullptr;
+  RichText text_;
+  Box2 words_box_;
+};
+
+double distance_to(Vec2 p, const Box2& box) {
+  const double dx = std::max({box.low.x - p.x, 0.0, p.x - box.high.x});
+  const double dy = std::max({box.low.y - p.y, 0.0, p.y - box.high.y});
+  return std::hypot(dx, dy);
+}
+
+double distance_to(Vec2 p, Vec2 from, Vec2 to) {
+  const Vec2 way = to - from;
+  const double squared = dot(way, way);
+  const double t = squared > 0.0 ? std::clamp(dot(p - from, way) / squared, 0.0, 1.0) : 0.0;
+  return length(p - (from + t * way));
+}
+
+}  // namespace
+
+PlacedAnnotations place(const Document& document) {
+  PlacedAnnotations out{document.annotations(), {}};
+  out.places.reserve(out.annotations->size());
+  for (const Annotation& annotation : *out.annotations) {
+    std::vector<Vec2>& places = out.places.emplace_back();
+    for (const Anchor& anchor : annotation.anchors) places.push_back(document.place_of(anchor));
+  }
+  return out;
+}
+
+std::string measured_value(AnnotationKind kind, const std::vector<Vec2>& places) {
+  const auto number = [](double x) { return fmt::format("{:.4g}", x); };
+  switch (kind) {
+    case AnnotationKind::text:
+    case AnnotationKind::leader:
+    case AnnotationKind::arrow: return {};
+    case AnnotationKind::distance: return number(length(places[1] - places[0]));
+    case AnnotationKind::angle: {
+      const Vec2 first = places[0] - places[1];
+      const Vec2 second = places[2] - places[1];
+      if (first == Vec2{} || second == Vec2{}) return {};
+      return number(180.0 / kPi * std::atan2(std::abs(cross(first, second)), dot(first, second))) + "°";
+    }
+    case AnnotationKind::radius: {
+      const auto circle = measured_circle(places);
+      return circle ? number(circle->radius) : std::string();
+    }
+  }
+  return {};
+}
+
+AnnotationDrawing layout_annotations(const PlacedAnnotations& placed, const SeenPlane& plane,
+                                     const MeasureText& measure, const std::optional<Rgb>& background) {
+  Layout layout(plane, measure, background);
+  for (std::size_t i = 0; i < placed.places.size(); ++i) layout.add((*placed.annotations)[i], placed.places[i]);
+  return layout.take();
+}
+
+std::optional<std::size_t> annotation_at(const AnnotationDrawing& drawn, Vec2 px, double reach) {
+  for (std::size_t i = drawn.words.size(); i-- > 0;) {
+    if (!drawn.words[i].is_empty() && distance_to(px, drawn.words[i]) <= 0.5 * reach) return i;
+    const std::vector<Vec2>& places = drawn.places[i];
+    // A place alone is where words begin; an element stays free for other tools.
+    for (std::size_t k = 0; k + 1 < places.size(); ++k)
+      if (distance_to(px, places[k], places[k + 1]) <= reach) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mes

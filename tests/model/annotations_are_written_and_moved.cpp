@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The annotation tool and its desk: what clicks and drags make, how many steps of undo they are, and what they follow.
+#include <catch2/catch.hpp>
+
+#include "app/canvas/canvas.h"
+#include "app/canvas/tools/annotate_tool.h"
+#include "app/canvas/tools/measure_tool.h"
+#include "core/io/session.h"
+
+using namespace mes;
+
+namespace {
+
+// A view in which a pixel is half a unit.
+Pointer at(double x, double y) {
+  return {{x, y}, {0.5 * x, -0.5 * y}, 0.5, {}};
+}
+
+struct Bench {
+  Editor editor{{}};
+  double spacing = 10.0;
+  int refused = 0;
+  AnnotationDesk desk{editor};
+  std::optional<std::size_t> under_pointer{};
+  ToolContext context{
+      editor, desk, spacing, [this](const Error&) { ++refused; }, {}, [this](Vec2) { return under_pointer; }};
+  AnnotateTool tool{context};
+
+  // Two samples on a horizontal line, one below: the centre of their circle is at (150, 150).
+  Bench() { REQUIRE(editor.load({.positions = {at(100, 100).world, at(200, 100).world, at(200, 200).world}})); }
+  void drag(const Pointer& from, const Pointer& to) {
+    tool.hover(from);
+    tool.press(from);
+    for (int i = 1; i <= 4; ++i)
+      tool.drag(at(from.px.x + 0.25 * i * (to.px.x - from.px.x), from.px.y + 0.25 * i * (to.px.y - from.px.y)));
+    tool.release(to);
+    CHECK_FALSE(tool.is_active());
+    CHECK_FALSE(editor.in_gesture());
+  }
+  void click(const Pointer& pointer) { drag(pointer, pointer); }
+  void write(const std::string& text) {
+    REQUIRE(desk.current() != nullptr);
+    Annotation changed = *desk.current();
+    changed.text = text;
+    REQUIRE(desk.change(changed));
+  }
+  const Annotations& all() const { return *editor.document().annotations(); }
+  Vec2 place(std::size_t i, std::size_t anchor = 0) const {
+    return editor.document().place_of(all()[i].anchors[anchor]);
+  }
+  void move_sample(std::uint32_t number, Vec2 to) {
+    const SampleId id{editor.document().first_id().value + number};
+    REQUIRE(editor.move(std::array{std::pair{id, to}}, "Move"));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a click is where words begin, and writing them is one step") {
+  Bench bench;
+  bench.click(at(400, 300));
+  REQUIRE(bench.desk.is_draft());
+  CHECK(bench.all().empty());
+  CHECK_FALSE(bench.editor.can_undo());
+  for (const char* words : {"c", "cr", "cru", "crust"}) bench.write(words);
+  REQUIRE(bench.all().size() == 1);
+  CHECK(bench.all()[0].text == "crust");
+  CHECK(bench.all()[0].kind == AnnotationKind::text);
+  CHECK(bench.place(0) == at(400, 300).world);
+  CHECK(bench.desk.close());
+  CHECK(bench.editor.undo_name() == "Annotate");
+  bench.editor.undo();
+  CHECK(bench.all().empty());
+  CHECK_FALSE(bench.editor.can_undo());
+  bench.editor.redo();
+  CHECK(bench.all()[0].text == "crust");
+
+  // What is changed later is one more step, however many letters.
+  bench.desk.select(0);
+  for (const char* words : {"crus", "crusts"}) bench.write(words);
+  bench.desk.close();
+  CHECK(bench.editor.undo_name() == "Change annotation");
+  bench.editor.undo();
+  CHECK(bench.all()[0].text == "crust");
+}
+
+TEST_CASE("words that are taken back leave nothing") {
+  Bench bench;
+  bench.click(at(400, 300));
+  bench.desk.close();
+  CHECK(bench.all().empty());
+  bench.click(at(400, 300));
+  bench.write("a");
+  bench.write("");
+  bench.desk.close();
+  CHECK(bench.all().empty());
+  CHECK_FALSE(bench.editor.can_undo());
+  // Of an older one, deleting is a step of its own.
+  bench.click(at(400, 300));
+  bench.write("older");
+  bench.desk.close();
+  bench.desk.select(0);
+  bench.write(" ");
+  bench.desk.close();
+  CHECK(bench.all().empty());
+  bench.editor.undo();
+  bench.editor.undo();
+  CHECK(bench.all()[0].text == "older");
+}
+
+TEST_CASE("what begins on a sample or a vertex follows it") {
+  Bench bench;
+  bench.click(at(103, 101));
+  bench.write("sample");
+  bench.drag(at(150, 152), at(300, 40));
+  bench.write("vertex");
+  bench.desk.close();
+  REQUIRE(bench.all().size() == 2);
+  CHECK(bench.all()[0].kind == AnnotationKind::leader);
+  CHECK(bench.all()[0].anchors[0].samples == std::vector<std::uint32_t>{0});
+  CHECK(bench.all()[1].kind == AnnotationKind::leader);
+  CHECK(bench.all()[1].anchors[0].samples.size() == 3);
+  CHECK(bench.all()[1].shift == Vec2{150, -112});
+  CHECK(bench.place(1) == at(150, 150).world);
+  bench.move_sample(0, at(100, 200).world);
+  CHECK(bench.place(0) == at(100, 200).world);
+  CHECK(bench.place(1) == at(150, 150).world);
+  bench.move_sample(1, at(200, 400).world);
+  CHECK(bench.place(1) == at(150, 300).world);
+}
+
+TEST_CASE("a circle with a sample inside has no vertex at its centre") {
+  Bench bench;
+  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.size() == 3);
+  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, false).samples.empty());
+  REQUIRE(bench.editor.insert(std::array{at(160, 135).world}, "Insert"));
+  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.empty());
+  // Nothing is near, and nothing is there at all.
+  CHECK(bench.desk.anchor_at({1e30, 1e30}, 4.5, true).samples.empty());
+  REQUIRE(bench.editor.load({}));
+  CHECK(bench.desk.anchor_at({0, 0}, 4.5, true).samples.empty());
+}
+
+TEST_CASE("a drag over free space is an arrow, which needs no words") {
+  Bench bench;
+  bench.drag(at(400, 300), at(202, 199));
+  REQUIRE(bench.all().size() == 1);
+  CHECK(bench.all()[0].kind == AnnotationKind::arrow);
+  CHECK(bench.all()[0].anchors[1].samples == std::vector<std::uint32_t>{2});
+  bench.desk.close();
+  CHECK(bench.all().size() == 1);
+  CHECK(bench.refused == 0);
+}
+
+TEST_CASE("a drag of an annotation is one step, and Esc takes it back") {
+  Bench bench;
+  bench.click(at(400, 300));
+  bench.write("words");
+  bench.desk.close();
+  bench.under_pointer = 0;
+  bench.drag(at(410, 298), at(450, 338));
+  CHECK(bench.place(0) == at(440, 340).world);
+  CHECK(bench.editor.undo_name() == "Move annotation");
+  bench.editor.undo();
+  CHECK(bench.place(0) == at(400, 300).world);
+  bench.tool.press(at(410, 298));
+  bench.tool.drag(at(600, 600));
+  CHECK(bench.editor.in_gesture());
+  bench.tool.cancel();
+  CHECK_FALSE(bench.editor.in_gesture());
+  CHECK(bench.place(0) == at(400, 300).world);
+  // A click chooses it; the key that deletes it works on the desk.
+  bench.click(at(410, 298));
+  REQUIRE(bench.desk.current() != nullptr);
+  CHECK(bench.desk.current()->text == "words");
+  REQUIRE(bench.desk.erase());
+  CHECK(bench.all().empty());
+}
+
+TEST_CASE("an end of an arrow is taken to another element") {
+  Bench bench;
+  bench.drag(at(400, 300), at(300, 300));
+  bench.desk.close();
+  bench.under_pointer = 0;
+  bench.drag(at(301, 300), at(200, 101));
+  CHECK(bench.all()[0].anchors[0].at == at(400, 300).world);
+  CHECK(bench.all()[0].anchors[1].samples == std::vector<std::uint32_t>{1});
+}
+
+TEST_CASE("whatever else changes annotations ends the choice") {
+  Bench bench;
+  bench.click(at(400, 300));
+  bench.write("first");
+  bench.desk.close();
+  bench.desk.select(0);
+  bench.editor.undo();
+  CHECK(bench.desk.current() == nullptr);
+  bench.desk.follow();
+  CHECK_FALSE(bench.desk.selected().has_value());
+  REQUIRE(bench.desk.erase());
+  CHECK_FALSE(bench.desk.close());
+  // Deleting a sample changes the places of what follows it, and nothing else.
+  bench.click(at(100, 100));
+  bench.write("on a sample");
+  const SampleId id{bench.editor.document().first_id().value};
+  REQUIRE(bench.editor.remove(std::array{id}, "Delete"));
+  bench.desk.follow();
+  bench.write("where a sample was");
+  CHECK(bench.all()[0].text == "where a sample was");
+  CHECK(bench.place(0) == at(100, 100).world);
+}
+
+TEST_CASE("a measurement becomes a dimension that follows its samples") {
+  Bench bench;
+  MeasureTool measure(bench.context);
+  CHECK_FALSE(measure.measurement().has_value());
+  for (const Pointer& p : {at(100, 100), at(200, 100)}) {
+    measure.press(p);
+    measure.release(p);
+  }
+  auto kept = measure.measurement();
+  REQUIRE(kept.has_value());
+  CHECK(kept->kind == AnnotationKind::distance);
+  REQUIRE(bench.desk.begin(*kept));
+  REQUIRE(bench.all().size() == 1);
+  bench.move_sample(1, at(300, 100).world);
+  CHECK(distance(bench.place(0, 0), bench.place(0, 1)) == 100.0);
+  measure.press(at(200, 200));
+  measure.release(at(200, 200));
+  kept = measure.measurement();
+  REQUIRE(kept.has_value());
+  CHECK(kept->kind == AnnotationKind::angle);
+}
+
+TEST_CASE("a session brings annotations back with all that can be undone") {
+  Bench bench;
+  bench.click(at(100, 100));
+  bench.write("on $p_0$");
+  bench.desk.close();
+  bench.drag(at(400, 300), at(300, 300));
+  bench.desk.close();
+  bench.move_sample(0, at(120, 90).world);
+  const Session session{.data = bench.editor.timeline().data(), .entries = bench.editor.timeline().entries()};
+  const auto read = read_session(write_session(session), "a.json");
+  REQUIRE(read.has_value());
+  DocumentReplay replay;
+  REQUIRE(replay_session(*read, replay, "a.json"));
+  CHECK(*replay.document().annotations() == bench.all());
+  CHECK(replay.history().step_count() == 3);
+}
