@@ -8,11 +8,11 @@
 namespace mes {
 namespace {
 
-ImFont* font_of(const Gui& gui, Face face) {
+ImFont* font_of(const Gui& gui, Face face, double size) {
   switch (face) {
-    case Face::plain: return ImGui::GetFont();
-    case Face::bold: return gui.bold();
-    case Face::italic: return gui.italic();
+    case Face::plain: return gui.letters(Gui::Look::plain, size);
+    case Face::bold: return gui.letters(Gui::Look::bold, size);
+    case Face::italic: return gui.letters(Gui::Look::italic, size);
   }
   return ImGui::GetFont();
 }
@@ -23,7 +23,7 @@ MeasureText measure_on_canvas(const Gui& gui) {
   return [&gui](const std::string& text, double size, Face face) {
     const float unit = gui.unit();
     const ImVec2 extent =
-        font_of(gui, face)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
+        font_of(gui, face, size)->CalcTextSizeA(static_cast<float>(size) * unit, FLT_MAX, 0.0F, text.c_str());
     return static_cast<double>(extent.x / unit);
   };
 }
@@ -60,7 +60,7 @@ void paint_on_canvas(const Gui& gui, const PaperDrawing& drawing, ImVec2 corner)
   for (const PaperDrawing::Dot& dot : drawing.dots)
     list.AddCircleFilled(place(dot.x, dot.y), static_cast<float>(dot.radius) * unit, to_imgui(dot.color));
   for (const PaperDrawing::Line& line : drawing.lines)
-    list.AddText(font_of(gui, line.face), static_cast<float>(line.size) * unit, place(line.x, line.top),
+    list.AddText(font_of(gui, line.face, line.size), static_cast<float>(line.size) * unit, place(line.x, line.top),
                  to_imgui(line.color), line.text.c_str());
 }
 

@@ -164,7 +164,7 @@ void FileDesk::note_known(std::span<const SourceFile> files) {
 
 void FileDesk::forget_files() {
   contested_.reset();
-  held_ = {.samples = held_.samples, .balls = held_.balls, .title = held_.title};
+  held_ = {.samples = held_.samples, .balls = held_.balls, .annotations = held_.annotations, .title = held_.title};
 }
 
 Expected<void> FileDesk::take_over(const Session& session, const std::string& name) {
@@ -180,6 +180,7 @@ Expected<void> FileDesk::recover(const Session& session) {
   forget_files();
   held_.samples = Document().sample_digest();
   held_.balls = Document().ball_digest();
+  held_.annotations = Document().annotations();
   editor_.mark_unsaved();
   held_.title = session.title.empty() ? "Untitled" : session.title;
   return {};
@@ -188,11 +189,14 @@ Expected<void> FileDesk::recover(const Session& session) {
 void FileDesk::note_all_as_saved() {
   held_.samples = editor_.document().sample_digest();
   held_.balls = editor_.document().ball_digest();
+  held_.annotations = editor_.document().annotations();
 }
 
 FileDesk::Unsaved FileDesk::unsaved() const {
-  if (has_session_file()) return {editor_.is_modified(), false};
-  return {editor_.document().sample_digest() != held_.samples, editor_.document().ball_digest() != held_.balls};
+  if (has_session_file()) return {.samples = editor_.is_modified()};
+  const Document& now = editor_.document();
+  return {now.sample_digest() != held_.samples, now.ball_digest() != held_.balls,
+          *now.annotations() != *held_.annotations};
 }
 
 void FileDesk::save() {
@@ -246,6 +250,7 @@ void FileDesk::begin_saving(Held after) {
     add(after.session_file, [session = saving.session] { return write_session(*session); });
     after.samples = now.sample_digest();
     after.balls = now.ball_digest();
+    after.annotations = now.annotations();
     saving.is_whole = true;
   } else {
     const auto is_wanted = [&](const fs::path& file) { return !file.empty() && (!is_new || file == after.file); };
@@ -257,7 +262,8 @@ void FileDesk::begin_saving(Held after) {
       add(after.ball_file, [document = saving.document] { return write_wpoff(*document); });
       after.balls = now.ball_digest();
     }
-    saving.is_whole = after.samples == now.sample_digest() && after.balls == now.ball_digest();
+    saving.is_whole = after.samples == now.sample_digest() && after.balls == now.ball_digest() &&
+                      *after.annotations == *now.annotations();
   }
   saving.after = std::move(after);
   saving_ = std::make_shared<const Saving>(std::move(saving));

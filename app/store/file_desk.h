@@ -93,6 +93,8 @@ class FileDesk {
   struct Unsaved {
     bool samples = false;
     bool balls = false;
+    bool annotations = false;  ///< only sessions hold them
+    bool any() const { return samples || balls || annotations; }
   };
   Unsaved unsaved() const;
 
@@ -121,6 +123,7 @@ class FileDesk {
     std::filesystem::path session_file{};
     std::uint64_t samples = 0;  // digests of what the files hold
     std::uint64_t balls = 0;
+    std::shared_ptr<const Annotations> annotations = std::make_shared<const Annotations>();
     std::string title = "Untitled";
     std::map<std::filesystem::path, FileFingerprint>
         known{};  // what was in files when they were opened or saved here

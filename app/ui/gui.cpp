@@ -22,6 +22,9 @@ constexpr float kRestSeconds = 0.4F;  // before a tooltip; a shorter time shows 
 constexpr std::array<ImWchar, 15> kGlyphs{0x0020, 0x017F, 0x0391, 0x03F5, 0x2010, 0x2032, 0x2113, 0x2113,
                                           0x2190, 0x2194, 0x2202, 0x2265, 0x25CF, 0x25CF, 0};
 
+// Beyond the usual size, in logical pixels: each is drawn smaller down to the one before.
+constexpr std::array<double, 4> kLargeLetters{24.0, 40.0, 64.0, 120.0};
+
 ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
   std::error_code error;
   // The library ends the program if a font file is broken.
@@ -69,11 +72,31 @@ void Gui::load_fonts(double scale) {
   }
   bold_ = add_font(atlas, fonts / "Inter-SemiBold.otf", size(kTextPx));
   if (bold_ == nullptr) bold_ = regular;
-  italic_ = add_font(atlas, fonts / "Inter-Italic.otf", size(kTextPx));
-  if (italic_ == nullptr) italic_ = regular;
+  ImFont* italic = add_font(atlas, fonts / "Inter-Italic.otf", size(kTextPx));
+  if (italic == nullptr) italic = regular;
+  usual_letters_ = {regular, bold_, italic};
+  for (std::size_t i = 0; i < kLetterSizes; ++i) {
+    if ((wanted_sizes_ >> i & 1U) == 0) continue;
+    const char* const files[kLooks] = {"Inter-Regular.otf", "Inter-SemiBold.otf", "Inter-Italic.otf"};
+    for (std::size_t look = 0; look < kLooks; ++look) {
+      large_letters_[i][look] = add_font(atlas, fonts / files[look], size(static_cast<float>(kLargeLetters[i])));
+      if (large_letters_[i][look] == nullptr) large_letters_[i][look] = usual_letters_[look];
+    }
+  }
+  loaded_sizes_ = wanted_sizes_;
   small_ = add_font(atlas, fonts / "Inter-Regular.otf", size(kSmallTextPx));
   if (small_ == nullptr) small_ = regular;
   atlas.Build();
+}
+
+ImFont* Gui::letters(Look look, double size) const {
+  const auto of = static_cast<std::size_t>(look);
+  constexpr double kStillSharp = 1.2;
+  if (size <= kStillSharp * static_cast<double>(kTextPx)) return usual_letters_[of];
+  const auto larger = std::ranges::find_if(kLargeLetters, [size](double letters) { return size <= letters; });
+  const auto i = static_cast<std::size_t>(std::min(larger, kLargeLetters.end() - 1) - kLargeLetters.begin());
+  wanted_sizes_ |= 1U << i;
+  return (loaded_sizes_ >> i & 1U) != 0 ? large_letters_[i][of] : usual_letters_[of];
 }
 
 void Gui::begin_frame(const Settings& settings) {
@@ -81,7 +104,7 @@ void Gui::begin_frame(const Settings& settings) {
   const double enlarged = settings.interface_scale * (settings.for_projector ? kProjectorScale : 1.0);
   const double scale = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
   const bool is_new_scale = scale != font_scale_;
-  if (is_new_scale) {
+  if (is_new_scale || lacks_letters()) {
     const bool is_first = font_scale_ == 0.0;
     font_scale_ = scale;
     unit_ = static_cast<float>(scale / ratio);

@@ -2,6 +2,8 @@
 // Dear ImGui in the program's window: context, fonts, theme, scale, and the question which of both an event is for.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 
 #include "app/ui/glfw_window.h"
@@ -11,7 +13,7 @@
 namespace mes {
 
 /// What it guarantees: text has the resolution of the framebuffer at every content scale; fonts are rasterised again
-/// only when the scale changes. Dear ImGui measures lengths in screen coordinates; `unit()` of them are one logical
+/// only when the scale changes, or letters of another size are asked for. Dear ImGui measures lengths in screen coordinates; `unit()` of them are one logical
 /// pixel. Threads: the window's. One at a time.
 class Gui {
  public:
@@ -30,7 +32,11 @@ class Gui {
   double drawing_scale() const;
   const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
-  ImFont* italic() const { return italic_; }
+  enum class Look : std::uint8_t { plain, bold, italic };
+  /// For letters of `size` logical pixels anywhere, sharp also where they are large. A size that was not asked for
+  /// before comes with the next frame (`lacks_letters`), and letters of another size stand in for it until then.
+  ImFont* letters(Look look, double size) const;
+  bool lacks_letters() const { return wanted_sizes_ != loaded_sizes_; }
   ImFont* small() const { return small_; }
 
   /// True if a panel, popup or menu is at this framebuffer position, or has captured the pointer.
@@ -62,7 +68,13 @@ class Gui {
   ThemeColors colors_;
   float unit_ = 1.0F;
   ImFont* bold_ = nullptr;
-  ImFont* italic_ = nullptr;
+  static constexpr std::size_t kLetterSizes = 4;
+  static constexpr std::size_t kLooks = 3;
+  using Letters = std::array<ImFont*, kLooks>;
+  Letters usual_letters_{};
+  std::array<Letters, kLetterSizes> large_letters_{};
+  mutable unsigned wanted_sizes_ = 0;  // a bit each; asking is all that changes them
+  unsigned loaded_sizes_ = 0;
   ImFont* small_ = nullptr;
 };
 

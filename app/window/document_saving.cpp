@@ -24,7 +24,8 @@ void DocumentFlow::ask_save_as() {
   const Document& document = uses_.work.document();
   const bool balls_only = document.sample_count() == 0 && document.ball_count() != 0;
   const bool wants_balls = rest.balls && !rest.samples;
-  const bool has_format = !files_.file().empty() && !files_.has_session_file();
+  const bool wants_annotations = rest.annotations && !rest.samples && !rest.balls;
+  const bool has_format = !files_.file().empty() && !files_.has_session_file() && !wants_annotations;
   const char* const extension = !has_format ? ".json" : wants_balls || balls_only ? ".wpoff" : ".poff";
   uses_.dialogs.browser.ask_save(browse_folder(), name + extension,
                                  remembering([this](const fs::path& file) { files_.save_as(file); }));
@@ -66,7 +67,7 @@ void DocumentFlow::say_saved(const std::string& files) {
     keeper_.note_saved();
   }
   const FileDesk::Unsaved rest = files_.unsaved();
-  if (!rest.samples && !rest.balls) {
+  if (!rest.any()) {
     if (const auto then = std::exchange(after_save_, {})) then();
   } else if (after_save_) {
     ask_save_as();
@@ -76,6 +77,11 @@ void DocumentFlow::say_saved(const std::string& files) {
 }
 
 void DocumentFlow::say_still_unsaved(const FileDesk::Unsaved& rest) {
+  if (rest.annotations) {
+    uses_.messages.problem("Saved " + files_.title() +
+                           "; still unsaved: the annotations (\"Save as...\" with a name that ends in .json)");
+    return;
+  }
   const std::string what = rest.samples ? rest.balls ? "the samples and the balls" : "the samples" : "the balls";
   const bool has_file = !(rest.balls ? files_.ball_file() : files_.sample_file()).empty();
   const std::string way =

@@ -175,6 +175,7 @@ void DrawingBoard::draw_annotations(bool is_marked) {
   const CanvasAnnotations shown{screen_.gui, canvas_, work_.document(), work_.annotations(), picture_.canvas()};
   annotations_ = shown.layout();
   shown.draw(annotations_, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);
+  if (screen_.gui.lacks_letters()) screen_.clock.want(1);
 }
 
 void DrawingBoard::keep_measurement() {

@@ -46,7 +46,7 @@ struct Bench {
   }
   void add_sample() { REQUIRE(editor.insert(std::vector{Vec2{7, 8}}, "sample")); }
   void add_ball() { REQUIRE(editor.insert_balls(std::vector{Disk{{1, 2}, 3}}, "ball")); }
-  bool is_complete() const { return !desk.unsaved().samples && !desk.unsaved().balls; }
+  bool is_complete() const { return !desk.unsaved().any(); }
 };
 
 }  // namespace
@@ -105,6 +105,32 @@ TEST_CASE("a document of samples and balls counts as modified until both have a 
   CHECK(bench.desk.sample_file() == bench.folder / "copy.poff");
   bench.editor.undo();
   CHECK(bench.is_complete());
+}
+
+TEST_CASE("annotations count as unsaved until a session holds them") {
+  Bench bench;
+  const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(samples).error);
+  REQUIRE(bench.editor.annotate({{.text = "here", .anchors = {{.at = {5, 6}, .samples = {0}}}}}, "Annotate"));
+  CHECK(bench.desk.unsaved().annotations);
+  CHECK_FALSE(bench.desk.unsaved().samples);
+  REQUIRE(bench.save());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.unsaved().annotations);
+  const auto session = bench.folder / "a.json";
+  REQUIRE(bench.save_as(session));
+  CHECK_FALSE(bench.editor.is_modified());
+  CHECK(bench.is_complete());
+  // What is opened again has them, and a file of samples has not.
+  REQUIRE_FALSE(bench.open(session).error);
+  CHECK(bench.editor.document().annotations()->size() == 1);
+  CHECK(bench.is_complete());
+  REQUIRE(bench.editor.annotate({}, "Delete annotation"));
+  REQUIRE(bench.save_as(bench.folder / "b.poff"));
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.desk.unsaved().annotations);
+  bench.editor.undo();
+  CHECK_FALSE(bench.desk.unsaved().annotations);
 }
 
 TEST_CASE("samples added to a file of balls are not lost in it") {

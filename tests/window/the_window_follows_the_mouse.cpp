@@ -178,6 +178,51 @@ TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
   CHECK(bytes_of(session.folder.path / "errors").empty());
 }
 
+TEST_CASE("words with a line are put on a sample, follow it, are undone, and count as unsaved") {
+  Visit session;
+  const VirtualScreen& screen = session.screen;
+  session.show_only_the_drawing();
+  session.press("a");
+  // The sample at the right, and room for words at its upper right.
+  const Screenshot before = screen.shoot();
+  screen.drag({1000, 400}, {1100, 300}, 4);
+  screen.xdotool("mouseup 1");
+  const PixelBox card{1180, 340, 1280, 470};
+  INFO("the card did not appear");
+  REQUIRE(eventually([&] { return !screen.shoot().box_of_changes(card, before).is_empty(); }));
+  const auto are_words_at = [&](int x, int y) {
+    const Screenshot shot = screen.shoot();
+    int dark = 0;
+    for (int row = y - 14; row < y + 4; ++row)
+      for (int column = x; column < x + 60; ++column) dark += shot.is_dark(column, row) ? 1 : 0;
+    return dark > 30;
+  };
+  // A field takes letters from the second frame on.
+  REQUIRE(eventually([&] {
+    if (are_words_at(1100, 300)) return true;
+    screen.xdotool("type MM");
+    return are_words_at(1100, 300);
+  }));
+  session.press("Return");
+  REQUIRE(eventually([&] { return screen.shoot().box_of_changes(card, before).is_empty(); }));
+  REQUIRE(eventually([&] { return session.title().starts_with("* circle.poff"); }));
+  session.press("ctrl+z");
+  CHECK(eventually([&] { return !are_words_at(1100, 300); }));
+  CHECK(eventually([&] { return session.title().starts_with("circle.poff"); }));
+  session.press("ctrl+shift+z");
+  REQUIRE(eventually([&] { return are_words_at(1100, 300); }));
+
+  session.press("v");
+  screen.drag({1000, 400}, {1000, 460}, 4);
+  screen.xdotool("mouseup 1");
+  REQUIRE(eventually([&] { return are_words_at(1100, 360); }));
+
+  // A file of samples cannot hold them.
+  session.save();
+  CHECK(saved_samples(session.file)[0].y < -15.0);
+  CHECK(eventually([&] { return session.title().starts_with("* circle.poff"); }));
+}
+
 TEST_CASE("unsaved work is asked for, and the window sleeps when nothing happens") {
   Visit session;
   session.show_only_the_drawing();
