@@ -91,6 +91,7 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_scale_bar, "toggle-scale-bar", "Scale bar",
      "Show or hide a line of a round length, with its length in the units of the samples"},
     {Id::toggle_axes, "toggle-axes", "Axes", "Show or hide numbers along the lower and the left edge"},
+    {Id::toggle_grid, "toggle-grid", "Grid", "Show or hide faint lines at round numbers, those of the axes", "G"},
     {Id::toggle_annotations, "toggle-annotations", "Annotations",
      "Show or hide text, arrows and dimensions that were put on the drawing"},
     {Id::toggle_evolution, "toggle-evolution", "Evolution",

@@ -55,6 +55,7 @@ enum class ActionId : std::uint8_t {
   toggle_key,
   toggle_scale_bar,
   toggle_axes,
+  toggle_grid,
   toggle_annotations,
   toggle_evolution,
   toggle_theme,

@@ -229,6 +229,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   render->add_flag("--scale-bar", to.render.marks.bar,
                    "A line of a round length, with its length in the units of the samples");
   render->add_flag("--axes", to.render.marks.axes, "Numbers along the lower and the left edge");
+  render->add_flag("--grid", to.render.marks.grid, "Faint lines at round numbers, those of the axes");
   render->add_flag("!--no-annotations", to.render.with_annotations,
                    "Leave out text, arrows and dimensions that a session holds");
   render->add_flag("!--no-source", to.render.with_source,

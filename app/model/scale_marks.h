@@ -7,7 +7,8 @@ namespace mes {
 struct ScaleMarks {
   bool bar = false;   ///< a line of a round length, with that length
   bool axes = false;  ///< numbers along the lower and the left edge
-  bool is_empty() const { return !bar && !axes; }
+  bool grid = false;  ///< faint lines where the axes have their numbers
+  bool is_empty() const { return !bar && !axes && !grid; }
   friend bool operator==(const ScaleMarks&, const ScaleMarks&) = default;
 };
 

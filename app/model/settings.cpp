@@ -122,6 +122,7 @@ FigureSettings figure_from_json(const json& object) {
   out.with_annotations = flag_in(object, "with_annotations", out.with_annotations);
   out.marks.bar = flag_in(object, "with_scale_bar", out.marks.bar);
   out.marks.axes = flag_in(object, "with_axes", out.marks.axes);
+  out.marks.grid = flag_in(object, "with_grid", out.marks.grid);
   out.with_source = flag_in(object, "with_source", out.with_source);
   out.dots_per_inch = number_in(object, "dots_per_inch", kLeastDotsPerInch, kMostDotsPerInch, out.dots_per_inch);
   return out;
@@ -141,6 +142,7 @@ json to_json(const FigureSettings& figure) {
           {"with_annotations", figure.with_annotations},
           {"with_scale_bar", figure.marks.bar},
           {"with_axes", figure.marks.axes},
+          {"with_grid", figure.marks.grid},
           {"with_source", figure.with_source},
           {"dots_per_inch", figure.dots_per_inch}};
 }
@@ -170,6 +172,7 @@ Settings from_json(const json& object) {
   out.show_annotations = flag_in(object, "show_annotations", out.show_annotations);
   out.marks.bar = flag_in(object, "show_scale_bar", out.marks.bar);
   out.marks.axes = flag_in(object, "show_axes", out.marks.axes);
+  out.marks.grid = flag_in(object, "show_grid", out.marks.grid);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
   out.last_folder = text_in(object, "last_folder");
@@ -250,6 +253,7 @@ json to_json(const Settings& settings) {
           {"show_annotations", settings.show_annotations},
           {"show_scale_bar", settings.marks.bar},
           {"show_axes", settings.marks.axes},
+          {"show_grid", settings.marks.grid},
           {"show_evolution", settings.show_evolution},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},

@@ -202,6 +202,9 @@ void FigureDialog::draw_look(const Gui& gui) const {
   ImGui::SameLine();
   ImGui::Checkbox("Axes", &settings.marks.axes);
   tooltip(gui, "Numbers along the lower and the left edge");
+  ImGui::SameLine();
+  ImGui::Checkbox("Grid", &settings.marks.grid);
+  tooltip(gui, "Faint lines at round numbers, those of the axes");
   title(gui, "Annotations");
   ImGui::Checkbox("Text, arrows, dimensions", &settings.with_annotations);
   tooltip(gui, "What the annotation tool has put on the drawing, as a layer of its own");

@@ -112,7 +112,7 @@ void view_menu(const MenuBar& menu) {
   // Rows in menus of their own, because at twice the size no other row of this one fits a screen of 800 pixels.
   if (ImGui::BeginMenu("Legend and scale")) {
     for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_key, ActionId::toggle_scale_bar,
-                              ActionId::toggle_axes, ActionId::toggle_annotations})
+                              ActionId::toggle_axes, ActionId::toggle_grid, ActionId::toggle_annotations})
       action_item(menu, id);
     ImGui::EndMenu();
   }

@@ -48,6 +48,16 @@ class Layout {
     drawing_.height = plane.height;
   }
 
+  void grid() {
+    constexpr double kFaint = 0.22;
+    const double bottom = plane_.height - plane_.covered;
+    for (const Tick& tick : ticks_along(plane_.center.y, plane_.height, plane_.units_per_pixel))
+      if (const double y = plane_.height - tick.at; y <= bottom)
+        drawing_.boxes.push_back({0.0, y - 0.5, plane_.width, 1.0, colors_.quiet, kFaint});
+    for (const Tick& tick : ticks_along(plane_.center.x, plane_.width, plane_.units_per_pixel))
+      drawing_.boxes.push_back({tick.at - 0.5, 0.0, 1.0, bottom, colors_.quiet, kFaint});
+  }
+
   void axes() {
     const double bottom = plane_.height - plane_.covered;
     line(0.0, bottom - 1.0, plane_.width, 1.0);
@@ -137,6 +147,7 @@ SeenPlane seen_plane(const figure::Page& page, double scale) {
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
                                 const std::optional<Rgb>& background) {
   Layout layout(plane, measure, background);
+  if (marks.grid) layout.grid();
   if (marks.axes) layout.axes();
   if (marks.bar) layout.bar();
   return layout.take();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scale bar, and axes with numbers, for a part of the plane.
+// A scale bar, axes with numbers, and a grid, for a part of the plane.
 //
 // Smallest use:
 //     const PaperDrawing marks = layout_scale_marks({.bar = true}, seen_plane(camera, 1.0), measure, kWhiteCanvas);
@@ -29,7 +29,8 @@ struct SeenPlane {
 SeenPlane seen_plane(const render::Camera& camera, double scale);
 SeenPlane seen_plane(const figure::Page& page, double scale);
 
-/// The bar is in the lower left corner, and at most a quarter of the width; the axes are the lower and the left edge.
+/// The bar is in the lower left corner, and at most a quarter of the width; the axes are the lower and the left edge;
+/// the grid has lines at the same numbers.
 /// Their numbers are round, and each tells its place from that of its neighbours: where doubles do not, as in a deep
 /// zoom far from the origin, there are none. Numbers that would run together or out of the drawing are left out.
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,

@@ -90,6 +90,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_key, settings.show_key);
   bind_toggle(ActionId::toggle_scale_bar, settings.marks.bar);
   bind_toggle(ActionId::toggle_axes, settings.marks.axes);
+  bind_toggle(ActionId::toggle_grid, settings.marks.grid);
   bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
   const auto bind_page = [&](ActionId id, DetailsPage page) {
     actions.bind(id, {[&settings, page] { settings.details = settings.details == page ? DetailsPage::none : page; },

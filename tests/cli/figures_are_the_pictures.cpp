@@ -94,7 +94,7 @@ const std::vector<Case>& cases() {
         "voronoi:dashed=on,line-width=2", "--set-style", "interior-voronoi-circles:dashed=on,line-width=1.5",
         "--set-style", "curve:dashed=on,line-width=3"},
        0.012},
-      {"scale", {kBean, "--scale-bar", "--axes"}, 0.004},
+      {"scale", {kBean, "--scale-bar", "--axes", "--grid"}, 0.004},
       {"key", {kBean, "--key", "--layers", "interior-voronoi-disks,interior-voronoi-circles,curve,points"}, 0.006},
       {"on a dark ground", {kDude, "--background", "1b1e22", "--scale", "1.5"}, 0.006},
   };

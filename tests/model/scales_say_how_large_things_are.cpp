@@ -94,6 +94,33 @@ TEST_CASE("numbers along the axes are where they say, apart from each other, and
   }
 }
 
+TEST_CASE("the grid has a line at each number of the axes") {
+  Rng rng(5);
+  for (int i = 0; i < 200; ++i) {
+    const SeenPlane plane{.center = {rng.uniform(-1e3, 1e3), rng.uniform(-1e3, 1e3)},
+                          .units_per_pixel = std::pow(10.0, rng.uniform(-6.0, 6.0)),
+                          .width = rng.uniform(300.0, 4000.0),
+                          .height = rng.uniform(200.0, 3000.0),
+                          .covered = rng.below(2) == 0 ? 0.0 : 40.0};
+    const PaperDrawing grid = laid_out({.grid = true}, plane);
+    CHECK(grid.lines.empty());
+    const auto has_line = [&](bool is_column, double at) {
+      return std::ranges::any_of(grid.boxes, [&](const PaperDrawing::Box& box) {
+        return is_column ? box.width == 1.0 && box.height > 100.0 && std::abs(box.left + 0.5 - at) < 0.01
+                         : box.height == 1.0 && box.width == plane.width && std::abs(box.top + 0.5 - at) < 0.01;
+      });
+    };
+    for (const PaperDrawing::Line& line : laid_out({.axes = true}, plane).lines) {
+      const double said = std::atof(line.text.c_str());
+      CAPTURE(plane.units_per_pixel, plane.center.x, plane.center.y, line.text);
+      if (is_number_of_a_row(line, plane))
+        CHECK(has_line(true, (said - plane.center.x) / plane.units_per_pixel + 0.5 * plane.width));
+      else
+        CHECK(has_line(false, 0.5 * plane.height - (said - plane.center.y) / plane.units_per_pixel));
+    }
+  }
+}
+
 TEST_CASE("where doubles do not tell neighbouring numbers apart there are none") {
   const SeenPlane deep{.center = {1e9, 1.0}, .units_per_pixel = 1e-10, .width = 800.0, .height = 600.0};
   const PaperDrawing drawing = laid_out({.axes = true}, deep);
@@ -106,7 +133,7 @@ TEST_CASE("a picture of no size, and scales at the ends of the doubles, break no
   for (const double units : {1e-300, 5e-324, 1e300, 1.7e308, 0.0})
     for (const double size : {0.0, 1.0, 800.0}) {
       const SeenPlane plane{.center = {0.0, 0.0}, .units_per_pixel = units, .width = size, .height = size};
-      const PaperDrawing drawing = laid_out({.bar = true, .axes = true}, plane);
+      const PaperDrawing drawing = laid_out({.bar = true, .axes = true, .grid = true}, plane);
       CAPTURE(units, size);
       CHECK(std::ranges::all_of(drawing.boxes, [](const auto& box) {
         return std::isfinite(box.left) && std::isfinite(box.top) && std::isfinite(box.width) &&
