@@ -156,10 +156,14 @@ bool AnnotationDesk::close() {
     else
       (void)erase();
   }
+  forget();
+  return had;
+}
+
+void AnnotationDesk::forget() {
   draft_.reset();
   selected_.reset();
   is_new_ = is_changed_ = false;
-  return had;
 }
 
 void AnnotationDesk::follow() {

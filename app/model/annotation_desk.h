@@ -50,6 +50,9 @@ class AnnotationDesk {
   /// Ends the choice; false when there was none.
   bool close();
 
+  /// Ends the choice and leaves the document as it is, which another one is about to replace.
+  void forget();
+
   /// Of a drag: the annotation is as it is moved. Within a gesture.
   Expected<void> move(std::size_t i, Annotation moved);
 

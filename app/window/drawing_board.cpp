@@ -41,8 +41,13 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_nudges(actions);
   bind_view(actions);
   const auto bind_tool = [&](ActionId id, ToolId tool) {
-    actions.bind(
-        id, {[this, tool] { canvas_.choose_tool(tool); }, {}, [this, tool] { return canvas_.tool_id() == tool; }});
+    actions.bind(id, {[this, tool] {
+                        // What is being written belongs to its tool.
+                        if (tool != ToolId::annotate) work_.annotations().close();
+                        canvas_.choose_tool(tool);
+                      },
+                      {},
+                      [this, tool] { return canvas_.tool_id() == tool; }});
   };
   bind_tool(ActionId::tool_select, ToolId::select);
   bind_tool(ActionId::tool_insert, ToolId::insert);

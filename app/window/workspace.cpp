@@ -26,6 +26,7 @@ void Workspace::report(const Expected<void>& done) {
 }
 
 void Workspace::leave_document() {
+  annotations_.forget();
   computation_.give_back();
   evolution_.resume(evolution_.choice(), 0);
   computation_.set(for_another_document(computation_.settings()));

@@ -12,6 +12,8 @@ namespace {
 
 // Dragging fewer than this many things leaves each move of the pointer on record.
 constexpr std::size_t kLargeEdit = 4096;
+// So many annotations or fewer leave each move on record, too.
+constexpr std::size_t kManyAnnotations = 32;
 // So many moves of an evolution stay on record, state by state; some 24 bytes each.
 constexpr std::size_t kMostEvolutionEdits = 1U << 20U;
 
@@ -33,6 +35,12 @@ std::vector<SampleData::Contour> numbered(const CurveOrder& curve, SampleId firs
 bool is_motion(const TimelineEdit& edit) {
   return edit.removed.empty() && edit.inserted.empty() && edit.removed_balls.empty() && edit.inserted_balls.empty() &&
          !edit.curve && !edit.annotations;
+}
+
+// Does nothing but replace the annotations.
+bool is_of_annotations(const TimelineEdit& edit) {
+  return edit.annotations && edit.removed.empty() && edit.moved.empty() && edit.inserted.empty() &&
+         edit.removed_balls.empty() && edit.changed_balls.empty() && edit.inserted_balls.empty() && !edit.curve;
 }
 
 template <class Place>
@@ -146,12 +154,14 @@ void Timeline::note_edit(const Document& document, const DocumentDelta& delta, c
   TimelineEdit out = edit_of(document, delta);
   if (!gesture_at_) out.name = name;
   out.continues = continues;
-  const bool is_large = delta.edits.size() + delta.ball_edits.size() > kLargeEdit;
+  const bool is_large = delta.edits.size() + delta.ball_edits.size() > kLargeEdit ||
+                        (out.annotations && out.annotations->size() > kManyAnnotations);
   if (is_large && gesture_at_ && entries_.size() > *gesture_at_ + 1) {
     const TimelineEntry before = entries_.back();
     if (const auto* last = std::get_if<TimelineEdit>(&before);
-        last != nullptr && is_motion(*last) && is_motion(out) && same_things(last->moved, out.moved) &&
-        same_things(last->changed_balls, out.changed_balls)) {
+        last != nullptr && ((is_of_annotations(*last) && is_of_annotations(out)) ||
+                            (is_motion(*last) && is_motion(out) && same_things(last->moved, out.moved) &&
+                             same_things(last->changed_balls, out.changed_balls)))) {
       entries_.replace_back(out);
       evolution_at_.reset();
       return;

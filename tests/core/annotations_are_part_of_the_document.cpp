@@ -179,6 +179,27 @@ TEST_CASE("an annotation being dragged is one step") {
   CHECK(desk.history.extend(*reworded, "Annotate"));
 }
 
+TEST_CASE("dragging one of many annotations does not fill the timeline") {
+  for (const std::size_t count : {3U, 200U}) {
+    Desk desk;
+    desk.perform(annotate(desk.document, Annotations(count, note_on({}, {1, 1}))), "Annotate");
+    desk.timeline.note_gesture_begun("Move annotation");
+    for (int i = 1; i <= 50; ++i) {
+      Annotations now = *desk.document.annotations();
+      now[0].anchors[0].at = {static_cast<double>(i), 0.0};
+      desk.perform(annotate(desk.document, now));
+    }
+    desk.timeline.note_gesture_ended();
+    // The step before, the beginning of the gesture, its moves, its end.
+    CHECK(desk.timeline.entries().size() == (count == 3 ? 53 : 4));
+    DocumentReplay replay;
+    REQUIRE(replay.begin(*desk.timeline.data()));
+    for (const TimelineEntry& entry : desk.timeline.entries()) REQUIRE(replay.apply(entry));
+    CHECK(*replay.document().annotations() == *desk.document.annotations());
+    CHECK(replay.history().step_count() == 2);
+  }
+}
+
 TEST_CASE("what no document can hold is refused") {
   Desk desk;
   desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}});

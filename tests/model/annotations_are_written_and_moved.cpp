@@ -210,6 +210,23 @@ TEST_CASE("whatever else changes annotations ends the choice") {
   CHECK(bench.place(0) == at(100, 100).world);
 }
 
+TEST_CASE("a draft does not reach another document") {
+  Bench bench;
+  bench.click(at(100, 100));
+  REQUIRE(bench.desk.is_draft());
+  bench.desk.forget();
+  CHECK(bench.desk.current() == nullptr);
+  REQUIRE(bench.editor.load({.positions = {{1, 2}}}));
+  REQUIRE(bench.desk.change({.text = "late", .anchors = {{.samples = {2}}}}));
+  CHECK(bench.all().empty());
+  // Nor does a choice.
+  bench.click(at(400, 300));
+  bench.write("words");
+  REQUIRE(bench.editor.load({}));
+  CHECK(bench.desk.current() == nullptr);
+  CHECK_FALSE(bench.desk.close());
+}
+
 TEST_CASE("a measurement becomes a dimension that follows its samples") {
   Bench bench;
   MeasureTool measure(bench.context);
