@@ -104,7 +104,7 @@ inline constexpr double kEmOfSize = 2816.0 / 3408.0;
 struct Text {
   Vec2 start;          ///< of the baseline
   double size = 0.0;   ///< from the ascent of the font to its descent
-  double width = 0.0;  ///< that was counted on
+  double width = 0.0;  ///< as the layout measured it
   bool is_bold = false;
   Rgb color{};
   std::string text{};  ///< UTF-8

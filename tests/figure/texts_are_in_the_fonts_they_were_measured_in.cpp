@@ -153,7 +153,7 @@ TEST_CASE("letters are as wide as measured, kerning included") {
   }
 }
 
-TEST_CASE("text that is wider than was counted on becomes narrower in pictures") {
+TEST_CASE("text that is wider than it was measured becomes narrower in pictures") {
   Text text = text_at({10, 60}, 24.0, "MMMMMM");
   text.width *= 0.5;
   const auto picture = picture_of(figure_of_texts({text}), 4.0);

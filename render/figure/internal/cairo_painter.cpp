@@ -177,7 +177,7 @@ void CairoPainter::paint(const Text& text) {
 }
 
 void CairoPainter::keep_to(double width, double measured) {
-  // What was counted on was measured at another size, in single precision.
+  // The layout measured at another size, in single precision.
   constexpr double kRounding = 1e-4;
   if (width > 0.0 && measured > (1.0 + kRounding) * width) cairo_scale(cairo_, width / measured, 1.0);
 }

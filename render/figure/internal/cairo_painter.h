@@ -33,7 +33,7 @@ class CairoPainter {
   bool show_glyphs(const Text& text);
   /// In Helvetica, or in what the system has instead.
   void show_in_named_font(const Text& text);
-  /// Makes what follows narrower if it is wider than its layout counted on.
+  /// Makes what follows narrower if it is wider than its layout measured.
   void keep_to(double width, double measured);
   void curve(const Bezier& bezier);
   /// Adds the shape at `i`, or the chain that begins there, to the path. Returns the number of shapes.
