@@ -123,11 +123,26 @@ void add_force(CLI::App& command, bool& force) {
   command.add_flag("--force", force, "Overwrite the output even if it was read and has changed since");
 }
 
+/// What stands on a picture to explain it.
+template <class Request>
+void add_explanations(CLI::App& command, Request& to) {
+  command.add_flag("--legend,!--no-legend", to.with_legend,
+                   "With a colour map: whether its colour bar is drawn; default: yes");
+  command.add_flag("--key", to.with_key, "With all layers in the legend, and a sample of how each is drawn");
+  command.add_flag("--scale-bar", to.marks.bar,
+                   "A line of a round length, with its length in the units of the samples");
+  command.add_flag("--axes", to.marks.axes, "Numbers along the lower and the left edge");
+  command.add_flag("--grid", to.marks.grid, "Faint lines at round numbers, those of the axes");
+  command.add_flag("!--no-annotations", to.with_annotations,
+                   "Leave out text, arrows and dimensions that a session holds");
+}
+
 void add_film(CLI::App& command, FilmRequest& film) {
   command.add_option("--frames", film.frames, "Folder for the pictures 00001.png ... and manifest.json");
   command.add_option("--video", film.video, "A video, .mp4 or .webm; needs ffmpeg");
   command.add_option("--size", film.size, "Width and height in pixels, WxH")->capture_default_str();
   command.add_option("--fps", film.fps, "Pictures a second, 1 to 120")->capture_default_str();
+  add_explanations(command, film);
   command.add_option("--shard", film.shard,
                      "I/N: only every Nth picture, beginning with the Ith, under the same names");
 }
@@ -222,16 +237,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                      "A PNG or JPEG picture below everything else (the layer image), FILE or\n"
                      "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"
                      "without them it is laid into the box around the samples");
-  render->add_flag("--legend,!--no-legend", to.render.with_legend,
-                   "With a colour map: whether its colour bar is drawn, in the corner\n"
-                   "where it hides least; default: yes");
-  render->add_flag("--key", to.render.with_key, "With all layers in the legend, and a sample of how each is drawn");
-  render->add_flag("--scale-bar", to.render.marks.bar,
-                   "A line of a round length, with its length in the units of the samples");
-  render->add_flag("--axes", to.render.marks.axes, "Numbers along the lower and the left edge");
-  render->add_flag("--grid", to.render.marks.grid, "Faint lines at round numbers, those of the axes");
-  render->add_flag("!--no-annotations", to.render.with_annotations,
-                   "Leave out text, arrows and dimensions that a session holds");
+  add_explanations(*render, to.render);
   render->add_flag("!--no-source", to.render.with_source,
                    "Leave out of the picture what it is of: without this PNG, SVG, PDF and\n"
                    "Ipe files hold samples, view and layers, and can be given as FILE");

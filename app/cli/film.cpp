@@ -41,6 +41,9 @@ struct Film {
   PictureSize size;
   double fps = 12.0;
   Shard shard;
+  LegendScope legend = LegendScope::color_maps;
+  ScaleMarks marks{};
+  bool with_annotations = true;
 };
 
 Expected<Shard> parse_shard(const std::string& text) {
@@ -63,6 +66,9 @@ Expected<Film> understand(const FilmRequest& request) {
   if (!fps || *fps < 1.0 || *fps > 120.0)
     return usage_error("--fps expects a number from 1 to 120, not " + in_quotes(request.fps));
   film.fps = *fps;
+  film.legend = legend_scope(request.with_legend, request.with_key);
+  film.marks = request.marks;
+  film.with_annotations = request.with_annotations;
   const auto shard = parse_shard(request.shard);
   if (!shard) return std::unexpected(shard.error());
   film.shard = *shard;
@@ -126,9 +132,11 @@ class Studio {
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image) return std::unexpected(image.error());
-    return Shot{std::move(*image),
-                picture_overlay_of({legend_of(scene_, views), player.caption(), {}, place(player.document())}, fonts_,
-                                   {camera, scale, kWhiteCanvas})};
+    PlacedAnnotations annotations;
+    if (film_.with_annotations) annotations = place(player.document());
+    return Shot{std::move(*image), picture_overlay_of({legend_of(scene_, views, film_.legend), player.caption(),
+                                                       film_.marks, annotations},
+                                                      fonts_, {camera, scale, kWhiteCanvas})};
   }
 
  private:

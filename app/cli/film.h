@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/model/scale_marks.h"
 #include "core/base/error.h"
 #include "core/io/session.h"
 
@@ -14,6 +15,10 @@ struct FilmRequest {
   std::string video;   ///< .mp4 or .webm; empty: only the frames
   std::string size = "1280x720";
   std::string fps = "12";
+  bool with_legend = true;  ///< where a colour map is used
+  bool with_key = false;
+  ScaleMarks marks{};
+  bool with_annotations = true;
   std::string shard;  ///< "3/16": every 16th frame beginning with the 3rd; empty: all
 };
 

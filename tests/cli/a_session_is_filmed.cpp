@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/golden_image.h"
 
 using namespace mes::test;
+using mes::render::Image;
 using nlohmann::json;
 
 namespace {
@@ -54,6 +57,34 @@ TEST_CASE("each step of a session is a picture, the same in every run, and shard
   const RunResult refused = film("whole");
   CHECK(refused.exit_code == 4);
   CHECK(refused.err.find("frames already") != std::string::npos);
+}
+
+TEST_CASE("a film shows annotations at each step, and what else explains it where that is asked for") {
+  const TemporaryFolder folder;
+  const std::string session = (folder / "a.json").string();
+  std::ofstream(session)
+      << R"({"mesecina":"session","schema":1,"data":{"samples":[0,0,4,0,4,3,0,3]},"view":[-1,-1,5,4],
+    "timeline":[{"edit":{"annotations":[{"kind":"leader","at":[4,3],"follows":[[2]],"text":"here","shift":[-60,40]}]}},
+    {"edit":{"move":[2,3,2]}},{"undo":true},{"undo":true}]})";
+  const auto film = [&](const std::string& name, const std::vector<std::string>& extra = {}) {
+    std::vector<std::string> arguments{"play", session, "--frames", (folder / name).string(), "--size", "320x200"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    REQUIRE(run(arguments).exit_code == 0);
+    std::vector<Image> out;
+    for (int i = 1; i <= 5; ++i) out.push_back(read_png(folder / name / ("0000" + std::to_string(i) + ".png")));
+    return out;
+  };
+  const std::vector<Image> shown = film("shown");
+  const std::vector<Image> bare = film("bare", {"--no-annotations"});
+  // Opened, annotated, its sample moved, moved back, without.
+  CHECK(shown[0] == bare[0]);
+  CHECK(shown[1] != bare[1]);
+  CHECK(bare[1] == bare[0]);
+  CHECK(shown[2] != bare[2]);
+  CHECK(shown[3] == shown[1]);
+  CHECK(shown[4] == shown[0]);
+  const std::vector<Image> explained = film("explained", {"--axes", "--grid", "--scale-bar", "--key"});
+  for (std::size_t i = 0; i < shown.size(); ++i) CHECK(explained[i] != shown[i]);
 }
 
 TEST_CASE("films that make no sense are refused before any work") {
