@@ -141,6 +141,33 @@ TEST_CASE("a circle with a sample inside has no vertex at its centre") {
   CHECK(bench.desk.anchor_at({0, 0}, 4.5, true).samples.empty());
 }
 
+TEST_CASE("the element that a line will be on is ringed") {
+  Bench bench;
+  bench.tool.hover(at(103, 101));
+  CHECK(bench.tool.feedback().ringed == at(100, 100).world);
+  bench.tool.hover(at(152, 149));
+  CHECK(bench.tool.feedback().ringed == at(150, 150).world);
+  bench.tool.hover(at(400, 300));
+  CHECK_FALSE(bench.tool.feedback().ringed.has_value());
+  // Of words dragged off a sample, that sample; of an arrow, where its tip is.
+  bench.tool.press(at(103, 101));
+  bench.tool.drag(at(201, 199));
+  CHECK(bench.tool.feedback().ringed == at(100, 100).world);
+  REQUIRE(bench.tool.feedback().line.has_value());
+  CHECK(bench.tool.feedback().line->second == at(201, 199).world);
+  bench.tool.cancel();
+  bench.tool.press(at(400, 300));
+  bench.tool.drag(at(201, 199));
+  CHECK(bench.tool.feedback().ringed == at(200, 200).world);
+  bench.tool.cancel();
+  CHECK(bench.all().empty());
+  // What lies under an annotation is not taken.
+  bench.under_pointer = 0;
+  bench.tool.hover(at(103, 101));
+  CHECK_FALSE(bench.tool.feedback().ringed.has_value());
+  CHECK(bench.tool.feedback().annotation == 0);
+}
+
 TEST_CASE("a drag over free space is an arrow, which needs no words") {
   Bench bench;
   bench.drag(at(400, 300), at(202, 199));

@@ -122,7 +122,9 @@ ToolFeedback AnnotateTool::feedback() const {
     out.annotation = hovered_;
   const bool moves_words = pressed_ && pressed_->annotation && !pressed_->end;
   if (!now_ || moves_words || (!pressed_ && hovered_)) return out;
-  const Anchor on = anchor_at(*now_);
+  // A line to words keeps the element where it began; any other end takes the one under the pointer.
+  const bool is_leader = pressed_ && !pressed_->annotation && !pressed_->anchor.samples.empty();
+  const Anchor on = is_leader ? pressed_->anchor : anchor_at(*now_);
   if (!on.samples.empty()) out.ringed = context_.editor.document().place_of(on);
   return out;
 }
