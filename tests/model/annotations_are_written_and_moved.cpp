@@ -133,7 +133,7 @@ TEST_CASE("a circle with a sample inside has no vertex at its centre") {
   Bench bench;
   CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.size() == 3);
   CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, false).samples.empty());
-  REQUIRE(bench.editor.insert(std::array{at(160, 135).world}, "Insert"));
+  REQUIRE(bench.editor.insert(std::array{at(150, 90).world}, "Insert"));
   CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.empty());
   // Nothing is near, and nothing is there at all.
   CHECK(bench.desk.anchor_at({1e30, 1e30}, 4.5, true).samples.empty());
