@@ -29,12 +29,13 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
   return {.at = p};
 }
 
-// The samples around a vertex are all at one distance from it, and none is nearer. A few spacings away, where a huge
-// circle would have to be searched, vertices are not looked for.
+// The samples around a vertex are all at one distance from it, and none is nearer. A circle far larger than the reach
+// is not searched, nor any among very many samples: the box around it can hold most of them.
 std::optional<Anchor> AnnotationDesk::vertex_at(Vec2 p, double reach) const {
   constexpr double kFarthest = 128.0;
   constexpr std::size_t kMostAround = 24;
   const Document& document = editor_.document();
+  if (document.sample_count() > kMostSamplesForVertices) return std::nullopt;
   SampleSlot nearest;
   for (double radius = 2.0 * reach; nearest == kNoSlot && radius <= kFarthest * reach; radius *= 2.0)
     nearest = editor_.index().nearest(p, radius);

@@ -30,8 +30,9 @@ class AnnotationDesk {
  public:
   explicit AnnotationDesk(Editor& editor) : editor_(editor) {}
 
-  /// On the nearest sample within `reach`, or else on the vertex of the Voronoi diagram there, if vertices are wanted,
-  /// or else fixed.
+  /// On the nearest sample within `reach`, or else on the vertex of the Voronoi diagram there, if vertices are wanted
+  /// and there are at most `kMostSamplesForVertices`, or else fixed. O(samples) at worst.
+  static constexpr std::size_t kMostSamplesForVertices = 20'000;
   Anchor anchor_at(Vec2 p, double reach, bool with_vertices) const;
 
   /// What shows something without words is put into the document at once. Ends the choice before.
@@ -50,7 +51,7 @@ class AnnotationDesk {
   /// Ends the choice; false when there was none.
   bool close();
 
-  /// Ends the choice and leaves the document as it is, which another one is about to replace.
+  /// Ends the choice and leaves the document as it is. To be called when another document is about to replace it.
   void forget();
 
   /// Of a drag: the annotation is as it is moved. Within a gesture.

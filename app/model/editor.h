@@ -93,7 +93,7 @@ class Editor {
   Expected<void> remove(std::span<const SampleId> ids, const std::string& name) { return remove(ids, {}, name); }
   Expected<void> remove(std::span<const SampleId> samples, std::span<const BallId> balls, const std::string& name);
   /// Makes these the annotations. With `continues`, it is the same step as the call before if nothing else happened
-  /// since, and only places differ.
+  /// since, and there are as many as before.
   Expected<void> annotate(Annotations annotations, const std::string& name, bool continues = false);
   /// A change as it stands on a timeline.
   Expected<void> perform(const TimelineEdit& edit) {

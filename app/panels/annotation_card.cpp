@@ -110,7 +110,7 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
   choice_number_ = desk.choice_number();
   const ImVec2 size{(kWidth + 24) * unit, 150 * unit};
   if (is_new) {
-    // Below the words, or above them where there is no room.
+    // Below the words, or above them if it would not fit below.
     const float below = beside.y + 30 * unit;
     at_ = {beside.x, below + size.y <= room[1].y ? below : beside.y - size.y - 40 * unit};
   }

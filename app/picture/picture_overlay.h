@@ -29,7 +29,7 @@ struct PictureOverlay {
   std::shared_ptr<const PaperFonts> fonts;
   PictureLegend legend;
   PaperDrawing annotations;
-  PaperDrawing marks;  ///< scale bar and axes
+  PaperDrawing marks;  ///< scale bar, axes and grid
   double marks_scale = 1.0;
   bool has_axes = false;
   std::string caption;

@@ -176,7 +176,8 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
 
 void DrawingBoard::draw_annotations(bool is_marked) {
   annotations_ = {};
-  if (!settings_.show_annotations) return;
+  // The tool that writes them shows them.
+  if (!settings_.show_annotations && canvas_.tool_id() != ToolId::annotate) return;
   const CanvasAnnotations shown{screen_.gui, canvas_, work_.document(), work_.annotations(), picture_.canvas()};
   annotations_ = shown.layout();
   shown.draw(annotations_, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);

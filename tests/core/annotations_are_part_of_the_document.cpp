@@ -70,7 +70,7 @@ TEST_CASE("an anchor follows its sample, and stays where that was removed") {
   CHECK(places(desk.document) == before);
   desk.move(1, {6, 0});
   CHECK(places(desk.document)[0] == Vec2{6, 0});
-  // On one line there is no circle: the anchor is where it was put.
+  // Three samples on one line have no circle: the anchor is where it was put.
   desk.move(2, {3, 0});
   CHECK(places(desk.document)[1] == Vec2{2, 2});
 }

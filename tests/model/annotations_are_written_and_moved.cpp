@@ -137,6 +137,12 @@ TEST_CASE("a circle with a sample inside has no vertex at its centre") {
   CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.empty());
   // Nothing is near, and nothing is there at all.
   CHECK(bench.desk.anchor_at({1e30, 1e30}, 4.5, true).samples.empty());
+  // Among more samples than can be searched while the pointer moves there are none either.
+  SampleData many{.positions = {at(100, 100).world, at(200, 100).world, at(200, 200).world}};
+  for (int i = 0; i <= 20'000; ++i) many.positions.push_back({1e4 + i, 1e4});
+  REQUIRE(bench.editor.load(many));
+  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.empty());
+  CHECK(bench.desk.anchor_at(at(102, 99).world, 4.5, true).samples.size() == 1);
   REQUIRE(bench.editor.load({}));
   CHECK(bench.desk.anchor_at({0, 0}, 4.5, true).samples.empty());
 }

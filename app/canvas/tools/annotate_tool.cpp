@@ -29,7 +29,7 @@ void AnnotateTool::press(const Pointer& pointer) {
         if (distance(document.place_of(pressed.before.anchors[i]), pointer.world) <= reach) pressed.end = i;
   } else {
     pressed.annotation.reset();
-    pressed.anchor = anchor_at(pointer);
+    under_pointer_ = pressed.anchor = anchor_at(pointer);
   }
   pressed_ = std::move(pressed);
 }
@@ -38,7 +38,7 @@ void AnnotateTool::press(const Pointer& pointer) {
 Annotation AnnotateTool::moved(const Pointer& pointer) const {
   Annotation out = pressed_->before;
   if (pressed_->end) {
-    out.anchors[*pressed_->end] = anchor_at(pointer);
+    out.anchors[*pressed_->end] = under_pointer_;
     return out;
   }
   const Vec2 way = pointer.world - pressed_->at.world;
@@ -56,6 +56,7 @@ Annotation AnnotateTool::moved(const Pointer& pointer) const {
 void AnnotateTool::drag(const Pointer& pointer) {
   if (!pressed_) return;
   now_ = pointer;
+  under_pointer_ = anchor_at(pointer);
   const bool was_dragged = pressed_->is_dragged;
   if (distance(pressed_->at.px, pointer.px) > kDragThresholdPx) pressed_->is_dragged = true;
   if (!pressed_->is_dragged || !pressed_->annotation) return;
@@ -81,7 +82,7 @@ void AnnotateTool::make(const Pointer& pointer) {
     out.shift = pointer.px - pressed_->at.px;
   } else {
     out.kind = AnnotationKind::arrow;
-    out.anchors.push_back(anchor_at(pointer));
+    out.anchors.push_back(under_pointer_);
   }
   accepted(context_.annotations.begin(std::move(out)));
 }
@@ -104,6 +105,7 @@ void AnnotateTool::cancel() {
 
 void AnnotateTool::hover(const Pointer& pointer) {
   now_ = pointer;
+  under_pointer_ = anchor_at(pointer);
   hovered_ = context_.annotation_at ? context_.annotation_at(pointer.px) : std::nullopt;
 }
 
@@ -124,7 +126,7 @@ ToolFeedback AnnotateTool::feedback() const {
   if (!now_ || moves_words || (!pressed_ && hovered_)) return out;
   // A line to words keeps the element where it began; any other end takes the one under the pointer.
   const bool is_leader = pressed_ && !pressed_->annotation && !pressed_->anchor.samples.empty();
-  const Anchor on = is_leader ? pressed_->anchor : anchor_at(*now_);
+  const Anchor& on = is_leader ? pressed_->anchor : under_pointer_;
   if (!on.samples.empty()) out.ringed = context_.editor.document().place_of(on);
   return out;
 }

@@ -44,6 +44,7 @@ class AnnotateTool final : public Tool {
 
   std::optional<Pressed> pressed_;
   std::optional<Pointer> now_;
+  Anchor under_pointer_;  // found once a move of the pointer: frames show it
   std::optional<std::size_t> hovered_;
 };
 
