@@ -40,6 +40,7 @@ struct LayerDescriptor {
   LayerStyle style{};                          ///< the default
   std::vector<PrimitiveKind> kinds{};          ///< what it may emit, in drawing order (first = bottom)
   std::vector<std::string_view> structures{};  ///< ids of the structures it reads
+  bool follows_settings = false;               ///< number type or parameters have a say in it
 };
 
 /// Every layer, in default stacking order: first = bottom.

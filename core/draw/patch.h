@@ -77,7 +77,8 @@ enum class NodeState : std::uint8_t {
 };
 
 struct NodeReport {
-  std::string structure;  ///< public id, kebab case
+  std::string structure;      ///< public id, kebab case
+  std::uint32_t variant = 0;  ///< whose structure it is (core/draw/variant.h)
   NodeState state = NodeState::inactive;
   std::string reason;               ///< one line, when failed or blocked
   std::vector<SampleId> witnesses;  ///< culprits of a failure
@@ -105,8 +106,8 @@ struct FramePatch {
   DrawingFrame frame;                   ///< when it differs from the patch before, every layer is reset
   std::vector<LayerPatch> layers;       ///< only demanded layers with changes; entries past `layer_count` are spare
   std::size_t layer_count = 0;
-  std::vector<NodeReport> nodes;
-  std::vector<LayerReport> reports;
+  std::vector<NodeReport> nodes;           ///< of the main computation first, then of the variants
+  std::vector<LayerReport> reports;        ///< by number of the layer, in all variants
   std::unique_ptr<Provenance> provenance;  ///< the answer, if this run gave one
   bool complete = true;  ///< false: the run was stopped; no layer is in the patch, and the picture is as before
 };

@@ -42,6 +42,16 @@ struct Engine::Impl {
     settings = wanted;
     job_stop.request_stop();
   }
+  void add(VariantStep step) {
+    if (step.variants && *step.variants == latest_variants) step.variants.reset();
+    if (!step.variants && step.deltas.empty()) return;
+    status.cancelled = false;
+    if (step.variants) {
+      latest_variants = *step.variants;
+      job_stop.request_stop();
+    }
+    variant_steps.push_back(std::move(step));
+  }
   void set(std::vector<LayerIndex> layers) {
     demand = std::move(layers);
     demand_changed = true;
@@ -49,8 +59,8 @@ struct Engine::Impl {
   }
 
   bool has_to_compute() const {
-    return !deltas.empty() || settings || demand_changed || want_statistics != has_statistics ||
-           want_findings != has_findings || unfinished;
+    return !deltas.empty() || !variant_steps.empty() || settings || demand_changed ||
+           want_statistics != has_statistics || want_findings != has_findings || unfinished;
   }
   bool has_work() const { return has_to_compute() || question; }
 
@@ -62,6 +72,11 @@ struct Engine::Impl {
       status.busy = has_to_compute();
       for (auto& delta : deltas) graph.post(std::move(delta));
       deltas.clear();
+      for (VariantStep& step : variant_steps) {
+        if (step.variants) graph.set_variants(*step.variants);
+        for (auto& [variant, delta] : step.deltas) graph.post(variant, std::move(delta));
+      }
+      variant_steps.clear();
       if (settings) graph.post_settings(*settings);
       settings.reset();
       if (demand_changed) graph.set_demand(demand);
@@ -126,6 +141,8 @@ struct Engine::Impl {
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
   std::optional<ComputationSettings> settings;  // that the graph has not seen
   ComputationSettings latest_settings;
+  std::vector<VariantRequest> latest_variants;
+  std::vector<VariantStep> variant_steps;  // that the graph has not seen
   std::vector<LayerIndex> demand;
   bool demand_changed = false;
   bool want_statistics = false;
@@ -160,6 +177,7 @@ void Engine::post(EngineStep step) {
     const std::lock_guard lock(impl_->mutex);
     for (auto& delta : step.deltas) impl_->add(std::move(delta));
     impl_->set(step.settings);
+    impl_->add(std::move(step.beside));
     impl_->set(std::move(step.demand));
   }
   impl_->work_there.notify_one();

@@ -7,7 +7,8 @@
 //     wins.
 //  3. Patches come out in order and each builds on the one before; none is skipped or shared.
 //  4. A structure that fails leaves its layers at their last good picture; the report says why.
-//  5. `cancel` ends the running computation within a fraction of a second; what it had to do stays pending until
+//  5. Variants are computed in the same steps as the main computation, and are in the same patches.
+//  6. `cancel` ends the running computation within a fraction of a second; what it had to do stays pending until
 //     the next `post`, `set_demand` or `resume`.
 //
 // Smallest use:
@@ -21,20 +22,36 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/document/delta.h"
 #include "core/draw/patch.h"
+#include "core/draw/variant.h"
+#include "core/engine/variant_request.h"
 #include "core/structures/inputs/settings_source.h"
 
 namespace mes {
+
+/// A change of the document of one variant.
+struct VariantDelta {
+  VariantIndex variant = kMainVariant;
+  std::shared_ptr<const DocumentDelta> delta;
+};
+
+/// A change of the variants. Those that keep their kind keep their documents.
+struct VariantStep {
+  std::optional<std::vector<VariantRequest>> variants{};  ///< 1, 2, ...; none: as they were
+  std::vector<VariantDelta> deltas{};                     ///< of variants that have documents
+};
 
 /// What changes together and is computed as one step.
 struct EngineStep {
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
   ComputationSettings settings;
-  std::vector<LayerIndex> demand;
+  std::vector<LayerIndex> demand;  ///< by numbers in all variants (`layer_in`)
+  VariantStep beside{};
 };
 
 struct EngineStatus {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -13,46 +14,99 @@
 
 namespace mes {
 
-Graph::Graph() : structures_(make_structures()), samples_(structures_.get<Samples>()) {
+Graph::Graph() {
+  add(std::make_unique<Variant>(Variant{.structures = make_structures()}));
+  samples_ = &structures().get<Samples>();
+}
+
+void Graph::add(std::unique_ptr<Variant> added) {
+  const auto index = static_cast<VariantIndex>(variants_.size());
+  added->first_node = nodes_.size();
+  const Variant& variant = *variants_.emplace_back(std::move(added));
   const auto position_of = [this](const Structure* structure) {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].structure == structure) return i;
     assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
   };
-  for (const auto& structure : structures_.all()) {
+  for (const auto& structure : variant.structures.all()) {
     StructureNode node;
     node.structure = structure.get();
+    node.variant = index;
     node.source = dynamic_cast<SourceStructure*>(structure.get());
     for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
-    if (node.source != nullptr) last_source_ = nodes_.size();
     nodes_.push_back(std::move(node));
   }
-  layers_ = make_layers(structures_);
-  for (const Layer& layer : layers_) {
+  for (Layer& layer : make_layers(variant.structures)) {
     LayerNode node;
-    std::size_t last = last_source_;  // the sources have a say in all layers: the drawing frame follows them
-    for (const Structure* structure : layer.structures) {
-      node.structures.push_back(position_of(structure));
-      last = std::max(last, node.structures.back());
+    const bool is_shared =
+        index != kMainVariant && std::ranges::none_of(layer.structures, [&](const Structure* structure) {
+          return variant.structures.holds(*structure);
+        });
+    if (is_shared) {
+      layer.parts.clear();
+    } else {
+      std::ranges::transform(layer.structures, std::back_inserter(node.structures), position_of);
+      // Sources are brought up to date before all others.
+      const auto turn = [this](std::size_t position) {
+        return std::pair(nodes_[position].source == nullptr, position);
+      };
+      const auto last = std::ranges::max_element(node.structures, {}, turn);
+      if (last != node.structures.end())
+        nodes_[*last].completes.push_back(static_cast<LayerIndex>(layer_nodes_.size()));
     }
-    nodes_[last].completes.push_back(static_cast<LayerIndex>(layer_nodes_.size()));
     layer_nodes_.push_back(std::move(node));
+    layers_.push_back(std::move(layer));
   }
+  if (index == kMainVariant) layer_count_ = layers_.size();
+  demand_changed_ = true;
+}
+void Graph::drop_variants(std::size_t kept) {
+  if (kept == variants_.size()) return;
+  const std::size_t nodes = variants_[kept]->first_node;
+  const std::size_t layers = kept * layer_count_;
+  nodes_.resize(nodes);
+  layers_.resize(layers);
+  layer_nodes_.resize(layers);
+  for (StructureNode& node : nodes_)
+    std::erase_if(node.completes, [layers](LayerIndex layer) { return layer >= layers; });
+  variants_.resize(kept);
+  demand_changed_ = true;
+}
+
+void Graph::set_variants(std::span<const VariantRequest> wanted) {
+  std::size_t kept = 1;
+  while (kept < variants_.size() && kept <= wanted.size() &&
+         variants_[kept]->has_document == wanted[kept - 1].has_document)
+    ++kept;
+  drop_variants(kept);
+  while (variants_.size() <= wanted.size()) {
+    const bool has_document = wanted[variants_.size() - 1].has_document;
+    add(std::make_unique<Variant>(
+        Variant{.structures = make_structures(&structures(), has_document), .has_document = has_document}));
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    variants_[i + 1]->structures.get<SettingsSource>().post(wanted[i].settings);
 }
 
 void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
+  post(kMainVariant, std::move(delta));
+}
+
+void Graph::post(VariantIndex variant, std::shared_ptr<const DocumentDelta> delta) {
+  MES_ASSERT(variant < variants_.size() && variants_[variant]->has_document);
   for (const StructureNode& node : nodes_)
-    if (node.source != nullptr) node.source->post(delta);
+    if (node.source != nullptr && node.variant == variant) node.source->post(delta);
 }
 
 void Graph::post_settings(const ComputationSettings& settings) {
-  structures_.get<SettingsSource>().post(settings);
+  structures().get<SettingsSource>().post(settings);
 }
 
 void Graph::set_demand(std::span<const LayerIndex> layers) {
   for (LayerNode& node : layer_nodes_) node.demanded = false;
   for (const LayerIndex layer : layers) {
     MES_ASSERT(layer < layer_nodes_.size());
+    MES_ASSERT(layer < layer_count_ || !layer_nodes_[layer].structures.empty());
     layer_nodes_[layer].demanded = true;
   }
   for (LayerNode& node : layer_nodes_) {
@@ -77,7 +131,7 @@ void Graph::mark_needed() {
     for (const std::size_t structure : layer.structures) nodes_[structure].needed = true;
   }
   for (StructureNode& node : nodes_)
-    if (want_findings_ && node.structure->is_judge()) node.needed = true;
+    if (want_findings_ && node.variant == kMainVariant && node.structure->is_judge()) node.needed = true;
   // Inputs stand before their consumers.
   for (std::size_t i = nodes_.size(); i-- > 0;)
     if (nodes_[i].needed)
@@ -331,7 +385,8 @@ void Graph::report(FramePatch& out) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     StructureNode& node = nodes_[i];
     NodeReport& report = out.nodes[i];
-    if (report.structure.empty()) report.structure = node.structure->id();
+    if (report.structure != node.structure->id()) report.structure = node.structure->id();
+    report.variant = node.variant;
     report.state = node.needed ? node.state : NodeState::inactive;
     if (report.reason != node.reason) report.reason = node.reason;
     if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
@@ -340,13 +395,14 @@ void Graph::report(FramePatch& out) {
     report.rebuilt = node.last_was_rebuild;
     report.stats.clear();
     report.findings.clear();
-    report.is_judging = want_findings_ && node.structure->has_verdict() && node.state == NodeState::up_to_date;
+    const bool is_judged = want_findings_ && node.variant == kMainVariant;
+    report.is_judging = is_judged && node.structure->has_verdict() && node.state == NodeState::up_to_date;
     report.kernel = node.structure->kernel();
     if (!node.needed || node.state != NodeState::up_to_date) continue;
     // After a run that was stopped, the tables of inputs may be newer than its own, and what it says of itself reads
     // both.
     const bool may_ask = node.synced == run_;
-    if (want_findings_) {
+    if (is_judged) {
       if (may_ask && (node.findings_run < node.changed || node.findings_run == 0)) {
         node.findings.clear();
         node.structure->find(node.findings);
@@ -395,7 +451,8 @@ Provenance Graph::answer(const ProvenanceQuestion& question) const {
       out.lines.push_back({ProvenanceRole::itself, {}, {search.best()->shape}});
       break;
     }
-    out.lines = explain(structures_, is_current, search.best()->element);
+    out.lines =
+        explain(structures(layer / static_cast<LayerIndex>(layer_count_)), is_current, search.best()->element);
     if (out.lines.empty())
       out.lines.push_back({ProvenanceRole::itself, std::string(layers_[layer].descriptor.tooltip), {}});
     if (out.lines.front().shapes.empty()) out.lines.front().shapes.push_back(search.best()->shape);
@@ -438,18 +495,22 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   TaskQueue tasks;
   try {
     out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      StructureNode& node = nodes_[i];
-      if (node.needed || node.source != nullptr) {
+    for (StructureNode& node : nodes_) {
+      if (node.source == nullptr) continue;
+      job.reset_progress();
+      bring_up_to_date(node, job);
+    }
+    follow_extent();
+    for (StructureNode& node : nodes_) {
+      if (node.needed && node.source == nullptr) {
         job.reset_progress();
         bring_up_to_date(node, job);
       }
-      if (i == last_source_) follow_extent();
-      if (kForksBesideThreads && i >= last_source_ && node.rebuilt == run_) begin_layers(node, out, tasks, job);
+      if (kForksBesideThreads && node.rebuilt == run_) begin_layers(node, out, tasks, job);
     }
     emit_layers(out, tasks, job);
     if (!keeps_frame_) sent_frame_ = frame_;
-    sent_revision_ = samples_.document_revision();
+    sent_revision_ = samples_->document_revision();
   } catch (const Cancelled&) {
     out.complete = false;
     tasks.drop();

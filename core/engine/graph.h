@@ -14,6 +14,8 @@
 #include "core/base/job_control.h"
 #include "core/base/task_queue.h"
 #include "core/draw/patch.h"
+#include "core/draw/variant.h"
+#include "core/engine/variant_request.h"
 #include "core/graph/layer.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/settings_source.h"
@@ -28,6 +30,7 @@ namespace mes {
 ///  3. A structure that throws is *failed*: it and what depends on it keep their last patches, and are rebuilt in the
 ///     next run in which their inputs change.
 ///  4. Lack of memory ends no run in another way: what found no room is failed, and the reason is `kOutOfMemory`.
+///  5. A variant is brought up to date in the same runs as the main computation, and what they share is computed once.
 ///
 /// Smallest use:
 ///     Graph graph;
@@ -45,6 +48,11 @@ class Graph {
 
   void post(std::shared_ptr<const DocumentDelta> delta);
   void post_settings(const ComputationSettings& settings);
+  /// To the document of a variant that has one, empty at first.
+  void post(VariantIndex variant, std::shared_ptr<const DocumentDelta> delta);
+  /// The variants 1, 2, ...; those from the first one on that differs in more than its settings are made anew.
+  void set_variants(std::span<const VariantRequest> variants);
+  /// Layers by their numbers in all variants (`layer_in`).
   void set_demand(std::span<const LayerIndex> layers);
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
   /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
@@ -57,11 +65,18 @@ class Graph {
   /// Called with the public id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
 
-  const StructureSet& structures() const { return structures_; }
+  const StructureSet& structures() const { return variants_.front()->structures; }
+  const StructureSet& structures(VariantIndex variant) const { return variants_[variant]->structures; }
 
  private:
+  struct Variant {
+    StructureSet structures;
+    bool has_document = true;
+    std::size_t first_node = 0;
+  };
   struct StructureNode {
     Structure* structure = nullptr;
+    VariantIndex variant = kMainVariant;
     SourceStructure* source = nullptr;  ///< the structure, if it is one
     std::vector<std::size_t> inputs;
     std::vector<LayerIndex> completes;  ///< layers for which this is the last structure to wait for
@@ -94,6 +109,8 @@ class Graph {
     std::string reason;
   };
 
+  void add(std::unique_ptr<Variant> variant);
+  void drop_variants(std::size_t kept);
   void mark_needed();
   void bring_up_to_date(StructureNode& node, JobControl& job);
   void compute(StructureNode& node, bool may_update, JobControl& job);
@@ -113,11 +130,11 @@ class Graph {
   Provenance answer(const ProvenanceQuestion& question) const;
   double lap_ms();
 
-  StructureSet structures_;
-  Samples& samples_;
-  std::vector<StructureNode> nodes_;
-  std::size_t last_source_ = 0;
-  std::vector<Layer> layers_;
+  std::vector<std::unique_ptr<Variant>> variants_;  // the main one first
+  const Samples* samples_ = nullptr;                // of the main one
+  std::vector<StructureNode> nodes_;                // variant by variant, inputs before their consumers
+  std::size_t layer_count_ = 0;                     // of one variant
+  std::vector<Layer> layers_;                       // by number; those that a variant shares have no parts
   std::vector<LayerNode> layer_nodes_;
   DrawingFrame frame_;
   DrawingFrame sent_frame_;  ///< of the last complete run, and of all that consumers hold

@@ -13,6 +13,7 @@
 // change sets of an input that did not change in this run are empty.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -69,23 +70,38 @@ class Structure {
 };
 
 /// All structures, inputs before consumers. Structures find their inputs by type.
+///
+/// The set of a variant (core/draw/variant.h) holds only what differs from another set, and finds the rest there.
 class StructureSet {
  public:
+  /// The set with the rest has to outlive it, at its place; null: it holds everything itself.
+  explicit StructureSet(const StructureSet* shared = nullptr) : shared_(shared) {}
+
   template <class T>
   T& get() const {
     for (const auto& structure : structures_)
       if (typeid(*structure) == typeid(T)) return static_cast<T&>(*structure);
+    if (shared_ != nullptr) return shared_->get<T>();
     assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
   }
   void add(std::unique_ptr<Structure> structure) { structures_.push_back(std::move(structure)); }
+  /// Without those of the shared set.
   std::span<const std::unique_ptr<Structure>> all() const { return structures_; }
+  bool holds(const Structure& structure) const {
+    return std::ranges::any_of(structures_, [&](const auto& own) { return own.get() == &structure; });
+  }
+  bool is_variant() const { return shared_ != nullptr; }
 
  private:
+  const StructureSet* shared_;
   std::vector<std::unique_ptr<Structure>> structures_;
 };
 
 /// Every structure of the program, in the order of core/structures/structure_list.cpp.
-StructureSet make_structures();
+///
+/// With a shared set, those of a variant of it: settings of its own, samples and balls of its own if it has a document,
+/// and whatever depends on these.
+StructureSet make_structures(const StructureSet* shared = nullptr, bool has_document = false);
 
 /// Public ids in the same order.
 std::span<const std::string_view> structure_ids();

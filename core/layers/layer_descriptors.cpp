@@ -3,14 +3,28 @@
 #include "core/draw/layer_descriptor.h"
 
 #include "core/graph/layer.h"
+#include "core/structures/inputs/settings_source.h"
 
 namespace mes {
+namespace {
+
+bool follows(const Structure& structure, const Structure& source) {
+  return &structure == &source ||
+         std::ranges::any_of(structure.inputs(), [&](const Structure* input) { return follows(*input, source); });
+}
+
+}  // namespace
 
 std::span<const LayerDescriptor> layer_descriptors() {
   static const std::vector<LayerDescriptor> descriptors = [] {
     const StructureSet structures = make_structures();
     std::vector<LayerDescriptor> out;
-    for (Layer& layer : make_layers(structures)) out.push_back(layer.descriptor);
+    const auto& settings = structures.get<SettingsSource>();
+    for (Layer& layer : make_layers(structures)) {
+      layer.descriptor.follows_settings = std::ranges::any_of(
+          layer.structures, [&](const Structure* structure) { return follows(*structure, settings); });
+      out.push_back(std::move(layer.descriptor));
+    }
     return out;
   }();
   return descriptors;

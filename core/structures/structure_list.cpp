@@ -31,20 +31,23 @@
 namespace mes {
 namespace {
 
-/// Adds a structure whose constructor takes the given inputs, all of which are in the set already.
+/// Adds a structure whose constructor takes the given inputs, all of which are in the set already, unless a variant
+/// shares it because it shares all of its inputs.
 template <class S, class... Inputs>
 void add(StructureSet& set) {
+  if (sizeof...(Inputs) != 0 && set.is_variant() && !(set.holds(set.get<Inputs>()) || ...)) return;
   set.add(std::make_unique<S>(set.get<Inputs>()...));
 }
 
 }  // namespace
 
 // One line a structure, inputs before consumers.
-StructureSet make_structures() {
-  StructureSet set;
-  add<Samples>(set);
+StructureSet make_structures(const StructureSet* shared, bool has_document) {
+  StructureSet set(shared);
+  const bool has_own = shared == nullptr || has_document;
+  if (has_own) add<Samples>(set);
   add<SettingsSource>(set);
-  add<UserBalls>(set);
+  if (has_own) add<UserBalls>(set);
   add<ScaledUserBalls, SettingsSource, UserBalls>(set);
   add<Delaunay, Samples>(set);
   add<OneStepCrust, Delaunay>(set);

@@ -83,7 +83,7 @@ constexpr LayerIndex kDependent = 2;
 
 namespace mes {
 
-StructureSet make_structures() {
+StructureSet make_structures(const StructureSet* /*shared*/, bool /*has_document*/) {
   StructureSet set;
   set.add(std::make_unique<Samples>());
   set.add(std::make_unique<Shaky>(set.get<Samples>()));
