@@ -233,6 +233,19 @@ void describe_commands(CLI::App& app, Arguments& to) {
                        "range is LOW:HIGH or fit; dashed, flat and thin-when-dense are on or off")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const compare =
+      render->add_option("--compare", to.render.compared,
+                         "Panes side by side, WHAT=VALUE,VALUE[,VALUE...]: precision, family (a, p,\n"
+                         "b: the layers of these balls), bundle, step (of --evolution), or a\n"
+                         "parameter (mesecina list parameters), as in precision=naive,exact.\n"
+                         "All panes show the same part of the plane");
+  render->add_flag("--differences", to.render.with_differences, "Mark what only some of the panes have")
+      ->needs(compare);
+  render
+      ->add_option("--evolution", to.render.evolution,
+                   "Evolution of --compare step=..., NAME or NAME:KEY=VALUE[,KEY=VALUE...] with\n"
+                   "its parameters and seed (mesecina list evolutions, parameters)")
+      ->needs(compare);
   render->add_option("--image", to.render.image,
                      "A PNG or JPEG picture below everything else (the layer image), FILE or\n"
                      "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"

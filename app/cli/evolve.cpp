@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina evolve`: samples after some steps of an evolution.
 #include <fmt/core.h>
-#include <charconv>
 
+#include "app/cli/evolution_runner.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
-#include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
-
-Expected<std::uint64_t> whole_number(std::string_view option, const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault == std::errc() && end == text.data() + text.size()) return value;
-  return usage_error(fmt::format("{}: {} is not a whole number from 0 to 2^64 - 1", option, in_quotes(text)));
-}
 
 Expected<EvolutionChoice> choice_of(const EvolveRequest& request) {
   const auto evolution = select_evolution(request.evolution);
@@ -35,18 +27,6 @@ Expected<EvolutionChoice> choice_of(const EvolveRequest& request) {
     out.values.set(parameters[parsed->first].id, parsed->second);
   }
   return out;
-}
-
-// Earlier states are not asked for again, so none is kept.
-Expected<EvolutionState> evolved(EvolutionState state, const EvolutionChoice& choice, std::uint64_t steps) {
-  JobControl job;
-  Progress progress;
-  auto now = begin_evolution(std::move(state), choice, job);
-  for (std::uint64_t k = 0; now && k < steps; ++k) {
-    now = next_state(*now, k, choice, job);
-    progress.show(fmt::format("step {}", k + 1), static_cast<double>(k + 1) / static_cast<double>(steps));
-  }
-  return now;
 }
 
 }  // namespace
@@ -68,7 +48,7 @@ Expected<void> run_evolve(const EvolveRequest& request, Interruption& interrupti
   const auto read = replace_all(document, input->data);
   if (!read) return std::unexpected(read.error());
   document.apply(*read);
-  const auto state = evolved(state_of(document), *choice, *steps);
+  const auto state = EvolutionRunner(state_of(document), *choice).at(*steps, *steps);
   if (!state) return std::unexpected(state.error());
   const auto written = replace_all(document, {.positions = state->positions, .contours = contours_of(*state)});
   if (!written) return std::unexpected(written.error());

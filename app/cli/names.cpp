@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -13,16 +14,6 @@
 
 namespace mes::cli {
 namespace {
-
-std::vector<std::string_view> split_list(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
 
 std::vector<std::string_view> layer_ids() {
   std::vector<std::string_view> ids;
@@ -35,6 +26,16 @@ std::string unknown(std::string_view what, std::string_view word, std::span<cons
 }
 
 }  // namespace
+
+std::vector<std::string_view> split_list(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -102,9 +103,7 @@ Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
   return layers;
 }
 
-namespace {
-
-Expected<Precision> precision_of(const std::string& id) {
+Expected<Precision> select_precision(const std::string& id) {
   std::vector<std::string_view> ids;
   for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors) {
     if (descriptor.id == id) return descriptor.precision;
@@ -113,13 +112,12 @@ Expected<Precision> precision_of(const std::string& id) {
   return usage_error(fmt::format("unknown precision {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
-}  // namespace
-
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
-                                                       std::span<const ParameterDescriptor> parameters) {
+                                                       std::span<const ParameterDescriptor> parameters,
+                                                       std::string_view option) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || equals == 0)
-    return usage_error("--set expects NAME=VALUE, not " + in_quotes(setting));
+    return usage_error(std::string(option) + " expects NAME=VALUE, not " + in_quotes(setting));
   const std::string_view name = std::string_view(setting).substr(0, equals);
   const std::string_view text = std::string_view(setting).substr(equals + 1);
   std::vector<std::string_view> names;
@@ -129,11 +127,11 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   const auto index = static_cast<std::size_t>(found - names.begin());
   const ParameterDescriptor& parameter = parameters[index];
   const auto value = parse_number(text);
-  if (!value) return usage_error(fmt::format("--set {}: {}", printable(name), describe(value.error(), text)));
+  if (!value) return usage_error(fmt::format("{} {}: {}", option, printable(name), describe(value.error(), text)));
   if (parameter.is_whole && *value != std::floor(*value))
-    return usage_error(fmt::format("--set {}: {} is not a whole number", printable(name), in_quotes(text)));
+    return usage_error(fmt::format("{} {}: {} is not a whole number", option, printable(name), in_quotes(text)));
   if (*value < parameter.low || *value > parameter.high) {
-    std::string range = fmt::format("--set {}: {} is not between ", printable(name), in_quotes(text));
+    std::string range = fmt::format("{} {}: {} is not between ", option, printable(name), in_quotes(text));
     append_number(range, parameter.low);
     range += " and ";
     append_number(range, parameter.high);
@@ -149,9 +147,16 @@ Expected<EvolutionIndex> select_evolution(const std::string& id) {
   return usage_error(fmt::format("unknown evolution {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
+Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault == std::errc() && end == text.data() + text.size()) return value;
+  return usage_error(fmt::format("{}: {} is not a whole number from 0 to 2^64 - 1", what, in_quotes(text)));
+}
+
 Expected<ComputationSettings> settings_of(const Source& source) {
   const auto precision =
-      precision_of(source.precision.empty() ? std::string(id_of(Precision::fast)) : source.precision);
+      select_precision(source.precision.empty() ? std::string(id_of(Precision::fast)) : source.precision);
   if (!precision) return std::unexpected(precision.error());
   ComputationSettings settings;
   settings.precision = *precision;

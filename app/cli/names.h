@@ -23,6 +23,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// contain the word (or lie in it) before others.
 std::vector<std::string_view> nearest_names(std::string_view word, std::span<const std::string_view> names);
 
+/// What stands between commas, empty words too.
+std::vector<std::string_view> split_list(std::string_view text);
+
 /// "a", "a or b", "a, b or c".
 std::string one_of(std::span<const std::string_view> names);
 
@@ -31,12 +34,17 @@ std::string one_of(std::span<const std::string_view> names);
 Expected<std::vector<LayerIndex>> select_layers(const std::string& ids);
 Expected<LayerIndex> select_layer(const std::string& id);
 
-/// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the nearest parameters or the
-/// range.
+/// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the option and the nearest parameters
+/// or the range.
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
-                                                       std::span<const ParameterDescriptor> parameters);
+                                                       std::span<const ParameterDescriptor> parameters,
+                                                       std::string_view option = "--set");
 
 Expected<EvolutionIndex> select_evolution(const std::string& id);
+Expected<Precision> select_precision(const std::string& id);
+
+/// From 0 to 2^64 - 1. Error: `usage`, with what was to be given.
+Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text);
 
 /// Number type and parameters as asked for. Error: `usage`, naming what there is.
 Expected<ComputationSettings> settings_of(const Source& source);

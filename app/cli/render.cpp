@@ -1,34 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina render`: a picture of layers without a display.
-#include "render/egl_context.h"
-
-#include <fmt/core.h>
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "app/cli/compare_request.h"
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
-#include "app/cli/picture.h"
 #include "app/cli/picture_request.h"
 #include "app/cli/progress.h"
+#include "app/cli/render_panes.h"
+#include "app/cli/rendering.h"
 #include "app/cli/requests.h"
 #include "app/export/carried.h"
 #include "app/export/figure.h"
-#include "app/picture/legend.h"
-#include "app/picture/scale_drawing.h"
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/carried_session.h"
-#include "render/gl_device.h"
-#include "render/offscreen.h"
-#include "render/png.h"
-#include "render/scene.h"
+#include "render/egl_context.h"
 
 namespace mes::cli {
 namespace {
@@ -43,68 +37,6 @@ Expected<std::optional<render::Image>> read_traced(PictureRequest& picture, cons
   if (!(picture.image.width > 0.0))
     picture.image = placed_in(samples, picture.image.file, static_cast<double>(image->height) / image->width);
   return std::move(*image);
-}
-
-render::Camera camera_for(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror) {
-  render::Camera camera;
-  camera.set_viewport(picture.size.width, picture.size.height);
-  if (picture.view) {
-    camera.fit(*picture.view, 0.0);
-  } else {
-    camera.fit(fit_box(samples, mirror, picture.shown.layers),
-               kFitMargin * std::min(picture.size.width, picture.size.height));
-  }
-  return camera;
-}
-
-/// Above everything else, once the picture is there.
-void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
-               const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request,
-               const PlacedAnnotations& annotations) {
-  const std::vector<LegendEntry> entries =
-      legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
-  if (entries.empty() && request.marks.is_empty() && annotations.is_empty()) return;
-  const auto fonts = PaperFonts::read(find_assets({}));
-  if (!fonts) return say("annotations, legend, scale bar and axes are left out: " + fonts.error().message());
-  const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
-                                                         measure_with(*fonts, shown.scale), shown.background);
-  for (const std::string& complaint : annotated.complaints) say(complaint);
-  paint(image, *fonts, annotated.drawing, {0.0, 0.0}, shown.scale);
-  if (!request.marks.is_empty())
-    paint(image, *fonts,
-          layout_scale_marks(request.marks, seen_plane(camera, shown.scale), measure_with(*fonts, shown.scale),
-                             shown.background),
-          {0.0, 0.0}, shown.scale);
-  if (!entries.empty())
-    draw_legend(image, *fonts,
-                layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background),
-                LegendPlace::emptiest_corner);
-}
-
-/// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
-/// seam.
-Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& scene, const render::Camera& camera,
-                                      std::span<const render::LayerView> views, const render::ImageOptions& options) {
-  constexpr std::uint64_t kMuch = 50'000;
-  constexpr int kBands = 8;
-  std::uint64_t instances = 0;
-  for (const render::LayerView& view : views)
-    for (const PrimitiveKind kind : kAllPrimitiveKinds) instances += scene.instances(view.layer, kind);
-  const int height = camera.height();
-  if (instances < kMuch || height < 2 * kBands) return render::draw_image(device, scene, camera, views, options);
-
-  Progress progress;
-  render::Image image{camera.width(), height, {}};
-  for (int band = 0; band < kBands; ++band) {
-    const int top = band * height / kBands;
-    const int bottom = (band + 1) * height / kBands;
-    const auto part =
-        render::draw_image(device, scene, camera.part(0, top, camera.width(), bottom - top), views, options);
-    if (!part) return part;
-    image.rgba.insert(image.rgba.end(), part->rgba.begin(), part->rgba.end());
-    progress.show("drawing", static_cast<double>(band + 1) / kBands);
-  }
-  return image;
 }
 
 /// What the picture carries; empty for nothing.
@@ -124,60 +56,6 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
   return std::move(packed).value_or("");
 }
 
-/// A picture in pixels, as the bytes of a PNG file.
-Expected<std::string> draw_pixels(const PictureRequest& picture, render::Device& device, render::Scene& scene,
-                                  const render::Camera& camera, const FigureSource& source,
-                                  const RenderRequest& request, std::string_view session) {
-  const std::vector<render::LayerView> views = views_of(picture.shown, camera.units_per_pixel(), source.samples);
-  auto image = draw_in_bands(device, scene, camera, views,
-                             {.background = picture.shown.background, .content_scale = picture.shown.scale});
-  if (!image) return std::unexpected(image.error());
-  add_paper(*image, scene, views, camera, picture.shown, request, source.annotations);
-  const auto png = render::encode_png(*image, render::kPngSmall, session);
-  if (!png) return std::unexpected(png.error());
-  return std::string(reinterpret_cast<const char*>(png->data()), png->size());
-}
-
-/// The bytes of a vector format.
-Expected<std::string> draw_vectors(const PictureRequest& picture, const FigureSource& source,
-                                   const RenderRequest& wanted, std::string session) {
-  FigureRequest request{.shown = picture.shown,
-                        .part = Everything{},
-                        .page = picture.page,
-                        .pixels = {picture.size.width, picture.size.height},
-                        .is_tight = picture.is_tight,
-                        .legend = legend_scope(wanted.with_legend, wanted.with_key),
-                        .marks = wanted.marks,
-                        .image = picture.image,
-                        .rasterized = picture.rasterized,
-                        .dots_per_inch = picture.dots_per_inch};
-  if (picture.view) request.part = *picture.view;
-  auto drawn = draw_figure(request, source);
-  if (!drawn) return std::unexpected(drawn.error());
-  drawn->figure.session = std::move(session);
-  if (source.traced != nullptr && !picture.format->has_images)
-    say("the picture " + picture.image.file + " is left out: " + std::string(picture.format->name) +
-        " files hold none");
-  for (const std::string& remark : drawn->remarks) say(remark);
-  auto bytes = picture.format->write(drawn->figure);
-  if (bytes && bytes->size() > kLargeFigure) {
-    std::string text = fmt::format("the figure has {:.0f} MB", 1e-6 * static_cast<double>(bytes->size()));
-    if (const figure::FigureLayer* const layer = largest_layer(drawn->figure); layer && picture.format->has_images)
-      text += fmt::format(", most of it perhaps the {} shapes of one layer: --rasterize {} makes it a picture",
-                          figure::shape_count(*layer), layer->id);
-    say(text);
-  }
-  return bytes;
-}
-
-/// What a picture in pixels is drawn with.
-struct Canvas {
-  render::EglContext context;
-  render::GlDevice device;
-  render::Scene scene{device};
-  explicit Canvas(render::EglContext made) : context(std::move(made)) {}
-};
-
 }  // namespace
 
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
@@ -186,6 +64,8 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
   auto picture = understand(request, maps.maps, nullptr);
   if (!picture) return std::unexpected(picture.error());
+  const auto compared = understand_comparison(request, maps.maps);
+  if (!compared) return std::unexpected(compared.error());
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->shown.styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
     for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
@@ -212,12 +92,20 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
     canvas->scene.set_picture(find_layer("image"), **traced);
     canvas->scene.place_picture({picture->image.center, picture->image.width});
   }
+  const auto data = std::make_shared<const SampleData>(input->data);
+  auto panes = panes_of(*compared, *picture, *settings, data);
+  if (!panes) return std::unexpected(panes.error());
+  if (panes->empty()) panes->push_back({.words = {}, .shown = picture->shown, .settings = *settings, .data = data});
+  Comparison comparison = compare(std::move(*panes));
   LayerMirror mirror;
-  const auto result = compute_with_progress(
-      input->data, {.layers = picture->shown.layers, .settings = *settings, .on_patch = [&](const FramePatch& patch) {
-                      if (canvas) canvas->scene.apply(patch);
-                      mirror.apply(patch);
-                    }});
+  const auto result = compute_with_progress(*comparison.data, {.layers = comparison.demand,
+                                                               .settings = comparison.settings,
+                                                               .on_patch =
+                                                                   [&](const FramePatch& patch) {
+                                                                     if (canvas) canvas->scene.apply(patch);
+                                                                     mirror.apply(patch);
+                                                                   },
+                                                               .variants = comparison.variants});
   if (!result) return std::unexpected(result.error());
 
   const Box2 bounds = result->document.bounding_box();
@@ -228,9 +116,21 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
                             .maps = maps.maps,
                             .traced = *traced ? &**traced : nullptr,
                             .annotations = request.with_annotations ? place(result->document) : PlacedAnnotations{}};
-  const auto bytes = canvas ? draw_pixels(*picture, canvas->device, canvas->scene,
-                                          camera_for(*picture, bounds, mirror), source, request, session)
-                            : draw_vectors(*picture, source, request, std::move(session));
+  const auto draw = [&]() -> Expected<std::string> {
+    if (compared->subject != CompareRequest::Subject::nothing)
+      return draw_panes(*picture, request, comparison, *result, canvas ? &*canvas : nullptr, mirror, source,
+                        std::move(session));
+    if (canvas) {
+      const auto image = draw_pixels(picture->shown, {}, *canvas,
+                                     camera_for(picture->size, seen_by(*picture, bounds, mirror)), source, request);
+      if (!image) return std::unexpected(image.error());
+      return encoded(*image, session);
+    }
+    auto drawn = draw_figure(figure_request(*picture, request), source);
+    if (!drawn) return std::unexpected(drawn.error());
+    return written(*picture, std::move(*drawn), source.traced != nullptr, std::move(session));
+  };
+  const auto bytes = draw();
   if (!bytes) return std::unexpected(bytes.error());
   std::vector<SourceFile> sources = std::move(picture->sources);
   sources.insert(sources.end(), input->sources.begin(), input->sources.end());

@@ -55,6 +55,9 @@ struct RenderRequest {
   std::string scale = "1";
   std::string background = "ffffff";
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
+  std::string compared;             ///< WHAT=VALUE,VALUE...: panes side by side; empty: one picture
+  bool with_differences = false;    ///< what only some panes have is marked
+  std::string evolution;            ///< of steps that are compared
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
   bool with_key = false;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/draw/layer_descriptor.h"
+#include "core/draw/variant.h"
 #include "core/engine/engine.h"
 
 namespace mes {
@@ -42,10 +43,10 @@ class TaskList {
   explicit TaskList(std::span<const LayerIndex> layers) {
     const auto descriptors = layer_descriptors();
     for (const LayerIndex layer : layers)
-      for (const std::string_view structure : descriptors[layer].structures)
+      for (const std::string_view structure : descriptors[plain_layer(layer)].structures)
         if (std::ranges::find(tasks_, structure) == tasks_.end()) tasks_.push_back(structure);
     structures_ = tasks_.size();
-    for (const LayerIndex layer : layers) tasks_.push_back(descriptors[layer].id);
+    for (const LayerIndex layer : layers) tasks_.push_back(descriptors[plain_layer(layer)].id);
   }
 
   double fraction(const EngineStatus& status) {
@@ -75,13 +76,31 @@ std::unexpected<Error> failure_of(std::span<const NodeReport> nodes, std::span<c
           Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
   for (const LayerReport& report : reports)
     if (report.state == NodeState::failed || report.state == NodeState::blocked)
-      return std::unexpected(
-          Error{ErrorCode::cannot_compute,
-                "layer " + std::string(layer_descriptors()[report.layer].id) + " failed: " + report.reason,
-                {},
-                0,
-                0});
+      return std::unexpected(Error{
+          ErrorCode::cannot_compute,
+          "layer " + std::string(layer_descriptors()[plain_layer(report.layer)].id) + " failed: " + report.reason,
+          {},
+          0,
+          0});
   return std::unexpected(Error{ErrorCode::cannot_compute, "the computation did not finish", {}, 0, 0});
+}
+
+/// What the engine is given of variants, and their documents.
+Expected<VariantStep> variants_of(std::span<const ComputedVariant> wanted, std::vector<Document>& documents) {
+  VariantStep out;
+  if (wanted.empty()) return out;
+  out.variants.emplace();
+  for (const ComputedVariant& variant : wanted) {
+    out.variants->push_back({variant.settings, variant.data != nullptr});
+    Document& document = documents.emplace_back();
+    if (!variant.data) continue;
+    auto replacement = replace_all(document, *variant.data);
+    if (!replacement) return std::unexpected(replacement.error());
+    const auto index = static_cast<VariantIndex>(out.variants->size());
+    out.deltas.push_back({index, std::make_shared<const DocumentDelta>(std::move(*replacement))});
+    document.apply(*out.deltas.back().delta);
+  }
+  return out;
 }
 
 }  // namespace
@@ -93,14 +112,16 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
   const auto delta = std::make_shared<const DocumentDelta>(std::move(*replacement));
   result.document.apply(*delta);
 
+  auto beside = variants_of(request.variants, result.documents);
+  if (!beside) return std::unexpected(beside.error());
+
   Bell bell;
   TaskList tasks(request.layers);
   Engine engine({.wake = [&bell] { bell.ring(); }});
-  engine.set_settings(request.settings);
-  engine.post(delta);
   engine.set_want_statistics(request.want_statistics);
   engine.set_want_findings(request.want_findings);
-  engine.set_demand(request.layers);
+  engine.post(
+      {.deltas = {delta}, .settings = request.settings, .demand = request.layers, .beside = std::move(*beside)});
 
   bool is_complete = false;
   for (;;) {

@@ -16,8 +16,14 @@
 
 namespace mes {
 
+/// A variant to compute beside it (core/draw/variant.h).
+struct ComputedVariant {
+  ComputationSettings settings;
+  std::shared_ptr<const SampleData> data;  ///< of its own; null: it shares the document
+};
+
 struct ComputationRequest {
-  std::vector<LayerIndex> layers;
+  std::vector<LayerIndex> layers;  ///< by their numbers in all variants
   ComputationSettings settings;
   bool want_statistics = false;
   bool want_findings = false;
@@ -25,12 +31,14 @@ struct ComputationRequest {
   std::function<void(const FramePatch&)> on_patch;
   /// What is being computed, and how much of the whole is done, in [0, 1]; some ten times a second. May be empty.
   std::function<void(std::string_view task, double fraction)> on_progress{};
+  std::vector<ComputedVariant> variants{};
   /// Ends it early, with the error `cancelled`.
   std::stop_token stop{};
 };
 
 struct ComputationResult {
   Document document;
+  std::vector<Document> documents;   ///< of the variants; empty ones where they share that of the main computation
   std::vector<NodeReport> nodes;     ///< of the structures that were needed
   std::vector<LayerReport> reports;  ///< by layer
 };

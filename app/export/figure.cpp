@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/picture/figure_legend.h"
 #include "app/picture/scale_drawing.h"
@@ -101,16 +102,20 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   figure::Page page = page_for(request, source);
   const std::vector<render::LayerView> views =
       views_of(request.shown, page.units_per_point * figure::kPointsPerPixel, source.samples);
+  std::vector<render::LayerView> all = views;
+  all.insert(all.end(), request.marks_above.begin(), request.marks_above.end());
   const figure::Drawing drawing{
       .mirror = source.mirror,
       .layers = layer_descriptors(),
-      .views = views,
+      .views = all,
       .maps = source.maps,
       .background = request.shown.background,
       .scale = request.shown.scale,
       .traced = {find_layer("image"), source.traced, {request.image.center, request.image.width}}};
   const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
-  const bool is_explained = has_legend(drawing, request.legend);
+  figure::Drawing explained = drawing;
+  explained.views = views;
+  const bool is_explained = has_legend(explained, request.legend);
   std::optional<PaperFonts> fonts;
   DrawnFigure out;
   if (is_annotated || is_explained || !request.marks.is_empty()) {
@@ -122,6 +127,10 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   std::vector<std::string> complaints;
   const auto drawn_on_page = [&] {
     figure::Figure figure = figure::figure_of(drawing, page);
+    for (figure::FigureLayer& mark : std::span(figure.layers).subspan(views.size())) {
+      mark.id += "-only-here";
+      mark.title += ", only here";
+    }
     if (is_annotated && fonts) complaints = add_annotations(figure, page, request, source.annotations, *fonts);
     return figure;
   };
@@ -138,7 +147,7 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   out.remarks.insert(out.remarks.end(), complaints.begin(), complaints.end());
   if (!fonts) return out;
   if (!request.marks.is_empty()) add_scale_marks(out.figure, page, request, *fonts);
-  if (is_explained) add_legend(out.figure, drawing, request.legend, *fonts);
+  if (is_explained) add_legend(out.figure, explained, request.legend, *fonts);
   return out;
 }
 

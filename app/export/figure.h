@@ -39,9 +39,10 @@ struct FigureRequest {
   LegendScope legend = LegendScope::color_maps;
   ScaleMarks marks{};
   bool with_annotations = true;
-  BackgroundImage image{};                ///< the place of the picture to trace
-  std::vector<std::string> rasterized{};  ///< ids of layers that become pictures
-  double dots_per_inch = 300.0;           ///< of these
+  std::vector<render::LayerView> marks_above{};  ///< what other panes lack, above the layers; in no legend
+  BackgroundImage image{};                       ///< the place of the picture to trace
+  std::vector<std::string> rasterized{};         ///< ids of layers that become pictures
+  double dots_per_inch = 300.0;                  ///< of these
 };
 
 /// What a figure is made of.

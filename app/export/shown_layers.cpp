@@ -8,6 +8,7 @@
 #include "app/picture/canvas_look.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/primitive_values.h"
+#include "core/draw/variant.h"
 
 namespace mes {
 namespace {
@@ -44,9 +45,10 @@ std::vector<render::LayerView> views_of(const ShownLayers& shown, double units_p
   constexpr double kSmallestDot = 1.5;
   std::vector<render::LayerView> views;
   for (const LayerIndex layer : shown.layers) {
-    LayerStyle style = shown.styles[layer];
-    const bool is_chosen = style.point_size_px != layer_descriptors()[layer].style.point_size_px;
-    if (!is_chosen && style.thin_when_dense && layer_descriptors()[layer].id == "points" && samples.size() > 1) {
+    const LayerDescriptor& descriptor = layer_descriptors()[plain_layer(layer)];
+    LayerStyle style = shown.styles[plain_layer(layer)];
+    const bool is_chosen = style.point_size_px != descriptor.style.point_size_px;
+    if (!is_chosen && style.thin_when_dense && descriptor.id == "points" && samples.size() > 1) {
       const double spacing_px = typical_spacing(samples) / units_per_pixel / shown.scale;
       const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
       style.point_size_px = std::min(style.point_size_px, limit);
@@ -59,7 +61,7 @@ std::vector<render::LayerView> views_of(const ShownLayers& shown, double units_p
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers) {
   Box2 box = samples;
   for (const LayerIndex layer : layers)
-    if (layer_descriptors()[layer].in_fit_box) box.add(box_of(mirror, layer));
+    if (layer_descriptors()[plain_layer(layer)].in_fit_box) box.add(box_of(mirror, layer));
   if (samples.is_empty()) return box;
   constexpr double kReach = 0.1;
   const double reach = kReach * std::max(samples.width(), samples.height());

@@ -18,8 +18,8 @@ namespace mes {
 inline constexpr double kFitMargin = 0.05;
 
 struct ShownLayers {
-  std::vector<LayerIndex> layers{};  ///< bottom first
-  std::vector<LayerStyle> styles{};  ///< of all layers, by index
+  std::vector<LayerIndex> layers{};  ///< bottom first; by their numbers in all variants (core/draw/variant.h)
+  std::vector<LayerStyle> styles{};  ///< of all layers of one variant, by index
   std::optional<Rgb> background{};   ///< none: transparent
   double scale = 1.0;                ///< factor for line widths and point sizes
 };

@@ -123,13 +123,21 @@ struct Fonts {
   const render::Font& of(bool is_bold, bool is_italic) const { return is_italic ? italic : is_bold ? bold : plain; }
 };
 
+/// A part of the page.
+struct PagePart {
+  Vec2 corner;  ///< upper left
+  double width = 0.0;
+  double height = 0.0;
+};
+
 struct FigureLayer {
   std::string id;  ///< public name, kebab case
   std::string title;
   double line_width = 1.0;
   std::optional<PlacedImage> image{};  ///< below the groups
   std::vector<Group> groups{};
-  std::vector<Text> texts{};  ///< above the groups
+  std::vector<Text> texts{};       ///< above the groups
+  std::optional<PagePart> clip{};  ///< what of the layer is seen; none: what is on the page
 };
 
 /// What lies above all layers and explains them.
@@ -150,6 +158,11 @@ struct Figure {
   std::shared_ptr<const Fonts> fonts{};  ///< that files and pictures have texts in; none: Helvetica, by name
   std::string session{};                 ///< that files carry, compressed (core/base/carried_session.h); empty: none
 };
+
+/// Puts layers and legend of a figure on a page, as a part of it: above what is there, cut where its own page ends.
+/// `id` goes before the ids of its layers, `title` before their titles. The page takes its fonts if it has none, and
+/// coordinates as fine as it has; the corner is rounded to these.
+void place(Figure& page, Figure part, Vec2 corner, const std::string& id, const std::string& title);
 
 /// Shapes of one layer, or of all.
 std::size_t shape_count(const FigureLayer& layer);

@@ -23,6 +23,11 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 // Beyond half a stroke's width: ends of what is cut stay out of sight, blurred ones too.
 constexpr double kBeyond = 1.0;
 
+/// The layers of variants are numbered after those of the main computation.
+const LayerDescriptor& descriptor_of(const Drawing& drawing, LayerIndex layer) {
+  return drawing.layers[layer % drawing.layers.size()];
+}
+
 /// Of the finite scalars of a layer.
 render::ScalarRange scalar_range(const LayerMirror& mirror, LayerIndex layer) {
   render::ScalarRange out;
@@ -77,7 +82,7 @@ class LayerBuilder {
   }
 
   FigureLayer layer(LayerIndex index) {
-    const LayerDescriptor& descriptor = drawing_.layers[index];
+    const LayerDescriptor& descriptor = descriptor_of(drawing_, index);
     FigureLayer out{.id = std::string(descriptor.id), .title = std::string(descriptor.name), .line_width = width_};
     const double opacity = render::opacity_of(style_);
     if (opacity <= 0.0) return out;
@@ -366,7 +371,7 @@ Page part_of(const Page& page, const Box2& part) {
 }
 
 render::ShownMap shown_map(const Drawing& drawing, const render::LayerView& view) {
-  if (view.style.color_map.empty() || drawing.layers[view.layer].scalar.empty()) return {};
+  if (view.style.color_map.empty() || descriptor_of(drawing, view.layer).scalar.empty()) return {};
   return render::chosen_map(drawing.maps, view.style, scalar_range(drawing.mirror, view.layer));
 }
 
@@ -375,7 +380,7 @@ Figure figure_of(const Drawing& drawing, const Page& page) {
   const Grid grid(decimals);
   Figure out{.width = page.width, .height = page.height, .decimals = decimals, .background = drawing.background};
   for (const render::LayerView& view : drawing.views) {
-    MES_ASSERT(view.layer < drawing.layers.size());
+    MES_ASSERT(!drawing.layers.empty());
     FigureLayer layer = LayerBuilder(drawing, page, grid, view).layer(view.layer);
     if (view.layer == drawing.traced.layer) layer.image = placed(drawing.traced, view.style, page);
     out.layers.push_back(std::move(layer));

@@ -51,7 +51,7 @@ struct Traced {
 
 struct Drawing {
   const LayerMirror& mirror;
-  std::span<const LayerDescriptor> layers;   ///< of all layers: their ids, names, and whether they have scalars
+  std::span<const LayerDescriptor> layers;   ///< of all layers of one variant: ids, names, whether they have scalars
   std::span<const render::LayerView> views;  ///< bottom first; `every` is not looked at
   std::span<const render::ColorMap> maps{};
   std::optional<Rgb> background{};

@@ -100,7 +100,8 @@ class IpeWriter {
 
   void write(const FigureLayer& layer) {
     if (layer.groups.empty() && !layer.image && layer.texts.empty()) return;
-    std::string clip = rectangle({}, figure_.width, figure_.height);
+    const PagePart part = layer.clip.value_or(PagePart{{}, figure_.width, figure_.height});
+    std::string clip = rectangle(part.corner, part.width, part.height);
     for (char& c : clip)
       if (c == '\n') c = ' ';
     body_ += "<group layer=\"" + escaped_xml(layer.id) + "\" clip=\"" + clip + "\">\n";

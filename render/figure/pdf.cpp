@@ -102,6 +102,10 @@ class PdfWriter {
                                            "/Usage<</CreatorInfo<</Creator(Mesecina)" + "/Subtype/Artwork>>>>>>");
     ocgs_.push_back(group);
     content += "/OC/L" + std::to_string(ocgs_.size() - 1) + " BDC\nq\n";
+    if (layer.clip) {
+      rectangle(content, layer.clip->corner, layer.clip->width, layer.clip->height);
+      content += "W n\n";
+    }
     decimal(content, layer.line_width);
     content += " w\n";
     if (layer.image) image(*layer.image, content);

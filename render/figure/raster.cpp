@@ -83,10 +83,12 @@ Box2 part_covered(const Figure& figure, const FigureLayer& layer, double pixels_
     return {};
   const auto below = [&](double x) { return std::floor(x * pixels_per_point) / pixels_per_point; };
   const auto above = [&](double x) { return std::ceil(x * pixels_per_point) / pixels_per_point; };
-  Box2 out;
-  out.add(Vec2{std::max(0.0, below(ink.low.x)), std::max(0.0, below(ink.low.y))});
-  out.add(Vec2{std::min(figure.width, above(ink.high.x)), std::min(figure.height, above(ink.high.y))});
-  return out;
+  const PagePart seen = layer.clip.value_or(PagePart{{}, figure.width, figure.height});
+  const Vec2 low{std::max(seen.corner.x, below(ink.low.x)), std::max(seen.corner.y, below(ink.low.y))};
+  const Vec2 high{std::min(seen.corner.x + seen.width, above(ink.high.x)),
+                  std::min(seen.corner.y + seen.height, above(ink.high.y))};
+  if (low.x > high.x || low.y > high.y) return {};
+  return {low, high};
 }
 
 }  // namespace

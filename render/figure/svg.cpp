@@ -54,6 +54,10 @@ class SvgWriter {
     attribute("height", height);
   }
 
+  static std::string clip_of(const FigureLayer& layer) {
+    return layer.clip ? "part-" + escaped_xml(layer.id) : std::string(kClip);
+  }
+
   void begin() {
     constexpr double kMillimeters = kMillimetersPerInch / kPointsPerInch;
     constexpr int kSizeDecimals = 4;
@@ -70,7 +74,14 @@ class SvgWriter {
     out_ += kClip;
     out_ += "\">";
     rectangle({}, figure_.width, figure_.height);
-    out_ += "/></clipPath></defs>\n";
+    out_ += "/></clipPath>";
+    for (const FigureLayer& layer : figure_.layers) {
+      if (!layer.clip) continue;
+      out_ += "<clipPath id=\"" + clip_of(layer) + "\">";
+      rectangle(layer.clip->corner, layer.clip->width, layer.clip->height);
+      out_ += "/></clipPath>";
+    }
+    out_ += "</defs>\n";
     if (!figure_.session.empty()) {
       const std::string name(kCarriedSession);
       out_ += "<metadata><" + name + " xmlns=\"urn:mesecina:session\">" + base64(figure_.session) + "</" + name +
@@ -88,7 +99,7 @@ class SvgWriter {
     attribute("id", escaped_xml(layer.id));
     attribute("inkscape:groupmode", std::string("layer"));
     attribute("inkscape:label", escaped_xml(layer.title));
-    attribute("clip-path", "url(#" + std::string(kClip) + ')');
+    attribute("clip-path", "url(#" + clip_of(layer) + ')');
     attribute("stroke-width", layer.line_width);
     out_ += ">\n";
     if (layer.image)

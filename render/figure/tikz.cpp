@@ -69,6 +69,9 @@ class TikzWriter {
   void write(const FigureLayer& layer) {
     body_ += "% layer " + layer.id + ": " + layer.title + "\n\\begin{scope}[line width=" + length(layer.line_width) +
              "]\n";
+    if (layer.clip)
+      body_ += "\\clip " + text(layer.clip->corner) + " rectangle " +
+               text(layer.clip->corner + Vec2{layer.clip->width, layer.clip->height}) + ";\n";
     for (const Group& group : layer.groups) {
       if (group.opacity < 1.0)
         body_ += "\\begin{scope}[transparency group,opacity=" + fraction(group.opacity) + "]\n";

@@ -9,6 +9,7 @@
 
 #include "app/picture/legend.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/draw/variant.h"
 #include "render/scene.h"
 
 namespace mes {
@@ -20,7 +21,7 @@ std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, Le
   std::vector<LegendEntry> out;
   if (scope == LegendScope::none) return out;
   for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const LayerDescriptor& layer = layer_descriptors()[view->layer];
+    const LayerDescriptor& layer = layer_descriptors()[plain_layer(view->layer)];
     const render::ShownMap shown = shown_map(*view);
     if (shown.map != nullptr) {
       out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range, {}});

@@ -44,11 +44,27 @@ void CairoPainter::color(Rgb color, double opacity) {
 }
 
 void CairoPainter::paint(const FigureLayer& layer) {
-  paint_shapes(layer);
+  cairo_save(cairo_);
+  clip(layer);
+  paint_layer(layer);
   for (const Text& text : layer.texts) paint(text);
+  cairo_restore(cairo_);
+}
+
+void CairoPainter::clip(const FigureLayer& layer) {
+  if (!layer.clip) return;
+  cairo_rectangle(cairo_, layer.clip->corner.x, layer.clip->corner.y, layer.clip->width, layer.clip->height);
+  cairo_clip(cairo_);
 }
 
 void CairoPainter::paint_shapes(const FigureLayer& layer) {
+  cairo_save(cairo_);
+  clip(layer);
+  paint_layer(layer);
+  cairo_restore(cairo_);
+}
+
+void CairoPainter::paint_layer(const FigureLayer& layer) {
   cairo_set_line_width(cairo_, layer.line_width);
   if (layer.image) image(*layer.image);
   for (const Group& group : layer.groups) {

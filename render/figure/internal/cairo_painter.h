@@ -27,6 +27,8 @@ class CairoPainter {
   void color(Rgb color, double opacity);
   void image(const PlacedImage& placed);
   void paint(const FigureLayer& layer);
+  void clip(const FigureLayer& layer);
+  void paint_layer(const FigureLayer& layer);
   void paint(const Run& run);
   void paint(const Text& text);
   /// In a font of the figure; false if it has none, or FreeType does not read it.

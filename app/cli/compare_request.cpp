@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/compare_request.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "app/cli/evolution_runner.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "core/base/lower_case.h"
+#include "core/draw/layer_descriptor.h"
+#include "core/io/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::string_view kPrecision = "precision";
+constexpr std::string_view kFamily = "family";
+constexpr std::string_view kBundle = "bundle";
+constexpr std::string_view kStep = "step";
+
+std::vector<std::string_view> subjects() {
+  std::vector<std::string_view> out{kPrecision, kFamily, kBundle, kStep};
+  for (const ParameterDescriptor& parameter : parameter_descriptors()) out.push_back(parameter.id);
+  return out;
+}
+
+/// Layers that belong to a family begin with its letter: "a-union-boundary".
+bool has_family(std::string_view layer) {
+  return layer.size() > 2 && layer[1] == '-' && (layer[0] == 'a' || layer[0] == 'p' || layer[0] == 'b');
+}
+
+/// The same layer of another family; nothing where that family has none.
+std::optional<LayerIndex> of_family(LayerIndex layer, char family) {
+  std::string id(layer_descriptors()[layer].id);
+  if (!has_family(id)) return layer;
+  id[0] = family;
+  const LayerIndex found = find_layer(id);
+  return found == kNoLayer ? std::nullopt : std::optional(found);
+}
+
+/// Keeps layers without a family, and takes those of a family from another one; styles go along.
+ShownLayers with_family(const ShownLayers& shown, char family) {
+  ShownLayers out = shown;
+  out.layers.clear();
+  for (const LayerIndex layer : shown.layers) {
+    const auto other = of_family(layer, family);
+    if (!other || std::ranges::find(out.layers, *other) != out.layers.end()) continue;
+    out.layers.push_back(*other);
+    out.styles[*other] = shown.styles[layer];
+  }
+  return out;
+}
+
+/// NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; the key `seed` is of all evolutions.
+Expected<EvolutionChoice> evolution_of(const std::string& text) {
+  constexpr std::string_view kSeed = "seed=";
+  const std::size_t colon = text.find(':');
+  const auto evolution = select_evolution(text.substr(0, colon));
+  if (!evolution) return std::unexpected(evolution.error());
+  EvolutionChoice out{.evolution = *evolution};
+  if (colon == std::string::npos) return out;
+  const auto parameters = parameters_of(*evolution);
+  for (const std::string_view setting : split_list(std::string_view(text).substr(colon + 1))) {
+    if (setting.starts_with(kSeed)) {
+      const auto seed = whole_number("--evolution: seed", std::string(setting.substr(kSeed.size())));
+      if (!seed) return std::unexpected(seed.error());
+      out.seed = *seed;
+      continue;
+    }
+    const auto parsed = parse_setting(std::string(setting), parameters, "--evolution");
+    if (!parsed) return std::unexpected(parsed.error());
+    out.values.set(parameters[parsed->first].id, parsed->second);
+  }
+  return out;
+}
+
+class Reader {
+ public:
+  Reader(const RenderRequest& request, std::span<const render::ColorMap> maps) : request_(request), maps_(maps) {}
+
+  Expected<CompareRequest> read() {
+    const std::size_t equals = request_.compared.find('=');
+    const std::string subject = request_.compared.substr(0, equals);
+    if (equals == std::string::npos)
+      return usage_error("--compare expects WHAT=VALUE,VALUE[,VALUE...], not " + in_quotes(request_.compared));
+    const std::vector<std::string_view> values = split_list(std::string_view(request_.compared).substr(equals + 1));
+    if (values.size() < 2 || values.size() > kMostPanes)
+      return usage_error(
+          fmt::format("--compare {}: give 2 to {} values, not {}", subject, kMostPanes, values.size()));
+    if (std::ranges::any_of(values, &std::string_view::empty))
+      return usage_error("--compare " + subject + ": a value is empty");
+    for (const std::string_view each : values) {
+      const std::string value(each);
+      if (auto good = take(subject, value); !good) return std::unexpected(good.error());
+      out_.words.push_back(words_of(subject, value));
+    }
+    if (out_.subject == CompareRequest::Subject::step) {
+      if (request_.evolution.empty()) return usage_error("--compare step: name the evolution with --evolution");
+      const auto evolution = evolution_of(request_.evolution);
+      if (!evolution) return std::unexpected(evolution.error());
+      out_.evolution = *evolution;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  using Subject = CompareRequest::Subject;
+
+  static std::string words_of(const std::string& subject, const std::string& value) {
+    if (subject == kBundle) return value;
+    if (subject == kFamily) {
+      const char letter = lower_case(value)[0];
+      return std::string(title_of(letter == 'a'   ? LayerGroup::union_a
+                                  : letter == 'p' ? LayerGroup::union_p
+                                                  : LayerGroup::union_b));
+    }
+    return subject + ' ' + value;
+  }
+
+  Expected<void> take(const std::string& subject, const std::string& value) {
+    if (subject == kPrecision) {
+      out_.subject = Subject::precision;
+      const auto precision = select_precision(value);
+      if (!precision) return std::unexpected(precision.error());
+      out_.precisions.push_back(*precision);
+      return {};
+    }
+    if (subject == kFamily) {
+      out_.subject = Subject::family;
+      const std::string family = lower_case(value);
+      if (family != "a" && family != "p" && family != "b")
+        return usage_error("--compare family: " + in_quotes(value) + " is not one of a, p or b");
+      out_.families.push_back(family[0]);
+      return {};
+    }
+    if (subject == kBundle) {
+      out_.subject = Subject::bundle;
+      if (!request_.bundle.empty()) return usage_error("--compare bundle goes without --bundle");
+      RenderRequest one = request_;
+      one.bundle = value;
+      one.layers.clear();
+      auto picture = understand(one, maps_, nullptr);
+      if (!picture) return std::unexpected(picture.error());
+      out_.bundles.push_back(std::move(*picture));
+      return {};
+    }
+    if (subject == kStep) {
+      out_.subject = Subject::step;
+      const auto step = whole_number("--compare step", value);
+      if (!step) return std::unexpected(step.error());
+      out_.steps.push_back(*step);
+      return {};
+    }
+    const std::vector<std::string_view> known = subjects();
+    if (std::ranges::find(known, subject) == known.end())
+      return usage_error("--compare: unknown subject " + in_quotes(subject) + "; it is one of " + one_of(known));
+    out_.subject = Subject::parameter;
+    const auto parsed = parse_setting(subject + '=' + value, parameter_descriptors(), "--compare");
+    if (!parsed) return std::unexpected(parsed.error());
+    out_.parameter = static_cast<Parameter>(parsed->first);
+    out_.values.push_back(parsed->second);
+    return {};
+  }
+
+  const RenderRequest& request_;
+  std::span<const render::ColorMap> maps_;
+  CompareRequest out_;
+};
+
+/// The samples in some states of an evolution, by step.
+Expected<std::map<std::uint64_t, std::shared_ptr<const SampleData>>> states_of(
+    const CompareRequest& compared, const std::shared_ptr<const SampleData>& data) {
+  std::vector<std::uint64_t> steps = compared.steps;
+  std::ranges::sort(steps);
+  Document document;
+  const auto read = replace_all(document, *data);
+  if (!read) return std::unexpected(read.error());
+  document.apply(*read);
+  std::map<std::uint64_t, std::shared_ptr<const SampleData>> out;
+  EvolutionRunner runner(state_of(document), compared.evolution);
+  for (const std::uint64_t step : steps) {
+    if (step == 0) {
+      out[0] = data;
+      continue;
+    }
+    const auto state = runner.at(step, steps.back());
+    if (!state) return std::unexpected(state.error());
+    auto moved = std::make_shared<SampleData>(*data);
+    moved->positions = state->positions;
+    moved->contours = contours_of(*state);
+    out[step] = std::move(moved);
+  }
+  return out;
+}
+
+/// Where an evolution moves a parameter: its value in the state of a step.
+Expected<ComputationSettings> moved_settings(const CompareRequest& compared, const ParameterMove& move,
+                                             std::uint64_t step, ComputationSettings settings) {
+  const auto value = moved_value(move, settings[move.parameter], step, compared.evolution.values);
+  if (!value) return std::unexpected(value.error());
+  settings[move.parameter] = *value;
+  return settings;
+}
+
+}  // namespace
+
+Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps) {
+  if (request.compared.empty()) {
+    if (request.with_differences) return usage_error("--differences goes with --compare");
+    if (!request.evolution.empty()) return usage_error("--evolution goes with --compare step=...");
+    return CompareRequest{};
+  }
+  auto out = Reader(request, maps).read();
+  if (out && out->subject != CompareRequest::Subject::step && !request.evolution.empty())
+    return usage_error("--evolution goes with --compare step=...");
+  if (out && request.bounds != kBoundsOfView) return usage_error("--bounds goes without --compare");
+  return out;
+}
+
+Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, const PictureRequest& picture,
+                                            const ComputationSettings& settings,
+                                            const std::shared_ptr<const SampleData>& data) {
+  using Subject = CompareRequest::Subject;
+  if (compared.subject == Subject::family && std::ranges::none_of(picture.shown.layers, [](LayerIndex layer) {
+        return has_family(layer_descriptors()[layer].id);
+      }))
+    return usage_error("--compare family: name layers of a family, as in --layers a-union-boundary");
+  const ParameterMove* const move = evolutions()[compared.evolution.evolution].moved_parameter();
+  std::map<std::uint64_t, std::shared_ptr<const SampleData>> states;
+  if (compared.subject == Subject::step && move == nullptr) {
+    auto computed = states_of(compared, data);
+    if (!computed) return std::unexpected(computed.error());
+    states = std::move(*computed);
+  }
+  std::vector<PaneRequest> out;
+  for (std::size_t i = 0; i < compared.words.size(); ++i) {
+    PaneRequest pane{.words = compared.words[i], .shown = picture.shown, .settings = settings, .data = data};
+    switch (compared.subject) {
+      case Subject::nothing: break;
+      case Subject::precision: pane.settings.precision = compared.precisions[i]; break;
+      case Subject::parameter: pane.settings[compared.parameter] = compared.values[i]; break;
+      case Subject::family: pane.shown = with_family(picture.shown, compared.families[i]); break;
+      case Subject::bundle:
+        pane.shown = compared.bundles[i].shown;
+        pane.shown.background = picture.shown.background;
+        break;
+      case Subject::step: {
+        if (move == nullptr) {
+          pane.data = states.at(compared.steps[i]);
+          break;
+        }
+        const auto moved = moved_settings(compared, *move, compared.steps[i], settings);
+        if (!moved) return std::unexpected(moved.error());
+        pane.settings = *moved;
+        break;
+      }
+    }
+    out.push_back(std::move(pane));
+  }
+  return out;
+}
+
+}  // namespace mes::cli

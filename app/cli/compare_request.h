@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `--compare` of `mesecina render`: what is shown side by side.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/picture_request.h"
+#include "app/cli/requests.h"
+#include "app/export/comparison.h"
+#include "core/base/error.h"
+#include "core/evolutions/evolution.h"
+
+namespace mes::cli {
+
+/// What is compared, understood as far as it can be without the samples.
+struct CompareRequest {
+  enum class Subject : std::uint8_t { nothing, precision, parameter, family, bundle, step };
+  Subject subject = Subject::nothing;
+  std::vector<std::string> words;       ///< of each pane, as "precision exact"
+  std::vector<Precision> precisions;    ///< one a pane, where these are compared
+  Parameter parameter{};                ///< the one that is compared
+  std::vector<double> values;           ///< of it
+  std::vector<char> families;           ///< lower case
+  std::vector<PictureRequest> bundles;  ///< with their layers
+  std::vector<std::uint64_t> steps;     ///< of `evolution`
+  EvolutionChoice evolution{};
+};
+
+/// Error: `usage`, naming what there is; `bad_input` for a bundle that cannot be read.
+Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps);
+
+/// The panes, where `picture`, `settings` and `data` say what all have in common. Steps of an evolution are computed
+/// here. Error: `usage` for layers without the families that are compared; that of the evolution.
+Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, const PictureRequest& picture,
+                                            const ComputationSettings& settings,
+                                            const std::shared_ptr<const SampleData>& data);
+
+}  // namespace mes::cli

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/rendering.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "app/cli/messages.h"
+#include "app/cli/progress.h"
+#include "app/picture/legend.h"
+#include "app/picture/scale_drawing.h"
+#include "app/store/sample_shapes.h"
+#include "render/offscreen.h"
+#include "render/png.h"
+
+namespace mes::cli {
+namespace {
+
+/// Above everything else, once the picture is there.
+void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
+               const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request,
+               const PlacedAnnotations& annotations) {
+  const std::vector<LegendEntry> entries =
+      legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
+  if (entries.empty() && request.marks.is_empty() && annotations.is_empty()) return;
+  const auto fonts = PaperFonts::read(find_assets({}));
+  if (!fonts) return say("annotations, legend, scale bar and axes are left out: " + fonts.error().message());
+  const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
+                                                         measure_with(*fonts, shown.scale), shown.background);
+  for (const std::string& complaint : annotated.complaints) say(complaint);
+  paint(image, *fonts, annotated.drawing, {0.0, 0.0}, shown.scale);
+  if (!request.marks.is_empty())
+    paint(image, *fonts,
+          layout_scale_marks(request.marks, seen_plane(camera, shown.scale), measure_with(*fonts, shown.scale),
+                             shown.background),
+          {0.0, 0.0}, shown.scale);
+  if (!entries.empty())
+    draw_legend(image, *fonts,
+                layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background),
+                LegendPlace::emptiest_corner);
+}
+
+/// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
+/// seam.
+Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& scene, const render::Camera& camera,
+                                      std::span<const render::LayerView> views, const render::ImageOptions& options) {
+  constexpr std::uint64_t kMuch = 50'000;
+  constexpr int kBands = 8;
+  std::uint64_t instances = 0;
+  for (const render::LayerView& view : views)
+    for (const PrimitiveKind kind : kAllPrimitiveKinds) instances += scene.instances(view.layer, kind);
+  const int height = camera.height();
+  if (instances < kMuch || height < 2 * kBands) return render::draw_image(device, scene, camera, views, options);
+
+  Progress progress;
+  render::Image image{camera.width(), height, {}};
+  for (int band = 0; band < kBands; ++band) {
+    const int top = band * height / kBands;
+    const int bottom = (band + 1) * height / kBands;
+    const auto part =
+        render::draw_image(device, scene, camera.part(0, top, camera.width(), bottom - top), views, options);
+    if (!part) return part;
+    image.rgba.insert(image.rgba.end(), part->rgba.begin(), part->rgba.end());
+    progress.show("drawing", static_cast<double>(band + 1) / kBands);
+  }
+  return image;
+}
+
+}  // namespace
+
+Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror) {
+  if (picture.view) return {*picture.view, 0.0};
+  return {fit_box(samples, mirror, picture.shown.layers), kFitMargin};
+}
+
+render::Camera camera_for(const PictureSize& size, const Seen& seen) {
+  render::Camera camera;
+  camera.set_viewport(size.width, size.height);
+  camera.fit(seen.box, seen.margin * std::min(size.width, size.height));
+  return camera;
+}
+
+Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
+                                    Canvas& canvas, const render::Camera& camera, const FigureSource& source,
+                                    const RenderRequest& request) {
+  const std::vector<render::LayerView> views = views_of(shown, camera.units_per_pixel(), source.samples);
+  std::vector<render::LayerView> all = views;
+  all.insert(all.end(), marks.begin(), marks.end());
+  auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
+                             {.background = shown.background, .content_scale = shown.scale});
+  if (image) add_paper(*image, canvas.scene, views, camera, shown, request, source.annotations);
+  return image;
+}
+
+Expected<std::string> encoded(const render::Image& image, std::string_view session) {
+  const auto png = render::encode_png(image, render::kPngSmall, session);
+  if (!png) return std::unexpected(png.error());
+  return std::string(reinterpret_cast<const char*>(png->data()), png->size());
+}
+
+FigureRequest figure_request(const PictureRequest& picture, const RenderRequest& wanted) {
+  FigureRequest request{.shown = picture.shown,
+                        .part = Everything{},
+                        .page = picture.page,
+                        .pixels = {picture.size.width, picture.size.height},
+                        .is_tight = picture.is_tight,
+                        .legend = legend_scope(wanted.with_legend, wanted.with_key),
+                        .marks = wanted.marks,
+                        .image = picture.image,
+                        .rasterized = picture.rasterized,
+                        .dots_per_inch = picture.dots_per_inch};
+  if (picture.view) request.part = *picture.view;
+  return request;
+}
+
+Expected<std::string> written(const PictureRequest& picture, DrawnFigure drawn, bool is_traced, std::string session) {
+  drawn.figure.session = std::move(session);
+  if (is_traced && !picture.format->has_images)
+    say("the picture " + picture.image.file + " is left out: " + std::string(picture.format->name) +
+        " files hold none");
+  std::vector<std::string> said;
+  for (const std::string& remark : drawn.remarks) {
+    if (std::ranges::find(said, remark) != said.end()) continue;
+    say(remark);
+    said.push_back(remark);
+  }
+  auto bytes = picture.format->write(drawn.figure);
+  if (bytes && bytes->size() > kLargeFigure) {
+    std::string text = fmt::format("the figure has {:.0f} MB", 1e-6 * static_cast<double>(bytes->size()));
+    if (const figure::FigureLayer* const layer = largest_layer(drawn.figure); layer && picture.format->has_images)
+      text += fmt::format(", most of it perhaps the {} shapes of one layer: --rasterize {} makes it a picture",
+                          figure::shape_count(*layer), layer->id);
+    say(text);
+  }
+  return bytes;
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `mesecina render` draws, in pixels or in vectors, for a picture alone and for each pane of several.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/cli/picture.h"
+#include "app/cli/picture_request.h"
+#include "app/cli/requests.h"
+#include "app/export/figure.h"
+#include "app/export/shown_layers.h"
+#include "core/base/box2.h"
+#include "core/base/error.h"
+#include "core/draw/layer_mirror.h"
+#include "render/camera.h"
+#include "render/egl_context.h"
+#include "render/gl_device.h"
+#include "render/image.h"
+#include "render/scene.h"
+
+namespace mes::cli {
+
+/// What must be seen, and the margin around it as a part of the shorter side.
+struct Seen {
+  Box2 box;
+  double margin = 0.0;
+};
+Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror);
+render::Camera camera_for(const PictureSize& size, const Seen& seen);
+
+/// What a picture in pixels is drawn with.
+struct Canvas {
+  render::EglContext context;
+  render::GlDevice device;
+  render::Scene scene{device};
+  explicit Canvas(render::EglContext made) : context(std::move(made)) {}
+};
+
+/// A picture in pixels. `marks` lie above the layers, and are in no legend.
+Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
+                                    Canvas& canvas, const render::Camera& camera, const FigureSource& source,
+                                    const RenderRequest& request);
+
+/// The bytes of a PNG file that carries a session, if it is not empty.
+Expected<std::string> encoded(const render::Image& image, std::string_view session);
+
+/// What is wanted of a figure.
+FigureRequest figure_request(const PictureRequest& picture, const RenderRequest& wanted);
+
+/// The bytes of a figure in its format. Says what was left out, and when they are many.
+Expected<std::string> written(const PictureRequest& picture, DrawnFigure drawn, bool is_traced, std::string session);
+
+}  // namespace mes::cli

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/draw/instance_difference.h"
+#include "core/draw/variant.h"
+
+namespace mes {
+namespace {
+
+constexpr double kGap = 16.0;      // logical pixels
+constexpr double kBand = 30.0;     // height of a label with its surroundings
+constexpr double kLetters = 16.0;  // height of its letters
+constexpr double kSmallest = 8.0;  // where they have to be smaller
+constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
+
+/// Layers of unions of balls are called by the letter of the family and a name: "a-union-boundary".
+std::string_view without_family(std::string_view id) {
+  const bool has_family = id.size() > 2 && id[1] == '-' && (id[0] == 'a' || id[0] == 'p' || id[0] == 'b');
+  return has_family ? id.substr(2) : id;
+}
+
+/// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
+std::optional<LayerIndex> counterpart(LayerIndex layer, const Pane& pane) {
+  const LayerIndex plain = plain_layer(layer);
+  const auto descriptors = layer_descriptors();
+  const auto same = std::ranges::find(pane.shown.layers, plain, plain_layer);
+  if (same != pane.shown.layers.end()) return *same;
+  const std::string_view name = without_family(descriptors[plain].id);
+  const auto alike = std::ranges::find(
+      pane.shown.layers, name, [&](LayerIndex other) { return without_family(descriptors[plain_layer(other)].id); });
+  return alike != pane.shown.layers.end() ? std::optional(*alike) : std::nullopt;
+}
+
+/// Instances of one layer of a pane that another pane of those that show it does not have, by kind.
+class Differences {
+ public:
+  Differences(const LayerMirror& mirror, double tolerance) : mirror_(mirror), tolerance_(tolerance) {}
+
+  /// False when there are none.
+  bool find(LayerIndex layer, std::span<const LayerIndex> others, LayerPatch& out) const {
+    bool has_any = false;
+    for (const PrimitiveKind kind : kAllPrimitiveKinds) {
+      KindPatch& patch = out[kind];
+      patch.reset = true;
+      const std::span<const double> instances = mirror_.instances(layer, kind);
+      const std::size_t stride = stride_of(kind);
+      for (const std::uint32_t i : missing_somewhere(kind, instances, others)) {
+        const auto values = instances.subspan(i * stride, stride);
+        patch.data.insert(patch.data.end(), values.begin(), values.end() - 1);
+        patch.data.push_back(0.0);
+        ++patch.count;
+        has_any = true;
+      }
+    }
+    return has_any;
+  }
+
+ private:
+  std::vector<std::uint32_t> missing_somewhere(PrimitiveKind kind, std::span<const double> instances,
+                                               std::span<const LayerIndex> others) const {
+    std::vector<std::uint32_t> out;
+    for (const LayerIndex other : others) {
+      const auto missing = without_counterpart(kind, instances, mirror_.instances(other, kind), tolerance_);
+      out.insert(out.end(), missing.begin(), missing.end());
+    }
+    std::ranges::sort(out);
+    const auto [first, last] = std::ranges::unique(out);
+    out.erase(first, last);
+    return out;
+  }
+
+  const LayerMirror& mirror_;
+  double tolerance_;
+};
+
+/// The style of a layer for what only some panes have of it.
+LayerStyle marked(LayerStyle style) {
+  constexpr double kWider = 1.75;
+  constexpr double kLeastLine = 2.0;
+  constexpr double kAreas = 0.45;
+  style.color = kOnlyHere;
+  style.opacity = kAreas;
+  style.flat = true;
+  style.color_map.clear();
+  style.line_width_px = std::max(kLeastLine, kWider * style.line_width_px);
+  style.point_size_px *= kWider;
+  return style;
+}
+
+bool has_areas(const LayerDescriptor& layer) {
+  return std::ranges::any_of(
+      layer.kinds, [](PrimitiveKind kind) { return kind == PrimitiveKind::disk || kind == PrimitiveKind::triangle; });
+}
+
+render::ScalarRange range_of(const LayerMirror& mirror, LayerIndex layer) {
+  render::ScalarRange out;
+  for (const PrimitiveKind kind : kAllPrimitiveKinds) {
+    const std::span<const double> instances = mirror.instances(layer, kind);
+    for (std::size_t at = stride_of(kind); at <= instances.size(); at += stride_of(kind)) out.add(instances[at - 1]);
+  }
+  return out;
+}
+
+/// "a" to "z".
+std::string letter_of(std::size_t pane) {
+  return std::string(1, static_cast<char>('a' + pane));
+}
+
+}  // namespace
+
+Comparison compare(std::vector<PaneRequest> requests) {
+  MES_ASSERT(!requests.empty() && requests.size() <= kMostPanes);
+  Comparison out;
+  out.data = requests.front().data;
+  out.settings = requests.front().settings;
+  const auto variant_of = [&out](const PaneRequest& request) -> VariantIndex {
+    if (request.data == out.data && request.settings == out.settings) return kMainVariant;
+    const auto own = request.data == out.data ? nullptr : request.data;
+    const auto found = std::ranges::find_if(out.variants, [&](const ComputedVariant& variant) {
+      return variant.settings == request.settings && variant.data == own;
+    });
+    const auto index = static_cast<VariantIndex>(found - out.variants.begin()) + 1;
+    if (found == out.variants.end()) out.variants.push_back({request.settings, own});
+    return index;
+  };
+  for (PaneRequest& request : requests) {
+    const std::string letter = letter_of(out.panes.size());
+    Pane pane{.label = '(' + letter + ") " + request.words,
+              .letter = letter,
+              .shown = std::move(request.shown),
+              .variant = variant_of(request),
+              .data = request.data};
+    const bool has_document = pane.variant != kMainVariant && out.variants[pane.variant - 1].data;
+    for (LayerIndex& layer : pane.shown.layers) layer = layer_in(pane.variant, has_document, layer);
+    out.demand.insert(out.demand.end(), pane.shown.layers.begin(), pane.shown.layers.end());
+    out.panes.push_back(std::move(pane));
+  }
+  std::ranges::sort(out.demand);
+  const auto [first, last] = std::ranges::unique(out.demand);
+  out.demand.erase(first, last);
+  return out;
+}
+
+void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
+  const auto follows = [](const LayerStyle& style) { return !style.color_map.empty() && !style.range_locked; };
+  std::vector<render::ScalarRange> ranges(layer_descriptors().size());
+  for (const Pane& pane : comparison.panes)
+    for (const LayerIndex layer : pane.shown.layers)
+      if (follows(pane.shown.styles[plain_layer(layer)])) ranges[plain_layer(layer)].add(range_of(mirror, layer));
+  for (Pane& pane : comparison.panes) {
+    for (const LayerIndex number : pane.shown.layers) {
+      const LayerIndex layer = plain_layer(number);
+      LayerStyle& style = pane.shown.styles[layer];
+      if (!follows(style) || ranges[layer].is_empty()) continue;
+      style.range_locked = true;
+      style.range_low = ranges[layer].low;
+      style.range_high = ranges[layer].high;
+    }
+  }
+}
+
+FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, double extent) {
+  // Coordinates that were rounded in other ways differ by some of their last bits.
+  constexpr double kRounding = 0x1p-30;
+  const auto layers = static_cast<LayerIndex>(layer_descriptors().size());
+  LayerIndex next = (static_cast<LayerIndex>(comparison.variants.size()) + 1) * layers;
+  FramePatch out;
+  out.frame = mirror.frame();
+  out.document_revision = mirror.document_revision();
+  const Differences differences(mirror, std::max(kRounding * extent, std::numeric_limits<double>::min()));
+  for (Pane& pane : comparison.panes) {
+    for (const LayerIndex number : pane.shown.layers) {
+      std::vector<LayerIndex> others;
+      for (const Pane& other : comparison.panes)
+        if (const auto theirs = counterpart(number, other); theirs && *theirs != number) others.push_back(*theirs);
+      if (others.empty()) continue;
+      LayerPatch patch;
+      patch.layer = next + plain_layer(number);
+      if (!differences.find(number, others, patch)) continue;
+      LayerStyle style = marked(pane.shown.styles[plain_layer(number)]);
+      if (!has_areas(layer_descriptors()[plain_layer(number)])) style.opacity = 1.0;
+      pane.marks.push_back({patch.layer, style});
+      out.layers.push_back(std::move(patch));
+    }
+    next += layers;
+  }
+  out.layer_count = out.layers.size();
+  return out;
+}
+
+Vec2 PaneGrid::corner(std::size_t pane) const {
+  return {static_cast<double>(pane % columns) * (pane_width + gap),
+          static_cast<double>(pane / columns) * (pane_height + band + gap)};
+}
+
+PaneGrid lay_out(std::size_t panes, double width, double height, double proportions, double unit) {
+  PaneGrid best;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t columns = 1; columns <= panes; ++columns) {
+    PaneGrid grid{
+        .columns = columns, .rows = (panes + columns - 1) / columns, .gap = kGap * unit, .band = kBand * unit};
+    const auto share = [&](double side, std::size_t parts) {
+      return (side - static_cast<double>(parts - 1) * grid.gap) / static_cast<double>(parts);
+    };
+    grid.pane_width = share(width, grid.columns);
+    grid.pane_height = share(height, grid.rows) - grid.band;
+    // The width of the box in a pane. Rows without an empty place win where it is the same.
+    const double size = std::min(grid.pane_width, grid.pane_height / std::max(proportions, 1e-6));
+    if (size > largest) {
+      largest = size;
+      best = grid;
+    }
+  }
+  return best;
+}
+
+PaperDrawing layout_pane_labels(const Comparison& comparison, const PaneGrid& grid, const MeasureText& measure,
+                                const std::optional<Rgb>& background) {
+  const PaperColors colors = paper_colors(background);
+  PaperDrawing out;
+  for (std::size_t i = 0; i < comparison.panes.size(); ++i) {
+    const Vec2 corner = grid.corner(i);
+    const Vec2 across{grid.pane_width, 0.0};
+    const Vec2 down{0.0, grid.pane_height};
+    out.strokes.push_back(
+        {{corner, corner + across, corner + across + down, corner + down, corner}, kPaneFrame, colors.frame});
+    const std::string& label = comparison.panes[i].label;
+    const double natural = measure(label, kLetters, Face::plain);
+    const double size =
+        natural > grid.pane_width ? std::max(kSmallest, kLetters * grid.pane_width / natural) : kLetters;
+    const double width = measure(label, size, Face::plain);
+    out.lines.push_back({.x = corner.x + 0.5 * (grid.pane_width - width),
+                         .top = corner.y + grid.pane_height + 0.5 * (grid.band - size),
+                         .size = size,
+                         .face = Face::plain,
+                         .color = colors.ink,
+                         .text = label});
+    out.width = std::max(out.width, corner.x + grid.pane_width);
+    out.height = std::max(out.height, corner.y + grid.pane_height + grid.band);
+  }
+  return out;
+}
+
+}  // namespace mes
