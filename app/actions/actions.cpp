@@ -94,6 +94,12 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_grid, "toggle-grid", "Grid", "Show or hide faint lines at round numbers, those of the axes", "G"},
     {Id::toggle_annotations, "toggle-annotations", "Annotations",
      "Show or hide text, arrows and dimensions that were put on the drawing"},
+    {Id::add_pane, "add-pane", "Add a pane",
+     "Show the same view once more beside it, with another number type, parameter, family of balls or bundle; four "
+     "at "
+     "most",
+     "F6"},
+    {Id::close_panes, "close-panes", "Close panes", "Show the main pane alone again", "Shift+F6"},
     {Id::toggle_evolution, "toggle-evolution", "Evolution",
      "Show or hide the slider of evolutions: smooth, subdivide and others, step by step", "E"},
     {Id::toggle_theme, "toggle-theme", "Dark theme",

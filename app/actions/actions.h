@@ -57,6 +57,8 @@ enum class ActionId : std::uint8_t {
   toggle_axes,
   toggle_grid,
   toggle_annotations,
+  add_pane,
+  close_panes,
   toggle_evolution,
   toggle_theme,
   projector_mode,

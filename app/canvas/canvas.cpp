@@ -2,6 +2,7 @@
 #include "app/canvas/canvas.h"
 
 #include <cmath>
+#include <utility>
 
 #include "app/canvas/tools/annotate_tool.h"
 #include "app/canvas/tools/ball_tool.h"
@@ -27,8 +28,20 @@ Pointer Canvas::pointer(Vec2 px, Modifiers modifiers) const {
           modifiers};
 }
 
-void Canvas::press(PointerButton button, Vec2 px, Modifiers modifiers) {
-  move(px, modifiers);
+void Canvas::set_panes(PanePlaces panes) {
+  if (panes == panes_) return;
+  panes_ = std::move(panes);
+  if (pane_ >= panes_.places().size()) pane_ = 0;
+}
+
+Vec2 Canvas::in_main_pane(Vec2 px) {
+  if (!has_pointer()) pane_ = panes_.at(px);
+  return px - pane_shift();
+}
+
+void Canvas::press(PointerButton button, Vec2 in_window, Modifiers modifiers) {
+  const Vec2 px = in_main_pane(in_window);
+  move_to(px, modifiers);
   if (has_pointer()) return;
   if (button != PointerButton::left || space_held_) {
     panning_ = true;
@@ -39,6 +52,10 @@ void Canvas::press(PointerButton button, Vec2 px, Modifiers modifiers) {
 }
 
 void Canvas::move(Vec2 px, Modifiers modifiers) {
+  move_to(in_main_pane(px), modifiers);
+}
+
+void Canvas::move_to(Vec2 px, Modifiers modifiers) {
   const Vec2 delta = px - pointer_px_;
   pointer_px_ = px;
   modifiers_ = modifiers;
@@ -51,9 +68,10 @@ void Canvas::move(Vec2 px, Modifiers modifiers) {
     tool().hover(pointer(px, modifiers));
 }
 
-void Canvas::release(PointerButton button, Vec2 px, Modifiers modifiers) {
+void Canvas::release(PointerButton button, Vec2 in_window, Modifiers modifiers) {
+  const Vec2 px = in_main_pane(in_window);
   if (panning_) {
-    move(px, modifiers);
+    move_to(px, modifiers);
     if (button == pan_button_) panning_ = false;
     return;
   }
@@ -62,7 +80,8 @@ void Canvas::release(PointerButton button, Vec2 px, Modifiers modifiers) {
   tool().release(pointer(px, modifiers));
 }
 
-void Canvas::wheel(Vec2 px, double steps) {
+void Canvas::wheel(Vec2 in_window, double steps) {
+  const Vec2 px = in_main_pane(in_window);
   if (!panning_ && tool().wheel(pointer(px, modifiers_), steps)) return;
   view_.zoom_at(px, std::pow(kZoomPerStep, steps));
 }

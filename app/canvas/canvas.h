@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/canvas/tools/tool.h"
+#include "app/model/pane_places.h"
 #include "app/model/view_motion.h"
 
 namespace mes {
@@ -27,11 +28,19 @@ class Canvas {
   void set_content_scale(double scale) { content_scale_ = scale; }
   double content_scale() const { return content_scale_; }
 
-  void press(PointerButton button, Vec2 px, Modifiers modifiers);
+  /// Several panes show the view. Whichever the pointer is in, it meets the plane as in the main one; a gesture stays
+  /// in the pane where it began.
+  void set_panes(PanePlaces panes);
+  const PanePlaces& panes() const { return panes_; }
+  /// The pane that the pointer is in, and from the main pane to it in pixels.
+  std::size_t pane() const { return pane_; }
+  Vec2 pane_shift() const { return panes_.shift(pane_); }
+
+  void press(PointerButton button, Vec2 in_window, Modifiers modifiers);
   void move(Vec2 px, Modifiers modifiers);
-  void release(PointerButton button, Vec2 px, Modifiers modifiers);
+  void release(PointerButton button, Vec2 in_window, Modifiers modifiers);
   /// `steps` of the wheel, positive away from the user. Zooms, unless the tool takes it.
-  void wheel(Vec2 px, double steps);
+  void wheel(Vec2 in_window, double steps);
   void leave();
   void set_space_held(bool held);
   /// Ends the gesture under way without its effect; false when there was none.
@@ -40,6 +49,7 @@ class Canvas {
   /// A gesture has the pointer: events belong here wherever it goes.
   bool has_pointer() const { return panning_ || tool().is_active(); }
   bool is_hovered() const { return is_hovered_; }
+  /// In the main pane.
   Vec2 pointer_px() const { return pointer_px_; }
   Vec2 pointer_world() const { return view_.camera().to_world(pointer_px_); }
   /// The cursor if it is here, else the middle of the free area: where keys zoom.
@@ -63,9 +73,13 @@ class Canvas {
 
  private:
   Pointer pointer(Vec2 px, Modifiers modifiers) const;
+  Vec2 in_main_pane(Vec2 px);
+  void move_to(Vec2 px, Modifiers modifiers);
   void follow_view();
 
   ViewMotion view_;
+  PanePlaces panes_;
+  std::size_t pane_ = 0;
   std::array<std::unique_ptr<Tool>, kToolCount> tools_;
   ToolId tool_id_ = ToolId::select;
   double content_scale_ = 1.0;

@@ -14,13 +14,23 @@ bool EngineDemand::waits_for_room(Engine& engine, const State& now) {
   return lost_at_ == now;
 }
 
-bool EngineDemand::follow(Engine& engine, const LayerStack& layers, std::uint64_t document_revision,
-                          bool picture_is_lost) {
-  if (picture_is_lost && waits_for_room(engine, {layers.demand_revision(), document_revision})) return false;
-  if (is_told(layers) && !asks_for_nothing_) return false;
+EngineDemand::Asked EngineDemand::asked_of(const Wanted& wanted) {
+  const bool has_panes = !wanted.panes.is_empty();
+  return {wanted.layers.demand_revision(), wanted.panes.revision(),
+          has_panes ? std::optional(wanted.settings) : std::nullopt};
+}
+
+bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_lost) {
+  const std::uint64_t demand = wanted.layers.demand_revision() + wanted.panes.revision();
+  if (picture_is_lost && waits_for_room(engine, {demand, wanted.document_revision})) return false;
+  const bool is_news = !is_told(wanted) || asks_for_nothing_;
+  if (is_news || (!wanted.panes.is_empty() && styled_ != wanted.layers.revision()))
+    shown_ = shown_panes(wanted.panes, wanted.layers, wanted.settings);
+  styled_ = wanted.layers.revision();
+  if (!is_news) return false;
   asks_for_nothing_ = false;
-  seen_ = layers.demand_revision();
-  engine.set_demand(layers.visible_layers());
+  seen_ = asked_of(wanted);
+  engine.post({.deltas = {}, .settings = wanted.settings, .demand = shown_.demand, .beside = {shown_.variants, {}}});
   return true;
 }
 

@@ -3,28 +3,49 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "app/model/layer_stack.h"
+#include "app/model/pane_list.h"
 #include "core/engine/engine.h"
 
 namespace mes {
 
-/// What it guarantees: the engine is asked for the visible layers, anew when they change. After a picture was lost for
+/// What it guarantees: the engine is asked for the visible layers of all panes, anew when they change. After a picture was lost for
 /// lack of memory it is asked for none, and for all of them again once the document or the demand has changed.
 /// Threads: the window's.
 class EngineDemand {
  public:
+  /// What is wanted, with the revisions that say when it changes.
+  struct Wanted {
+    const LayerStack& layers;
+    const PaneList& panes;
+    const ComputationSettings& settings;
+    std::uint64_t document_revision = 0;
+  };
   /// Once a frame. True when the engine was asked for other layers.
-  bool follow(Engine& engine, const LayerStack& layers, std::uint64_t document_revision, bool picture_is_lost);
+  bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost);
   /// The engine has been asked for what is visible now.
-  bool is_told(const LayerStack& layers) const { return seen_ == layers.demand_revision(); }
+  bool is_told(const Wanted& wanted) const { return seen_ == asked_of(wanted); }
+  /// What the panes beside the main one show, as the engine was asked last and styles are now.
+  const ShownPanes& shown() const { return shown_; }
 
  private:
+  /// What the demand depends on. Settings only count while panes differ from them.
+  struct Asked {
+    std::uint64_t layers = 0;
+    std::uint64_t panes = 0;
+    std::optional<ComputationSettings> settings;
+    friend bool operator==(const Asked&, const Asked&) = default;
+  };
   using State = std::pair<std::uint64_t, std::uint64_t>;
+  static Asked asked_of(const Wanted& wanted);
   bool waits_for_room(Engine& engine, const State& now);
 
-  std::uint64_t seen_ = 0;
+  Asked seen_;
+  ShownPanes shown_;
+  std::uint64_t styled_ = 0;  // revision of the layers whose styles are shown
   bool asks_for_nothing_ = false;
   State lost_at_{};  // revisions of demand and document
 };

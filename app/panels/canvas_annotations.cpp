@@ -12,13 +12,14 @@ AnnotationDrawing CanvasAnnotations::layout() const {
 }
 
 void CanvasAnnotations::draw(const AnnotationDrawing& drawn, std::optional<std::size_t> pointed_at) const {
-  paint_on_canvas(gui, drawn.drawing, {0.0F, 0.0F});
+  paint_on_canvas(gui, drawn.drawing, shift);
   const float unit = gui.unit();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const auto frame = [&](std::size_t i, float width) {
     if (i >= drawn.words.size() || drawn.words[i].is_empty()) return;
     const auto corner = [&](Vec2 p, float out) {
-      return ImVec2(static_cast<float>(p.x) * unit + out * unit, static_cast<float>(p.y) * unit + out * unit);
+      return ImVec2(shift.x + (static_cast<float>(p.x) + out) * unit,
+                    shift.y + (static_cast<float>(p.y) + out) * unit);
     };
     constexpr float kMargin = 4.0F;
     list.AddRect(corner(drawn.words[i].low, -kMargin), corner(drawn.words[i].high, kMargin), gui.colors().accent,

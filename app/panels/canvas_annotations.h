@@ -17,6 +17,7 @@ struct CanvasAnnotations {
   const Document& document;
   const AnnotationDesk& desk;
   Rgb background;
+  ImVec2 shift{};  ///< from the main pane to the one that is drawn in, in screen coordinates
 
   /// As they are now, in logical pixels from the upper left corner of the window.
   AnnotationDrawing layout() const;

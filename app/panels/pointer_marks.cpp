@@ -19,6 +19,7 @@ class Pen {
       : canvas_(marks.canvas),
         list_(*ImGui::GetBackgroundDrawList()),
         unit_(marks.gui.unit()),
+        shift_(marks.shift),
         color_(marks.color),
         ink_(to_imgui(marks.color)) {}
 
@@ -42,11 +43,14 @@ class Pen {
 
  private:
   Vec2 to_px(Vec2 world) const { return (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(world); }
-  ImVec2 at(Vec2 px) const { return {static_cast<float>(px.x) * unit_, static_cast<float>(px.y) * unit_}; }
+  ImVec2 at(Vec2 px) const {
+    return {shift_.x + static_cast<float>(px.x) * unit_, shift_.y + static_cast<float>(px.y) * unit_};
+  }
 
   const Canvas& canvas_;
   ImDrawList& list_;
   float unit_;
+  ImVec2 shift_;
   Rgb color_;
   ImU32 ink_;
 };
@@ -91,7 +95,7 @@ void PointerMarks::draw_measurement() const {
   const Insets& panels = canvas.view().insets();
   const auto on_screen = [&](double px) { return static_cast<float>(px / canvas.content_scale()) * unit; };
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 end(screen.x - on_screen(panels.right), screen.y - on_screen(panels.bottom));
+  const ImVec2 end(shift.x + screen.x - on_screen(panels.right), shift.y + screen.y - on_screen(panels.bottom));
   const ImVec2 at = pen.on_screen(places.back());
   constexpr float kBeside = 16.0F;
   // On the other side of the place if this one has too little room.

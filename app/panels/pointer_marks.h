@@ -17,6 +17,7 @@ struct PointerMarks {
   const Document& document;
   Rgb color;
   std::optional<Rgb> background;
+  ImVec2 shift{};  ///< from the main pane to the one that is drawn in, in screen coordinates
 
   /// Behind all panels.
   void draw() const;

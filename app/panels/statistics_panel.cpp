@@ -6,6 +6,7 @@
 #include "app/model/statistics_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/draw/variant.h"
 
 namespace mes {
 namespace {
@@ -84,6 +85,7 @@ void draw_node(const Gui& gui, const NodeReport& node) {
 void StatisticsPanel::draw() const {
   const float unit = gui.unit();
   std::vector<NodeReport> nodes = picture.nodes();
+  std::erase_if(nodes, [](const NodeReport& node) { return node.variant != kMainVariant; });
   nodes.push_back(times.report());
   if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(statistics_as_tsv(nodes).c_str());
   tooltip(gui, "Copy all numbers as lines with tabs, for a spreadsheet");

@@ -9,6 +9,7 @@
 
 #include "app/model/sample_spacing.h"
 #include "core/base/assert.h"
+#include "core/draw/variant.h"
 
 namespace mes {
 namespace {
@@ -116,9 +117,10 @@ void Picture::clear_background() {
   ++background_revision_;
 }
 
-void Picture::forget_hidden(const LayerStack& layers) {
-  for (const LayerIndex layer : layers.order())
-    if (!layers.is_visible(layer)) scene_.forget(layer);
+void Picture::forget_all_but(std::span<const LayerIndex> demand) {
+  for (const LayerIndex layer : held_)
+    if (std::ranges::find(demand, layer) == demand.end()) scene_.forget(layer);
+  held_.assign(demand.begin(), demand.end());
 }
 
 const LayerReport* Picture::report(LayerIndex layer) const {
@@ -199,17 +201,45 @@ std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const
   return out;
 }
 
-std::vector<std::pair<LayerIndex, LayerStyle>> Picture::shown_layers(const LayerStack& layers,
-                                                                     const std::optional<Rgb>& background,
-                                                                     double units_per_px) const {
-  std::vector<std::pair<LayerIndex, LayerStyle>> out;
-  for (const LayerIndex layer : layers.visible_layers()) {
+ShownPanes::Layers Picture::shown_layers(const LayerStack& layers, const std::optional<Rgb>& background,
+                                         double units_per_px) const {
+  ShownPanes::Layers out;
+  for (const LayerIndex layer : layers.visible_layers()) out.emplace_back(layer, layers.style(layer));
+  return as_drawn(std::move(out), background, units_per_px);
+}
+
+ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
+                                     double units_per_px) const {
+  for (auto& [layer, style] : layers) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    const LayerStyle style = thinned(layers.style(layer), layers.descriptor(layer), spacing_ / units_per_px);
-    out.emplace_back(layer, drawn_on(failed ? greyed(style) : style, background));
+    style = thinned(style, layer_descriptors()[plain_layer(layer)], spacing_ / units_per_px);
+    style = drawn_on(failed ? greyed(style) : style, background);
   }
-  return out;
+  return layers;
+}
+
+void Picture::paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options) {
+  std::vector<render::LayerView> views;
+  const auto draw = [&](const ShownPanes::Layers& layers, const render::Camera& camera,
+                        const render::DrawOptions& where) {
+    views.clear();
+    for (const auto& [layer, style] : layers) views.push_back({layer, style, every});
+    scene_.draw(camera, views, where);
+    is_coarse_ = is_coarse_ || scene_.is_coarse();
+  };
+  is_coarse_ = false;
+  const std::vector<PanePlace>& places = shown.places.places();
+  if (places.empty()) return draw(shown.layers, shown.camera, options);
+  // All show what the main one shows, so they are seen through one camera.
+  const PanePlace& main = places.front();
+  const render::Camera camera = shown.camera.part(main.left, main.top, main.width, main.height);
+  for (std::size_t i = 0; i < places.size() && i <= shown.panes.size(); ++i) {
+    render::DrawOptions where = options;
+    where.left = places[i].left;
+    where.bottom = shown.camera.height() - places[i].top - places[i].height;
+    draw(i == 0 ? shown.layers : shown.panes[i - 1], camera, where);
+  }
 }
 
 Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
@@ -227,14 +257,16 @@ std::vector<LegendEntry> Picture::legend(const LayerStack& layers, LegendScope s
 }
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
-                   bool is_kept) {
+                   bool is_kept, const PanePlaces& places, std::span<const ShownPanes::Layers> panes) {
   draw_moved(editor);
   mark_selection(editor);
   measure_spacing(editor);
-  ShownState now{camera,   content_scale,
-                 patches_, background_revision_,
-                 marked_,  shown_layers(layers, canvas_, camera.units_per_pixel() * content_scale),
-                 is_kept};
+  const double units_per_px = camera.units_per_pixel() * content_scale;
+  ShownState now{
+      camera,  content_scale, patches_, background_revision_, marked_, shown_layers(layers, canvas_, units_per_px),
+      is_kept, places,        {}};
+  if (!places.is_empty())
+    for (const ShownPanes::Layers& pane : panes) now.panes.push_back(as_drawn(pane, canvas_, units_per_px));
   const bool is_same = now == shown_;
   if (is_same && !is_refining()) {
     kept_.show(camera.width(), camera.height());
@@ -248,12 +280,9 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   const std::uint32_t every = paints_more ? detail_.begin_refinement()
                               : is_same   ? detail_.every()
                                           : detail_.begin_changed(largest_painted_layer(camera, layers));
-  std::vector<render::LayerView> views;
-  for (const auto& [layer, style] : now.layers) views.push_back({layer, style, every});
   const auto start = std::chrono::steady_clock::now();
   device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
-  scene_.draw(camera, views, {.content_scale = content_scale, .preview = preview});
-  is_coarse_ = scene_.is_coarse();
+  paint(now, every, {.content_scale = content_scale, .preview = preview});
   // Only then is it known what it cost. Nothing else is left to do in this frame.
   device_.finish();
   if (paints_more || !is_same)

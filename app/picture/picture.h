@@ -3,11 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
+#include "app/model/pane_list.h"
+#include "app/model/pane_places.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
 #include "app/picture/legend.h"
@@ -47,15 +50,18 @@ class Picture {
 
   /// Takes the finished results; returns false if there were none.
   bool take_from(Engine& engine);
-  /// Releases the graphics memory of layers that are no longer visible.
-  void forget_hidden(const LayerStack& layers);
+  /// Releases the graphics memory of layers that are in demand no longer.
+  void forget_all_but(std::span<const LayerIndex> demand);
   /// Sets the colour behind the layers.
   void set_canvas(Rgb background) { canvas_ = background; }
   Rgb canvas() const { return canvas_; }
   /// Draws the canvas, which fills the window. Very many instances are only a preview (`render::Preview`) unless the
   /// picture is kept in a file, and a coarse one while the view moves.
+  ///
+  /// With places of several panes, the main one shows the layers, and those beside it, in their order, what `panes` has
+  /// for each.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
-            bool is_kept);
+            bool is_kept, const PanePlaces& places = {}, std::span<const ShownPanes::Layers> panes = {});
 
   /// Captures the present layers in full detail, with the marks of the selection as last drawn, without panels.
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
@@ -74,6 +80,7 @@ class Picture {
 
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
+  /// Those of the main computation come first.
   const std::vector<NodeReport>& nodes() const { return nodes_; }
   /// True after memory was exhausted for a patch: the layers are grey until the engine sends all of them again, which a
   /// demand for none and then for these causes.
@@ -105,13 +112,17 @@ class Picture {
     MarkedState marked;
     std::vector<std::pair<LayerIndex, LayerStyle>> layers;
     bool is_kept = false;
+    PanePlaces places;
+    std::vector<ShownPanes::Layers> panes;
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
   /// A logical pixel is so many units of the document wide.
-  std::vector<std::pair<LayerIndex, LayerStyle>> shown_layers(const LayerStack& layers,
-                                                              const std::optional<Rgb>& background,
-                                                              double units_per_px) const;
+  ShownPanes::Layers shown_layers(const LayerStack& layers, const std::optional<Rgb>& background,
+                                  double units_per_px) const;
+  ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
+                              double units_per_px) const;
+  void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
   void measure_spacing(const Editor& editor);
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);
@@ -123,6 +134,7 @@ class Picture {
   render::GlDevice device_;
   render::Scene scene_;
   std::unique_ptr<LayerMirror> mirror_;  // null unless patches are checked
+  std::vector<LayerIndex> held_;         // what was in demand last
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   bool is_lost_ = false;

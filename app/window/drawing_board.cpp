@@ -131,7 +131,7 @@ void DrawingBoard::dim_outdated() {
 }
 
 void DrawingBoard::follow() {
-  if (work_.follow_layers(picture_.is_lost())) picture_.forget_hidden(work_.layers());
+  if (work_.follow_layers(picture_.is_lost())) picture_.forget_all_but(work_.shown_panes().demand);
   if (traced_.follow(view().free_box())) screen_.clock.settle();
 }
 
@@ -150,7 +150,8 @@ void DrawingBoard::draw(const Frame& frame) {
   draw_pointer(frame);
   const std::uint32_t share = picture_.every();
   screen_.times.begin_drawing();
-  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept);
+  picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept,
+                canvas_.panes(), work_.shown_panes().panes);
   screen_.times.end_drawing();
   // The status bar shows the share, and was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
@@ -167,21 +168,50 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
   if (!is_hidden) screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
   const bool is_marked = over_canvas && !frame.hides_pointer;
   pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
-  pointed_.draw(screen_.gui, canvas_);
-  draw_annotations(is_marked);
-  const PointerMarks marks{screen_.gui, canvas_, work_.document(), mark_color(picture_.canvas()), picture_.canvas()};
+  lay_out_annotations();
+  draw_marks_in_panes(is_marked);
+  if (screen_.gui.lacks_letters()) screen_.clock.want(1);
+}
+
+void DrawingBoard::draw_marks_in_panes(bool is_marked) {
+  const std::vector<PanePlace>& places = canvas_.panes().places();
+  if (places.empty()) return draw_marks({}, is_marked);
+  // The same in all panes, so that one sees in each where the pointer is in the others.
+  const double ratio = screen_.window->pixel_ratio();
+  const auto on_screen = [ratio](double x, double y) {
+    return ImVec2(static_cast<float>(x / ratio), static_cast<float>(y / ratio));
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PanePlace& place = places[i];
+    ImGui::GetBackgroundDrawList()->PushClipRect(on_screen(place.left, place.top),
+                                                 on_screen(place.left + place.width, place.top + place.height), true);
+    const Vec2 shift = canvas_.panes().shift(i);
+    draw_marks(on_screen(shift.x, shift.y), is_marked);
+    ImGui::GetBackgroundDrawList()->PopClipRect();
+  }
+}
+
+void DrawingBoard::draw_marks(ImVec2 shift, bool is_marked) {
+  if (shift.x == 0.0F && shift.y == 0.0F) pointed_.draw(screen_.gui, canvas_);
+  const CanvasAnnotations shown{screen_.gui,         canvas_,           work_.document(),
+                                work_.annotations(), picture_.canvas(), shift};
+  if (shows_annotations()) shown.draw(annotations_, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);
+  const PointerMarks marks{screen_.gui,       canvas_, work_.document(), mark_color(picture_.canvas()),
+                           picture_.canvas(), shift};
   if (is_marked) marks.draw();
   marks.draw_measurement();
 }
 
-void DrawingBoard::draw_annotations(bool is_marked) {
+// The tool that writes them shows them.
+bool DrawingBoard::shows_annotations() const {
+  return settings_.show_annotations || canvas_.tool_id() == ToolId::annotate;
+}
+
+void DrawingBoard::lay_out_annotations() {
   annotations_ = {};
-  // The tool that writes them shows them.
-  if (!settings_.show_annotations && canvas_.tool_id() != ToolId::annotate) return;
-  const CanvasAnnotations shown{screen_.gui, canvas_, work_.document(), work_.annotations(), picture_.canvas()};
-  annotations_ = shown.layout();
-  shown.draw(annotations_, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);
-  if (screen_.gui.lacks_letters()) screen_.clock.want(1);
+  if (!shows_annotations()) return;
+  annotations_ =
+      CanvasAnnotations{screen_.gui, canvas_, work_.document(), work_.annotations(), picture_.canvas()}.layout();
 }
 
 void DrawingBoard::keep_measurement() {

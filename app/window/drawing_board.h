@@ -70,7 +70,11 @@ class DrawingBoard {
   void watch_memory();
   void dim_outdated();
   void draw_pointer(const Frame& frame);
-  void draw_annotations(bool is_marked);
+  bool shows_annotations() const;
+  void lay_out_annotations();
+  void draw_marks_in_panes(bool is_marked);
+  /// Marks of the pointer and annotations, in one pane; `shift` is from the main pane to it, in screen coordinates.
+  void draw_marks(ImVec2 shift, bool is_marked);
   void keep_measurement();
 
   Workspace& work_;

@@ -3,12 +3,14 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/canvas_legend.h"
 #include "app/panels/canvas_marks.h"
 #include "app/panels/empty_hint.h"
 #include "app/panels/empty_view_note.h"
 #include "app/panels/evolution_strip.h"
+#include "app/panels/pane_headers.h"
 #include "app/panels/problem_note.h"
 #include "app/window/palette_entries.h"
 
@@ -147,6 +149,7 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_over(sides);
+  divide(sides);
   draw_annotation_card(sides);
   draw_scale_marks(sides);
   const ImVec2 legend = draw_legend(sides);
@@ -253,8 +256,50 @@ void Panels::draw_over(Sides& sides) {
         margin +
         EvolutionStrip{gui, uses_.actions, uses_.work.evolution(), uses_.work.editor(), uses_.work.layers()}.draw(
             corner(), width);
+  // Its marks belong to the main pane.
+  const std::vector<PanePlace>& places = uses_.board.canvas().panes().places();
+  const double ratio = uses_.screen.window->pixel_ratio();
+  const auto on_screen = [ratio](int x, int y) {
+    return ImVec2(static_cast<float>(x / ratio), static_cast<float>(y / ratio));
+  };
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  if (places.empty())
+    list.PushClipRectFullScreen();
+  else
+    list.PushClipRect(on_screen(places[0].left, places[0].top),
+                      on_screen(places[0].left + places[0].width, places[0].top + places[0].height), true);
   uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
                                 {width, 0.6F * (screen.y - sides.top - sides.bottom)});
+  list.PopClipRect();
+}
+
+void Panels::divide(Sides& sides) {
+  constexpr int kGap = 2;  // logical pixels
+  constexpr int kLeast = 120;
+  const double ratio = uses_.screen.window->pixel_ratio();
+  const auto size = uses_.screen.window->framebuffer_size();
+  const auto in_pixels = [ratio](float length) { return static_cast<int>(std::lround(length * ratio)); };
+  const double unit = uses_.board.canvas().content_scale();
+  const PanePlace whole{in_pixels(sides.left), in_pixels(sides.top),
+                        size.width - in_pixels(sides.left) - in_pixels(sides.right),
+                        size.height - in_pixels(sides.top) - in_pixels(sides.bottom)};
+  const auto places =
+      PanePlaces::divide(whole, uses_.work.panes().panes().size() + 1, static_cast<int>(std::lround(kGap * unit)),
+                         static_cast<int>(std::lround(kLeast * unit)));
+  uses_.board.canvas().set_panes(places);
+  if (places.is_empty()) return;
+  const PanePlace& main = places.places().front();
+  const auto on_screen = [ratio](int pixels) { return static_cast<float>(pixels / ratio); };
+  PaneHeaders{uses_.screen.gui,
+              uses_.actions,
+              uses_.work.panes(),
+              uses_.work.bundles(),
+              uses_.work.computation().settings(),
+              uses_.work.family(),
+              ratio}
+      .draw(places);
+  sides = {on_screen(main.left), on_screen(main.top), on_screen(size.width - main.left - main.width),
+           on_screen(size.height - main.top - main.height)};
 }
 
 // Below what it is about.

@@ -63,6 +63,8 @@ class Panels {
   void begin_presentation();
   std::string slide() const;
   Sides draw_around();
+  /// Divides what is left between the panes, and leaves the main one of them.
+  void divide(Sides& sides);
   float draw_column(float top, float height);
   void draw_layers(const PanelArea& area);
   /// `upper`: where the details begin below the top; 0: no details, or nothing above them.

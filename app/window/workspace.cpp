@@ -98,12 +98,12 @@ bool Workspace::follow_layers(bool picture_is_lost) {
   first_ball_.follow(editor_, layers_);
   follow_family();
   bundles_.follow_layers();
-  return demand_.follow(engine_, layers_, document().revision(), picture_is_lost);
+  return demand_.follow(engine_, wanted(), picture_is_lost);
 }
 
 bool Workspace::is_complete() const {
   const EngineStatus status = engine_.status();
-  return !status.busy && !status.cancelled && demand_.is_told(layers_);
+  return !status.busy && !status.cancelled && demand_.is_told(wanted());
 }
 
 }  // namespace mes

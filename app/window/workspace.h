@@ -16,6 +16,7 @@
 #include "app/model/first_ball.h"
 #include "app/model/layer_stack.h"
 #include "app/model/messages.h"
+#include "app/model/pane_list.h"
 #include "app/model/settings.h"
 #include "app/store/bundle_desk.h"
 #include "core/engine/engine.h"
@@ -45,6 +46,11 @@ class Workspace {
   EvolutionPlayer& evolution() { return evolution_; }
   const EvolutionPlayer& evolution() const { return evolution_; }
 
+  /// Panes beside the main one, and what they show.
+  PaneList& panes() { return panes_; }
+  const PaneList& panes() const { return panes_; }
+  const ShownPanes& shown_panes() const { return demand_.shown(); }
+
   /// Undo and redo, selection, evolution, computation, bundles.
   void bind(ActionBindings& actions, Settings& settings);
 
@@ -71,6 +77,7 @@ class Workspace {
   void bind_evolution(ActionBindings& actions, Settings& settings);
   void bind_computation(ActionBindings& actions);
   void bind_bundles(ActionBindings& actions);
+  EngineDemand::Wanted wanted() const { return {layers_, panes_, computation_.settings(), document().revision()}; }
   void report(const Expected<void>& done);
   void show_family();
   void follow_family();
@@ -83,6 +90,7 @@ class Workspace {
   Editor editor_;
   AnnotationDesk annotations_{editor_};
   EvolutionPlayer evolution_;
+  PaneList panes_;
   EngineDemand demand_;
   FirstBall first_ball_;
   FamilyChoice family_;

@@ -29,6 +29,9 @@ void Workspace::bind_editing(ActionBindings& actions) {
                                   editor_.redo();
                                 },
                                 [this] { return editor_.can_redo(); }});
+  actions.bind(ActionId::add_pane, {[this] { panes_.add(next_choice(panes_, computation_.settings())); },
+                                    [this] { return !panes_.is_full(); }});
+  actions.bind(ActionId::close_panes, {[this] { panes_.close_all(); }, [this] { return !panes_.is_empty(); }});
   actions.bind(ActionId::select_all, {[this] { editor_.selection().select_all(document()); }, has_something});
   actions.bind(ActionId::invert_selection, {[this] { editor_.selection().invert(document()); }, has_something});
   actions.bind(ActionId::delete_selection,

@@ -355,3 +355,45 @@ TEST_CASE("without a display there is one line that names the way without, and e
   CHECK(errors.find("mesecina render") != std::string::npos);
   CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
 }
+
+TEST_CASE("a sample that is dragged in a pane beside moves in all, and panes close again") {
+  Visit session;
+  const VirtualScreen& screen = session.screen;
+  session.show_only_the_drawing();
+  session.press("F6");
+  // Two panes of 639 pixels with a gap of 2, fitted with the margin of 40.
+  constexpr double kMiddle = 319.5;
+  constexpr int kBeside = 641;
+  constexpr double kScale = (639.0 - 2 * 40.0) / (2 * kRadius);
+  const int right = static_cast<int>(std::lround(kMiddle + kScale * kRadius));
+  INFO("the panes did not appear");
+  REQUIRE(eventually([&] {
+    const Screenshot shot = screen.shoot();
+    return shot.is_dark(right, 400) && shot.is_dark(kBeside + right, 400) && shot.is_white(640, 100);
+  }));
+  screen.xdotool("mousemove 1000 400");
+  screen.drag({kBeside + right, 400}, {kBeside + right - 50, 380}, 10);
+  screen.xdotool("mouseup 1");
+  session.press("Escape");
+  screen.xdotool("mousemove 3 3");
+  REQUIRE(eventually([&] { return session.title().starts_with("* circle.poff"); }));
+  CHECK(eventually([&] {
+    const Screenshot shot = screen.shoot();
+    return shot.is_dark(right - 50, 380) && shot.is_dark(kBeside + right - 50, 380);
+  }));
+  session.save();
+  const std::vector<Vec2> samples = saved_samples(session.file);
+  REQUIRE(samples.size() == kSamples);
+  // The pointer took the sample up to a pixel beside its middle.
+  CHECK(samples[0].x == Approx(kRadius - 50 / kScale).margin(1.0 / kScale));
+  CHECK(samples[0].y == Approx(20 / kScale).margin(1.0 / kScale));
+
+  session.press("shift+F6");
+  screen.xdotool("mousemove 640 400");
+  session.press("f");
+  screen.xdotool("mousemove 3 3");
+  CHECK(eventually([&] {
+    const Screenshot shot = screen.shoot();
+    return shot.is_dark(640, screen_y(kRadius)) && shot.is_dark(640, screen_y(-kRadius));
+  }));
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/pane_list.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/assert.h"
+#include "core/draw/variant.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+/// The settings of a pane; nothing where it has those of the main one.
+std::optional<ComputationSettings> own_settings(const PaneChoice& choice, const ComputationSettings& main) {
+  ComputationSettings out = main;
+  if (const Precision* const precision = std::get_if<Precision>(&choice)) out.precision = *precision;
+  if (const auto* const parameter = std::get_if<ParameterChoice>(&choice))
+    out[parameter->parameter] = parameter->value;
+  return out == main ? std::nullopt : std::optional(out);
+}
+
+/// The visible layers of a configuration, as a stack that has it shows them.
+ShownPanes::Layers visible_in(const LayerConfiguration& configuration, const LayerStack& layers) {
+  LayerStack stack = layers;
+  stack.set_configuration(configuration);
+  ShownPanes::Layers out;
+  for (const LayerIndex layer : stack.visible_layers()) out.emplace_back(layer, stack.style(layer));
+  return out;
+}
+
+ShownPanes::Layers layers_of(const PaneChoice& choice, const LayerStack& layers) {
+  if (const BallFamily* const family = std::get_if<BallFamily>(&choice))
+    return visible_in(in_family(layers.configuration(), *family), layers);
+  if (const Bundle* const bundle = std::get_if<Bundle>(&choice)) return visible_in(bundle->layers, layers);
+  ShownPanes::Layers out;
+  for (const LayerIndex layer : layers.visible_layers()) out.emplace_back(layer, layers.style(layer));
+  return out;
+}
+
+}  // namespace
+
+std::string words_of(const PaneChoice& choice) {
+  return std::visit(Overloaded{[](Precision precision) {
+                                 return std::string(kPrecisionDescriptors[static_cast<std::size_t>(precision)].name);
+                               },
+                               [](const ParameterChoice& parameter) {
+                                 std::string out = std::string(descriptor_of(parameter.parameter).id) + ' ';
+                                 append_number(out, parameter.value);
+                                 return out;
+                               },
+                               [](BallFamily family) { return std::string(title_of(group_of(family))); },
+                               [](const Bundle& bundle) { return bundle.name; }},
+                    choice);
+}
+
+void PaneList::add(PaneChoice choice) {
+  if (is_full()) return;
+  panes_.push_back(std::move(choice));
+  ++revision_;
+}
+
+void PaneList::change(std::size_t pane, PaneChoice choice) {
+  MES_ASSERT(pane < panes_.size());
+  if (panes_[pane] == choice) return;
+  panes_[pane] = std::move(choice);
+  ++revision_;
+}
+
+void PaneList::close(std::size_t pane) {
+  MES_ASSERT(pane < panes_.size());
+  panes_.erase(panes_.begin() + static_cast<std::ptrdiff_t>(pane));
+  ++revision_;
+}
+
+void PaneList::close_all() {
+  if (panes_.empty()) return;
+  panes_.clear();
+  ++revision_;
+}
+
+PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings) {
+  for (const Precision precision : {Precision::exact, Precision::naive, Precision::fast, Precision::exact_roots}) {
+    const bool is_used = precision == settings.precision ||
+                         std::ranges::find(list.panes(), PaneChoice(precision)) != list.panes().end();
+    if (!is_used) return precision;
+  }
+  return settings.precision;
+}
+
+ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings) {
+  ShownPanes out;
+  out.demand = layers.visible_layers();
+  for (const PaneChoice& choice : list.panes()) {
+    VariantIndex variant = kMainVariant;
+    if (const auto own = own_settings(choice, settings)) {
+      const auto found = std::ranges::find(out.variants, *own, &VariantRequest::settings);
+      variant = static_cast<VariantIndex>(found - out.variants.begin()) + 1;
+      if (found == out.variants.end()) out.variants.push_back({.settings = *own, .has_document = false});
+    }
+    ShownPanes::Layers shown = layers_of(choice, layers);
+    for (auto& [layer, style] : shown) {
+      layer = layer_in(variant, false, layer);
+      out.demand.push_back(layer);
+    }
+    out.panes.push_back(std::move(shown));
+  }
+  std::ranges::sort(out.demand);
+  const auto [first, last] = std::ranges::unique(out.demand);
+  out.demand.erase(first, last);
+  return out;
+}
+
+}  // namespace mes

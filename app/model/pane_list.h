@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panes beside the main one, each of which shows the document otherwise: with another number type, another value of a
+// parameter, the union of other balls, or a bundle.
+//
+// All panes show one view: the same part of the plane, at the same scale. What they show is computed by the one engine
+// as variants (core/draw/variant.h), so an edit shows in all at once, and what they share is computed once.
+//
+// Smallest use:
+//     PaneList panes;
+//     panes.add(Precision::exact);
+//     const ShownPanes shown = shown_panes(panes, layers, settings);
+//     engine.post({.deltas = {}, .settings = settings, .demand = shown.demand, .beside = {shown.variants}});
+//
+// Cost: O(layers) a pane. Threads: none.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/model/ball_families.h"
+#include "app/model/layer_stack.h"
+#include "core/document/bundle.h"
+#include "core/document/computation_settings.h"
+#include "core/engine/variant_request.h"
+
+namespace mes {
+
+struct ParameterChoice {
+  Parameter parameter{};
+  double value = 0.0;  ///< within the range of the parameter
+  friend bool operator==(const ParameterChoice&, const ParameterChoice&) = default;
+};
+
+/// What a pane shows otherwise than the main one.
+using PaneChoice = std::variant<Precision, ParameterChoice, BallFamily, Bundle>;
+
+/// "exact", "a-scale 1.1", "Polar balls", the name of the bundle.
+std::string words_of(const PaneChoice& choice);
+
+/// What grows with each change is `revision`.
+class PaneList {
+ public:
+  static constexpr std::size_t kMost = 3;  ///< beside the main one
+
+  bool is_empty() const { return panes_.empty(); }
+  bool is_full() const { return panes_.size() == kMost; }
+  std::span<const PaneChoice> panes() const { return panes_; }
+  std::uint64_t revision() const { return revision_; }
+
+  /// Does nothing if the list is full.
+  void add(PaneChoice choice);
+  void change(std::size_t pane, PaneChoice choice);
+  void close(std::size_t pane);
+  void close_all();
+
+ private:
+  std::vector<PaneChoice> panes_;
+  std::uint64_t revision_ = 0;
+};
+
+/// A choice that the list does not have yet: a number type that is not in use.
+PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings);
+
+/// What the list comes to, with layers by their numbers in all variants.
+struct ShownPanes {
+  using Layers = std::vector<std::pair<LayerIndex, LayerStyle>>;  ///< bottom first
+  std::vector<VariantRequest> variants;
+  std::vector<Layers> panes;       ///< beside the main one
+  std::vector<LayerIndex> demand;  ///< of all panes, the main one too
+};
+ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings);
+
+}  // namespace mes

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where panes lie in the window, and which of them the pointer is in.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// In framebuffer pixels from the upper left corner of the window.
+struct PanePlace {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+  int height = 0;
+  bool holds(Vec2 px) const { return left <= px.x && px.x < left + width && top <= px.y && px.y < top + height; }
+  friend bool operator==(const PanePlace&, const PanePlace&) = default;
+};
+
+/// Panes of one size, the main one first; empty while there is only that one. A place in a pane stands for the place in
+/// the main one that shows the same point of the plane.
+class PanePlaces {
+ public:
+  /// Divides a part of the window: in columns, in rows if that is high, or two by two. Leaves it whole where panes would
+  /// be narrower than `least`.
+  static PanePlaces divide(const PanePlace& whole, std::size_t panes, int gap, int least) {
+    PanePlaces out;
+    if (panes < 2) return out;
+    const bool is_wide = whole.width >= whole.height;
+    const std::size_t columns = panes == 4 ? 2 : is_wide ? panes : 1;
+    const std::size_t rows = (panes + columns - 1) / columns;
+    const auto part = [gap](int side, std::size_t parts) {
+      return (side - gap * static_cast<int>(parts - 1)) / static_cast<int>(parts);
+    };
+    const int width = part(whole.width, columns);
+    const int height = part(whole.height, rows);
+    if (width < least || height < least) return out;
+    for (std::size_t i = 0; i < panes; ++i)
+      out.places_.push_back({whole.left + static_cast<int>(i % columns) * (width + gap),
+                             whole.top + static_cast<int>(i / columns) * (height + gap), width, height});
+    return out;
+  }
+
+  bool is_empty() const { return places_.empty(); }
+  const std::vector<PanePlace>& places() const { return places_; }
+  /// The pane at a place; the main one outside of all.
+  std::size_t at(Vec2 px) const {
+    const auto found = std::ranges::find_if(places_, [px](const PanePlace& place) { return place.holds(px); });
+    return found == places_.end() ? 0 : static_cast<std::size_t>(found - places_.begin());
+  }
+  /// From the main pane to another one.
+  Vec2 shift(std::size_t pane) const {
+    if (pane >= places_.size()) return {};
+    return {static_cast<double>(places_[pane].left - places_.front().left),
+            static_cast<double>(places_[pane].top - places_.front().top)};
+  }
+  friend bool operator==(const PanePlaces&, const PanePlaces&) = default;
+
+ private:
+  std::vector<PanePlace> places_;
+};
+
+}  // namespace mes

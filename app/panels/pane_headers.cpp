@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/pane_headers.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <optional>
+
+#include "app/model/parameter_words.h"
+#include "app/ui/slider.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+namespace {
+
+constexpr float kMargin = 8.0F;
+
+ImVec2 on_screen(int x, int y, double pixel_ratio) {
+  return {static_cast<float>(x / pixel_ratio), static_cast<float>(y / pixel_ratio)};
+}
+
+}  // namespace
+
+void PaneHeaders::draw(const PanePlaces& places) const {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const std::size_t before = panes.panes().size();
+  for (std::size_t i = 0; i < places.places().size(); ++i) {
+    const PanePlace& place = places.places()[i];
+    list.AddRect(on_screen(place.left, place.top, pixel_ratio),
+                 on_screen(place.left + place.width, place.top + place.height, pixel_ratio), gui.colors().border);
+    draw_header(i, place);
+    // The places are of the panes as they were.
+    if (panes.panes().size() != before) return;
+  }
+}
+
+// What the first pane beside the main one shows otherwise.
+std::string PaneHeaders::words_of_main() const {
+  const PaneChoice& other = panes.panes().front();
+  if (std::holds_alternative<Precision>(other)) return words_of(settings.precision);
+  if (const auto* const parameter = std::get_if<ParameterChoice>(&other))
+    return words_of(ParameterChoice{parameter->parameter, settings[parameter->parameter]});
+  if (std::holds_alternative<BallFamily>(other)) return words_of(family);
+  const auto current = bundles.current();
+  return current && !bundles.is_changed() ? bundles.bundles()[*current].name : "Layers of the list";
+}
+
+std::string PaneHeaders::label(std::size_t pane) const {
+  return fmt::format("({}) {}", static_cast<char>('a' + pane),
+                     pane == 0 ? words_of_main() : words_of(panes.panes()[pane - 1]));
+}
+
+void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
+  const float unit = gui.unit();
+  const ImVec2 corner = on_screen(place.left, place.top + place.height, pixel_ratio);
+  ImGui::SetNextWindowPos({corner.x + kMargin * unit, corner.y - kMargin * unit}, ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6 * unit, 4 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(fmt::format("##pane-{}", pane).c_str(), nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const float room = std::max(40 * unit, static_cast<float>(place.width / pixel_ratio) - 6 * kMargin * unit);
+  const std::string text = elided(label(pane), room);
+  if (pane == 0) {
+    ImGui::TextUnformatted(text.c_str());
+    tooltip(gui, "The main pane: what the layers, the number type and the parameters say");
+  } else {
+    if (ImGui::SmallButton(text.c_str())) ImGui::OpenPopup("pane");
+    tooltip(gui, "Choose what this pane shows otherwise than the main one");
+    draw_value(pane - 1);
+    if (begin_popup(gui, "pane")) {
+      draw_menu(pane - 1);
+      ImGui::EndPopup();
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+// A slider for the value of a parameter.
+void PaneHeaders::draw_value(std::size_t pane) const {
+  const auto* const chosen = std::get_if<ParameterChoice>(&panes.panes()[pane]);
+  if (chosen == nullptr) return;
+  const ParameterDescriptor& descriptor = descriptor_of(chosen->parameter);
+  double value = chosen->value;
+  const bool is_wide = descriptor.low > 0.0 && descriptor.high / descriptor.low > 100.0;
+  if (slider(gui, "##value", value, descriptor.low, descriptor.high,
+             {.is_logarithmic = is_wide, .is_whole = descriptor.is_whole, .width = 150 * gui.unit()}))
+    panes.change(pane, ParameterChoice{chosen->parameter, value});
+}
+
+void PaneHeaders::draw_menu(std::size_t pane) const {
+  const PaneChoice now = panes.panes()[pane];
+  std::optional<PaneChoice> chosen;
+  const auto item = [&](const std::string& name, const PaneChoice& choice, std::string_view explanation = {}) {
+    if (ImGui::MenuItem(name.c_str(), nullptr, choice == now)) chosen = choice;
+    if (!explanation.empty()) tooltip(gui, std::string(explanation));
+  };
+  if (ImGui::BeginMenu("Number type")) {
+    for (const PrecisionDescriptor& precision : kPrecisionDescriptors)
+      item(std::string(precision.name), precision.precision, precision.explanation);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Parameter")) {
+    for (std::size_t i = 0; i < kParameters; ++i) {
+      const auto parameter = static_cast<Parameter>(i);
+      const auto* const known = std::get_if<ParameterChoice>(&now);
+      const bool is_this = known != nullptr && known->parameter == parameter;
+      const double value = is_this ? known->value : settings[parameter];
+      item(title_of(descriptor_of(parameter)), ParameterChoice{parameter, value});
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Balls")) {
+    for (const BallFamily each : kBallFamilies) item(words_of(each), each);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Bundle", !bundles.bundles().empty())) {
+    for (const Bundle& bundle : bundles.bundles()) item(bundle.name, bundle, bundle.description);
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Add a pane", actions.keymap().key_of(ActionId::add_pane).c_str(), false, !panes.is_full()))
+    actions.run(ActionId::add_pane);
+  if (ImGui::MenuItem("Close this pane")) {
+    panes.close(pane);
+    return;
+  }
+  if (chosen) panes.change(pane, *chosen);
+}
+
+}  // namespace mes

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each of several panes shows, in its lower left corner, with a menu to show something else; and a line around
+// each.
+#pragma once
+
+#include <string>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/pane_list.h"
+#include "app/model/pane_places.h"
+#include "app/store/bundle_desk.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+struct PaneHeaders {
+  const Gui& gui;
+  const ActionBindings& actions;
+  PaneList& panes;
+  const BundleDesk& bundles;
+  const ComputationSettings& settings;
+  BallFamily family;
+  double pixel_ratio = 1.0;  ///< framebuffer pixels per unit of screen coordinates
+
+  /// Nothing while there is only the main pane.
+  void draw(const PanePlaces& places) const;
+
+ private:
+  std::string label(std::size_t pane) const;
+  std::string words_of_main() const;
+  void draw_header(std::size_t pane, const PanePlace& place) const;
+  void draw_menu(std::size_t pane) const;
+  void draw_value(std::size_t pane) const;
+};
+
+}  // namespace mes

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panes beside the main one: what they ask the engine for, where they lie, and the pointer in them.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "app/canvas/canvas.h"
+#include "app/model/engine_demand.h"
+#include "app/model/pane_list.h"
+#include "app/model/pane_places.h"
+#include "core/draw/layer_mirror.h"
+#include "core/draw/variant.h"
+
+using namespace mes;
+
+namespace {
+
+LayerStack stack_of(std::initializer_list<std::string_view> shown) {
+  LayerStack layers(layer_descriptors());
+  for (const LayerIndex layer : std::vector<LayerIndex>(layers.order().begin(), layers.order().end()))
+    layers.set_visible(layer, false);
+  for (const std::string_view id : shown) {
+    REQUIRE(find_layer(id) != kNoLayer);
+    layers.set_visible(find_layer(id), true);
+  }
+  return layers;
+}
+
+std::vector<LayerIndex> layers_of(const ShownPanes::Layers& pane) {
+  std::vector<LayerIndex> out;
+  for (const auto& [layer, style] : pane) out.push_back(layer);
+  return out;
+}
+
+struct Bench {
+  Editor editor{{}};
+  double spacing = 10.0;
+  AnnotationDesk annotations{editor};
+  ToolContext context{editor, annotations, spacing, [](const Error&) {}};
+  Canvas canvas{context};
+
+  Bench() {
+    canvas.view().set_viewport(800, 600);
+    canvas.set_panes(PanePlaces::divide({100, 50, 602, 400}, 2, 2, 50));
+  }
+  Vec2 world(double x, double y) const { return canvas.view().camera().to_world({x, y}); }
+};
+
+}  // namespace
+
+TEST_CASE("panes with settings of their own share the layers that do not depend on these") {
+  const LayerStack layers = stack_of({"points", "curve", "a-union-boundary"});
+  const LayerIndex boundary = find_layer("a-union-boundary");
+  ComputationSettings settings;
+  PaneList list;
+  list.add(Precision::exact);
+  list.add(ParameterChoice{Parameter::a_scale, 1.5});
+  list.add(settings.precision);
+  const ShownPanes shown = shown_panes(list, layers, settings);
+  REQUIRE(shown.variants.size() == 2);
+  CHECK(shown.variants[0].settings.precision == Precision::exact);
+  CHECK(shown.variants[1].settings[Parameter::a_scale] == 1.5);
+  CHECK(shown.variants[1].settings.precision == settings.precision);
+  REQUIRE(shown.panes.size() == 3);
+  for (VariantIndex pane = 0; pane < 2; ++pane) {
+    const std::vector<LayerIndex> numbers = layers_of(shown.panes[pane]);
+    CHECK(std::ranges::count(numbers, find_layer("points")) == 1);
+    CHECK(std::ranges::count(numbers, layer_in(pane + 1, false, boundary)) == 1);
+    CHECK(std::ranges::count(numbers, boundary) == 0);
+  }
+  // What has the settings of the main pane is the main computation.
+  CHECK(layers_of(shown.panes[2]) == layers.visible_layers());
+  CHECK(shown.demand.size() == 5);
+}
+
+TEST_CASE("panes of another family or a bundle show other layers of the same computation") {
+  LayerStack layers = stack_of({"points", "a-union-boundary"});
+  LayerStyle style = layers.style(find_layer("points"));
+  style.point_size_px = 11.0;
+  layers.set_style(find_layer("points"), style);
+  PaneList list;
+  list.add(BallFamily::polar);
+  Bundle bundle{.name = "Axis"};
+  bundle.layers = stack_of({"medial-axis"}).configuration();
+  list.add(bundle);
+  const ShownPanes shown = shown_panes(list, layers, {});
+  CHECK(shown.variants.empty());
+  REQUIRE(shown.panes.size() == 2);
+  const std::vector<LayerIndex> polar = layers_of(shown.panes[0]);
+  CHECK(std::ranges::count(polar, find_layer("p-union-boundary")) == 1);
+  CHECK(std::ranges::count(polar, find_layer("a-union-boundary")) == 0);
+  const auto points =
+      std::ranges::find(shown.panes[0], find_layer("points"), &std::pair<LayerIndex, LayerStyle>::first);
+  REQUIRE(points != shown.panes[0].end());
+  CHECK(points->second.point_size_px == 11.0);
+  CHECK(layers_of(shown.panes[1]) == std::vector<LayerIndex>{find_layer("medial-axis")});
+  // The layers themselves are as they were.
+  CHECK(layers.is_visible(find_layer("a-union-boundary")));
+}
+
+TEST_CASE("the list has three panes at most, and each number type once") {
+  PaneList list;
+  std::uint64_t revision = list.revision();
+  for (int i = 0; i < 5; ++i) list.add(next_choice(list, {}));
+  CHECK(list.is_full());
+  REQUIRE(list.panes().size() == PaneList::kMost);
+  for (std::size_t i = 0; i < list.panes().size(); ++i) {
+    CHECK(std::ranges::count(list.panes(), list.panes()[i]) == 1);
+    CHECK(words_of(list.panes()[i]) != words_of(ComputationSettings{}.precision));
+  }
+  CHECK(list.revision() > revision);
+  revision = list.revision();
+  list.change(1, list.panes()[1]);
+  CHECK(list.revision() == revision);
+  list.close(0);
+  CHECK(list.panes().size() == 2);
+  CHECK(list.revision() > revision);
+  list.close_all();
+  CHECK(list.is_empty());
+}
+
+TEST_CASE("the engine follows panes as they come, change and go") {
+  Engine engine({});
+  LayerStack layers = stack_of({"points", "a-union-boundary"});
+  PaneList list;
+  ComputationSettings settings;
+  EngineDemand demand;
+  Editor editor([&](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); });
+  SampleData data;
+  for (int i = 0; i < 40; ++i) data.positions.push_back({std::cos(0.157 * i), 0.7 * std::sin(0.157 * i)});
+  REQUIRE(editor.load(data));
+  LayerMirror mirror;
+  const auto follow = [&] {
+    const EngineDemand::Wanted wanted{layers, list, settings, editor.document().revision()};
+    const bool is_news = demand.follow(engine, wanted, false);
+    CHECK(demand.is_told(wanted));
+    CHECK_FALSE(demand.follow(engine, wanted, false));
+    while (auto patch = engine.sync()) {
+      mirror.apply(*patch);
+      engine.recycle(std::move(patch));
+    }
+    return is_news;
+  };
+  const auto arcs = [&](VariantIndex variant) {
+    return mirror.digest(layer_in(variant, false, find_layer("a-union-boundary")));
+  };
+  CHECK(follow());
+  CHECK_FALSE(follow());
+  list.add(ParameterChoice{Parameter::a_scale, 1.25});
+  CHECK(follow());
+  CHECK(arcs(1) != arcs(0));
+  const LayerDigest scaled = arcs(1);
+  // The main computation takes the value of the pane, which then shows the same.
+  settings[Parameter::a_scale] = 1.25;
+  engine.set_settings(settings);
+  CHECK(follow());
+  CHECK(arcs(0) == scaled);
+  // A style is no demand.
+  LayerStyle style = layers.style(find_layer("points"));
+  style.opacity = 0.5;
+  layers.set_style(find_layer("points"), style);
+  CHECK_FALSE(follow());
+  REQUIRE(demand.shown().panes.size() == 1);
+  CHECK(demand.shown().panes[0].back().second == layers.style(demand.shown().panes[0].back().first));
+  list.close_all();
+  CHECK(follow());
+  CHECK(demand.shown().panes.empty());
+  settings.precision = Precision::exact;
+  CHECK_FALSE(follow());
+}
+
+TEST_CASE("panes divide what is free into equal parts") {
+  CHECK(PanePlaces::divide({0, 0, 900, 600}, 1, 4, 100).is_empty());
+  const PanePlaces three = PanePlaces::divide({10, 20, 908, 600}, 3, 4, 100);
+  REQUIRE(three.places().size() == 3);
+  CHECK(three.places()[0] == PanePlace{10, 20, 300, 600});
+  CHECK(three.places()[2] == PanePlace{618, 20, 300, 600});
+  const PanePlaces high = PanePlaces::divide({0, 0, 400, 804}, 2, 4, 100);
+  CHECK(high.places()[1] == PanePlace{0, 404, 400, 400});
+  const PanePlaces four = PanePlaces::divide({0, 0, 804, 604}, 4, 4, 100);
+  CHECK(four.places()[3] == PanePlace{404, 304, 400, 300});
+  CHECK(four.at({500, 400}) == 3);
+  CHECK(four.at({-5, 900}) == 0);
+  CHECK(four.shift(3) == Vec2{404, 304});
+  CHECK(PanePlaces::divide({0, 0, 250, 250}, 3, 4, 100).is_empty());
+}
+
+TEST_CASE("whichever pane the pointer is in, tools meet the plane as in the main one") {
+  Bench bench;
+  bench.canvas.choose_tool(ToolId::insert);
+  for (const double shift : {0.0, 302.0}) {
+    bench.canvas.press(PointerButton::left, {200 + shift, 150}, {});
+    bench.canvas.release(PointerButton::left, {200 + shift, 150}, {});
+  }
+  REQUIRE(bench.editor.document().sample_count() == 2);
+  CHECK(bench.editor.document().position(SampleSlot(0)) == bench.world(200, 150));
+  CHECK(bench.editor.document().position(SampleSlot(1)) == bench.world(200, 150));
+  // A gesture stays in the pane where it began, wherever the pointer goes.
+  bench.canvas.press(PointerButton::left, {450, 150}, {});
+  bench.canvas.move({250, 160}, {});
+  CHECK(bench.canvas.pane() == 1);
+  CHECK(bench.canvas.pointer_px() == Vec2{250 - 302, 160});
+  bench.canvas.release(PointerButton::left, {250, 160}, {});
+  CHECK(bench.editor.document().position(SampleSlot(2)) == bench.world(250 - 302, 160));
+  bench.canvas.move({250, 160}, {});
+  CHECK(bench.canvas.pane() == 0);
+  // The wheel zooms at the point that is shown there.
+  const Vec2 under = bench.world(200, 150);
+  bench.canvas.wheel({502, 150}, 1.0);
+  bench.canvas.advance(10.0);
+  CHECK(bench.world(200, 150).x == Approx(under.x).margin(1e-9));
+  CHECK(bench.world(200, 150).y == Approx(under.y).margin(1e-9));
+  // Without panes, places are what they are.
+  bench.canvas.set_panes({});
+  bench.canvas.move({502, 150}, {});
+  CHECK(bench.canvas.pointer_px() == Vec2{502, 150});
+}
