@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   mes::bench::register_figures(table);
   mes::bench::register_unions(table);
   mes::bench::register_evolving(table);
+  mes::bench::register_panes(table);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 
