@@ -11,6 +11,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "core/base/lower_case.h"
+#include "core/document/layer_configuration.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
@@ -28,31 +29,30 @@ std::vector<std::string_view> subjects() {
   return out;
 }
 
-/// Layers that belong to a family begin with its letter: "a-union-boundary".
-bool has_family(std::string_view layer) {
-  return layer.size() > 2 && layer[1] == '-' && (layer[0] == 'a' || layer[0] == 'p' || layer[0] == 'b');
+bool has_family(LayerIndex layer) {
+  return family_of(layer_descriptors()[layer]).has_value();
 }
 
-/// The same layer of another family; nothing where that family has none.
-std::optional<LayerIndex> of_family(LayerIndex layer, char family) {
-  std::string id(layer_descriptors()[layer].id);
-  if (!has_family(id)) return layer;
-  id[0] = family;
-  const LayerIndex found = find_layer(id);
-  return found == kNoLayer ? std::nullopt : std::optional(found);
-}
-
-/// Keeps layers without a family, and takes those of a family from another one; styles go along.
-ShownLayers with_family(const ShownLayers& shown, char family) {
+ShownLayers with_family(const ShownLayers& shown, BallFamily family) {
+  LayerConfiguration layers;
+  for (const LayerIndex layer : shown.layers)
+    layers.layers.push_back({std::string(layer_descriptors()[layer].id), true, shown.styles[layer]});
   ShownLayers out = shown;
   out.layers.clear();
-  for (const LayerIndex layer : shown.layers) {
-    const auto other = of_family(layer, family);
-    if (!other || std::ranges::find(out.layers, *other) != out.layers.end()) continue;
-    out.layers.push_back(*other);
-    out.styles[*other] = shown.styles[layer];
+  for (const LayerConfiguration::Entry& entry : in_family(layers, family).layers) {
+    if (!entry.visible) continue;
+    const LayerIndex layer = find_layer(entry.layer);
+    out.layers.push_back(layer);
+    out.styles[layer] = entry.style;
   }
   return out;
+}
+
+/// By its letter in the ids of layers: a, p or b.
+std::optional<BallFamily> family_named(const std::string& letter) {
+  for (const BallFamily family : kBallFamilies)
+    if (lower_case(letter) == letter_of(family)) return family;
+  return std::nullopt;
 }
 
 /// NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; the key `seed` is of all evolutions.
@@ -112,12 +112,7 @@ class Reader {
 
   static std::string words_of(const std::string& subject, const std::string& value) {
     if (subject == kBundle) return value;
-    if (subject == kFamily) {
-      const char letter = lower_case(value)[0];
-      return std::string(title_of(letter == 'a'   ? LayerGroup::union_a
-                                  : letter == 'p' ? LayerGroup::union_p
-                                                  : LayerGroup::union_b));
-    }
+    if (subject == kFamily) return std::string(title_of(group_of(*family_named(value))));
     return subject + ' ' + value;
   }
 
@@ -131,10 +126,9 @@ class Reader {
     }
     if (subject == kFamily) {
       out_.subject = Subject::family;
-      const std::string family = lower_case(value);
-      if (family != "a" && family != "p" && family != "b")
-        return usage_error("--compare family: " + in_quotes(value) + " is not one of a, p or b");
-      out_.families.push_back(family[0]);
+      const auto family = family_named(value);
+      if (!family) return usage_error("--compare family: " + in_quotes(value) + " is not one of a, p or b");
+      out_.families.push_back(*family);
       return {};
     }
     if (subject == kBundle) {
@@ -225,9 +219,7 @@ Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, cons
                                             const ComputationSettings& settings,
                                             const std::shared_ptr<const SampleData>& data) {
   using Subject = CompareRequest::Subject;
-  if (compared.subject == Subject::family && std::ranges::none_of(picture.shown.layers, [](LayerIndex layer) {
-        return has_family(layer_descriptors()[layer].id);
-      }))
+  if (compared.subject == Subject::family && std::ranges::none_of(picture.shown.layers, has_family))
     return usage_error("--compare family: name layers of a family, as in --layers a-union-boundary");
   const ParameterMove* const move = evolutions()[compared.evolution.evolution].moved_parameter();
   std::map<std::uint64_t, std::shared_ptr<const SampleData>> states;

@@ -10,6 +10,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/export/comparison.h"
+#include "app/model/ball_families.h"
 #include "core/base/error.h"
 #include "core/evolutions/evolution.h"
 
@@ -19,11 +20,11 @@ namespace mes::cli {
 struct CompareRequest {
   enum class Subject : std::uint8_t { nothing, precision, parameter, family, bundle, step };
   Subject subject = Subject::nothing;
-  std::vector<std::string> words;       ///< of each pane, as "precision exact"
-  std::vector<Precision> precisions;    ///< one a pane, where these are compared
-  Parameter parameter{};                ///< the one that is compared
-  std::vector<double> values;           ///< of it
-  std::vector<char> families;           ///< lower case
+  std::vector<std::string> words;     ///< of each pane, as "precision exact"
+  std::vector<Precision> precisions;  ///< one a pane, where these are compared
+  Parameter parameter{};              ///< the one that is compared
+  std::vector<double> values;         ///< of it
+  std::vector<BallFamily> families;
   std::vector<PictureRequest> bundles;  ///< with their layers
   std::vector<std::uint64_t> steps;     ///< of `evolution`
   EvolutionChoice evolution{};

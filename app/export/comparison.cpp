@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/model/ball_families.h"
 #include "core/base/assert.h"
 #include "core/draw/instance_difference.h"
 #include "core/draw/variant.h"
@@ -20,10 +21,9 @@ constexpr double kLetters = 16.0;  // height of its letters
 constexpr double kSmallest = 8.0;  // where they have to be smaller
 constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
 
-/// Layers of unions of balls are called by the letter of the family and a name: "a-union-boundary".
-std::string_view without_family(std::string_view id) {
-  const bool has_family = id.size() > 2 && id[1] == '-' && (id[0] == 'a' || id[0] == 'p' || id[0] == 'b');
-  return has_family ? id.substr(2) : id;
+/// What layers of several families of balls have in common: "a-union-boundary" is "union-boundary".
+std::string_view without_family(const LayerDescriptor& layer) {
+  return family_of(layer) ? layer.id.substr(layer.id.find('-') + 1) : layer.id;
 }
 
 /// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
@@ -32,9 +32,9 @@ std::optional<LayerIndex> counterpart(LayerIndex layer, const Pane& pane) {
   const auto descriptors = layer_descriptors();
   const auto same = std::ranges::find(pane.shown.layers, plain, plain_layer);
   if (same != pane.shown.layers.end()) return *same;
-  const std::string_view name = without_family(descriptors[plain].id);
+  const std::string_view name = without_family(descriptors[plain]);
   const auto alike = std::ranges::find(
-      pane.shown.layers, name, [&](LayerIndex other) { return without_family(descriptors[plain_layer(other)].id); });
+      pane.shown.layers, name, [&](LayerIndex other) { return without_family(descriptors[plain_layer(other)]); });
   return alike != pane.shown.layers.end() ? std::optional(*alike) : std::nullopt;
 }
 

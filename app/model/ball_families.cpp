@@ -22,12 +22,15 @@ bool is_plain(std::string_view id) {
 
 // "a-v-points" and "b-v-points".
 std::string counterpart_of(std::string_view id, BallFamily family) {
-  constexpr std::array<std::string_view, kBallFamilies.size()> kPrefixes{"a-", "p-", "b-"};
-  std::string out(kPrefixes[static_cast<std::size_t>(family)]);
-  return out += id.substr(id.find('-') + 1);
+  return std::string(letter_of(family)).append(id.substr(id.find('-')));
 }
 
 }  // namespace
+
+std::string_view letter_of(BallFamily family) {
+  constexpr std::array<std::string_view, kBallFamilies.size()> kLetters{"a", "p", "b"};
+  return kLetters[static_cast<std::size_t>(family)];
+}
 
 LayerGroup group_of(BallFamily family) {
   switch (family) {

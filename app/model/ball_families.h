@@ -17,6 +17,8 @@ enum class BallFamily : std::uint8_t { inner, polar, own };
 inline constexpr std::array kBallFamilies{BallFamily::inner, BallFamily::polar, BallFamily::own};
 
 LayerGroup group_of(BallFamily family);
+/// Its letter in the ids of layers: "a", "p" or "b".
+std::string_view letter_of(BallFamily family);
 /// The family of a layer of a union; nothing for other layers.
 std::optional<BallFamily> family_of(const LayerDescriptor& descriptor);
 /// Whether the document has what the balls are made of: samples, or balls of its own.
