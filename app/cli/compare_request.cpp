@@ -23,12 +23,6 @@ constexpr std::string_view kFamily = "family";
 constexpr std::string_view kBundle = "bundle";
 constexpr std::string_view kStep = "step";
 
-std::vector<std::string_view> subjects() {
-  std::vector<std::string_view> out{kPrecision, kFamily, kBundle, kStep};
-  for (const ParameterDescriptor& parameter : parameter_descriptors()) out.push_back(parameter.id);
-  return out;
-}
-
 bool has_family(LayerIndex layer) {
   return family_of(layer_descriptors()[layer]).has_value();
 }
@@ -149,7 +143,7 @@ class Reader {
       out_.steps.push_back(*step);
       return {};
     }
-    const std::vector<std::string_view> known = subjects();
+    const std::vector<std::string_view> known = compared_subjects();
     if (std::ranges::find(known, subject) == known.end())
       return usage_error("--compare: unknown subject " + in_quotes(subject) + "; it is one of " + one_of(known));
     out_.subject = Subject::parameter;
@@ -201,6 +195,12 @@ Expected<ComputationSettings> moved_settings(const CompareRequest& compared, con
 }
 
 }  // namespace
+
+std::vector<std::string_view> compared_subjects() {
+  std::vector<std::string_view> out{kPrecision, kFamily, kBundle, kStep};
+  for (const ParameterDescriptor& parameter : parameter_descriptors()) out.push_back(parameter.id);
+  return out;
+}
 
 Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps) {
   if (request.compared.empty()) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/picture_request.h"
@@ -29,6 +30,9 @@ struct CompareRequest {
   std::vector<std::uint64_t> steps;     ///< of `evolution`
   EvolutionChoice evolution{};
 };
+
+/// What `--compare` can compare.
+std::vector<std::string_view> compared_subjects();
 
 /// Error: `usage`, naming what there is; `bad_input` for a bundle that cannot be read.
 Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/cli/compare_request.h"
 #include "app/cli/completions.h"
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
@@ -68,7 +69,13 @@ std::vector<std::string> bounds() {
   return {std::string(kBoundsOfView), std::string(kBoundsOfInk)};
 }
 
-constexpr std::array<OptionValue, 29> kValues{{
+std::vector<std::string> compared_things() {
+  std::vector<std::string> out;
+  for (const std::string_view subject : compared_subjects()) out.push_back(std::string(subject) + '=');
+  return out;
+}
+
+constexpr std::array<OptionValue, 30> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
@@ -81,6 +88,7 @@ constexpr std::array<OptionValue, 29> kValues{{
     {"--layers", "IDS", ValueKind::choices, layers},
     {"--layer", "ID", ValueKind::choice, layers},
     {"--evolution", "ID", ValueKind::choice, evolution_ids},
+    {"--compare", "WHAT=VALUES", ValueKind::choice, compared_things},
     {"--output", "FILE", ValueKind::file},
     {"--image", "FILE", ValueKind::file},
     {"--video", "FILE", ValueKind::file},

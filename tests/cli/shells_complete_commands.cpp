@@ -48,6 +48,7 @@ TEST_CASE("bash offers commands, options and values") {
   CHECK(offered(folder, "mesecina --ver") == "--version\n");
   CHECK(offered(folder, "mesecina render --back") == "--background\n");
   CHECK(offered(folder, "mesecina compute --precision na") == "naive\n");
+  CHECK(offered(folder, "mesecina render --compare pr") == "precision=\n");
   CHECK(offered(folder, "mesecina compute --precision = na") == "naive\n");
   CHECK(offered(folder, "mesecina compute --set a-sc") == "a-scale=\n");
   CHECK(offered(folder, "mesecina list color") == "color-maps\n");
