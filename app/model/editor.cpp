@@ -98,12 +98,13 @@ Expected<void> Editor::load(const SampleData& data) {
   return {};
 }
 
-void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries) {
+void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries,
+                     Lesson lesson) {
   if (in_gesture()) end_gesture();
   replay.finish();
   document_ = std::move(replay).take_document();
   history_ = std::move(replay).take_history();
-  timeline_.restart(std::move(data), std::move(entries));
+  timeline_.restart(std::move(data), std::move(entries), std::move(lesson));
   take_layers_as_noted();
   saved_layers_.reset();
   // Observers see one replacement.

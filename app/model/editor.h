@@ -57,7 +57,8 @@ class Editor {
   /// Replaces everything and forgets the history: the loaded state is the saved one.
   Expected<void> load(const SampleData& data);
   /// Takes over a document with all that can be undone; `timeline` is what was replayed. It counts as not modified.
-  void restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries);
+  void restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries,
+               Lesson lesson = {});
   const Timeline& timeline() const { return timeline_; }
 
   /// Makes what became different in the layers a step of undo, called `name`, or by what it is. To be called when no

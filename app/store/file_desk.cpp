@@ -170,7 +170,7 @@ void FileDesk::forget_files() {
 Expected<void> FileDesk::take_over(const Session& session, const std::string& name) {
   DocumentReplay replay(editor_.document());
   if (auto done = replay_session(session, replay, name); !done) return done;
-  editor_.restore(std::move(replay), session.data, session.entries);
+  editor_.restore(std::move(replay), session.data, session.entries, session.lesson);
   return {};
 }
 

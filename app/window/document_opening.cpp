@@ -126,7 +126,8 @@ Session DocumentFlow::session_now() const {
           .layers = uses_.work.layers().configuration(),
           .settings = uses_.work.computation().settings(),
           .evolution = evolution_now(uses_.work.evolution()),
-          .view = uses_.board.view().free_box()};
+          .view = uses_.board.view().free_box(),
+          .lesson = timeline.lesson()};
 }
 
 void DocumentFlow::show_as_in(const Session& session) {

@@ -139,9 +139,10 @@ void Timeline::restart(std::shared_ptr<const SampleData> data) {
   restart(std::move(data), TimelineLog());
 }
 
-void Timeline::restart(std::shared_ptr<const SampleData> data, TimelineLog entries) {
+void Timeline::restart(std::shared_ptr<const SampleData> data, TimelineLog entries, Lesson lesson) {
   data_ = std::move(data);
   entries_ = std::move(entries);
+  lesson_ = std::move(lesson);
   gesture_at_.reset();
   is_gesture_overdue_ = false;
   evolution_at_.reset();

@@ -41,6 +41,7 @@
 #include "core/document/document.h"
 #include "core/document/history.h"
 #include "core/document/layers_changed.h"
+#include "core/document/lesson.h"
 
 namespace mes {
 
@@ -196,10 +197,12 @@ class Timeline {
 
   /// Forgets everything: the document is the data now.
   void restart(std::shared_ptr<const SampleData> data);
-  /// The same with what is known to have happened since.
-  void restart(std::shared_ptr<const SampleData> data, TimelineLog entries);
+  /// The same with what is known to have happened since, and the lesson that was made of it.
+  void restart(std::shared_ptr<const SampleData> data, TimelineLog entries, Lesson lesson = {});
   const std::shared_ptr<const SampleData>& data() const { return data_; }
   const TimelineLog& entries() const { return entries_; }
+  /// Its positions lie among the entries that are settled.
+  const Lesson& lesson() const { return lesson_; }
   /// So many entries, from the first, will not change any more.
   std::size_t settled() const { return gesture_at_ ? *gesture_at_ : evolution_at_.value_or(entries_.size()); }
   /// Grows with each `restart`.
@@ -225,6 +228,7 @@ class Timeline {
 
   std::shared_ptr<const SampleData> data_;
   TimelineLog entries_;
+  Lesson lesson_;
   std::optional<std::size_t> gesture_at_;    // where the open gesture began
   bool is_gesture_overdue_ = false;          // its end found no room
   std::optional<std::size_t> evolution_at_;  // a last entry that the next state takes the place of

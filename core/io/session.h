@@ -6,7 +6,8 @@
 //
 // What it guarantees:
 //  1. What is written reads back equal, every double bit for bit; equal sessions give equal bytes.
-//  2. Keys and kinds of entries that are not known are skipped, so that a later version's files can be opened.
+//  2. Keys and kinds of entries that are not known are skipped, so that a later version's files can be opened; the
+//     positions of a lesson count what is left.
 //  3. Anything else that makes no sense is an error that says where; nothing crashes. Reading takes less memory than
 //     twelve times the text, the text included, whatever it holds.
 //
@@ -24,6 +25,7 @@
 
 #include "core/base/box2.h"
 #include "core/base/error.h"
+#include "core/document/lesson.h"
 #include "core/document/timeline.h"
 
 namespace mes {
@@ -47,7 +49,8 @@ struct Session {
   LayerConfiguration layers{};  ///< now; no layers: as at the start of the program
   ComputationSettings settings{};
   SessionEvolution evolution{};
-  Box2 view{};  ///< what is to be seen, document units; empty: everything
+  Box2 view{};      ///< what is to be seen, document units; empty: everything
+  Lesson lesson{};  ///< made of the entries; no steps: none
 };
 
 std::string write_session(const Session& session);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/base/coordinate_range.h"
 #include "core/document/layer_fold.h"
@@ -326,10 +327,24 @@ std::string entry_name(std::size_t i) {
   return fmt::format("entry {} of the timeline", i + 1);
 }
 
-void read_timeline(JsonView timeline, TimelineLog& out) {
-  if (!timeline.is_list()) complain("timeline", "not a list");
+/// A position on the timeline as the text has it, and where to put it.
+struct WrittenPosition {
+  std::uint64_t entries = 0;
+  JsonView number{};
+  std::size_t* to = nullptr;
+};
+
+// Entries that are not known do not count: positions are those among the ones that are kept.
+void read_timeline(JsonView timeline, std::vector<WrittenPosition> positions, TimelineLog& out) {
+  if (timeline && !timeline.is_list()) complain("timeline", "not a list");
+  std::ranges::sort(positions, {}, &WrittenPosition::entries);
+  auto next = positions.begin();
+  const auto arrive_at = [&](std::size_t entries) {
+    for (; next != positions.end() && next->entries == entries; ++next) *next->to = out.size();
+  };
   std::size_t number = 0;
   for (const JsonView object : timeline.elements()) {
+    arrive_at(number);
     try {
       if (const auto entry = entry_from(object)) out.push_back(*entry);
     } catch (Nonsense& nonsense) {
@@ -338,6 +353,79 @@ void read_timeline(JsonView timeline, TimelineLog& out) {
     }
     ++number;
   }
+  arrive_at(number);
+  if (next != positions.end())
+    throw Nonsense{fmt::format("lesson: position {} on a timeline of {} {}", next->entries, number,
+                               number == 1 ? "entry" : "entries"),
+                   next->number};
+}
+
+/// A text of so many bytes at most.
+std::string short_text_from(JsonView value, const char* key, std::size_t longest, const std::string& where) {
+  constexpr std::size_t kLongestEscape = 6;
+  if (!value) return {};
+  if (!value.is_text()) throw Nonsense{fmt::format("{}: \"{}\" is not a text", where, key), value};
+  std::string out = value.text_length() <= kLongestEscape * longest ? value.text() : std::string();
+  if (value.text_length() > kLongestEscape * longest || out.size() > longest)
+    throw Nonsense{fmt::format("{}: \"{}\" is longer than {} bytes", where, key, longest), value};
+  return out;
+}
+
+/// Runs `read`; where that knows no place of its own, `value` is at fault.
+template <class Read>
+auto at(JsonView value, const std::string& where, Read read) {
+  try {
+    return read(value);
+  } catch (Nonsense& nonsense) {
+    nonsense.text = where + ": " + nonsense.text;
+    if (!nonsense.number) nonsense.number = value;
+    throw;
+  }
+}
+
+LessonStep lesson_step_from(JsonView object, const std::string& where, WrittenPosition& position) {
+  if (!object.is_object()) throw Nonsense{where + ": not an object", object};
+  const auto [caption, entries, layers, settings, view, seconds] =
+      object.pick<6>({"caption", "position", "layers", "settings", "view", "seconds"});
+  LessonStep out;
+  out.caption = short_text_from(caption, "caption", kLongestLessonCaption, where);
+  if (entries) {
+    const auto count = entries.is_number() ? entries.count() : std::nullopt;
+    if (!count) throw Nonsense{where + ": \"position\" is not a whole number that counts entries", entries};
+    position = {*count, entries, nullptr};
+  }
+  if (layers) out.layers = at(layers, where, layers_from);
+  if (settings) {
+    if (!settings.is_object()) throw Nonsense{where + ": \"settings\" is not an object", settings};
+    out.settings = settings_from(settings);
+  }
+  if (view) out.view = at(view, where, view_from);
+  if (seconds) {
+    if (!seconds.is_number()) throw Nonsense{where + ": \"seconds\" is not a number", seconds};
+    // Not a clamp, which would keep a negative zero.
+    out.seconds = seconds.number() > 0.0 ? std::min(seconds.number(), kLongestLessonStep) : 0.0;
+  }
+  return out;
+}
+
+// Positions are still to be set.
+std::vector<WrittenPosition> read_lesson(JsonView object, Lesson& out) {
+  if (!object) return {};
+  if (!object.is_object()) throw Nonsense{"lesson: not an object", object};
+  const auto [title, steps] = object.pick<2>({"title", "steps"});
+  out.title = short_text_from(title, "title", kLongestLessonTitle, "lesson");
+  if (steps && !steps.is_list()) throw Nonsense{"lesson: \"steps\" is not a list", steps};
+  const std::size_t count = steps.size();
+  if (count > kMostLessonSteps)
+    throw Nonsense{fmt::format("lesson: {} steps, more than {}", count, kMostLessonSteps), steps};
+  out.steps.reserve(count);
+  std::vector<WrittenPosition> positions(count);
+  for (const JsonView step : steps.elements()) {
+    const std::size_t i = out.steps.size();
+    out.steps.push_back(lesson_step_from(step, fmt::format("step {} of the lesson", i + 1), positions[i]));
+    positions[i].to = &out.steps[i].position;
+  }
+  return positions;
 }
 
 bool is_of_a_later_version(JsonView schema) {
@@ -348,9 +436,12 @@ bool is_of_a_later_version(JsonView schema) {
   complain("session", "it does not say its version");
 }
 
-Session session_from(JsonView object) {
-  const auto [what, schema, title, data, layers, settings, evolution, view, timeline] =
-      object.pick<9>({"mesecina", "schema", "title", "data", "layers", "settings", "evolution", "view", "timeline"});
+/// The entries of a journal follow on lines of their own.
+enum class Timelines : std::uint8_t { within, following };
+
+Session session_from(JsonView object, Timelines where) {
+  const auto [what, schema, title, data, layers, settings, evolution, view, lesson, timeline] = object.pick<10>(
+      {"mesecina", "schema", "title", "data", "layers", "settings", "evolution", "view", "lesson", "timeline"});
   if (text_from(what, "mesecina", "session") != "session") complain("session", "this is not one");
   if (is_of_a_later_version(schema))
     complain("session", "written by a later version of the program, which this one does not understand");
@@ -361,7 +452,10 @@ Session session_from(JsonView object) {
   if (settings) out.settings = settings_from(settings);
   if (evolution) out.evolution = evolution_from(evolution);
   if (view) out.view = view_from(view);
-  if (timeline) read_timeline(timeline, out.entries);
+  std::vector<WrittenPosition> positions = read_lesson(lesson, out.lesson);
+  if (where == Timelines::following)
+    for (const WrittenPosition& position : std::exchange(positions, {})) *position.to = position.entries;
+  read_timeline(timeline, std::move(positions), out.entries);
   return out;
 }
 
@@ -369,16 +463,20 @@ std::unexpected<Error> bad(const std::string& file, std::string text, std::uint6
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file, line, 0});
 }
 
-}  // namespace
-
-Expected<Session> read_session(std::string_view text, const std::string& file) {
+Expected<Session> read(std::string_view text, Timelines where, const std::string& file) {
   if (auto good = check_json(text, file); !good) return std::unexpected(std::move(good.error()));
   try {
-    return session_from(JsonView::whole(text));
+    return session_from(JsonView::whole(text), where);
   } catch (const Nonsense& nonsense) {
     if (!nonsense.number) return bad(file, nonsense.text);
     return bad_json(text, nonsense.number.offset_in(text), nonsense.text, file);
   }
+}
+
+}  // namespace
+
+Expected<Session> read_session(std::string_view text, const std::string& file) {
+  return read(text, Timelines::within, file);
 }
 
 bool looks_like_session(std::string_view text) {
@@ -414,7 +512,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     const std::string_view this_line = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (is_first) {
-      auto session = read_session(this_line, file);
+      auto session = read(this_line, Timelines::following, file);
       if (!session) return std::unexpected(session.error());
       out.session = std::move(*session);
       if (auto begun = replay.begin(*out.session.data); !begun) return bad(file, begun.error().text, line);
@@ -450,6 +548,9 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     if (const auto* view = std::get_if<ViewChanged>(&entry)) out.session.view = view->visible;
   }
   out.session.layers = std::move(layers_now).take();
+  // What was to come may be torn off.
+  for (LessonStep& step : out.session.lesson.steps)
+    step.position = std::min(step.position, out.session.entries.size());
   return out;
 }
 

@@ -133,6 +133,16 @@ json to_json(const Captioned& caption) {
   if (caption.seconds > 0.0) out["seconds"] = caption.seconds;
   return out;
 }
+json to_json(const LessonStep& step) {
+  json out = {{"caption", step.caption}};
+  if (step.position != 0) out["position"] = step.position;
+  if (step.layers != LayerConfiguration{}) out["layers"] = to_json(step.layers);
+  if (step.settings) out["settings"] = to_json(*step.settings);
+  if (!step.view.is_empty()) out["view"] = to_json(step.view);
+  if (step.seconds > 0.0) out["seconds"] = step.seconds;
+  return out;
+}
+
 json to_json(const TimelineEntry& entry) {
   return std::visit([](const auto& kind) { return to_json(kind); }, entry);
 }
@@ -153,6 +163,21 @@ std::string text_of(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
+// A step a line if `is_spread`; empty where there is no lesson. It goes on after another key.
+std::string lesson_text(const Lesson& lesson, bool is_spread) {
+  if (lesson == Lesson{}) return {};
+  const std::string_view line = is_spread ? "\n" : "";
+  std::string out = fmt::format(",{}\"lesson\":{{", line);
+  if (!lesson.title.empty()) out += "\"title\":" + text_of(lesson.title) + ',';
+  out += "\"steps\":[";
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    if (i != 0) out += ',';
+    out += line;
+    out += text_of(to_json(lesson.steps[i]));
+  }
+  return out + "]}";
+}
+
 // Keys are sorted; the one that tells what this is comes first all the same.
 std::string head_text(const Session& session) {
   return fmt::format(R"({{"mesecina":"session","schema":{},)", kSessionSchema) + text_of(head_of(session)).substr(1);
@@ -164,6 +189,7 @@ std::string write_session(const Session& session) {
   // One entry a line: files of sessions are compared and kept under version control.
   std::string out = head_text(session);
   out.pop_back();
+  out += lesson_text(session.lesson, true);
   out += ",\n\"timeline\":[";
   for (std::size_t i = 0; i < session.entries.size(); ++i) {
     out += i == 0 ? "\n" : ",\n";
@@ -173,7 +199,9 @@ std::string write_session(const Session& session) {
 }
 
 std::string write_journal_head(const Session& session) {
-  return head_text(session) + '\n';
+  std::string out = head_text(session);
+  out.pop_back();
+  return out + lesson_text(session.lesson, false) + "}\n";
 }
 
 std::string write_journal_line(const TimelineEntry& entry) {

@@ -68,6 +68,8 @@ TEST_CASE("reading a session takes less than twelve times its text, whatever it 
       {"garbage", session("\"x\":[" + repeated("0") + "?")},
       {"deep nests", session("\"x\":" + std::string(kSize, '['))},
       {"parameters", session("\"evolution\":{\"parameters\":{" + repeated("\"\":0") + "}}")},
+      {"steps of a lesson", session("\"lesson\":{\"steps\":[" + repeated("{}") + "]}")},
+      {"a long caption", session("\"lesson\":{\"steps\":[{\"caption\":\"" + repeated("\\u0041", "") + "\"}]}")},
       {"an order", session("\"timeline\":[{\"layers\":{\"order\":[" + repeated("\"\"") + "]}}]")}};
   for (const auto& [name, text] : texts) {
     const double peak =

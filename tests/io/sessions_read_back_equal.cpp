@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -55,13 +56,23 @@ Session sample_session() {
       ViewChanged{session.view},
       Captioned{"Now \xc3\xa4 the axis"},
       Captioned{"", 2.5}};
+  session.lesson = {"What \xc3\xa4 crust is",
+                    {{.caption = "# One\n\n**Bold** and $x_1$", .position = 0},
+                     {.caption = "",
+                      .position = session.entries.size(),
+                      .layers = {{{"points", true, style}}, {"a.png", {1, 2}, 3}},
+                      .settings = session.settings,
+                      .view = session.view,
+                      .seconds = 0.1},
+                     {.caption = "Back", .position = 4, .settings = ComputationSettings{}}}};
   return session;
 }
 
 bool equal(const Session& a, const Session& b) {
   return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
          a.data->balls == b.data->balls && a.data->annotations == b.data->annotations && a.entries == b.entries &&
-         a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view;
+         a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view &&
+         a.lesson == b.lesson;
 }
 
 }  // namespace
@@ -91,6 +102,80 @@ TEST_CASE("a caption shown for no time is equal to one shown for less than that"
     CHECK(session->entries == expected->entries);
     CHECK(write_session(*session) == write_session(*expected));
   }
+}
+
+TEST_CASE("steps of a lesson stand where they stood when entries of a later version are left out") {
+  const auto session = read_session(R"({"mesecina":"session","schema":1,
+    "lesson":{"steps":[{"caption":"end","position":5},{"position":0},{"position":3,"seconds":-1},{"position":2},
+      {"position":1,"seconds":1e9,"scent":"rose"}]},
+    "timeline":[{"teleport":3},{"edit":{"insert":[3,4]}},{"teleport":4},{"edit":{"insert":[5,6]}},{"teleport":5}]})",
+                                    "later.json");
+  REQUIRE(session);
+  CHECK(session->entries.size() == 2);
+  std::vector<std::size_t> positions;
+  std::vector<double> seconds;
+  for (const LessonStep& step : session->lesson.steps) {
+    positions.push_back(step.position);
+    seconds.push_back(step.seconds);
+  }
+  CHECK(positions == std::vector<std::size_t>{2, 0, 1, 1, 0});
+  CHECK(seconds == std::vector<double>{0, 0, 0, 0, kLongestLessonStep});
+}
+
+TEST_CASE("a lesson that makes no sense is refused with line and column") {
+  const auto with = [](const std::string& lesson) {
+    return "{\"mesecina\":\"session\",\"schema\":1,\n\"lesson\":" + lesson + ",\"timeline\":[{\"undo\":1}]}";
+  };
+  std::string many = "{\"steps\":[{}";
+  for (std::size_t i = 0; i < kMostLessonSteps; ++i) many += ",{}";
+  struct Case {
+    std::string lesson;
+    const char* says;
+    std::uint64_t column;
+  };
+  for (const Case& each : std::initializer_list<Case>{
+           {"7", "lesson: not an object", 10},
+           {R"({"title":7})", "\"title\" is not a text", 19},
+           {R"({"steps":{}})", "\"steps\" is not a list", 19},
+           {R"({"steps":[{},4]})", "step 2 of the lesson: not an object", 23},
+           {R"({"steps":[{"caption":4}]})", "step 1 of the lesson: \"caption\" is not a text", 31},
+           {R"({"steps":[{"caption":")" + std::string(kLongestLessonCaption + 1, 'a') + R"("}]})",
+            "longer than 10000 bytes", 31},
+           {R"({"title":")" + std::string(kLongestLessonTitle + 1, 'a') + R"("})", "longer than 1000 bytes", 19},
+           {R"({"steps":[{"position":-1}]})", "counts entries", 32},
+           {R"({"steps":[{"position":0.5}]})", "counts entries", 32},
+           {R"({"steps":[{"position":"1"}]})", "counts entries", 32},
+           {R"({"steps":[{"position":1},{"position":2}]})", "position 2 on a timeline of 1 entry", 47},
+           {R"({"steps":[{"position":18446744073709551615}]})", "position 18446744073709551615", 32},
+           {R"({"steps":[{"layers":[]}]})", "step 1 of the lesson: layers", 30},
+           {R"({"steps":[{"settings":7}]})", "\"settings\" is not an object", 32},
+           {R"({"steps":[{"view":[1,2,3]}]})", "step 1 of the lesson: view", 28},
+           {R"({"steps":[{"seconds":"1"}]})", "\"seconds\" is not a number", 31},
+           {many + "]}", "1001 steps, more than 1000", 19}}) {
+    const auto refused = read_session(with(each.lesson), "a.json");
+    INFO(each.lesson.substr(0, 100));
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::bad_input);
+    CHECK_THAT(refused.error().text, Catch::Contains(each.says));
+    CHECK(refused.error().line == 2);
+    CHECK(refused.error().column == each.column);
+  }
+}
+
+TEST_CASE("a journal keeps its lesson, also where entries are torn off") {
+  const Session session = sample_session();
+  std::string text = write_journal_head(session);
+  CHECK(std::ranges::count(text, '\n') == 1);
+  for (const TimelineEntry& entry : session.entries) text += write_journal_line(entry);
+  const auto whole = read_journal(text, "a.journal");
+  REQUIRE(whole);
+  CHECK(whole->session.lesson == session.lesson);
+  const auto torn = read_journal(text.substr(0, text.find('\n') + 3), "torn.journal");
+  REQUIRE(torn);
+  REQUIRE(torn->is_torn);
+  REQUIRE(torn->session.lesson.steps.size() == 3);
+  for (const LessonStep& step : torn->session.lesson.steps) CHECK(step.position == 0);
+  CHECK(read_session(write_session(torn->session), "saved.json"));
 }
 
 TEST_CASE("a session is a source of samples and balls: those of its last state") {

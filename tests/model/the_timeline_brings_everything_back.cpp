@@ -81,6 +81,20 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
   }
 }
 
+TEST_CASE("a lesson stays with its timeline, and goes with it") {
+  Editor editor([](const std::shared_ptr<const DocumentDelta>&) {});
+  REQUIRE(editor.load({{{1, 2}, {3, 4}}, {}, {}}));
+  REQUIRE(editor.insert(std::array{Vec2{9, 9}}, "insert"));
+  const Lesson lesson{"One", {{.caption = "before", .position = 0}, {.caption = "after", .position = 1}}};
+  const Timeline& timeline = editor.timeline();
+  editor.restore(replayed(timeline, editor.document()), timeline.data(), timeline.entries(), lesson);
+  REQUIRE(editor.insert(std::array{Vec2{8, 8}}, "insert"));
+  editor.undo();
+  CHECK(editor.timeline().lesson() == lesson);
+  REQUIRE(editor.load({{{1, 2}}, {}, {}}));
+  CHECK(editor.timeline().lesson() == Lesson{});
+}
+
 TEST_CASE("ten thousand actions of any kind are undone and redone to the same document") {
   Editor editor({});
   RandomEditing script(99);

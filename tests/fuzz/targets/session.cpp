@@ -10,7 +10,7 @@ namespace {
 
 bool are_equal(const Session& a, const Session& b) {
   return a.title == b.title && mes::fuzz::are_equal(*a.data, *b.data) && a.entries == b.entries &&
-         a.layers == b.layers && a.settings == b.settings && a.view == b.view &&
+         a.layers == b.layers && a.settings == b.settings && a.view == b.view && a.lesson == b.lesson &&
          // One without a name is none.
          (a.evolution == b.evolution || (a.evolution.id.empty() && b.evolution.id.empty()));
 }
