@@ -56,6 +56,7 @@ struct Arguments {
   RenderRequest render;
   PlayRequest play;
   DemoRequest demo;
+  LessonRequest lesson;
   EvolveRequest evolve;
   ListRequest list;
   ManualRequest manual;
@@ -273,6 +274,30 @@ void describe_commands(CLI::App& app, Arguments& to) {
       "demo", "The paper's video: the one-step axis, the general pipeline, smoothing; needs no display");
   add_film(*demo, to.demo.film);
 
+  CLI::App* const lesson =
+      app.add_subcommand("lesson", "The steps of a lesson, listed or as slides; needs no display");
+  lesson
+      ->add_option("LESSON", to.lesson.file,
+                   "A session with a lesson, .json or a file that carries it, - for standard\ninput, or the name of "
+                   "one that comes with the program\n(mesecina list lessons)")
+      ->required();
+  lesson->add_option("--pdf", to.lesson.pdf, "Slides as vector graphics, a page a step; - for standard output");
+  lesson->add_option("--steps", to.lesson.steps, "Only these steps, as in 2-4 or 1,3-5; default: all");
+  lesson
+      ->add_option("--figure-size", to.lesson.figure_size,
+                   "Size of a page: WxH, with units mm, cm, in, pt or px, as in 297mmx210mm;\n"
+                   "or " +
+                       page_preset_words())
+      ->capture_default_str();
+  lesson->add_option("--scale", to.lesson.scale, "Factor for line widths and point sizes of drawings")
+      ->capture_default_str();
+  lesson->add_option("--background", to.lesson.background, "RRGGBB, or transparent (none)")->capture_default_str();
+  add_explanations(*lesson, to.lesson);
+  lesson->add_flag("!--no-source", to.lesson.with_source,
+                   "Leave the session out of the PDF: with it the PDF can be given as LESSON");
+  add_force(*lesson, to.lesson.force);
+  lesson->footer("Without an output: one line a step, with its number, how long it is to be shown, and its name.");
+
   CLI::App* const evolve = app.add_subcommand("evolve", "Samples after some steps of an evolution, as POFF");
   evolve->add_option("FILE", to.evolve.file, "Samples to read, or - for standard input")->required();
   evolve->add_option("--from", to.evolve.from,
@@ -305,7 +330,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command : {compute, exported, render, play, demo, evolve, list, manual, completions})
+  for (CLI::App* const command : {compute, exported, render, play, demo, lesson, evolve, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -336,6 +361,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
   if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);
+  if (command.get_name() == "lesson") return run_lesson(arguments.lesson, interruption);
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
   if (command.get_name() == "manual") return run_manual(arguments.manual, all_commands(), interruption);

@@ -13,6 +13,7 @@
 #include "app/cli/requests.h"
 #include "app/store/color_maps.h"
 #include "app/store/layer_text.h"
+#include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
@@ -231,20 +232,37 @@ std::vector<Entry> color_maps() {
   return out;
 }
 
+std::vector<Entry> lessons() {
+  std::vector<Entry> out;
+  for (const ShippedLesson& lesson : read_shipped_lessons(find_assets({}))) {
+    const auto loaded = read_sample_file(lesson.file.string());
+    if (!loaded || !loaded->session) {
+      say(fmt::format("a lesson is left out: {}: it cannot be read", lesson.file.string()));
+      continue;
+    }
+    const Lesson& contents = loaded->session->lesson;
+    out.push_back({lesson.name,
+                   fmt::format("{} ({} steps)", printable(contents.title), contents.steps.size()),
+                   {{"id", lesson.name}, {"title", contents.title}, {"steps", contents.steps.size()}}});
+  }
+  return out;
+}
+
 struct Listing {
   std::string_view name;
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 9> kListings{{{"layers", layers},
-                                            {"structures", structures},
-                                            {"evolutions", evolution_entries},
-                                            {"formats", formats},
-                                            {"parameters", parameters},
-                                            {"precisions", precisions},
-                                            {"actions", actions},
-                                            {"bundles", bundles},
-                                            {"color-maps", color_maps}}};
+constexpr std::array<Listing, 10> kListings{{{"layers", layers},
+                                             {"structures", structures},
+                                             {"evolutions", evolution_entries},
+                                             {"formats", formats},
+                                             {"parameters", parameters},
+                                             {"precisions", precisions},
+                                             {"actions", actions},
+                                             {"bundles", bundles},
+                                             {"color-maps", color_maps},
+                                             {"lessons", lessons}}};
 
 std::string table_of(const std::vector<Entry>& entries) {
   std::size_t width = 0;

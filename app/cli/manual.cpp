@@ -200,6 +200,9 @@ Session example_session() {
                                                           .anchors = {{.at = {2, 3.5}, .samples = {2}}},
                                                           .shift = {22, -22}}}},
                  TimelineEdit{.name = "Insert", .inserted = {{1, 2}}}, Undone{}};
+  out.lesson = {"Three samples",
+                {{.caption = "# Before\n\nA **triangle**"},
+                 {.caption = "# After\n\nOne corner of $P$ has moved", .position = 2, .seconds = 5.0}}};
   return out;
 }
 
@@ -265,7 +268,11 @@ void write_formats(Markdown& page) {
       "0. Entries of the timeline name samples and balls by the order in which they came into being. Each place of "
       "an\n"
       "annotation is `at` x and y, or `follows` a sample, or the centre of the circle through three. What is not\n"
-      "known is skipped. A small one, without layers:");
+      "known is skipped. A `lesson` has steps: a caption, the number of entries of the timeline that are done "
+      "(`position`),\n"
+      "and, where they differ from what the timeline says there, `layers`, `settings` and `view`, as in the "
+      "session.\n"
+      "A small one, without layers:");
   page.block(write_session(example_session()), "json");
 
   page.subsection("Bundles");
@@ -312,6 +319,19 @@ void write_annotations(Markdown& page) {
   page.paragraph(signs + ".");
 }
 
+void write_lessons(Markdown& page) {
+  page.section("Captions of lessons");
+  page.paragraph(
+      "`mesecina lesson` puts the steps of a session's lesson on pages. Captions are written in a small part of\n"
+      "Markdown; all else is shown as it stands.");
+  page.table({"Source", "Meaning"}, {{"`# A`, `## A`, `### A`", "a heading; the first one is the name of the step"},
+                                     {"an empty line", "ends a paragraph; other ends of lines are spaces"},
+                                     {"`- A`", "a list"},
+                                     {"`**A**`, `*A*`", "bold, italics"},
+                                     {"`$...$`", "mathematics, as in annotations"},
+                                     {"`\\*`, `\\$`, `\\#`, `\\-`, `\\_`, `\\\\`", "the sign itself"}});
+}
+
 void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
   page.section("Command line");
   page.paragraph(
@@ -350,6 +370,7 @@ std::string manual_text(std::span<const CommandHelp> commands, const fs::path& a
   write_structures(page);
   write_formats(page);
   write_annotations(page);
+  write_lessons(page);
   write_commands(page, commands);
   return page.text();
 }

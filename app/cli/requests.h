@@ -81,6 +81,22 @@ struct DemoRequest {
 };
 Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
 
+struct LessonRequest {
+  std::string file;   ///< or the name of a lesson that comes with the program
+  std::string steps;  ///< "2-4", "1,3-5"; empty: all
+  std::string pdf;    ///< of these outputs those that are named are written; none: the steps are listed
+  std::string figure_size = "slide";
+  std::string scale = "1.25";
+  std::string background = "ffffff";
+  bool with_legend = true;  ///< where a colour map is used
+  bool with_key = false;
+  ScaleMarks marks{};
+  bool with_annotations = true;
+  bool with_source = true;  ///< the PDF carries the session
+  bool force = false;
+};
+Expected<void> run_lesson(const LessonRequest& request, Interruption& interruption);
+
 struct EvolveRequest {
   std::string file;
   std::string from;

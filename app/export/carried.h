@@ -17,4 +17,7 @@ namespace mes {
 Session session_for_picture(std::string title, SampleData data, LayerConfiguration layers,
                             const ComputationSettings& settings, const Box2& view);
 
+/// The session with its history and its lesson, without the folders of its author.
+Session session_for_lesson(const Session& session);
+
 }  // namespace mes

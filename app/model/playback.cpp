@@ -42,6 +42,23 @@ std::vector<PlayStep> steps_of(const TimelineLog& entries) {
   return out;
 }
 
+PlayStart start_of(const Session& session) {
+  const std::size_t end = steps_of(session.entries).front().end_entry;
+  const auto begins_with = [&](auto is_kind) {
+    for (std::size_t i = 0; i < end; ++i)
+      if (is_kind(session.entries[i])) return true;
+    return false;
+  };
+  PlayStart out;
+  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<LayersChanged>(entry); }))
+    out.layers = session.layers;
+  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<SettingsChanged>(entry); }))
+    out.settings = session.settings;
+  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<ViewChanged>(entry); }))
+    out.view = session.view;
+  return out;
+}
+
 Expected<void> Playback::perform(const TimelineEntry& entry, Stage& stage) {
   if (const auto* layers = std::get_if<LayersChanged>(&entry)) {
     stage.change_layers(*layers);
@@ -58,7 +75,11 @@ Expected<void> Playback::perform(const TimelineEntry& entry, Stage& stage) {
 }
 
 Expected<void> Playback::perform(const PlayStep& step, Stage& stage) {
-  for (std::size_t i = step.first_entry; i < step.end_entry; ++i) {
+  return perform(step.first_entry, step.end_entry, stage);
+}
+
+Expected<void> Playback::perform(std::size_t first, std::size_t end, Stage& stage) {
+  for (std::size_t i = first; i < end; ++i) {
     auto done = perform(entries_[i], stage);
     if (!done) {
       done.error().text = fmt::format("entry {} of the timeline: {}", i + 1, done.error().text);

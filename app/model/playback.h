@@ -10,8 +10,20 @@
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/document/timeline.h"
+#include "core/io/session.h"
 
 namespace mes {
+
+/// What is shown before the first entry of a timeline.
+struct PlayStart {
+  LayerConfiguration layers{};  ///< no layers: as at the start of the program
+  ComputationSettings settings{};
+  Box2 view{};  ///< empty: everything
+};
+
+/// Nothing but what the program starts with; but of a timeline that does not begin with its layers, settings or view,
+/// which other hands made, those that were there last.
+PlayStart start_of(const Session& session);
 
 /// What follows each other without a picture of its own between, and the picture after it.
 struct PlayStep {
@@ -48,6 +60,8 @@ class Playback {
   const std::vector<PlayStep>& steps() const { return steps_; }
   /// Error: the stage refuses an entry, which the error names; no entry after it is handed on.
   Expected<void> perform(const PlayStep& step, Stage& stage);
+  /// The same for the entries from `first` up to, not including, `end`.
+  Expected<void> perform(std::size_t first, std::size_t end, Stage& stage);
   /// Of the last step that was performed; empty: none.
   const std::string& caption() const { return caption_; }
 

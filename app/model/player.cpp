@@ -23,18 +23,10 @@ Player::Player(const Session& session, OnPatch on_patch)
       replay_({}, [this](const DocumentDelta& delta) {
         deltas_.push_back(std::make_shared<const DocumentDelta>(delta));
       }) {
-  // A timeline that does not begin with them was made by other hands: what was there last will do.
-  const auto begins_with = [&](auto is_kind) {
-    for (std::size_t i = 0; i < steps().front().end_entry; ++i)
-      if (is_kind(session.entries[i])) return true;
-    return false;
-  };
-  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<LayersChanged>(entry); }))
-    layer_fold_ = known_layers(session.layers);
-  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<SettingsChanged>(entry); }))
-    settings_ = session.settings;
-  if (!begins_with([](const TimelineEntry& entry) { return std::holds_alternative<ViewChanged>(entry); }))
-    view_ = session.view;
+  PlayStart start = start_of(session);
+  layer_fold_ = known_layers(std::move(start.layers));
+  settings_ = start.settings;
+  view_ = start.view;
   if (!layer_fold_.configuration().layers.empty()) layers_.set_configuration(layer_fold_.configuration());
 }
 

@@ -63,19 +63,6 @@ std::size_t bytes_of_valid_letter(std::string_view text) {
   return size;
 }
 
-/// With a question mark for each byte that is not UTF-8, and a space for control characters other than new lines.
-std::string readable(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  while (!text.empty()) {
-    const std::size_t size = bytes_of_valid_letter(text);
-    const bool is_control = size == 1 && static_cast<unsigned char>(text.front()) < 0x20U && text.front() != '\n';
-    out += size == 0 ? "?" : is_control ? " " : text.substr(0, size);
-    text.remove_prefix(std::max<std::size_t>(size, 1));
-  }
-  return out;
-}
-
 std::string escaped(std::string_view letter) {
   if (letter == "\\") return "\\textbackslash{}";
   if (letter == "~") return "\\textasciitilde{}";
@@ -397,12 +384,24 @@ std::size_t end_by_command(std::string_view source, std::size_t at) {
 
 }  // namespace
 
+std::string readable_text(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t size = bytes_of_valid_letter(text);
+    const bool is_control = size == 1 && static_cast<unsigned char>(text.front()) < 0x20U && text.front() != '\n';
+    out += size == 0 ? "?" : is_control ? " " : text.substr(0, size);
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return out;
+}
+
 std::span<const RichSign> rich_text_signs() {
   return kSigns;
 }
 
 RichText rich_text(std::string_view words, std::string_view value, double letters, const MeasureText& measure) {
-  const std::string source = readable(words);
+  const std::string source = readable_text(words);
   RichText out;
   bool has_letters = false;
   for (std::size_t at = 0; at <= source.size();) {

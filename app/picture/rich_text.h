@@ -49,6 +49,9 @@ struct RichText {
 /// `value` stands for `\value`. Bytes that are not UTF-8 are shown as question marks. Text without letters has no lines.
 RichText rich_text(std::string_view words, std::string_view value, double letters, const MeasureText& measure);
 
+/// With a question mark for each byte that is not UTF-8, and a space for control characters other than new lines.
+std::string readable_text(std::string_view text);
+
 /// A command and the sign it stands for.
 struct RichSign {
   std::string_view command;  ///< without the backslash

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Portable Document Format 1.5, ISO 32000-1:2008: one page, layers as optional content groups (8.11), translucent groups
-// as transparency group XObjects (11.6.6), streams compressed.
+// Portable Document Format 1.5, ISO 32000-1:2008: layers as optional content groups (8.11), translucent groups as
+// transparency group XObjects (11.6.6), an outline (12.3.3), streams compressed.
 //
 // An own writer, since the library that other programs use for PDF has no optional content.
 #include <algorithm>
+#include <iterator>
+#include <list>
 #include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,12 +21,14 @@
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/pdf_fonts.h"
 #include "render/figure/internal/pdf_objects.h"
+#include "render/figure/pdf_book.h"
 #include "render/figure/writers.h"
 
 namespace mes::figure {
 namespace {
 
 constexpr int kColorDecimals = 4;
+constexpr int kSheetDecimals = 3;
 
 /// A string of PDF in UTF-16, so that any title can be said.
 std::string text_string(std::string_view utf8) {
@@ -48,29 +53,55 @@ std::string text_string(std::string_view utf8) {
   return out + '>';
 }
 
-class PdfWriter {
+}  // namespace
+
+class PdfBook::Writer {
  public:
-  explicit PdfWriter(const Figure& figure) : figure_(figure), fonts_(figure.fonts) {
-    for (std::size_t* const number : {&catalog_, &pages_, &page_, &resources_}) *number = objects_.reserve();
+  explicit Writer(BookInfo info) : info_(std::move(info)), fonts_(info_.fonts) {
+    for (std::size_t* const number : {&catalog_, &pages_, &resources_}) *number = objects_.reserve();
   }
 
-  Expected<std::string> write() {
+  void add(const Sheet& sheet) {
+    // Lengths of the page itself are in the decimals of its first figure.
+    decimals_ = sheet.figures.empty() ? kSheetDecimals : sheet.figures.front().figure->decimals;
     std::string content = "1 0 0 -1 0 ";
-    decimal(content, figure_.height);
+    decimal(content, sheet.height);
     content += " cm\n1 J 1 j\n";
-    if (figure_.background) {
-      paint(content, *figure_.background, true);
-      rectangle(content, {}, figure_.width, figure_.height);
-      content += "f\n";
+    background(sheet.background, sheet.width, sheet.height, content);
+    std::string box;
+    point(box, {sheet.width, sheet.height});
+    for (const PlacedFigure& placed : sheet.figures) {
+      decimals_ = placed.figure->decimals;
+      const bool fills =
+          placed.corner == Vec2{} && placed.figure->width == sheet.width && placed.figure->height == sheet.height;
+      if (!fills) {
+        content += "q\n1 0 0 1 ";
+        point(content, placed.corner);
+        content += "cm\n";
+        rectangle(content, {}, placed.figure->width, placed.figure->height);
+        content += "W n\n";
+      }
+      write(*placed.figure, content);
+      if (!fills) content += "Q\n";
     }
-    for (const FigureLayer& layer : figure_.layers) write(layer, content);
-    legend(content);
-    finish(content);
-    return objects_.file(catalog_, objects_.add("<</Producer(Mesecina)>>"));
+    const std::size_t stream = objects_.add(PdfObjects::stream("", content));
+    const std::size_t page =
+        objects_.add("<</Type/Page/Parent " + PdfObjects::reference(pages_) + "/MediaBox[0 0 " + box +
+                     "]/Group<</S/Transparency/CS/DeviceRGB>>/Resources " + PdfObjects::reference(resources_) +
+                     "/Contents " + PdfObjects::reference(stream) + ">>");
+    page_numbers_.push_back(page);
+    if (!sheet.bookmark.empty()) bookmarks_.emplace_back(sheet.bookmark, page);
+  }
+
+  std::string file() {
+    finish();
+    std::string info = "<</Producer(Mesecina)";
+    if (!info_.title.empty()) info += "/Title" + text_string(info_.title);
+    return objects_.file(catalog_, objects_.add(info + ">>"));
   }
 
  private:
-  void decimal(std::string& out, double value) const { append_decimal(out, value, figure_.decimals); }
+  void decimal(std::string& out, double value) const { append_decimal(out, value, decimals_); }
   void point(std::string& out, Vec2 p) const {
     decimal(out, p.x);
     out += ' ';
@@ -97,11 +128,37 @@ class PdfWriter {
     out += '/' + found->second + " gs\n";
   }
 
-  void write(const FigureLayer& layer, std::string& content) {
-    const std::size_t group = objects_.add("<</Type/OCG/Name" + text_string(layer.title) +
-                                           "/Usage<</CreatorInfo<</Creator(Mesecina)" + "/Subtype/Artwork>>>>>>");
-    ocgs_.push_back(group);
-    content += "/OC/L" + std::to_string(ocgs_.size() - 1) + " BDC\nq\n";
+  void background(const std::optional<Rgb>& color, double width, double height, std::string& content) {
+    if (!color) return;
+    paint(content, *color, true);
+    rectangle(content, {}, width, height);
+    content += "f\n";
+  }
+
+  void write(const Figure& figure, std::string& content) {
+    background(figure.background, figure.width, figure.height, content);
+    page_ = {figure.width, figure.height};
+    auto above = order_.begin();
+    for (const FigureLayer& layer : figure.layers) write(layer, above, content);
+    legend(figure.legend, content);
+  }
+
+  /// The group of the layer, by its place in `ocgs_`. `above` is the place in the order above the layer before, and
+  /// becomes that above this one.
+  std::size_t group_of(const FigureLayer& layer, std::list<std::size_t>::iterator& above) {
+    const auto [found, is_new] = groups_.try_emplace(layer.id);
+    if (is_new) {
+      const std::size_t group = objects_.add("<</Type/OCG/Name" + text_string(layer.title) +
+                                             "/Usage<</CreatorInfo<</Creator(Mesecina)" + "/Subtype/Artwork>>>>>>");
+      found->second = {ocgs_.size(), order_.insert(above, group)};
+      ocgs_.push_back(group);
+    }
+    above = std::next(found->second.in_order);
+    return found->second.index;
+  }
+
+  void write(const FigureLayer& layer, std::list<std::size_t>::iterator& above, std::string& content) {
+    content += "/OC/L" + std::to_string(group_of(layer, above)) + " BDC\nq\n";
     if (layer.clip) {
       rectangle(content, layer.clip->corner, layer.clip->width, layer.clip->height);
       content += "W n\n";
@@ -129,7 +186,7 @@ class PdfWriter {
   /// What is painted together, before it is laid on the page.
   std::string form(const std::string& inside) {
     std::string box;
-    point(box, {figure_.width, figure_.height});
+    point(box, page_);
     const std::size_t number = objects_.add(PdfObjects::stream("/Type/XObject/Subtype/Form/BBox[0 0 " + box +
                                                                    "]/Group<</S/Transparency/I true>>/Resources " +
                                                                    PdfObjects::reference(resources_),
@@ -218,7 +275,7 @@ class PdfWriter {
       case ShapeKind::disk:
       case ShapeKind::circle:
         move(shape.p[0] + Vec2{shape.radius, 0.0});
-        for (const Bezier& bezier : circle_curves(shape, figure_.decimals)) curve(bezier, out);
+        for (const Bezier& bezier : circle_curves(shape, decimals_)) curve(bezier, out);
         out += "h\n";
         return 1;
       case ShapeKind::segment: {
@@ -237,7 +294,7 @@ class PdfWriter {
         return 1;
       case ShapeKind::arc:
         move(shape.p[0]);
-        for (const Bezier& bezier : arc_curves(shape, figure_.decimals)) curve(bezier, out);
+        for (const Bezier& bezier : arc_curves(shape, decimals_)) curve(bezier, out);
         return 1;
       case ShapeKind::curve:
       case ShapeKind::rim:
@@ -253,8 +310,7 @@ class PdfWriter {
     return 1;
   }
 
-  void legend(std::string& content) {
-    const Legend& legend = figure_.legend;
+  void legend(const Legend& legend, std::string& content) {
     for (const Box& box : legend.boxes) {
       content += "q\n";
       if (box.opacity < 1.0) opacity(content, box.opacity);
@@ -274,7 +330,7 @@ class PdfWriter {
     content += "Tm " + fonts_.shown(text) + "ET\n";
   }
 
-  void finish(const std::string& content) {
+  void finish() {
     std::string groups;
     std::string properties;
     for (std::size_t i = 0; i < ocgs_.size(); ++i) {
@@ -283,7 +339,7 @@ class PdfWriter {
     }
     // A viewer lists them as it draws them: the topmost first.
     std::string order;
-    for (auto group = ocgs_.rbegin(); group != ocgs_.rend(); ++group) order += PdfObjects::reference(*group) + ' ';
+    for (auto group = order_.rbegin(); group != order_.rend(); ++group) order += PdfObjects::reference(*group) + ' ';
     std::string externals;
     for (std::size_t i = 0; i < externals_.size(); ++i)
       externals += "/X" + std::to_string(i) + ' ' + PdfObjects::reference(externals_[i]);
@@ -292,45 +348,89 @@ class PdfWriter {
     const std::string fonts = fonts_.resources(objects_);
     objects_.set(resources_, "<</ExtGState<<" + states + ">>/XObject<<" + externals + ">>/Properties<<" + properties +
                                  ">>" + fonts + ">>");
-    const std::size_t stream = objects_.add(PdfObjects::stream("", content));
-    std::string box;
-    point(box, {figure_.width, figure_.height});
-    objects_.set(page_, "<</Type/Page/Parent " + PdfObjects::reference(pages_) + "/MediaBox[0 0 " + box +
-                            "]/Group<</S/Transparency/CS/DeviceRGB>>/Resources " + PdfObjects::reference(resources_) +
-                            "/Contents " + PdfObjects::reference(stream) + ">>");
-    objects_.set(pages_, "<</Type/Pages/Count 1/Kids[" + PdfObjects::reference(page_) + "]>>");
+    std::string kids;
+    for (const std::size_t page : page_numbers_) kids += (kids.empty() ? "" : " ") + PdfObjects::reference(page);
+    objects_.set(pages_, "<</Type/Pages/Count " + std::to_string(page_numbers_.size()) + "/Kids[" + kids + "]>>");
+    const std::string listed = page_numbers_.size() > 1 ? "/ListMode/VisiblePages" : "";
     objects_.set(catalog_, "<</Type/Catalog/Pages " + PdfObjects::reference(pages_) + "/OCProperties<</OCGs[" +
-                               groups + "]/D<</Order[" + order + "]/ON[" + groups + "]>>>>" + attachment() + ">>");
+                               groups + "]/D<</Order[" + order + "]/ON[" + groups + "]" + listed + ">>>>" +
+                               outline() + attachment() + ">>");
+  }
+
+  /// For the catalogue: the bookmarks.
+  std::string outline() {
+    if (bookmarks_.empty()) return {};
+    const std::size_t root = objects_.reserve();
+    std::vector<std::size_t> items;
+    for (std::size_t i = 0; i < bookmarks_.size(); ++i) items.push_back(objects_.reserve());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const auto& [title, page] = bookmarks_[i];
+      std::string item = "<</Title" + text_string(title) + "/Parent " + PdfObjects::reference(root) + "/Dest[" +
+                         PdfObjects::reference(page) + "/Fit]";
+      if (i > 0) item += "/Prev " + PdfObjects::reference(items[i - 1]);
+      if (i + 1 < items.size()) item += "/Next " + PdfObjects::reference(items[i + 1]);
+      objects_.set(items[i], item + ">>");
+    }
+    objects_.set(root, "<</Type/Outlines/Count " + std::to_string(items.size()) + "/First " +
+                           PdfObjects::reference(items.front()) + "/Last " + PdfObjects::reference(items.back()) +
+                           ">>");
+    return "/Outlines " + PdfObjects::reference(root);
   }
 
   /// For the catalogue: the session, as a file that viewers list and save.
   std::string attachment() {
-    if (figure_.session.empty()) return {};
+    if (info_.session.empty()) return {};
     const std::string key(kCarriedSession);
     const std::string name = '(' + key + ".json)";
     const std::size_t stream = objects_.add(
-        PdfObjects::packed_stream("/Type/EmbeddedFile/Subtype/application#2Fjson/" + key + " true", figure_.session));
+        PdfObjects::packed_stream("/Type/EmbeddedFile/Subtype/application#2Fjson/" + key + " true", info_.session));
     const std::size_t file = objects_.add("<</Type/Filespec/F" + name + "/UF" + name + "/EF<</F " +
                                           PdfObjects::reference(stream) + ">>>>");
     return "/Names<</EmbeddedFiles<</Names[" + name + PdfObjects::reference(file) + "]>>>>";
   }
 
-  const Figure& figure_;
+  /// A group of optional content.
+  struct LayerGroup {
+    std::size_t index = 0;  // in `ocgs_`
+    std::list<std::size_t>::iterator in_order{};
+  };
+
+  BookInfo info_;
   PdfObjects objects_;
   std::size_t catalog_ = 0;
   std::size_t pages_ = 0;
-  std::size_t page_ = 0;
   std::size_t resources_ = 0;
+  std::vector<std::size_t> page_numbers_;
+  std::vector<std::pair<std::string, std::size_t>> bookmarks_;  // and their pages
   std::vector<std::size_t> ocgs_;
+  std::list<std::size_t> order_;              // the same, from below
+  std::map<std::string, LayerGroup> groups_;  // by the id of their layer
   std::vector<std::size_t> externals_;
   std::map<std::string, std::string> states_;  // opacity to name
   PdfFonts fonts_;
+  // Of the figure that is being written.
+  int decimals_ = kSheetDecimals;
+  Vec2 page_;
 };
 
-}  // namespace
+PdfBook::PdfBook(BookInfo info) : writer_(std::make_unique<Writer>(std::move(info))) {}
+PdfBook::~PdfBook() = default;
+PdfBook::PdfBook(PdfBook&& other) noexcept = default;
+PdfBook& PdfBook::operator=(PdfBook&& other) noexcept = default;
+
+void PdfBook::add(const Sheet& sheet) {
+  writer_->add(sheet);
+}
+
+std::string PdfBook::file() && {
+  return writer_->file();
+}
 
 Expected<std::string> pdf_of(const Figure& figure) {
-  return PdfWriter(figure).write();
+  PdfBook book({.title = {}, .fonts = figure.fonts, .session = figure.session});
+  book.add(
+      {.width = figure.width, .height = figure.height, .background = {}, .figures = {{&figure, {}}}, .bookmark = {}});
+  return std::move(book).file();
 }
 
 }  // namespace mes::figure
