@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina lesson`: the lessons that come with the program, and what is no lesson.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using mes::test::contents_of;
+using mes::test::run;
+using mes::test::RunOptions;
+using mes::test::RunResult;
+using mes::test::TemporaryFolder;
+
+namespace {
+
+constexpr const char* kCrust = "assets/lessons/crust.json";
+
+std::string out_of(const std::vector<std::string>& arguments, const RunOptions& options = {}) {
+  const RunResult result = run(arguments, options);
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+  return result.out;
+}
+
+void require_refused(const std::vector<std::string>& arguments, int code, const std::string& says,
+                     const RunOptions& options = {}) {
+  const RunResult result = run(arguments, options);
+  INFO(Catch::StringMaker<std::vector<std::string>>::convert(arguments));
+  INFO(result.err);
+  CHECK(result.exit_code == code);
+  CHECK(result.out.empty());
+  CHECK(std::ranges::count(result.err, '\n') == 1);
+  CHECK_THAT(result.err, Catch::StartsWith("mesecina: ") && Catch::Contains(says));
+}
+
+std::string with_steps(const std::string& steps) {
+  return R"({"mesecina":"session","schema":1,"data":{"samples":[0,0,4,0,4,3]},"lesson":{"steps":)" + steps + "}}";
+}
+
+std::size_t pages_of(const std::string& file) {
+  const std::string said = out_of({file}, {.program = "pdfinfo"});
+  return std::stoul(said.substr(said.find("Pages:") + 6));
+}
+
+}  // namespace
+
+TEST_CASE("every lesson that comes with the program is listed, found by its name, and drawn without a remark") {
+  const TemporaryFolder folder;
+  const auto lessons = nlohmann::json::parse(out_of({"list", "lessons", "--json"}));
+  REQUIRE(lessons.size() == 5);
+  const std::string table = out_of({"list", "lessons"});
+  RunOptions headless;
+  headless.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+  for (const auto& lesson : lessons) {
+    const std::string name = lesson["id"];
+    INFO(name);
+    CHECK_THAT(table, Catch::Contains(name) && Catch::Contains(std::string(lesson["title"])));
+    const std::string steps = out_of({"lesson", name});
+    CHECK(std::ranges::count(steps, '\n') == lesson["steps"]);
+    const std::string pdf = folder / (name + ".pdf");
+    CHECK(out_of({"lesson", name, "--pdf", pdf}, headless).empty());
+    CHECK(pages_of(pdf) == lesson["steps"]);
+    const std::string words = out_of({pdf, "-"}, {.program = "pdftotext"});
+    CHECK_THAT(words, Catch::Contains(std::string(lesson["title"])));
+    // The PDF is the lesson: given as one it says the same.
+    CHECK(out_of({"lesson", pdf}) == steps);
+  }
+}
+
+TEST_CASE("steps are chosen, in their order") {
+  const std::string all = out_of({"lesson", kCrust});
+  const auto lines_of = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+  REQUIRE(lines_of(all) == 8);
+  CHECK(out_of({"lesson", kCrust, "--steps", "1-8"}) == all);
+  CHECK(out_of({"lesson", kCrust, "--steps", "3,1-2,3"}) == out_of({"lesson", kCrust, "--steps", "1-3"}));
+  CHECK_THAT(out_of({"lesson", kCrust, "--steps", "2"}), Catch::Contains("2 ") && Catch::Contains("Who is nearest"));
+  const TemporaryFolder folder;
+  const std::string pdf = folder / "some.pdf";
+  out_of({"lesson", kCrust, "--steps", "2,7-8", "--pdf", pdf});
+  CHECK(pages_of(pdf) == 3);
+  for (const char* steps : {"0", "a", "3-2", "1,,2", ",", "1-", "-1", "1,", "1-2-3", "99999999999999999999"})
+    require_refused({"lesson", kCrust, "--steps", steps}, 2, "--steps");
+  require_refused({"lesson", kCrust, "--steps", "9"}, 2, "the lesson has 8 steps, and no step 9");
+  require_refused({"lesson", kCrust, "--steps", "7-9", "--pdf", pdf}, 2, "no step 9");
+  CHECK(pages_of(pdf) == 3);
+}
+
+TEST_CASE("pages have the size, the background and the explanations that are asked for") {
+  const TemporaryFolder folder;
+  const std::string pdf = folder / "a4.pdf";
+  out_of({"lesson", "crust", "--steps", "5", "--figure-size", "210mmx297mm", "--background", "102030", "--scale", "2",
+          "--key", "--scale-bar", "--axes", "--grid", "--no-annotations", "--no-source", "--pdf", pdf});
+  CHECK_THAT(out_of({pdf}, {.program = "pdfinfo"}), Catch::Contains("A4"));
+  CHECK_THAT(out_of({pdf, "-"}, {.program = "pdftotext"}), Catch::Contains("Delaunay"));
+  require_refused({"lesson", pdf}, 3, "a4.pdf");
+  for (const char* size : {"0x1", "10", "1000mmx100mm", "big"})
+    require_refused({"lesson", "crust", "--pdf", pdf, "--figure-size", size}, 2, "--figure-size");
+  for (const char* scale : {"0", "nan", "x"})
+    require_refused({"lesson", "crust", "--pdf", pdf, "--scale", scale}, 2, "--scale");
+  require_refused({"lesson", "crust", "--pdf", pdf, "--background", "red"}, 2, "--background");
+}
+
+TEST_CASE("what has no lesson is refused in one line") {
+  const TemporaryFolder folder;
+  const std::string pdf = folder / "out.pdf";
+  require_refused({"lesson", "assets/shapes/bean.poff", "--pdf", pdf}, 3, "this is not a session but poff");
+  require_refused({"lesson", "tests/data/edited_bean.json", "--pdf", pdf}, 3, "this session has no lesson");
+  require_refused({"lesson", "nothing.json", "--pdf", pdf}, 3, "nothing.json");
+  require_refused({"lesson", "crsut"}, 2, "did you mean crust");
+  require_refused({"lesson", "-", "--pdf", pdf}, 3, "the file is empty", {.input = ""});
+  require_refused({"lesson", "-"}, 3, "position 1 on a timeline of 0 entries",
+                  {.input = with_steps(R"([{"position":1}])")});
+  require_refused({"lesson", "-"}, 3, "this session has no lesson", {.input = with_steps("[]")});
+  require_refused({"lesson"}, 2, "LESSON");
+  require_refused({"lesson", "crust", "--pdf", "/nowhere/out.pdf"}, 4, "/nowhere");
+  require_refused({"lesson", "crust", "--pdf", folder.path().string()}, 4, folder.path().string());
+  CHECK_FALSE(std::filesystem::exists(pdf));
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("lessons without samples, without words or with an odd caption are drawn") {
+  const TemporaryFolder folder;
+  const std::string pdf = folder / "out.pdf";
+  for (const char* samples : {"[]", "[1,2]", "[1,2,3,4]"}) {
+    const std::string session = std::string(R"({"mesecina":"session","schema":1,"data":{"samples":)") + samples +
+                                R"(},"lesson":{"steps":[{},{"caption":"# <b> ( \\ ) \u0000\u0007"}]}})";
+    out_of({"lesson", "-", "--pdf", pdf}, {.input = session});
+    CHECK(pages_of(pdf) == 2);
+    CHECK(out_of({"lesson", "-"}, {.input = session}).starts_with("  1    4 s\n  2    4 s  <b> ( \\ )"));
+  }
+  const RunResult odd = run({"lesson", "-", "--pdf", pdf}, {.input = with_steps(R"([{"caption":"$\\nonsense$"}])")});
+  CHECK(odd.exit_code == 0);
+  CHECK_THAT(odd.err, Catch::Contains("step 1: caption: ") && Catch::Contains("nonsense"));
+}
+
+TEST_CASE("a PDF is not written over the lesson it is made of once that has changed") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("lesson.json", contents_of(kCrust));
+  // Nothing changes it in between, so this is allowed; the PDF carries the lesson.
+  out_of({"lesson", file, "--pdf", file});
+  CHECK(contents_of(file).starts_with("%PDF"));
+  CHECK(std::ranges::count(out_of({"lesson", file}), '\n') == 8);
+}
+
+TEST_CASE("the lessons are those that the script makes") {
+  if (run({"--version"}, {.program = "python3"}).exit_code != 0) {
+    WARN("python3 is not installed");
+    return;
+  }
+  const RunResult made = run({"scripts/make_lessons.py", "--check"}, {.program = "python3"});
+  INFO(made.err);
+  CHECK(made.exit_code == 0);
+}
