@@ -61,12 +61,12 @@ Document document_of(const Session& session) {
 }
 
 /// The program on a screen with a home of its own, and one bundle in it.
-struct Lesson {
+struct LessonHour {
   TemporaryFolder home;
   VirtualScreen screen;
   Child program;
 
-  Lesson() {
+  LessonHour() {
     std::ofstream out(home / "ellipse.poff");
     out << "POFF " << kSamples << " 0 0\n";
     for (int i = 0; i < kSamples; ++i)
@@ -163,7 +163,7 @@ struct Lesson {
 }  // namespace
 
 TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
-  Lesson lesson;
+  LessonHour lesson;
   const VirtualScreen& screen = lesson.screen;
   lesson.start();
   lesson.leave_panels();
