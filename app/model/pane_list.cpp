@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/pane_list.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <optional>
 
+#include "app/model/parameter_words.h"
 #include "core/base/assert.h"
 #include "core/draw/variant.h"
-#include "core/io/text_numbers.h"
 
 namespace mes {
 namespace {
@@ -50,9 +51,8 @@ std::string words_of(const PaneChoice& choice) {
                                  return std::string(kPrecisionDescriptors[static_cast<std::size_t>(precision)].name);
                                },
                                [](const ParameterChoice& parameter) {
-                                 std::string out = std::string(descriptor_of(parameter.parameter).id) + ' ';
-                                 append_number(out, parameter.value);
-                                 return out;
+                                 return fmt::format("{} {:.4g}", title_of(descriptor_of(parameter.parameter)),
+                                                    parameter.value);
                                },
                                [](BallFamily family) { return std::string(title_of(group_of(family))); },
                                [](const Bundle& bundle) { return bundle.name; }},

@@ -84,7 +84,7 @@ void PaneHeaders::draw_value(std::size_t pane) const {
   double value = chosen->value;
   const bool is_wide = descriptor.low > 0.0 && descriptor.high / descriptor.low > 100.0;
   if (slider(gui, "##value", value, descriptor.low, descriptor.high,
-             {.is_logarithmic = is_wide, .is_whole = descriptor.is_whole, .width = 150 * gui.unit()}))
+             {.is_logarithmic = is_wide, .is_whole = descriptor.is_whole, .width = 230 * gui.unit()}))
     panes.change(pane, ParameterChoice{chosen->parameter, value});
 }
 

@@ -56,6 +56,7 @@ TEST_CASE("panes with settings of their own share the layers that do not depend 
   list.add(ParameterChoice{Parameter::a_scale, 1.5});
   list.add(settings.precision);
   const ShownPanes shown = shown_panes(list, layers, settings);
+  CHECK(words_of(list.panes()[1]) == "Inner balls: scale 1.5");
   REQUIRE(shown.variants.size() == 2);
   CHECK(shown.variants[0].settings.precision == Precision::exact);
   CHECK(shown.variants[1].settings[Parameter::a_scale] == 1.5);
