@@ -73,7 +73,7 @@ void Graph::drop_variants(std::size_t kept) {
   demand_changed_ = true;
 }
 
-void Graph::set_variants(std::span<const VariantRequest> wanted) {
+void Graph::set_variants(std::span<const VariantRequest> wanted) try {
   std::size_t kept = 1;
   while (kept < variants_.size() && kept <= wanted.size() &&
          variants_[kept]->has_document == wanted[kept - 1].has_document)
@@ -86,6 +86,8 @@ void Graph::set_variants(std::span<const VariantRequest> wanted) {
   }
   for (std::size_t i = 0; i < wanted.size(); ++i)
     variants_[i + 1]->structures.get<SettingsSource>().post(wanted[i].settings);
+} catch (const std::bad_alloc&) {
+  drop_variants(1);
 }
 
 void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
@@ -93,7 +95,8 @@ void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
 }
 
 void Graph::post(VariantIndex variant, std::shared_ptr<const DocumentDelta> delta) {
-  MES_ASSERT(variant < variants_.size() && variants_[variant]->has_document);
+  if (variant >= variants_.size()) return;  // it found no room
+  MES_ASSERT(variants_[variant]->has_document);
   for (const StructureNode& node : nodes_)
     if (node.source != nullptr && node.variant == variant) node.source->post(delta);
 }
@@ -105,7 +108,7 @@ void Graph::post_settings(const ComputationSettings& settings) {
 void Graph::set_demand(std::span<const LayerIndex> layers) {
   for (LayerNode& node : layer_nodes_) node.demanded = false;
   for (const LayerIndex layer : layers) {
-    MES_ASSERT(layer < layer_nodes_.size());
+    if (layer >= layer_nodes_.size()) continue;  // of a variant that found no room
     MES_ASSERT(layer < layer_count_ || !layer_nodes_[layer].structures.empty());
     layer_nodes_[layer].demanded = true;
   }

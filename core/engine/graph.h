@@ -50,7 +50,8 @@ class Graph {
   void post_settings(const ComputationSettings& settings);
   /// To the document of a variant that has one, empty at first.
   void post(VariantIndex variant, std::shared_ptr<const DocumentDelta> delta);
-  /// The variants 1, 2, ...; those from the first one on that differs in more than its settings are made anew.
+  /// The variants 1, 2, ...; those from the first one on that differs in more than its settings are made anew. Where
+  /// memory does not suffice, there are none, and what is asked of them is not heard.
   void set_variants(std::span<const VariantRequest> variants);
   /// Layers by their numbers in all variants (`layer_in`).
   void set_demand(std::span<const LayerIndex> layers);

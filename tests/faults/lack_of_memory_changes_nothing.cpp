@@ -8,6 +8,7 @@
 #include "core/document/commands.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
+#include "core/draw/variant.h"
 #include "core/engine/graph.h"
 #include "core/engine/memory_lack.h"
 #include "core/engine/theorem_light.h"
@@ -153,6 +154,42 @@ TEST_CASE("an index without room finds what there is all the same, and has room 
     CHECK(index.in_box({{0, 0}, {0.5, 1}}) == SampleIndex(document).in_box({{0, 0}, {0.5, 1}}));
     CHECK(index.nearest({0.3, 0.7}, 1) == SampleIndex(document).nearest({0.3, 0.7}, 1));
   }
+  CHECK(failures > 20);
+}
+
+TEST_CASE("where variants find no room, the main computation goes on, and they come when they are asked for again") {
+  const LayerIndex boundary = find_layer("a-union-boundary");
+  const std::vector<VariantRequest> wanted(2);
+  const std::vector<LayerIndex> layers{find_layer("points"), boundary, layer_in(1, false, boundary),
+                                       layer_in(2, false, boundary)};
+  const int failures = with_each_allocation_failing([&](int call) {
+    Document document;
+    Graph graph;
+    LayerMirror mirror;
+    FramePatch patch;
+    JobControl job;
+    const auto run = [&] {
+      graph.set_demand(layers);
+      REQUIRE(graph.run(patch, job));
+      mirror.apply(patch);
+    };
+    const DocumentDelta delta = insert_samples(document, some_places(20, 8)).value();
+    graph.post(std::make_shared<const DocumentDelta>(delta));
+    bool has_failed = false;
+    {
+      const FailingMemory failing(call, false);
+      graph.set_variants(wanted);
+      has_failed = failing.has_failed();
+    }
+    run();
+    CHECK(mirror.count(find_layer("points"), PrimitiveKind::point) == 20);
+    const LayerDigest expected = mirror.digest(boundary);
+    graph.set_variants(wanted);
+    run();
+    CHECK(mirror.digest(layer_in(1, false, boundary)) == expected);
+    CHECK(mirror.digest(layer_in(2, false, boundary)) == expected);
+    return has_failed;
+  });
   CHECK(failures > 20);
 }
 
