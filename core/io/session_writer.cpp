@@ -163,7 +163,7 @@ std::string text_of(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-// A step a line if `is_spread`; empty where there is no lesson. It goes on after another key.
+// One step on each line if `is_spread`; empty without a lesson. Begins with a comma, as it follows another key.
 std::string lesson_text(const Lesson& lesson, bool is_spread) {
   if (lesson == Lesson{}) return {};
   const std::string_view line = is_spread ? "\n" : "";

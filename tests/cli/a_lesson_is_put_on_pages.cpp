@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina lesson`: the lessons that come with the program, and what is no lesson.
+// `mesecina lesson`: the lessons that come with the program, and files that hold none.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

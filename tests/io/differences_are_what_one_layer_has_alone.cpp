@@ -35,7 +35,7 @@ std::vector<double> reordered(PrimitiveKind kind, std::vector<double> values, do
 
 }  // namespace
 
-TEST_CASE("what another layer has too is no difference, however it is written") {
+TEST_CASE("what two layers share is left out of their difference, however it is written") {
   constexpr double kTolerance = 1e-6;
   Rng random(1);
   for (const PrimitiveKind kind : kAllPrimitiveKinds) {

@@ -155,7 +155,7 @@ TEST_CASE("the engine follows panes as they come, change and go") {
   engine.set_settings(settings);
   CHECK(follow());
   CHECK(arcs(0) == scaled);
-  // A style is no demand.
+  // A change of style asks the engine for nothing.
   LayerStyle style = layers.style(find_layer("points"));
   style.opacity = 0.5;
   layers.set_style(find_layer("points"), style);
