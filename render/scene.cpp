@@ -201,6 +201,7 @@ void Scene::forget(LayerIndex layer) {
   if (layer >= layers_.size()) return;
   for (InstanceBuffer& buffer : layers_[layer].kinds) buffer.clear();
   for (auto& counted : layers_[layer].counted) counted.reset();
+  if (layer < texts_.size()) texts_[layer].reset();
 }
 
 void Scene::set_picture(LayerIndex layer, const Image& image) {
@@ -303,6 +304,10 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
                   .preview = options.preview};
   for (const LayerView& view : views) {
     if (view.layer == picture_layer_) draw_picture(pass, view.style);
+    if (view.texts) {
+      draw_texts(pass, view);
+      continue;
+    }
     if (view.layer >= layers_.size()) continue;
     Pass of_view = pass;
     of_view.every = std::max(1U, view.every);
@@ -341,6 +346,18 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
                           .opacity = static_cast<float>(opacity)});
     ++draw_calls_;
   }
+}
+
+void Scene::draw_texts(const Pass& pass, const LayerView& view) {
+  const PremultipliedColor color = premultiplied(view.style.color, view.style.opacity);
+  if (color.a <= 0.0F || !view.texts->font || view.texts->texts.empty()) return;
+  if (texts_.size() <= view.layer) texts_.resize(view.layer + std::size_t{1});
+  std::unique_ptr<TextMask>& mask = texts_[view.layer];
+  if (!mask) mask = std::make_unique<TextMask>(device_);
+  mask->show(view.texts, pass.camera, pass.content_scale);
+  if (mask->parts().empty()) return;
+  device_.paint_mask(pass.target, pass.area, mask->mask(), mask->parts(), color);
+  ++draw_calls_;
 }
 
 void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {

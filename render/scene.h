@@ -10,7 +10,9 @@
 //  5. If the style names a known colour map, instances have the colours of their scalars. A scalar beyond the range, an
 //     infinite one too, has the colour of that end; NaN has the plain colour. In a flat layer a later instance hides
 //     earlier ones, and the layer as a whole has the opacity of its style.
-//  6. Disks of one colour that would take long to paint are counted instead (`CountedInstances`), on the processor, and
+//  6. A view with texts has these in the place of its layer's instances, in the colour and with the opacity of its
+//     style.
+//  7. Disks of one colour that would take long to paint are counted instead (`CountedInstances`), on the processor, and
 //     so are segments and points where a processor would paint them; the picture is that of painting without rounding.
 //
 // Smallest use:
@@ -41,6 +43,8 @@
 #include "render/device.h"
 #include "render/image.h"
 #include "render/instance_buffer.h"
+#include "render/layer_texts.h"
+#include "render/text_mask.h"
 
 namespace mes::render {
 
@@ -56,6 +60,8 @@ struct LayerView {
   /// Paints one of `every` disks only: a preview for so many overlapping large disks that all of them take too long.
   /// Disks that are counted are all there. Pictures that are saved have 1.
   std::uint32_t every = 1;
+  /// Drawn instead of the instances; null: these.
+  std::shared_ptr<const LayerTexts> texts{};
 };
 
 struct DrawOptions {
@@ -154,11 +160,13 @@ class Scene {
   bool draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
                     const PremultipliedColor& color);
   void draw_picture(const Pass& pass, const LayerStyle& style);
+  void draw_texts(const Pass& pass, const LayerView& view);
   FramebufferId group_target(TargetFormat format, int width, int height);
   TextureId map_texture();
 
   Device& device_;
   std::vector<Layer> layers_;
+  std::vector<std::unique_ptr<TextMask>> texts_;  // by layer; null: none were drawn
   std::vector<OverlaySet> overlays_;
   DrawingFrame frame_;
   std::vector<ColorMap> maps_ = builtin_color_maps();

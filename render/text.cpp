@@ -125,37 +125,38 @@ double text_width(const Font& font, double size_px, std::string_view text) {
   return glyphs.empty() ? 0.0 : static_cast<double>(scale) * (glyphs.back().x + glyphs.back().advance);
 }
 
-void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color, std::string_view text) {
+GlyphPicture GlyphPicture::of(const Font& font, double size_px, int glyph, double part_x, double part_y) {
   const stbtt_fontinfo& info = font.data_->info;
   const float scale = stbtt_ScaleForPixelHeight(&info, static_cast<float>(size_px));
-  std::vector<unsigned char> cover;
+  const auto x = static_cast<float>(part_x);
+  const auto y = static_cast<float>(part_y);
+  GlyphPicture out;
+  int right = 0;
+  int bottom = 0;
+  stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph, scale, scale, x, y, &out.left, &out.top, &right, &bottom);
+  out.width = std::max(0, right - out.left);
+  out.height = std::max(0, bottom - out.top);
+  if (out.width == 0 || out.height == 0) return out;
+  out.cover.assign(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height), 0);
+  stbtt_MakeGlyphBitmapSubpixel(&info, out.cover.data(), out.width, out.height, out.width, scale, scale, x, y, glyph);
+  return out;
+}
+
+void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color, std::string_view text) {
+  const auto unit = static_cast<double>(static_cast<float>(size_px) / static_cast<float>(font.units_per_size()));
   const double start = x;
+  const double base = std::floor(y);
   for (const Glyph& glyph : font.glyphs(text)) {
-    x = start + static_cast<double>(scale) * glyph.x;
+    x = start + unit * glyph.x;
     const double left = std::floor(x);
-    const double base = std::floor(y);
-    const auto part_x = static_cast<float>(x - left);
-    const auto part_y = static_cast<float>(y - base);
-    int x0 = 0;
-    int y0 = 0;
-    int x1 = 0;
-    int y1 = 0;
-    stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph.index, scale, scale, part_x, part_y, &x0, &y0, &x1, &y1);
-    const int width = x1 - x0;
-    const int height = y1 - y0;
-    if (width > 0 && height > 0) {
-      cover.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-      stbtt_MakeGlyphBitmapSubpixel(&info, cover.data(), width, height, width, scale, scale, part_x, part_y,
-                                    glyph.index);
-      for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-          const int to_x = static_cast<int>(left) + x0 + column;
-          const int to_y = static_cast<int>(base) + y0 + row;
-          if (to_x < 0 || to_y < 0 || to_x >= image.width || to_y >= image.height) continue;
-          const std::size_t at =
-              static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-          blend(image, to_x, to_y, color, cover[at] / 255.0);
-        }
+    const GlyphPicture picture = GlyphPicture::of(font, size_px, glyph.index, x - left, y - base);
+    auto cover = picture.cover.begin();
+    for (int row = 0; row < picture.height; ++row) {
+      for (int column = 0; column < picture.width; ++column, ++cover) {
+        const int to_x = static_cast<int>(left) + picture.left + column;
+        const int to_y = static_cast<int>(base) + picture.top + row;
+        if (to_x < 0 || to_y < 0 || to_x >= image.width || to_y >= image.height) continue;
+        blend(image, to_x, to_y, color, *cover / 255.0);
       }
     }
   }

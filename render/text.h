@@ -56,8 +56,19 @@ class Font {
   explicit Font(std::shared_ptr<const Data> data);
   std::shared_ptr<const Data> data_;
   friend double text_width(const Font& font, double size_px, std::string_view text);
-  friend void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color,
-                        std::string_view text);
+  friend struct GlyphPicture;
+};
+
+/// How much of each pixel a glyph covers.
+struct GlyphPicture {
+  int left = 0;  ///< of its upper left pixel, from that in which the origin is; y down
+  int top = 0;
+  int width = 0;
+  int height = 0;
+  std::vector<unsigned char> cover;  ///< a byte a pixel, top row first
+
+  /// Of a glyph by its index; the origin is `part` beyond the upper left corner of its pixel, both in [0, 1).
+  static GlyphPicture of(const Font& font, double size_px, int glyph, double part_x, double part_y);
 };
 
 /// The width in pixels from the beginning of the first letter to the end of the last one, on one line.

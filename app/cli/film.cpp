@@ -13,6 +13,7 @@
 #include "app/model/player.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/picture_overlay.h"
+#include "app/picture/sample_texts.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
 #include "app/store/background_loader.h"
@@ -107,7 +108,7 @@ class Studio {
     if (auto fonts = PaperFonts::read(find_assets({})))
       fonts_ = std::make_shared<const PaperFonts>(std::move(*fonts));
     else
-      say("captions are left out: " + fonts.error().message());
+      say("captions, annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
   }
 
   void apply(const FramePatch& patch) { scene_.apply(patch); }
@@ -129,6 +130,8 @@ class Studio {
     follow_picture(layers.image());
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
+    add_texts(views, {player.document()}, {camera.visible(), camera.units_per_pixel() * scale},
+              fonts_ ? &fonts_->plain : nullptr);
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
     if (!image) return std::unexpected(image.error());

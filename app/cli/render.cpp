@@ -115,7 +115,8 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
                             .bounds = bounds,
                             .maps = maps.maps,
                             .traced = *traced ? &**traced : nullptr,
-                            .annotations = request.with_annotations ? place(result->document) : PlacedAnnotations{}};
+                            .annotations = request.with_annotations ? place(result->document) : PlacedAnnotations{},
+                            .document = result->document};
   const auto draw = [&]() -> Expected<std::string> {
     if (compared->subject != CompareRequest::Subject::nothing)
       return draw_panes(*picture, request, comparison, *result, canvas ? &*canvas : nullptr, mirror, source,

@@ -188,7 +188,8 @@ Expected<std::string> draw_panes(const PictureRequest& picture, const RenderRequ
                        .bounds = bounds[i],
                        .maps = common.maps,
                        .traced = common.traced,
-                       .annotations = request.with_annotations ? place(document) : PlacedAnnotations{}});
+                       .annotations = request.with_annotations ? place(document) : PlacedAnnotations{},
+                       .document = document});
   }
   if (request.with_differences) {
     const Box2& box = panes.seen.box;

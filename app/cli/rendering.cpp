@@ -9,6 +9,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
 #include "app/picture/legend.h"
+#include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "render/offscreen.h"
@@ -20,12 +21,10 @@ namespace {
 /// Above everything else, once the picture is there.
 void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
                const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request,
-               const PlacedAnnotations& annotations) {
+               const PlacedAnnotations& annotations, const PaperFonts* fonts) {
   const std::vector<LegendEntry> entries =
       legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
-  if (entries.empty() && request.marks.is_empty() && annotations.is_empty()) return;
-  const auto fonts = PaperFonts::read(find_assets({}));
-  if (!fonts) return say("annotations, legend, scale bar and axes are left out: " + fonts.error().message());
+  if (fonts == nullptr || (entries.empty() && request.marks.is_empty() && annotations.is_empty())) return;
   const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
                                                          measure_with(*fonts, shown.scale), shown.background);
   for (const std::string& complaint : annotated.complaints) say(complaint);
@@ -84,12 +83,17 @@ render::Camera camera_for(const PictureSize& size, const Seen& seen) {
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
                                     const RenderRequest& request) {
-  const std::vector<render::LayerView> views = views_of(shown, camera.units_per_pixel(), source.samples);
+  std::vector<render::LayerView> views = views_of(shown, camera.units_per_pixel(), source.samples);
+  const auto fonts = PaperFonts::read(find_assets({}));
+  if (!fonts) say("annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
+  add_texts(views, {source.document}, {camera.visible(), camera.units_per_pixel() * shown.scale},
+            fonts ? &fonts->plain : nullptr);
   std::vector<render::LayerView> all = views;
   all.insert(all.end(), marks.begin(), marks.end());
   auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
                              {.background = shown.background, .content_scale = shown.scale});
-  if (image) add_paper(*image, canvas.scene, views, camera, shown, request, source.annotations);
+  if (image)
+    add_paper(*image, canvas.scene, views, camera, shown, request, source.annotations, fonts ? &*fonts : nullptr);
   return image;
 }
 

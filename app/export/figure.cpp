@@ -6,9 +6,11 @@
 #include <span>
 
 #include "app/picture/figure_legend.h"
+#include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/draw/variant.h"
 #include "render/camera.h"
 #include "render/figure/raster.h"
 
@@ -77,6 +79,17 @@ void add_scale_marks(figure::Figure& figure, const figure::Page& page, const Fig
   add_to(figure, fonts, marks, {0.0, 0.0}, scale);
 }
 
+bool has_texts(std::span<const LayerIndex> layers) {
+  return std::ranges::any_of(
+      layers, [](LayerIndex layer) { return layer_descriptors()[plain_layer(layer)].points_as != PointsAs::dots; });
+}
+
+/// The part of the plane on the page.
+Box2 plane_on(const figure::Page& page) {
+  const Vec2 half = 0.5 * page.units_per_point * Vec2{page.width, page.height};
+  return {page.center - half, page.center + half};
+}
+
 /// As a layer of its own, above all others. Returns what there is to say of them.
 std::vector<std::string> add_annotations(figure::Figure& figure, const figure::Page& page,
                                          const FigureRequest& request, const PlacedAnnotations& annotations,
@@ -116,21 +129,26 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   figure::Drawing explained = drawing;
   explained.views = views;
   const bool is_explained = has_legend(explained, request.legend);
+  const bool is_numbered = has_texts(request.shown.layers);
   std::optional<PaperFonts> fonts;
   DrawnFigure out;
-  if (is_annotated || is_explained || !request.marks.is_empty()) {
+  if (is_annotated || is_explained || is_numbered || !request.marks.is_empty()) {
     if (auto read = PaperFonts::read(find_assets({})))
       fonts = std::move(*read);
     else
-      out.remarks.push_back("annotations, legend, scale bar and axes are left out: " + read.error().message());
+      out.remarks.push_back("annotations, numbers, legend, scale bar and axes are left out: " +
+                            read.error().message());
   }
   std::vector<std::string> complaints;
   const auto drawn_on_page = [&] {
+    const double units_per_px = page.units_per_point * figure::kPointsPerPixel * request.shown.scale;
+    add_texts(all, {source.document}, {plane_on(page), units_per_px}, fonts ? &fonts->plain : nullptr);
     figure::Figure figure = figure::figure_of(drawing, page);
     for (figure::FigureLayer& mark : std::span(figure.layers).subspan(views.size())) {
       mark.id += "-only-here";
       mark.title += ", only here";
     }
+    if (is_numbered && fonts) set_fonts(figure, *fonts);
     if (is_annotated && fonts) complaints = add_annotations(figure, page, request, source.annotations, *fonts);
     return figure;
   };

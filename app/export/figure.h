@@ -53,6 +53,7 @@ struct FigureSource {
   std::span<const render::ColorMap> maps;
   const render::Image* traced = nullptr;  ///< null: none
   PlacedAnnotations annotations{};
+  const Document& document;  ///< that layers of texts tell of
 };
 
 /// Files of figures above this are worth a warning: mail refuses them, viewers are slow.

@@ -60,6 +60,7 @@ struct FigureDesk::Contents {
   FigureSubject subject;
   PlacedAnnotations annotations;
   LayerMirror mirror;
+  Document document;
   Box2 bounds;
   std::optional<render::Image> traced;
   std::vector<std::string> remarks;
@@ -93,14 +94,14 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
   auto out = std::make_shared<Contents>();
   out->subject = subject;
   out->session = packed_session(subject.session);
-  const auto result =
-      run_computation(subject.data, {.layers = subject.shown.layers,
-                                     .settings = subject.settings,
-                                     .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },
-                                     .stop = stop});
+  auto result = run_computation(subject.data, {.layers = subject.shown.layers,
+                                               .settings = subject.settings,
+                                               .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },
+                                               .stop = stop});
   if (!result) return std::unexpected(result.error());
   out->bounds = result->document.bounding_box();
   out->annotations = place(result->document);
+  out->document = std::move(result->document);
   const bool is_traced = std::ranges::find(subject.shown.layers, find_layer("image")) != subject.shown.layers.end();
   if (is_traced && !subject.image.file.empty()) {
     if (auto image = read_background(subject.image.file))
@@ -121,7 +122,8 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
                                      .bounds = contents.bounds,
                                      .maps = subject.maps,
                                      .traced = contents.traced ? &*contents.traced : nullptr,
-                                     .annotations = contents.annotations});
+                                     .annotations = contents.annotations,
+                                     .document = contents.document});
   if (!drawn) return {wanted, std::unexpected(drawn.error())};
   FigurePreview preview{.image = {},
                         .width = drawn->figure.width,

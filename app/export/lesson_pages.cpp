@@ -157,7 +157,8 @@ Expected<DrawnFigure> LessonPrinter::draw(const LessonScene& scene, const Box2& 
                 .bounds = bounds,
                 .maps = maps_,
                 .traced = traced(scene.layers.image(), remarks),
-                .annotations = look_.with_annotations ? mes::place(result->document) : PlacedAnnotations{}});
+                .annotations = look_.with_annotations ? mes::place(result->document) : PlacedAnnotations{},
+                .document = result->document});
   if (drawn) remarks.insert(remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
   return drawn;
 }

@@ -54,7 +54,8 @@ double typical_spacing(const Document& document, const SampleIndex& index) {
 }
 
 bool is_made_of_samples(const LayerDescriptor& descriptor) {
-  return descriptor.group != LayerGroup::union_b && !descriptor.kinds.empty();
+  return descriptor.group != LayerGroup::union_b && !descriptor.kinds.empty() &&
+         descriptor.points_as == PointsAs::dots;
 }
 
 LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double spacing_px) {

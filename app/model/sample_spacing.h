@@ -11,7 +11,8 @@ namespace mes {
 /// for fewer than two places. Cost: some milliseconds, however many samples there are.
 double typical_spacing(const Document& document, const SampleIndex& index);
 
-/// False for own balls and pictures: samples say nothing about how close they stand.
+/// False for own balls and pictures: samples say nothing about how close they stand. False for letters, which keep
+/// their size.
 bool is_made_of_samples(const LayerDescriptor& descriptor);
 
 /// The style with points and lines that are thinner the closer samples stand below two pixels, down to a fifth; layers

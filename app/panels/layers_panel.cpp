@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
@@ -18,13 +19,14 @@ namespace mes {
 namespace {
 
 constexpr const char* kDragKind = "mesecina-layer";
+constexpr const char* kSampleText = "12";
 
 bool has_kind(const LayerDescriptor& descriptor, std::initializer_list<PrimitiveKind> kinds) {
   return std::ranges::any_of(kinds,
                              [&](PrimitiveKind kind) { return std::ranges::count(descriptor.kinds, kind) > 0; });
 }
 bool has_points(const LayerDescriptor& descriptor) {
-  return has_kind(descriptor, {PrimitiveKind::point});
+  return descriptor.points_as == PointsAs::dots && has_kind(descriptor, {PrimitiveKind::point});
 }
 bool has_strokes(const LayerDescriptor& descriptor) {
   return has_kind(descriptor, {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line, PrimitiveKind::circle,
@@ -175,6 +177,11 @@ void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
     list.AddCircleFilled({at.x + 0.3F * size.x, at.y + 0.35F * size.y}, 0.14F * size.y, ink);
     list.AddTriangleFilled({at.x + 0.25F * size.x, end.y - 3 * unit}, {at.x + 0.6F * size.x, at.y + 0.3F * size.y},
                            {end.x - 2 * unit, end.y - 3 * unit}, ink);
+  } else if (descriptor.points_as != PointsAs::dots) {
+    const float letters = std::clamp(static_cast<float>(style.point_size_px) * unit, 7 * unit, size.y);
+    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(letters, FLT_MAX, 0.0F, kSampleText);
+    list.AddText(ImGui::GetFont(), letters, {middle.x - 0.5F * extent.x, middle.y - 0.5F * extent.y}, color,
+                 kSampleText);
   } else if (is_mapped) {
     // Its colours say enough.
   } else if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
@@ -211,6 +218,7 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
     style.opacity = percent / 100.0;
   const SliderLook in_pixels{.format = "%.1f px", .is_logarithmic = true, .width = width};
   if (has_points(descriptor)) slider(gui_, "Point size", style.point_size_px, 0.5, 64.0, in_pixels);
+  if (descriptor.points_as != PointsAs::dots) slider(gui_, "Letters", style.point_size_px, 4.0, 64.0, in_pixels);
   if (has_strokes(descriptor)) {
     slider(gui_, "Line width", style.line_width_px, 0.1, 64.0, in_pixels);
     ImGui::Checkbox("Dashed", &style.dashed);
@@ -221,8 +229,10 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
             "Where samples stand closer than two pixels, dots and lines are drawn finer than these numbers, so that "
             "they do not run together");
   }
-  if (!is_picture) ImGui::Checkbox("Flat", &style.flat);
-  if (!is_picture)
+  // Letters do not overlap.
+  const bool may_overlap = !is_picture && descriptor.points_as == PointsAs::dots;
+  if (may_overlap) ImGui::Checkbox("Flat", &style.flat);
+  if (may_overlap)
     tooltip(gui_, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
   layers_.set_style(layer, style);
   ImGui::BeginDisabled(layers_.has_default_style(layer));

@@ -110,6 +110,13 @@ class Layout {
     const Rgb color = mixed(colors_.paper, style.color, style.opacity);
     const Vec2 middle{place.left + 0.5 * place.width, place.top + 0.5 * place.height};
     const double thick = std::clamp(style.line_width_px, 1.0, 5.0);
+    if (sample.is_text) {
+      const double size = std::clamp(style.point_size_px, 6.0, kTextSize);
+      const std::string number = "7";
+      const double width = (*measure_)(number, size, Face::plain);
+      drawing_.lines.push_back({middle.x - 0.5 * width, middle.y - 0.5 * size, size, Face::plain, color, number});
+      return;
+    }
     switch (sample.kind) {
       case PrimitiveKind::point:
         drawing_.dots.push_back(

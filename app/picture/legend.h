@@ -36,6 +36,7 @@ struct LegendTick {
 struct LayerSample {
   PrimitiveKind kind = PrimitiveKind::segment;
   LayerStyle style{};
+  bool is_text = false;
   friend bool operator==(const LayerSample&, const LayerSample&) = default;
 };
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app/model/sample_spacing.h"
+#include "app/picture/sample_texts.h"
 #include "core/base/assert.h"
 #include "core/draw/variant.h"
 
@@ -219,34 +220,60 @@ ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optio
   return layers;
 }
 
+namespace {
+
+/// All panes show what the main one shows, so they are seen through one camera.
+render::Camera camera_of_panes(const render::Camera& window, const PanePlaces& places) {
+  if (places.is_empty()) return window;
+  const PanePlace& main = places.places().front();
+  return window.part(main.left, main.top, main.width, main.height);
+}
+
+}  // namespace
+
+void Picture::choose_views(const ShownState& shown, const Editor& editor) {
+  views_.clear();
+  views_.push_back(views_of(shown.layers, 1));
+  for (const ShownPanes::Layers& pane : shown.panes) views_.push_back(views_of(pane, 1));
+  const render::Camera camera = camera_of_panes(shown.camera, shown.places);
+  for (std::vector<render::LayerView>& views : views_) add_texts(views, editor, camera, shown.content_scale);
+}
+
 void Picture::paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options) {
-  std::vector<render::LayerView> views;
-  const auto draw = [&](const ShownPanes::Layers& layers, const render::Camera& camera,
-                        const render::DrawOptions& where) {
-    views.clear();
-    for (const auto& [layer, style] : layers) views.push_back({layer, style, every});
-    scene_.draw(camera, views, where);
-    is_coarse_ = is_coarse_ || scene_.is_coarse();
-  };
   is_coarse_ = false;
   const std::vector<PanePlace>& places = shown.places.places();
-  if (places.empty()) return draw(shown.layers, shown.camera, options);
-  // All show what the main one shows, so they are seen through one camera.
-  const PanePlace& main = places.front();
-  const render::Camera camera = shown.camera.part(main.left, main.top, main.width, main.height);
-  for (std::size_t i = 0; i < places.size() && i <= shown.panes.size(); ++i) {
+  const render::Camera camera = camera_of_panes(shown.camera, shown.places);
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (i > 0 && i >= places.size()) break;
+    for (render::LayerView& view : views_[i]) view.every = every;
     render::DrawOptions where = options;
-    where.left = places[i].left;
-    where.bottom = shown.camera.height() - places[i].top - places[i].height;
-    draw(i == 0 ? shown.layers : shown.panes[i - 1], camera, where);
+    if (!places.empty()) {
+      where.left = places[i].left;
+      where.bottom = shown.camera.height() - places[i].top - places[i].height;
+    }
+    scene_.draw(camera, views_[i], where);
+    is_coarse_ = is_coarse_ || scene_.is_coarse();
   }
 }
 
-Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
-                                const render::CaptureOptions& options) {
+std::vector<render::LayerView> Picture::views_of(const ShownPanes::Layers& layers, std::uint32_t every) {
   std::vector<render::LayerView> views;
+  for (const auto& [layer, style] : layers) views.push_back({layer, style, every});
+  return views;
+}
+
+// Texts are of the document, and go before what the engine has still to compute.
+void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& editor, const render::Camera& camera,
+                        double content_scale) const {
+  mes::add_texts(views, {editor.document(), &editor.index()},
+                 {camera.visible(), camera.units_per_pixel() * content_scale}, letters_ ? &*letters_ : nullptr);
+}
+
+Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
+                                const Editor& editor, const render::CaptureOptions& options) {
   const double units = camera.units_per_pixel() * options.content_scale;
-  for (const auto& [layer, style] : shown_layers(layers, options.background, units)) views.push_back({layer, style});
+  std::vector<render::LayerView> views = views_of(shown_layers(layers, options.background, units), 1);
+  add_texts(views, editor, camera, options.content_scale);
   return capture.draw(scene_, camera, views, options);
 }
 
@@ -281,6 +308,7 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
                               : is_same   ? detail_.every()
                                           : detail_.begin_changed(largest_painted_layer(camera, layers));
   const auto start = std::chrono::steady_clock::now();
+  if (!is_same) choose_views(now, editor);
   device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
   paint(now, every, {.content_scale = content_scale, .preview = preview});
   // Only then is it known what it cost. Nothing else is left to do in this frame.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,6 +42,8 @@ class Picture {
   Picture();
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
+  /// Sets the letters of layers that are texts; without them these show nothing.
+  void set_letters(render::Font font) { letters_ = std::move(font); }
   /// Sets the picture to trace, in the place of a layer. Returns false if graphics memory is exhausted.
   bool set_background(LayerIndex layer, const render::Image& image);
   void place_background(const render::PicturePlace& place);
@@ -65,7 +68,7 @@ class Picture {
 
   /// Captures the present layers in full detail, with the marks of the selection as last drawn, without panels.
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
-                         const render::CaptureOptions& options);
+                         const Editor& editor, const render::CaptureOptions& options);
   render::GlDevice& device() { return device_; }
   /// The legend of the visible layers.
   std::vector<LegendEntry> legend(const LayerStack& layers, LegendScope scope) const;
@@ -122,7 +125,11 @@ class Picture {
                                   double units_per_px) const;
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                               double units_per_px) const;
+  void choose_views(const ShownState& shown, const Editor& editor);
   void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
+  static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
+  void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const render::Camera& camera,
+                 double content_scale) const;
   void measure_spacing(const Editor& editor);
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);
@@ -156,6 +163,9 @@ class Picture {
   std::uint64_t moved_at_patch_ = 0;
   std::vector<double> mark_data_;  // kept for its memory
   ShownState shown_;
+  std::vector<std::vector<render::LayerView>>
+      views_;  // of each pane of `shown_`, the main one first, with their texts
+  std::optional<render::Font> letters_;
   bool is_coarse_ = false;
   Detail detail_;
   render::KeptFrame kept_;

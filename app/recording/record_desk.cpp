@@ -189,7 +189,7 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
   }
   const render::CaptureOptions options{
       .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
-  if (const auto done = picture_.capture(capture_, view.camera, drawn.layers, options); !done) {
+  if (const auto done = picture_.capture(capture_, view.camera, drawn.layers, drawn.editor, options); !done) {
     messages_.problem(done.error().message());
     return std::nullopt;
   }

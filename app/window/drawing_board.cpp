@@ -34,6 +34,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       traced_(work.editor(), work.layers(), picture_, messages, std::move(wake)) {
   LoadedColorMaps maps = load_color_maps(assets, user_color_map_folder());
   picture_.set_color_maps(std::move(maps.maps));
+  // Captions and annotations of pictures use the same ones (LiveRecording).
+  if (auto fonts = PaperFonts::read(assets)) picture_.set_letters(fonts->plain);
   if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
 }
 

@@ -27,6 +27,12 @@ enum class LayerGroup : std::uint8_t {
 /// Heading of the group in the layer panel, e.g. "Delaunay & Voronoi".
 std::string_view title_of(LayerGroup group);
 
+/// How the points of a layer are drawn.
+enum class PointsAs : std::uint8_t {
+  dots,
+  numbers,  ///< of samples, beside them: from 0 since the data were opened, with letters as high as dots are wide
+};
+
 struct LayerDescriptor {
   std::string_view id{};       ///< public name, kebab case
   std::string_view name{};     ///< as shown
@@ -37,6 +43,7 @@ struct LayerDescriptor {
   bool visible_at_start = false;
   std::string_view scalar{};                   ///< what the scalar of an instance means; empty = none
   bool scalars_are_names = false;              ///< they only tell elements apart, and depend on history
+  PointsAs points_as = PointsAs::dots;         ///< numbers: it draws nothing else
   LayerStyle style{};                          ///< the default
   std::vector<PrimitiveKind> kinds{};          ///< what it may emit, in drawing order (first = bottom)
   std::vector<std::string_view> structures{};  ///< ids of the structures it reads

@@ -112,6 +112,7 @@ struct Text {
   /// What TeX typesets instead of this text and of those after it that continue it; empty: each text by itself.
   std::string latex{};
   bool continues = false;  ///< belongs to the text before
+  double opacity = 1.0;
 };
 
 /// The fonts of texts.

@@ -66,6 +66,7 @@ class LayerBuilder {
       : drawing_(drawing),
         page_(page),
         grid_(grid),
+        view_(view),
         style_(view.style),
         points_per_pixel_(kPointsPerPixel * drawing.scale),
         width_(points_per_pixel_ * render::line_width_of(view.style)) {
@@ -86,6 +87,10 @@ class LayerBuilder {
     FigureLayer out{.id = std::string(descriptor.id), .title = std::string(descriptor.name), .line_width = width_};
     const double opacity = render::opacity_of(style_);
     if (opacity <= 0.0) return out;
+    if (view_.texts) {
+      add_texts(*view_.texts, out);
+      return out;
+    }
     // As `Scene` does it: a flat layer is one group, and triangles are one anyway.
     if (style_.flat && opacity < 1.0) {
       Group all{.opacity = opacity};
@@ -104,6 +109,22 @@ class LayerBuilder {
   }
 
  private:
+  void add_texts(const render::LayerTexts& texts, FigureLayer& layer) const {
+    if (!texts.font) return;
+    const double size = points_per_pixel_ * texts.size;
+    for (const render::PlacedText& each : texts.texts) {
+      const Vec2 start = to_page(each.at.x, each.at.y) + points_per_pixel_ * texts.shift;
+      if (!is_finite(start)) continue;
+      layer.texts.push_back(
+          {.start = grid_(start),
+           .size = size,
+           .width = kPointsPerPixel * render::text_width(*texts.font, size / kPointsPerPixel, each.text),
+           .color = style_.color,
+           .text = each.text,
+           .opacity = render::opacity_of(style_)});
+    }
+  }
+
   void keep(Group group, FigureLayer& layer) const {
     if (group.runs.empty()) return;
     for (Run& run : group.runs)
@@ -279,6 +300,7 @@ class LayerBuilder {
   const Drawing& drawing_;
   const Page& page_;
   const Grid& grid_;
+  const render::LayerView& view_;
   const LayerStyle& style_;
   double points_per_pixel_;
   double width_;

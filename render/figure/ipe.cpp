@@ -211,7 +211,8 @@ class IpeWriter {
   void write(std::span<const Text> texts, const std::string& layer) {
     for (const TexText& each : tex_texts(texts))
       body_ += "<text" + layer + " pos=\"" + text(each.text.start) + "\" stroke=\"" + color(each.text.color) +
-               "\" type=\"label\" valign=\"baseline\" size=\"" + number(kEmOfSize * each.text.size) + "\">\\textsf{" +
+               "\" type=\"label\" valign=\"baseline\" size=\"" + number(kEmOfSize * each.text.size) + '"' +
+               opacity(each.text.opacity) + ">\\textsf{" +
                escaped_xml(each.look.empty() ? each.content : each.look + ' ' + each.content) + "}</text>\n";
   }
 

@@ -324,10 +324,15 @@ class PdfBook::Writer {
 
   void write(const Text& text, std::string& content) {
     if (text.text.empty()) return;
+    if (text.opacity < 1.0) {
+      content += "q\n";
+      opacity(content, text.opacity);
+    }
     paint(content, text.color, true);
     content += "BT 1 0 0 -1 ";
     point(content, text.start);
     content += "Tm " + fonts_.shown(text) + "ET\n";
+    if (text.opacity < 1.0) content += "Q\n";
   }
 
   void finish() {

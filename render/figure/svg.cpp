@@ -292,6 +292,7 @@ class SvgWriter {
     if (text.is_bold) attribute("font-weight", std::string("600"));
     if (text.is_italic) attribute("font-style", std::string("italic"));
     attribute("fill", hex(text.color));
+    if (text.opacity < 1.0) fraction("fill-opacity", text.opacity);
     // Spaces at the ends are a part of the width.
     if (text.text.front() == ' ' || text.text.back() == ' ') attribute("xml:space", std::string("preserve"));
     out_ += '>' + escaped_xml(text.text) + "</text>\n";

@@ -169,8 +169,9 @@ class TikzWriter {
   void write(std::span<const Text> texts) {
     for (const TexText& each : tex_texts(texts)) {
       const std::string size = number(kEmOfSize * each.text.size) + "bp";
-      body_ += "\\node[anchor=base west,inner sep=0pt," + color(each.text.color) + ",font=\\sffamily" + each.look +
-               "\\fontsize{" + size + "}{" + size + "}\\selectfont] at " + text(each.text.start) + " {" +
+      const std::string opacity = each.text.opacity < 1.0 ? ",text opacity=" + fraction(each.text.opacity) : "";
+      body_ += "\\node[anchor=base west,inner sep=0pt," + color(each.text.color) + opacity + ",font=\\sffamily" +
+               each.look + "\\fontsize{" + size + "}{" + size + "}\\selectfont] at " + text(each.text.start) + " {" +
                each.content + "};\n";
     }
   }

@@ -96,6 +96,9 @@ const std::vector<Case>& cases() {
        0.012},
       {"scale", {kBean, "--scale-bar", "--axes", "--grid"}, 0.004},
       {"key", {kBean, "--key", "--layers", "interior-voronoi-disks,interior-voronoi-circles,curve,points"}, 0.006},
+      {"numbers",
+       {kDude, "--layers", "curve,points,indices", "--set-style", "indices:color=D55E00,opacity=0.6,point-size=16"},
+       0.004},
       {"on a dark ground", {kDude, "--background", "1b1e22", "--scale", "1.5"}, 0.006},
   };
   return kCases;
@@ -318,4 +321,55 @@ TEST_CASE("sizes that cannot be are refused in one line, and nothing is written"
   }
   CHECK(folder.file_count() == 0);
   CHECK(run({"render", kDude, "-o", "/nonexistent/a.svg"}).exit_code == 4);
+}
+
+TEST_CASE("numbers of samples are text in every format, in the layer's group, colour and opacity") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.csv", "0,0\n1,0\n1,1\n0,1\n").string();
+  const auto drawn = [&](const std::string& name, std::vector<std::string> arguments) {
+    const std::string file = (folder / name).string();
+    arguments.insert(arguments.begin(), square);
+    render(arguments, file);
+    return contents_of(file);
+  };
+  const std::vector<std::string> numbered{"--layers", "indices,points", "--set-style",
+                                          "indices:color=D55E00,opacity=0.5,point-size=18px"};
+  const std::string svg = drawn("a.svg", numbered);
+  const std::size_t group = svg.find("<g id=\"indices\"");
+  REQUIRE(group != std::string::npos);
+  CHECK(svg.find("<g id=\"points\"") < group);
+  for (const char* number : {">0</text>", ">1</text>", ">2</text>", ">3</text>"})
+    CHECK(svg.find(number, group) != std::string::npos);
+  CHECK(svg.find(">4</text>") == std::string::npos);
+  CHECK(svg.find("fill=\"#d55e00\" fill-opacity=\"0.5\"", group) != std::string::npos);
+  // No dots in their place.
+  CHECK(svg.find("<circle", group) == std::string::npos);
+  const std::string tikz = drawn("a.tex", numbered);
+  CHECK(tikz.find("% layer indices: Indices") != std::string::npos);
+  CHECK(tikz.find("text opacity=0.5") != std::string::npos);
+  CHECK(tikz.find("{3};") != std::string::npos);
+  const std::string ipe = drawn("a.ipe", numbered);
+  CHECK(ipe.find("<group layer=\"indices\"") != std::string::npos);
+  CHECK(ipe.find("\\textsf{3}</text>") != std::string::npos);
+  CHECK(ipe.find("<opacity name=\"opacity-0.5\"") != std::string::npos);
+  drawn("a.pdf", numbered);
+  const RunResult words = run({(folder / "a.pdf").string(), "-"}, {.program = "pdftotext"});
+  REQUIRE(words.exit_code == 0);
+  for (const char number : {'0', '1', '2', '3'}) CHECK(words.out.find(number) != std::string::npos);
+  CHECK(drawn("a.eps", numbered).size() > drawn("b.eps", {"--layers", "points"}).size());
+  drawn("a.png", numbered);
+  drawn("b.png", {"--layers", "points"});
+  CHECK(read_png(folder / "a.png") != read_png(folder / "b.png"));
+}
+
+TEST_CASE("few samples or none have their numbers or none") {
+  const TemporaryFolder folder;
+  for (const int count : {0, 1, 2}) {
+    std::string samples = "POFF " + std::to_string(count) + " 0 0\n";
+    for (int i = 0; i < count; ++i) samples += std::to_string(i) + " 1\n";
+    const std::string file = folder.write("few.poff", samples).string();
+    render({file, "--layers", "indices"}, (folder / "few.png").string());
+    render({file, "--layers", "indices", "--bounds", "tight"}, (folder / "few.svg").string());
+    CHECK((contents_of(folder / "few.svg").find(">0</text>") != std::string::npos) == (count > 0));
+  }
 }

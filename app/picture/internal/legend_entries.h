@@ -29,7 +29,9 @@ std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, Le
     }
     if (scope != LegendScope::all_layers) continue;
     const auto kind = std::ranges::find_if(layer.kinds, [&](PrimitiveKind each) { return has(view->layer, each); });
-    if (kind != layer.kinds.end()) out.push_back({std::string(layer.name), {}, nullptr, {}, {*kind, view->style}});
+    if (kind != layer.kinds.end())
+      out.push_back(
+          {std::string(layer.name), {}, nullptr, {}, {*kind, view->style, layer.points_as != PointsAs::dots}});
   }
   return out;
 }

@@ -187,7 +187,7 @@ void CairoPainter::paint(const Text& text) {
   if (text.text.empty()) return;
   cairo_save(cairo_);
   cairo_translate(cairo_, text.start.x, text.start.y);
-  color(text.color, 1.0);
+  color(text.color, text.opacity);
   if (!show_glyphs(text)) show_in_named_font(text);
   cairo_restore(cairo_);
 }
