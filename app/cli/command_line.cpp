@@ -282,10 +282,18 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "one that comes with the program\n(mesecina list lessons)")
       ->required();
   lesson->add_option("--pdf", to.lesson.pdf, "Slides as vector graphics, a page a step; - for standard output");
+  lesson->add_option(
+      "--html", to.lesson.html,
+      "Slides in one file for a browser, with keys and nothing from elsewhere;\n- for standard output");
+  lesson->add_option("--frames", to.lesson.frames, "Folder for a picture a step, 00001.png ..., and manifest.json");
+  lesson->add_option("--vtt", to.lesson.vtt,
+                     "The captions with the times of the steps, as WebVTT; - for standard output");
+  lesson->add_option("--size", to.lesson.size, "Width and height of these pictures in pixels, WxH")
+      ->capture_default_str();
   lesson->add_option("--steps", to.lesson.steps, "Only these steps, as in 2-4 or 1,3-5; default: all");
   lesson
       ->add_option("--figure-size", to.lesson.figure_size,
-                   "Size of a page: WxH, with units mm, cm, in, pt or px, as in 297mmx210mm;\n"
+                   "Size of a page of PDF and HTML: WxH, with units mm, cm, in, pt or px, as in 297mmx210mm;\n"
                    "or " +
                        page_preset_words())
       ->capture_default_str();

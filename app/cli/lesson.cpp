@@ -17,8 +17,11 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/export/carried.h"
+#include "app/export/lesson_captions.h"
+#include "app/export/lesson_html.h"
 #include "app/export/lesson_pages.h"
 #include "app/export/page_size.h"
+#include "app/recording/frame_writer.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "core/io/carried_session.h"
@@ -109,18 +112,100 @@ struct Output {
   std::string bytes;
 };
 
+/// The outputs that are one file each.
+std::vector<std::string> files_of(const LessonRequest& request) {
+  std::vector<std::string> out;
+  for (const std::string& file : {request.pdf, request.html, request.vtt})
+    if (!file.empty()) out.push_back(file);
+  return out;
+}
+
+Expected<void> check_outputs(const LessonRequest& request) {
+  const std::vector<std::string> files = files_of(request);
+  if (request.pdf == "-" && ::isatty(STDOUT_FILENO) != 0)
+    return usage_error("a PDF cannot be printed on a terminal; name a file");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
+        files.begin() + static_cast<std::ptrdiff_t>(i))
+      return usage_error("two outputs are named " + in_quotes(files[i]));
+    if (auto good = check_output(files[i]); !good) return good;
+  }
+  return {};
+}
+
+/// What frames are asked to be.
+struct Pixels {
+  LessonLook look;
+  double per_point = 1.0;
+  PictureSize size;
+};
+
+Expected<Pixels> parse_pixels(const LessonRequest& request, const LessonLook& look) {
+  // As high as a slide, so that letters and lines have the sizes they have there.
+  constexpr double kHeight = 540.0;
+  Pixels out;
+  const auto size = parse_size(request.size);
+  if (!size) return std::unexpected(size.error());
+  out.size = *size;
+  if (size->width > 5 * size->height || size->height > 5 * size->width)
+    return usage_error("--size: a picture of a lesson is at most five times as long as wide, not " +
+                       in_quotes(request.size));
+  out.per_point = size->height / kHeight;
+  out.look = look;
+  out.look.width = size->width / out.per_point;
+  out.look.height = kHeight;
+  return out;
+}
+
+std::unexpected<Error> cannot_write(const std::string& text, const std::filesystem::path& file) {
+  return std::unexpected(Error{ErrorCode::cannot_write, text, file.string()});
+}
+
+/// A picture a step, each with the time at which its step begins.
+Expected<void> write_frames(const std::filesystem::path& folder, const Session& session,
+                            const std::vector<std::size_t>& steps, const Pixels& pixels) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return cannot_write("cannot be made: " + error.message(), folder);
+  if (std::filesystem::exists(folder / frame_name(1), error))
+    return cannot_write("there are frames already; name another folder", folder);
+  auto printer = LessonPrinter::make(session, pixels.look);
+  if (!printer) return std::unexpected(printer.error());
+  FrameWriter writer({folder, {pixels.size.width, pixels.size.height}});
+  Progress progress;
+  double begin = 0.0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    progress.show(fmt::format("picture {} of {}", k + 1, steps.size()),
+                  static_cast<double>(k) / static_cast<double>(steps.size()));
+    const auto page = printer->page(steps[k]);
+    if (!page) return std::unexpected(page.error());
+    for (const std::string& remark : page->remarks) say(remark);
+    auto image = picture_of(*page, pixels.per_point);
+    if (!image) return std::unexpected(image.error());
+    if (!writer.push({std::move(*image), {page->name, page->document, begin}, {}})) return writer.finish();
+    begin += seconds_of(session.lesson.steps[steps[k]]);
+  }
+  return writer.finish();
+}
+
+std::string packed_lesson(const Session& session) {
+  auto packed = packed_session(session_for_lesson(session));
+  if (!packed) say("the PDF carries no session: it would be too long");
+  return std::move(packed).value_or("");
+}
+
 /// Everything is made before anything is written.
 Expected<std::vector<Output>> make_outputs(const LessonRequest& request, const Session& session,
                                            const std::vector<std::size_t>& steps, const LessonLook& look) {
+  std::vector<Output> out;
+  if (!request.vtt.empty()) out.push_back({request.vtt, web_vtt_of(session.lesson, steps)});
+  if (request.pdf.empty() && request.html.empty()) return out;
   auto printer = LessonPrinter::make(session, look);
   if (!printer) return std::unexpected(printer.error());
   figure::BookInfo info = printer->info();
-  if (request.with_source) {
-    auto packed = packed_session(session_for_lesson(session));
-    if (!packed) say("the PDF carries no session: it would be too long");
-    info.session = std::move(packed).value_or("");
-  }
+  if (request.with_source && !request.pdf.empty()) info.session = packed_lesson(session);
   figure::PdfBook book(std::move(info));
+  LessonHtml html({printer->title(), session.lesson.steps.size(), look.width, look.height, look.background});
   Progress progress;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     progress.show(fmt::format("step {} of {}", k + 1, steps.size()),
@@ -128,10 +213,12 @@ Expected<std::vector<Output>> make_outputs(const LessonRequest& request, const S
     const auto page = printer->page(steps[k]);
     if (!page) return std::unexpected(page.error());
     for (const std::string& remark : page->remarks) say(remark);
-    book.add(sheet_of(*page));
+    if (!request.pdf.empty()) book.add(sheet_of(*page));
+    if (!request.html.empty())
+      if (auto added = html.add(*page, steps[k] + 1); !added) return std::unexpected(added.error());
   }
-  std::vector<Output> out;
-  out.push_back({request.pdf, std::move(book).file()});
+  if (!request.pdf.empty()) out.push_back({request.pdf, std::move(book).file()});
+  if (!request.html.empty()) out.push_back({request.html, std::move(html).file()});
   return out;
 }
 
@@ -140,11 +227,9 @@ Expected<std::vector<Output>> make_outputs(const LessonRequest& request, const S
 Expected<void> run_lesson(const LessonRequest& request, Interruption& interruption) {
   const auto look = parse_look(request);
   if (!look) return std::unexpected(look.error());
-  if (!request.pdf.empty()) {
-    if (is_standard_output(request.pdf) && ::isatty(STDOUT_FILENO) != 0)
-      return usage_error("slides cannot be printed on a terminal; name a file");
-    if (auto good = check_output(request.pdf); !good) return good;
-  }
+  const auto pixels = parse_pixels(request, *look);
+  if (!pixels) return std::unexpected(pixels.error());
+  if (auto good = check_outputs(request); !good) return good;
   const auto file = file_of(request.file);
   if (!file) return std::unexpected(file.error());
   const auto input = read_input(*file, {});
@@ -156,9 +241,12 @@ Expected<void> run_lesson(const LessonRequest& request, Interruption& interrupti
     return std::unexpected(Error{ErrorCode::bad_input, "this session has no lesson", *file});
   const auto steps = parse_steps(request.steps, session.lesson.steps.size());
   if (!steps) return std::unexpected(steps.error());
-  if (request.pdf.empty()) return write_output({}, listed(session, *steps), interruption);
+  if (files_of(request).empty() && request.frames.empty())
+    return write_output({}, listed(session, *steps), interruption);
   const auto outputs = make_outputs(request, session, *steps, *look);
   if (!outputs) return std::unexpected(outputs.error());
+  if (!request.frames.empty())
+    if (auto done = write_frames(request.frames, session, *steps, *pixels); !done) return done;
   for (const Output& output : *outputs)
     if (auto done = write_output(output.file, output.bytes, interruption, {input->sources, request.force}); !done)
       return done;

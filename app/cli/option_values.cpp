@@ -75,11 +75,13 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 32> kValues{{
+constexpr std::array<OptionValue, 33> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
     {"--pdf", "FILE", ValueKind::file},
+    {"--html", "FILE", ValueKind::file},
+    {"--vtt", "FILE", ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
     {"SHELL", {}, ValueKind::choice, shell_names},
     {"--from", "FORMAT", ValueKind::choice, formats},

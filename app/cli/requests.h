@@ -84,7 +84,12 @@ Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
 struct LessonRequest {
   std::string file;   ///< or the name of a lesson that comes with the program
   std::string steps;  ///< "2-4", "1,3-5"; empty: all
-  std::string pdf;    ///< of these outputs those that are named are written; none: the steps are listed
+  // Of the outputs those that are named are written; none: the steps are listed.
+  std::string pdf;
+  std::string html;
+  std::string frames;  ///< folder
+  std::string vtt;
+  std::string size = "1280x720";  ///< of frames
   std::string figure_size = "slide";
   std::string scale = "1.25";
   std::string background = "ffffff";

@@ -129,8 +129,7 @@ const render::Image* LessonPrinter::traced(const BackgroundImage& image, std::ve
   return found->second ? &*found->second : nullptr;
 }
 
-Expected<DrawnFigure> LessonPrinter::draw(const LessonScene& scene, const Box2& place,
-                                          std::vector<std::string>& remarks) {
+Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, LessonPage& page) {
   FigureRequest request{.shown = {.layers = scene.layers.visible_layers(),
                                   .styles = {},
                                   .background = look_.background,
@@ -156,11 +155,15 @@ Expected<DrawnFigure> LessonPrinter::draw(const LessonScene& scene, const Box2& 
                 .samples = scene.data.positions,
                 .bounds = bounds,
                 .maps = maps_,
-                .traced = traced(scene.layers.image(), remarks),
+                .traced = traced(scene.layers.image(), page.remarks),
                 .annotations = look_.with_annotations ? mes::place(result->document) : PlacedAnnotations{},
                 .document = result->document});
-  if (drawn) remarks.insert(remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
-  return drawn;
+  if (!drawn) return std::unexpected(drawn.error());
+  page.remarks.insert(page.remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
+  page.document = result->document.digest();
+  page.drawing = std::move(drawn->figure);
+  page.corner = place.low;
+  return {};
 }
 
 figure::Figure LessonPrinter::paper(const CaptionText& caption, std::size_t step,
@@ -192,10 +195,7 @@ Expected<LessonPage> LessonPrinter::page(std::size_t step) {
   if (!scene) return failed(scene.error());
   LessonPage out;
   const Box2 place = lesson_layout(look_.width, look_.height).drawing;
-  auto drawn = draw(*scene, place, out.remarks);
-  if (!drawn) return failed(drawn.error());
-  out.drawing = std::move(drawn->figure);
-  out.corner = place.low;
+  if (auto drawn = draw(*scene, place, out); !drawn) return failed(drawn.error());
   out.caption = caption_text(session_->lesson.steps[step].caption);
   out.name = name_of(out.caption);
   if (out.name.empty()) out.name = fmt::format("Step {}", step + 1);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,6 +59,7 @@ LessonLayout lesson_layout(double width, double height);
 struct LessonPage {
   std::string name;  ///< of the step, on one line; never empty
   CaptionText caption;
+  std::uint64_t document = 0;  ///< digest of what is shown
   figure::Figure drawing;
   Vec2 corner;                       ///< of the drawing
   figure::Figure paper;              ///< the whole page: background, caption, title and number, below the drawing
@@ -85,7 +87,7 @@ class LessonPrinter {
 
  private:
   LessonPrinter(const Session& session, const LessonLook& look, std::shared_ptr<const PaperFonts> fonts);
-  Expected<DrawnFigure> draw(const LessonScene& scene, const Box2& place, std::vector<std::string>& remarks);
+  Expected<void> draw(const LessonScene& scene, const Box2& place, LessonPage& page);
   const render::Image* traced(const BackgroundImage& image, std::vector<std::string>& remarks);
   figure::Figure paper(const CaptionText& caption, std::size_t step, std::vector<std::string>& remarks) const;
 

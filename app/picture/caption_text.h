@@ -50,7 +50,7 @@ CaptionText caption_text(std::string_view markdown);
 /// The letters of a block on one line.
 std::string plain_text(const CaptionBlock& block);
 
-/// What a caption is called where there is one line for it: its first heading, or else the beginning of its first block.
+/// What a caption is called where there is one line for it: its first heading, or else how its first block begins.
 std::string name_of(const CaptionText& text);
 
 /// Lengths are in logical pixels.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/base/carried_session.h"
 #include "render/figure/internal/chains.h"
@@ -19,7 +21,8 @@ constexpr const char* kClip = "page";
 
 class SvgWriter {
  public:
-  explicit SvgWriter(const Figure& figure) : figure_(figure), number_(out_, figure.decimals) {}
+  explicit SvgWriter(const Figure& figure, std::string prefix = {}, bool is_element = false)
+      : figure_(figure), number_(out_, figure.decimals), prefix_(std::move(prefix)), is_element_(is_element) {}
 
   Expected<std::string> write() {
     begin();
@@ -54,15 +57,15 @@ class SvgWriter {
     attribute("height", height);
   }
 
-  static std::string clip_of(const FigureLayer& layer) {
-    return layer.clip ? "part-" + escaped_xml(layer.id) : std::string(kClip);
+  std::string clip_of(const FigureLayer& layer) const {
+    return prefix_ + (layer.clip ? "part-" + escaped_xml(layer.id) : kClip);
   }
 
   void begin() {
     constexpr double kMillimeters = kMillimetersPerInch / kPointsPerInch;
     constexpr int kSizeDecimals = 4;
+    if (!is_element_) out_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out_ +=
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"";
     append_decimal(out_, kMillimeters * figure_.width, kSizeDecimals);
@@ -71,7 +74,7 @@ class SvgWriter {
     out_ += "mm\" viewBox=\"0 0 ";
     number_({figure_.width, figure_.height});
     out_ += "\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<defs><clipPath id=\"";
-    out_ += kClip;
+    out_ += prefix_ + kClip;
     out_ += "\">";
     rectangle({}, figure_.width, figure_.height);
     out_ += "/></clipPath>";
@@ -82,7 +85,7 @@ class SvgWriter {
       out_ += "/></clipPath>";
     }
     out_ += "</defs>\n";
-    if (!figure_.session.empty()) {
+    if (!figure_.session.empty() && !is_element_) {
       const std::string name(kCarriedSession);
       out_ += "<metadata><" + name + " xmlns=\"urn:mesecina:session\">" + base64(figure_.session) + "</" + name +
               "></metadata>\n";
@@ -96,7 +99,7 @@ class SvgWriter {
 
   Expected<void> write(const FigureLayer& layer) {
     out_ += "<g";
-    attribute("id", escaped_xml(layer.id));
+    attribute("id", prefix_ + escaped_xml(layer.id));
     attribute("inkscape:groupmode", std::string("layer"));
     attribute("inkscape:label", escaped_xml(layer.title));
     attribute("clip-path", "url(#" + clip_of(layer) + ')');
@@ -269,7 +272,7 @@ class SvgWriter {
   void legend() {
     const Legend& legend = figure_.legend;
     if (legend.is_empty()) return;
-    out_ += "<g id=\"legend\" inkscape:groupmode=\"layer\" inkscape:label=\"Legend\">\n";
+    out_ += "<g id=\"" + prefix_ + "legend\" inkscape:groupmode=\"layer\" inkscape:label=\"Legend\">\n";
     for (const Box& box : legend.boxes) {
       rectangle(box.corner, box.width, box.height);
       attribute("fill", hex(box.color));
@@ -301,12 +304,18 @@ class SvgWriter {
   const Figure& figure_;
   std::string out_;
   NumberWriter number_;
+  std::string prefix_;  // of ids
+  bool is_element_;
 };
 
 }  // namespace
 
 Expected<std::string> svg_of(const Figure& figure) {
   return SvgWriter(figure).write();
+}
+
+Expected<std::string> svg_element_of(const Figure& figure, std::string_view prefix) {
+  return SvgWriter(figure, std::string(prefix), true).write();
 }
 
 }  // namespace mes::figure

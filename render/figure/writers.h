@@ -24,6 +24,10 @@ namespace mes::figure {
 /// circles or disks share one path.
 Expected<std::string> svg_of(const Figure& figure);
 
+/// The same as an element within HTML, where ids have to differ from those of other figures: they begin with `prefix`,
+/// which consists of letters, digits and hyphens. It carries no session.
+Expected<std::string> svg_element_of(const Figure& figure, std::string_view prefix);
+
 /// PDF 1.5: layers are optional content groups, which viewers switch on and off. Text is in the fonts of the figure, of
 /// which the file carries the letters that occur; without them it is in Helvetica, by name.
 Expected<std::string> pdf_of(const Figure& figure);

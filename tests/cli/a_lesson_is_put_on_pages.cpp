@@ -146,6 +146,60 @@ TEST_CASE("a PDF is not written over the lesson it is made of once that has chan
   CHECK(std::ranges::count(out_of({"lesson", file}), '\n') == 8);
 }
 
+TEST_CASE("a lesson is one file for a browser, with nothing from elsewhere and nothing that is not escaped") {
+  const std::string html = out_of({"lesson", "crust", "--html", "-"});
+  const auto count = [&](std::string_view part) {
+    std::size_t out = 0;
+    for (std::size_t at = html.find(part); at != std::string::npos; at = html.find(part, at + 1)) ++out;
+    return out;
+  };
+  CHECK(html.starts_with("<!DOCTYPE html>"));
+  CHECK(count("<svg ") == 8);
+  CHECK(count("<section ") == 8);
+  CHECK(count("<script>") == 1);
+  CHECK(count(" src=") == 0);
+  CHECK(count("default-src 'none'") == 1);
+  CHECK(count("<h2>Who is nearest</h2>") == 1);
+  std::vector<std::string> ids;
+  constexpr std::string_view kId = " id=\"";
+  for (std::size_t at = html.find(kId); at != std::string::npos; at = html.find(kId, at + 1))
+    ids.push_back(html.substr(at + kId.size(), html.find('"', at + kId.size()) - at - kId.size()));
+  const std::size_t all = ids.size();
+  std::ranges::sort(ids);
+  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  CHECK(ids.size() == all);
+  const std::string evil = R"([{"caption":"# </section><script>alert(1)</script>\n\n\"'&"}])";
+  const std::string escaped = out_of({"lesson", "-", "--html", "-"}, {.input = with_steps(evil)});
+  CHECK_THAT(escaped, !Catch::Contains("alert(1)</script>") &&
+                          Catch::Contains("&lt;/section&gt;&lt;script&gt;alert(1)") &&
+                          Catch::Contains("&quot;&#39;&amp;"));
+  require_refused({"lesson", "crust", "--html", "-", "--pdf", "-"}, 2, "two outputs are named");
+}
+
+TEST_CASE("a lesson is a picture a step, and captions with their times") {
+  const TemporaryFolder folder;
+  const std::string frames = folder / "frames";
+  out_of({"lesson", "crust", "--steps", "6-8", "--frames", frames, "--size", "321x180"});
+  const auto manifest = nlohmann::json::parse(contents_of(frames + "/manifest.json"));
+  REQUIRE(manifest["frames"].size() == 3);
+  CHECK(manifest["complete"] == true);
+  CHECK(manifest["frames"][0]["interaction"] == "Crust or skeleton");
+  // Samples are deleted, and that is undone.
+  CHECK(manifest["frames"][0]["document"] != manifest["frames"][1]["document"]);
+  CHECK(manifest["frames"][0]["document"] == manifest["frames"][2]["document"]);
+  const std::string png = contents_of(frames + "/00003.png");
+  REQUIRE(png.size() > 24);
+  CHECK(png.substr(16, 8) == std::string("\0\0\x01\x41\0\0\0\xb4", 8));
+  CHECK_FALSE(std::filesystem::exists(frames + "/00004.png"));
+  require_refused({"lesson", "crust", "--frames", frames}, 4, "there are frames already");
+  for (const char* size : {"0x1", "x", "1000x100"})
+    require_refused({"lesson", "crust", "--frames", frames, "--size", size}, 2, "--size");
+  const std::string steps = R"([{"caption":"# A < B\n\n- c --> d","seconds":2.5},{"seconds":3600},{"caption":"e"}])";
+  CHECK(out_of({"lesson", "-", "--vtt", "-"}, {.input = with_steps(steps)}) ==
+        "WEBVTT\n\n1\n00:00:00.000 --> 00:00:02.500\n<b>A &lt; B</b>\n- c --&gt; d\n"
+        "\n3\n00:10:02.500 --> 00:10:06.500\ne\n");
+}
+
 TEST_CASE("the lessons are those that the script makes") {
   if (run({"--version"}, {.program = "python3"}).exit_code != 0) {
     WARN("python3 is not installed");

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The captions of a lesson with the times of its video.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "core/document/lesson.h"
+
+namespace mes {
+
+/// WebVTT (W3C Candidate Recommendation, 2019): a cue a step that has words, each block of its caption on a line, the
+/// steps one after the other from time 0.
+std::string web_vtt_of(const Lesson& lesson, std::span<const std::size_t> steps);
+
+}  // namespace mes
