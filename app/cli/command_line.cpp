@@ -138,12 +138,19 @@ void add_explanations(CLI::App& command, Request& to) {
                    "Leave out text, arrows and dimensions that a session holds");
 }
 
+void add_title(CLI::App& command, std::string& title) {
+  command.add_option("--title", title,
+                     "Words above the drawing, with as much LaTeX as annotations have:\n"
+                     "\"Crust of $\\varepsilon$-samples\"");
+}
+
 void add_film(CLI::App& command, FilmRequest& film) {
   command.add_option("--frames", film.frames, "Folder for the pictures 00001.png ... and manifest.json");
   command.add_option("--video", film.video, "A video, .mp4 or .webm; needs ffmpeg");
   command.add_option("--size", film.size, "Width and height in pixels, WxH")->capture_default_str();
   command.add_option("--fps", film.fps, "Pictures a second, 1 to 120")->capture_default_str();
   add_explanations(command, film);
+  add_title(command, film.title);
   command.add_option("--shard", film.shard,
                      "I/N: only every Nth picture, beginning with the Ith, under the same names");
 }
@@ -252,6 +259,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                      "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"
                      "without them it is laid into the box around the samples");
   add_explanations(*render, to.render);
+  add_title(*render, to.render.title);
   render->add_flag("!--no-source", to.render.with_source,
                    "Leave out of the picture what it is of: without this PNG, SVG, PDF and\n"
                    "Ipe files hold samples, view and layers, and can be given as FILE");

@@ -14,6 +14,7 @@
 #include "app/picture/canvas_look.h"
 #include "app/picture/picture_overlay.h"
 #include "app/picture/sample_texts.h"
+#include "app/picture/title_drawing.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
 #include "app/store/background_loader.h"
@@ -45,6 +46,7 @@ struct Film {
   LegendScope legend = LegendScope::color_maps;
   ScaleMarks marks{};
   bool with_annotations = true;
+  std::string title;
 };
 
 Expected<Shard> parse_shard(const std::string& text) {
@@ -70,6 +72,7 @@ Expected<Film> understand(const FilmRequest& request) {
   film.legend = legend_scope(request.with_legend, request.with_key);
   film.marks = request.marks;
   film.with_annotations = request.with_annotations;
+  film.title = request.title;
   const auto shard = parse_shard(request.shard);
   if (!shard) return std::unexpected(shard.error());
   film.shard = *shard;
@@ -103,12 +106,18 @@ std::uint64_t frames_of(const PlayStep& step, double fps) {
 
 class Studio {
  public:
-  Studio(render::GlDevice& device, const Film& film) : device_(device), scene_(device), film_(film) {
+  Studio(render::GlDevice& device, const Film& film)
+      : device_(device), scene_(device), film_(film), scale_(std::max(1.0, film.size.height / kReference)) {
     scene_.set_color_maps(load_color_maps(find_assets({}), user_color_map_folder()).maps);
     if (auto fonts = PaperFonts::read(find_assets({})))
       fonts_ = std::make_shared<const PaperFonts>(std::move(*fonts));
     else
-      say("captions, annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
+      say("captions, title, annotations, numbers, legend, scale bar and axes are left out: " +
+          fonts.error().message());
+    if (fonts_)
+      title_ = layout_title(film.title, film.size.width / scale_, film.size.height / scale_,
+                            measure_with(*fonts_, scale_), kWhiteCanvas);
+    if (!title_.complaint.empty()) say("the title: " + title_.complaint);
   }
 
   void apply(const FramePatch& patch) { scene_.apply(patch); }
@@ -118,28 +127,26 @@ class Studio {
     PictureOverlay overlay;
   };
   Expected<Shot> draw(const Player& player) {
-    constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
-    const double scale = std::max(1.0, film_.size.height / kReference);
-    render::Camera camera;
-    camera.set_viewport(film_.size.width, film_.size.height);
-    if (player.view().is_empty())
-      camera.fit(player.document().bounding_box(), 0.06 * film_.size.height);
-    else
-      camera.fit(player.view(), 0.0);
+    const auto& [width, height] = film_.size;
+    const int band = static_cast<int>(std::ceil(scale_ * title_.drawing.height));
+    const render::Camera camera =
+        player.view().is_empty()
+            ? camera_below(band, width, height, player.document().bounding_box(), 0.06 * (height - band))
+            : camera_below(band, width, height, player.view(), 0.0);
     const LayerStack& layers = player.layers();
     follow_picture(layers.image());
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-    add_texts(views, {player.document()}, {camera.visible(), camera.units_per_pixel() * scale},
+    add_texts(views, {player.document()}, {camera.visible(), camera.units_per_pixel() * scale_},
               fonts_ ? &fonts_->plain : nullptr);
     auto image =
-        render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale});
+        render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
     if (!image) return std::unexpected(image.error());
     PlacedAnnotations annotations;
     if (film_.with_annotations) annotations = place(player.document());
     return Shot{std::move(*image), picture_overlay_of({legend_of(scene_, views, film_.legend), player.caption(),
-                                                       film_.marks, annotations},
-                                                      fonts_, {camera, scale, kWhiteCanvas})};
+                                                       film_.marks, annotations, title_.drawing},
+                                                      fonts_, {camera, scale_, kWhiteCanvas})};
   }
 
  private:
@@ -159,9 +166,13 @@ class Studio {
     scene_.place_picture({image.center, image.width});
   }
 
+  static constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
+
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
+  double scale_;              // pixels per logical pixel
+  PictureTitle title_;        // the same in all pictures
   std::string picture_file_;  // in the scene, or not readable
   std::shared_ptr<const PaperFonts> fonts_;
 };

@@ -19,6 +19,7 @@ struct FilmRequest {
   bool with_key = false;
   ScaleMarks marks{};
   bool with_annotations = true;
+  std::string title;  ///< above the drawing; empty: none
   std::string shard;  ///< "3/16": every 16th frame beginning with the 3rd; empty: all
 };
 

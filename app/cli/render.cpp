@@ -122,8 +122,10 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
       return draw_panes(*picture, request, comparison, *result, canvas ? &*canvas : nullptr, mirror, source,
                         std::move(session));
     if (canvas) {
+      const TitleBand title = title_of(request, picture->size, picture->shown);
       const auto image = draw_pixels(picture->shown, {}, *canvas,
-                                     camera_for(picture->size, seen_by(*picture, bounds, mirror)), source, request);
+                                     camera_for(picture->size, seen_by(*picture, bounds, mirror), title.pixels),
+                                     source, request, title.drawing);
       if (!image) return std::unexpected(image.error());
       return encoded(*image, session);
     }

@@ -11,6 +11,7 @@
 
 #include "app/cli/messages.h"
 #include "app/export/page_size.h"
+#include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 
 namespace mes::cli {
@@ -45,9 +46,11 @@ struct DrawnPanes {
   Seen seen;
 };
 
-/// What one pane shows beside the drawing: a scale bar, and a legend that is the same in all, stand in the first only.
+/// What one pane shows beside the drawing. The title stands above all of them; a scale bar, and a legend that is the
+/// same in all, stand in the first only.
 RenderRequest request_for(const DrawnPanes& panes, std::size_t pane) {
   RenderRequest out = panes.request;
+  out.title.clear();
   if (pane == 0) return out;
   out.marks.bar = false;
   const auto plain = [](const Pane& of) {
@@ -79,7 +82,9 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
   constexpr int kLeastSide = 16;
   const auto& [width, height] = panes.picture.size;
   const double scale = panes.picture.shown.scale;
-  const PaneGrid grid = lay_out(panes.comparison.panes.size(), width, height, proportions_of(panes.seen), scale);
+  const TitleBand title = title_of(panes.request, panes.picture.size, panes.picture.shown);
+  const PaneGrid grid =
+      lay_out(panes.comparison.panes.size(), width, height - title.pixels, proportions_of(panes.seen), scale);
   const PictureSize size{static_cast<int>(grid.pane_width), static_cast<int>(grid.pane_height)};
   if (size.width < kLeastSide || size.height < kLeastSide) return no_room_for(panes.comparison.panes.size());
   const auto fonts = PaperFonts::read(find_assets({}));
@@ -88,17 +93,18 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
   for (std::size_t i = 0; i < panes.comparison.panes.size(); ++i) {
     const Pane& pane = panes.comparison.panes[i];
     const auto part = draw_pixels(pane.shown, pane.marks, canvas, camera_for(size, panes.seen), panes.sources[i],
-                                  request_for(panes, i));
+                                  request_for(panes, i), {});
     if (!part) return part;
     const Vec2 corner = grid.corner(i);
-    paste(*part, image, static_cast<int>(corner.x), static_cast<int>(corner.y));
+    paste(*part, image, static_cast<int>(corner.x), title.pixels + static_cast<int>(corner.y));
   }
   PaneGrid logical = grid;
   for (double* const length : {&logical.pane_width, &logical.pane_height, &logical.gap, &logical.band})
     *length /= scale;
   paint(image, *fonts,
         layout_pane_labels(panes.comparison, logical, measure_with(*fonts, scale), panes.picture.shown.background),
-        {0.0, 0.0}, scale);
+        {0.0, title.pixels}, scale);
+  paint(image, *fonts, title.drawing, {0.0, 0.0}, scale);
   return image;
 }
 
@@ -121,15 +127,22 @@ PageSize page_for(const PictureRequest& picture, std::size_t panes, double propo
 
 Expected<DrawnFigure> draw_panes_in_vectors(const DrawnPanes& panes) {
   constexpr double kLeastSide = 12.0;
-  const double unit = panes.picture.shown.scale * figure::kPointsPerPixel;
+  const double scale = panes.picture.shown.scale;
+  const double unit = scale * figure::kPointsPerPixel;
+  const bool is_height_free = panes.picture.page && !panes.picture.page->height;
   const std::size_t count = panes.comparison.panes.size();
   const double proportions = proportions_of(panes.seen);
-  const PageSize page = page_for(panes.picture, count, proportions, unit);
-  const PaneGrid grid = lay_out(count, page.width, *page.height, proportions, unit);
-  if (grid.pane_width < kLeastSide || grid.pane_height < kLeastSide) return no_room_for(count);
   auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) return std::unexpected(fonts.error());
   DrawnFigure out;
+  PageSize page = page_for(panes.picture, count, proportions, unit);
+  const PictureTitle title = layout_title(panes.request.title, page.width / unit, *page.height / unit,
+                                          measure_with(*fonts, scale), panes.picture.shown.background);
+  if (!title.complaint.empty()) out.remarks.push_back("the title: " + title.complaint);
+  const double band = figure::kPointsPerPixel * std::ceil(scale * title.drawing.height);
+  if (is_height_free) *page.height += band;
+  const PaneGrid grid = lay_out(count, page.width, *page.height - band, proportions, unit);
+  if (grid.pane_width < kLeastSide || grid.pane_height < kLeastSide) return no_room_for(count);
   out.figure.width = page.width;
   out.figure.height = *page.height;
   out.figure.background = panes.picture.shown.background;
@@ -148,18 +161,18 @@ Expected<DrawnFigure> draw_panes_in_vectors(const DrawnPanes& panes) {
     request.marks_above = pane.marks;
     auto drawn = draw_figure(request, panes.sources[i]);
     if (!drawn) return drawn;
-    figure::place(out.figure, std::move(drawn->figure), grid.corner(i), "pane-" + pane.letter + '-',
+    figure::place(out.figure, std::move(drawn->figure), grid.corner(i) + Vec2{0.0, band}, "pane-" + pane.letter + '-',
                   '(' + pane.letter + ") ");
     out.remarks.insert(out.remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
   }
   PaneGrid logical = grid;
   for (double* const length : {&logical.pane_width, &logical.pane_height, &logical.gap, &logical.band})
     *length /= unit;
-  const double scale = panes.picture.shown.scale;
   add_layer(
       out.figure, *fonts,
       layout_pane_labels(panes.comparison, logical, measure_with(*fonts, scale), panes.picture.shown.background),
-      {0.0, 0.0}, scale, {.id = "panes", .title = "Panes", .line_width = kPaneFrame * unit});
+      {0.0, band}, scale, {.id = "panes", .title = "Panes", .line_width = kPaneFrame * unit});
+  if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, scale);
   return out;
 }
 

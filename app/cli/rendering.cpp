@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/picture/legend.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
+#include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "render/offscreen.h"
 #include "render/png.h"
@@ -21,10 +23,10 @@ namespace {
 /// Above everything else, once the picture is there.
 void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
                const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request,
-               const PlacedAnnotations& annotations, const PaperFonts* fonts) {
+               const PlacedAnnotations& annotations, const PaperDrawing& title, const PaperFonts* fonts) {
   const std::vector<LegendEntry> entries =
       legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
-  if (fonts == nullptr || (entries.empty() && request.marks.is_empty() && annotations.is_empty())) return;
+  if (fonts == nullptr) return;
   const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
                                                          measure_with(*fonts, shown.scale), shown.background);
   for (const std::string& complaint : annotated.complaints) say(complaint);
@@ -34,6 +36,7 @@ void add_paper(render::Image& image, const render::Scene& scene, std::span<const
           layout_scale_marks(request.marks, seen_plane(camera, shown.scale), measure_with(*fonts, shown.scale),
                              shown.background),
           {0.0, 0.0}, shown.scale);
+  paint(image, *fonts, title, {0.0, 0.0}, shown.scale);
   if (!entries.empty())
     draw_legend(image, *fonts,
                 layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background),
@@ -73,16 +76,28 @@ Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirr
   return {fit_box(samples, mirror, picture.shown.layers), kFitMargin};
 }
 
-render::Camera camera_for(const PictureSize& size, const Seen& seen) {
-  render::Camera camera;
-  camera.set_viewport(size.width, size.height);
-  camera.fit(seen.box, seen.margin * std::min(size.width, size.height));
-  return camera;
+render::Camera camera_for(const PictureSize& size, const Seen& seen, int band) {
+  return camera_below(band, size.width, size.height, seen.box,
+                      seen.margin * std::min(size.width, size.height - band));
+}
+
+TitleBand title_of(const RenderRequest& request, const PictureSize& size, const ShownLayers& shown) {
+  if (request.title.empty()) return {};
+  const auto fonts = PaperFonts::read(find_assets({}));
+  if (!fonts) {
+    say("the title is left out: " + fonts.error().message());
+    return {};
+  }
+  PictureTitle title = layout_title(request.title, size.width / shown.scale, size.height / shown.scale,
+                                    measure_with(*fonts, shown.scale), shown.background);
+  if (!title.complaint.empty()) say("the title: " + title.complaint);
+  const int pixels = static_cast<int>(std::ceil(shown.scale * title.drawing.height));
+  return {std::move(title.drawing), pixels};
 }
 
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
-                                    const RenderRequest& request) {
+                                    const RenderRequest& request, const PaperDrawing& title) {
   std::vector<render::LayerView> views = views_of(shown, camera.units_per_pixel(), source.samples);
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) say("annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
@@ -93,7 +108,8 @@ Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const re
   auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
                              {.background = shown.background, .content_scale = shown.scale});
   if (image)
-    add_paper(*image, canvas.scene, views, camera, shown, request, source.annotations, fonts ? &*fonts : nullptr);
+    add_paper(*image, canvas.scene, views, camera, shown, request, source.annotations, title,
+              fonts ? &*fonts : nullptr);
   return image;
 }
 
@@ -111,6 +127,7 @@ FigureRequest figure_request(const PictureRequest& picture, const RenderRequest&
                         .is_tight = picture.is_tight,
                         .legend = legend_scope(wanted.with_legend, wanted.with_key),
                         .marks = wanted.marks,
+                        .title = wanted.title,
                         .image = picture.image,
                         .rasterized = picture.rasterized,
                         .dots_per_inch = picture.dots_per_inch};

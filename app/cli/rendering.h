@@ -12,6 +12,7 @@
 #include "app/cli/requests.h"
 #include "app/export/figure.h"
 #include "app/export/shown_layers.h"
+#include "app/picture/paper_drawing.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/draw/layer_mirror.h"
@@ -29,7 +30,16 @@ struct Seen {
   double margin = 0.0;
 };
 Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror);
-render::Camera camera_for(const PictureSize& size, const Seen& seen);
+/// Below a band of so many pixels at the upper edge.
+render::Camera camera_for(const PictureSize& size, const Seen& seen, int band = 0);
+
+/// The title of a picture in pixels, and the height of its band in pixels.
+struct TitleBand {
+  PaperDrawing drawing;
+  int pixels = 0;
+};
+/// Says what is not understood in its words.
+TitleBand title_of(const RenderRequest& request, const PictureSize& size, const ShownLayers& shown);
 
 /// What a picture in pixels is drawn with.
 struct Canvas {
@@ -39,10 +49,10 @@ struct Canvas {
   explicit Canvas(render::EglContext made) : context(std::move(made)) {}
 };
 
-/// A picture in pixels. `marks` lie above the layers, and are in no legend.
+/// A picture in pixels. `marks` lie above the layers, and are in no legend; the title lies above everything.
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
-                                    const RenderRequest& request);
+                                    const RenderRequest& request, const PaperDrawing& title);
 
 /// The bytes of a PNG file that carries a session, if it is not empty.
 Expected<std::string> encoded(const render::Image& image, std::string_view session);

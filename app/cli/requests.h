@@ -63,6 +63,7 @@ struct RenderRequest {
   bool with_key = false;
   ScaleMarks marks{};
   bool with_annotations = true;
+  std::string title;        ///< above the drawing; empty: none
   bool with_source = true;  ///< the picture carries samples, view and layers
   std::string format;       ///< as an extension without its dot; empty: as the name of the output says
   std::string output;

@@ -8,6 +8,7 @@
 #include "app/picture/figure_legend.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
+#include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/variant.h"
@@ -38,6 +39,15 @@ double natural_height(const FittedBox& shown, double width) {
   const double both = 2.0 * shown.margin;
   // The margin is a part of the shorter side, which is the height if the ratio is below 1.
   return ratio < 1.0 ? ratio * width / (1.0 - both + both * ratio) : (1.0 - both) * width * ratio + both * width;
+}
+
+/// What is left of the request below a band of so many points. A page whose height follows from what it shows has all
+/// that it had.
+FigureRequest below(FigureRequest request, double band) {
+  if (request.page && request.page->height) *request.page->height -= band;
+  if (!request.page && !std::holds_alternative<figure::Page>(request.part))
+    request.pixels[1] -= static_cast<int>(std::lround(band / figure::kPointsPerPixel));
+  return request;
 }
 
 /// All of the natural page on one of another size, in its middle.
@@ -71,6 +81,18 @@ figure::Page page_for(const FigureRequest& request, const FigureSource& source) 
   return page;
 }
 
+/// On a page of this size, which has no band yet.
+PictureTitle title_on(const figure::Page& page, const FigureRequest& request, const PaperFonts& fonts) {
+  const double points = request.shown.scale * figure::kPointsPerPixel;
+  return layout_title(request.title, page.width / points, page.height / points,
+                      measure_with(fonts, request.shown.scale), request.shown.background);
+}
+
+/// The height of the band that it takes, in whole pixels of 1/96 inch, as points.
+double band_of(const PictureTitle& title, const FigureRequest& request) {
+  return figure::kPointsPerPixel * std::ceil(request.shown.scale * title.drawing.height);
+}
+
 void add_scale_marks(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
                      const PaperFonts& fonts) {
   const double scale = request.shown.scale;
@@ -87,7 +109,8 @@ bool has_texts(std::span<const LayerIndex> layers) {
 /// The part of the plane on the page.
 Box2 plane_on(const figure::Page& page) {
   const Vec2 half = 0.5 * page.units_per_point * Vec2{page.width, page.height};
-  return {page.center - half, page.center + half};
+  const Vec2 center = page.center + page.center_low;
+  return {center - half, center + half};
 }
 
 /// As a layer of its own, above all others. Returns what there is to say of them.
@@ -132,13 +155,18 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   const bool is_numbered = has_texts(request.shown.layers);
   std::optional<PaperFonts> fonts;
   DrawnFigure out;
-  if (is_annotated || is_explained || is_numbered || !request.marks.is_empty()) {
+  if (is_annotated || is_explained || is_numbered || !request.title.empty() || !request.marks.is_empty()) {
     if (auto read = PaperFonts::read(find_assets({})))
       fonts = std::move(*read);
     else
-      out.remarks.push_back("annotations, numbers, legend, scale bar and axes are left out: " +
+      out.remarks.push_back("title, annotations, numbers, legend, scale bar and axes are left out: " +
                             read.error().message());
   }
+  PictureTitle title;
+  if (fonts) title = title_on(page, request, *fonts);
+  if (!title.complaint.empty()) out.remarks.push_back("the title: " + title.complaint);
+  if (const double band = band_of(title, request); band > 0.0 && !request.is_tight)
+    page = with_band(page_for(below(request, band), source), band);
   std::vector<std::string> complaints;
   const auto drawn_on_page = [&] {
     const double units_per_px = page.units_per_point * figure::kPointsPerPixel * request.shown.scale;
@@ -157,14 +185,17 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
     const Box2 ink = figure::ink_box(out.figure);
     if (!ink.is_empty() && ink.width() > 0.0 && ink.height() > 0.0) {
       page = figure::part_of(page, ink);
-      out.figure = drawn_on_page();
+      if (fonts) title = title_on(page, request, *fonts);
     }
+    page = with_band(page, band_of(title, request));
+    out.figure = drawn_on_page();
   }
   if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
     return std::unexpected(good.error());
   out.remarks.insert(out.remarks.end(), complaints.begin(), complaints.end());
   if (!fonts) return out;
   if (!request.marks.is_empty()) add_scale_marks(out.figure, page, request, *fonts);
+  if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
   if (is_explained) add_legend(out.figure, explained, request.legend, *fonts);
   return out;
 }

@@ -38,6 +38,7 @@ struct FigureRequest {
   bool is_tight = false;         ///< the page is cut to what is drawn
   LegendScope legend = LegendScope::color_maps;
   ScaleMarks marks{};
+  std::string title{};  ///< as `rich_text` has it, in a band above the drawing; empty: none
   bool with_annotations = true;
   std::vector<render::LayerView> marks_above{};  ///< what other panes lack, above the layers; in no legend
   BackgroundImage image{};                       ///< the place of the picture to trace

@@ -39,6 +39,7 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.is_tight = settings.extent == FigureExtent::ink;
   out.legend = legend_scope(settings.with_legend, settings.with_key);
   out.marks = settings.marks;
+  out.title = settings.title;
   out.with_annotations = settings.with_annotations;
   out.shown.background = paper_of(settings.paper, subject.shown.background);
   out.shown.scale =

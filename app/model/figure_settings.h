@@ -35,6 +35,7 @@ struct FigureSettings {
   bool with_legend = true;
   bool with_key = false;  ///< of all layers
   ScaleMarks marks{};
+  std::string title{};  ///< above the drawing, as annotations are written; of this run of the program alone
   bool with_annotations = true;
   bool with_source = true;       ///< the file carries the document, where the format can
   double dots_per_inch = 300.0;  ///< of layers that become pictures

@@ -12,6 +12,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
+#include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
@@ -190,6 +191,12 @@ void FigureDialog::draw_look(const Gui& gui) const {
            {.format = "%.2f", .is_logarithmic = true, .width = 150 * gui.unit()});
     tooltip(gui, "Factor for the widths of lines and the sizes of points");
   }
+  title(gui, "Title");
+  ImGui::SetNextItemWidth(-1.0F);
+  ImGui::InputTextWithHint("##title", "Words above the drawing", &settings.title);
+  tooltip(
+      gui,
+      "Text and a little LaTeX, as in annotations: $x_i^2 \\le \\varepsilon$, \\textbf{...}, \\\\ for a new line");
   title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "In the corner where it hides least");

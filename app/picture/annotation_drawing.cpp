@@ -14,7 +14,6 @@ namespace mes {
 namespace {
 
 constexpr double kLineHeight = 1.35;
-constexpr double kAscent = 0.8;
 constexpr double kHead = 9.0;
 constexpr double kHeadHalf = 3.2;
 // Between a line and the element it leads to, which stays visible.
@@ -130,30 +129,18 @@ class Layout {
   void words_from(Vec2 start) {
     const double letters = annotation_->letters;
     if (text_.lines.empty()) return;
-    const Vec2 corner = start - Vec2{0.0, kAscent * letters};
+    const Vec2 corner = start - Vec2{0.0, kPaperAscent * letters};
     words_box_.add(corner);
     words_box_.add(corner + Vec2{words_width(), words_height()});
     if (!contains(corner)) return;
-    double baseline = start.y;
     for (const RichLine& line : text_.lines) {
-      bool is_first = true;
-      for (const RichPiece& piece : line.pieces) {
-        out_.drawing.lines.push_back({.x = start.x + piece.x,
-                                      .top = baseline - piece.raise - kAscent * piece.size,
-                                      .size = piece.size,
-                                      .face = piece.face,
-                                      .color = color_,
-                                      .text = piece.text,
-                                      .latex = is_first ? line.latex : std::string(),
-                                      .continues = !is_first});
-        is_first = false;
-      }
-      baseline += kLineHeight * letters;
+      add_pieces(line, start, color_, out_.drawing.lines);
+      start.y += kLineHeight * letters;
     }
   }
   /// With their middle at `center`.
   void words_around(Vec2 center) {
-    words_from(center + Vec2{-0.5 * words_width(), kAscent * annotation_->letters - 0.5 * words_height()});
+    words_from(center + Vec2{-0.5 * words_width(), kPaperAscent * annotation_->letters - 0.5 * words_height()});
   }
   /// Such that they touch `at` and lie on its side towards `direction`.
   void words_towards(Vec2 at, Vec2 direction) {

@@ -17,9 +17,6 @@ namespace {
 constexpr PaperColors kOnLight{{0xff, 0xff, 0xff}, {0xd0, 0xd4, 0xd9}, {0x1f, 0x23, 0x28}, {0x5b, 0x64, 0x6e}};
 constexpr PaperColors kOnDark{{0x24, 0x28, 0x2d}, {0x5a, 0x63, 0x6d}, {0xf2, 0xf4, 0xf6}, {0xb4, 0xbc, 0xc4}};
 
-// From the top of a line to its baseline.
-constexpr double kAscent = 0.8;
-
 const render::Font& font_of(const PaperFonts& fonts, Face face) {
   return fonts.of(face == Face::bold, face == Face::italic);
 }
@@ -29,7 +26,7 @@ figure::Text figure_text(const PaperFonts& fonts, const PaperDrawing::Line& line
   const double points = scale * figure::kPointsPerPixel;
   const double width =
       render::text_width(font_of(fonts, line.face), scale * line.size, line.text) * figure::kPointsPerPixel;
-  return {.start = corner + points * Vec2{line.x, line.top + kAscent * line.size},
+  return {.start = corner + points * Vec2{line.x, line.top + kPaperAscent * line.size},
           .size = points * line.size,
           .width = width,
           .is_bold = line.face == Face::bold,
@@ -171,7 +168,7 @@ void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& dr
     render::fill_disk(image, center.x, center.y, scale * dot.radius, dot.color);
   }
   for (const PaperDrawing::Line& line : drawing.lines) {
-    const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kAscent * line.size, 1.0));
+    const glm::dvec2 from(place_of * glm::dvec3(line.x, line.top + kPaperAscent * line.size, 1.0));
     render::draw_text(image, font_of(fonts, line.face), scale * line.size, from.x, from.y, line.color, line.text);
   }
 }

@@ -86,6 +86,9 @@ struct PaperDrawing {
   }
 };
 
+/// From the top of a line to its baseline, as a part of its size.
+inline constexpr double kPaperAscent = 0.8;
+
 /// The colours of what explains a picture.
 struct PaperColors {
   Rgb paper;
@@ -122,8 +125,8 @@ void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& dr
 /// Puts the texts of the figure into these fonts.
 void set_fonts(figure::Figure& figure, const PaperFonts& fonts);
 
-/// Adds it to the legend of the figure, which lies above the layers, and sets the fonts: boxes, dots and text. `corner` in points on the page, `scale` in units of 1/96 inch per logical
-/// pixel.
+/// Adds it to the legend of the figure, which lies above the layers, and sets the fonts: boxes, dots and text.
+/// `corner` in points on the page, `scale` in units of 1/96 inch per logical pixel.
 void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner, double scale);
 
 /// The same as a layer of the figure, above those it has: all but boxes.

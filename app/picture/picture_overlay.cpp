@@ -45,6 +45,7 @@ void PictureOverlay::paint(render::Image& image) const {
   const double axes = has_axes ? marks_scale * kAxisRoom : 0.0;
   if (!annotations.is_empty()) mes::paint(image, *fonts, annotations, {0.0, 0.0}, marks_scale);
   if (!marks.is_empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
+  if (!title.is_empty()) mes::paint(image, *fonts, title, {0.0, 0.0}, marks_scale);
   if (!legend.drawing.boxes.empty()) draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band + axes);
   if (!caption.empty()) draw_caption(image, fonts->bold, caption, size, background);
 }
@@ -57,6 +58,7 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
                      .marks = {},
                      .marks_scale = target.scale,
                      .has_axes = content.marks.axes,
+                     .title = std::move(content.title),
                      .caption = std::move(content.caption),
                      .background = target.background};
   if (!out.fonts) return out;

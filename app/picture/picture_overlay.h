@@ -32,11 +32,13 @@ struct PictureOverlay {
   PaperDrawing marks;  ///< scale bar, axes and grid
   double marks_scale = 1.0;
   bool has_axes = false;
+  PaperDrawing title{};
   std::string caption;
   std::optional<Rgb> background;  ///< none: transparent
 
   bool is_empty() const {
-    return !fonts || (legend.drawing.is_empty() && annotations.is_empty() && marks.is_empty() && caption.empty());
+    return !fonts || (legend.drawing.is_empty() && annotations.is_empty() && marks.is_empty() && title.is_empty() &&
+                      caption.empty());
   }
   void paint(render::Image& image) const;
 };
@@ -54,6 +56,7 @@ struct OverlayContent {
   std::string caption;
   ScaleMarks marks{};
   PlacedAnnotations annotations{};
+  PaperDrawing title{};  ///< of `layout_title`
 };
 
 /// Without fonts the overlay is empty.

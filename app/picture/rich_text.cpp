@@ -415,4 +415,19 @@ RichText rich_text(std::string_view words, std::string_view value, double letter
   return out;
 }
 
+void add_pieces(const RichLine& line, Vec2 start, Rgb color, std::vector<PaperDrawing::Line>& to) {
+  bool is_first = true;
+  for (const RichPiece& piece : line.pieces) {
+    to.push_back({.x = start.x + piece.x,
+                  .top = start.y - piece.raise - kPaperAscent * piece.size,
+                  .size = piece.size,
+                  .face = piece.face,
+                  .color = color,
+                  .text = piece.text,
+                  .latex = is_first ? line.latex : std::string(),
+                  .continues = !is_first});
+    is_first = false;
+  }
+}
+
 }  // namespace mes

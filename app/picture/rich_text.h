@@ -52,6 +52,9 @@ RichText rich_text(std::string_view words, std::string_view value, double letter
 /// With a question mark for each byte that is not UTF-8, and a space for control characters other than new lines.
 std::string readable_text(std::string_view text);
 
+/// The letters of a line whose baseline begins at `start`.
+void add_pieces(const RichLine& line, Vec2 start, Rgb color, std::vector<PaperDrawing::Line>& to);
+
 /// A command and the sign it stands for.
 struct RichSign {
   std::string_view command;  ///< without the backslash

@@ -85,6 +85,8 @@ TEST_CASE("a film shows annotations at each step, and what else explains it wher
   CHECK(shown[4] == shown[0]);
   const std::vector<Image> explained = film("explained", {"--axes", "--grid", "--scale-bar", "--key"});
   for (std::size_t i = 0; i < shown.size(); ++i) CHECK(explained[i] != shown[i]);
+  const std::vector<Image> titled = film("titled", {"--title", "Four samples"});
+  for (std::size_t i = 0; i < shown.size(); ++i) CHECK(titled[i] != shown[i]);
 }
 
 TEST_CASE("films that make no sense are refused before any work") {

@@ -96,6 +96,7 @@ const std::vector<Case>& cases() {
        0.012},
       {"scale", {kBean, "--scale-bar", "--axes", "--grid"}, 0.004},
       {"key", {kBean, "--key", "--layers", "interior-voronoi-disks,interior-voronoi-circles,curve,points"}, 0.006},
+      {"title", {kBean, "--title", "Beans of $r_i^2 \\le \\varepsilon$\\\\\\textbf{second} line", "--key"}, 0.006},
       {"numbers",
        {kDude, "--layers", "curve,points,indices", "--set-style", "indices:color=D55E00,opacity=0.6,point-size=16"},
        0.004},

@@ -88,6 +88,30 @@ TEST_CASE("a pane has the pixels of the picture that it would be alone") {
   }
 }
 
+TEST_CASE("a title stands once, above all panes") {
+  const TemporaryFolder folder;
+  constexpr int kBand = 38;  // of one line
+  const std::vector<std::string> common{kDude,         "--layers",  "points,curve",  "--view",
+                                        "0,0,800,700", "--compare", "p-scale=1,1.2", "--no-source"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return more;
+  };
+  const std::string plain = (folder / "plain.png").string();
+  const std::string titled = (folder / "titled.png").string();
+  const std::string vector = (folder / "titled.svg").string();
+  drawn(with({"--size", "616x300", "-o", plain}));
+  drawn(with({"--title", "Above", "--size", "616x" + std::to_string(300 + kBand), "-o", titled}));
+  drawn(with({"--title", "Above", "--size", "616x" + std::to_string(300 + kBand), "-o", vector}));
+  const Image whole = read_png(titled);
+  CHECK(part_of(whole, 0, kBand, 616, 300) == read_png(plain));
+  const Image band = part_of(whole, 0, 0, 616, kBand - 1);
+  CHECK(std::ranges::any_of(band.rgba, [](std::uint8_t byte) { return byte < 0x80; }));
+  const std::string svg = contents_of(vector);
+  CHECK(occurrences(svg, ">Above</text>") == 1);
+  CHECK(occurrences(svg, "<rect y=\"28.5\" width=\"225\" height=\"202.5\"/>") > 0);
+}
+
 TEST_CASE("panes of steps show what `evolve` gives") {
   const TemporaryFolder folder;
   const std::string all = (folder / "all.svg").string();

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/title_drawing.h"
+
+#include <algorithm>
+
+#include "app/picture/rich_text.h"
+
+namespace mes {
+namespace {
+
+constexpr double kLetters = 20.0;
+constexpr double kLineHeight = 1.3;
+constexpr double kAbove = 0.55;  // of the height of letters, as is what follows
+constexpr double kBelow = 0.35;
+constexpr double kBeside = 0.5;
+constexpr double kWidest = 0.94;  // of the picture
+constexpr double kHighest = 1.0 / 3.0;
+
+double width_of(const RichText& text) {
+  double out = 0.0;
+  for (const RichLine& line : text.lines) out = std::max(out, line.width);
+  return out;
+}
+
+/// In letters.
+double lines_of(const RichText& text) {
+  return 1.0 + kLineHeight * static_cast<double>(text.lines.size() - 1);
+}
+
+}  // namespace
+
+PictureTitle layout_title(std::string_view words, double width, double height, const MeasureText& measure,
+                          const std::optional<Rgb>& background) {
+  if (words.find_first_not_of(" \t\r\n") == std::string_view::npos) return {};
+  RichText text = rich_text(words, {}, kLetters, measure);
+  PictureTitle out{.drawing = {}, .complaint = text.complaint};
+  if (text.lines.empty()) return out;
+  const double widest = width_of(text) + 2.0 * kBeside * kLetters;
+  const double band = (lines_of(text) + kAbove + kBelow) * kLetters;
+  const double smaller = std::min({1.0, kWidest * width / widest, kHighest * height / band});
+  const double letters = smaller * kLetters;
+  if (smaller < 1.0) text = rich_text(words, {}, letters, measure);
+  const PaperColors colors = paper_colors(background);
+  PaperDrawing& drawing = out.drawing;
+  drawing.width = width;
+  drawing.height = (lines_of(text) + kAbove + kBelow) * letters;
+  // Part of the drawing may lie in the band.
+  const double paper = width_of(text) + 2.0 * kBeside * letters;
+  constexpr double kOpacity = 0.9;
+  drawing.boxes.push_back({.left = 0.5 * (width - paper),
+                           .top = 0.5 * kAbove * letters,
+                           .width = paper,
+                           .height = (lines_of(text) + 0.5 * kAbove + 0.5 * kBelow) * letters,
+                           .color = background.value_or(colors.paper),
+                           .opacity = kOpacity});
+  double top = kAbove * letters;
+  for (const RichLine& line : text.lines) {
+    add_pieces(line, {0.5 * (width - line.width), top + kPaperAscent * letters}, colors.ink, drawing.lines);
+    top += kLineHeight * letters;
+  }
+  return out;
+}
+
+render::Camera camera_below(int band_px, int width, int height, const Box2& box, double margin_px) {
+  render::Camera camera;
+  camera.set_viewport(width, std::max(1, height - band_px));
+  camera.fit(box, margin_px);
+  camera.set_viewport(width, height);
+  camera.pan({0.0, 0.5 * band_px});
+  return camera;
+}
+
+figure::Page with_band(figure::Page page, double band) {
+  page.height += band;
+  // The low part takes the move, which is of the page's size.
+  page.center_low.y += 0.5 * band * page.units_per_point;
+  return page;
+}
+
+}  // namespace mes

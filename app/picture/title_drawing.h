@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The title of a picture, in a band at its upper edge. The drawing is fitted into what is left below.
+//
+// Smallest use:
+//     const PictureTitle title = layout_title("Crust of $\\varepsilon$-samples", 800.0, 600.0, measure, kWhiteCanvas);
+//     paint(image, fonts, title.drawing, {0.0, 0.0}, 1.0);
+//
+// Cost: microseconds. Threads: any.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/picture/paper_drawing.h"
+#include "render/camera.h"
+#include "render/figure/figure_of.h"
+
+namespace mes {
+
+/// Lengths are in logical pixels, from the upper left corner of the picture.
+struct PictureTitle {
+  PaperDrawing drawing;     ///< as wide as the picture, and as high as the band; empty without words
+  std::string complaint{};  ///< about words that are not understood, one line; empty: all are
+};
+
+/// Words as `rich_text` has them, centred. Letters are smaller where the words would be wider than the picture of this
+/// size, or higher than a third of it.
+PictureTitle layout_title(std::string_view words, double width, double height, const MeasureText& measure,
+                          const std::optional<Rgb>& background);
+
+/// A camera that shows the box below a band at the upper edge of a picture; the band shows more of the plane.
+render::Camera camera_below(int band_px, int width, int height, const Box2& box, double margin_px);
+
+/// The page with a band of so many points above it, which shows more of the plane.
+figure::Page with_band(figure::Page page, double band);
+
+}  // namespace mes
