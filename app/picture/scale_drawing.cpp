@@ -130,7 +130,7 @@ class Layout {
 }  // namespace
 
 SeenPlane seen_plane(const render::Camera& camera, double scale) {
-  return {.center = camera.center(),
+  return {.center = camera.center() + camera.center_low(),
           .units_per_pixel = camera.units_per_pixel() * scale,
           .width = camera.width() / scale,
           .height = camera.height() / scale};
@@ -138,7 +138,7 @@ SeenPlane seen_plane(const render::Camera& camera, double scale) {
 
 SeenPlane seen_plane(const figure::Page& page, double scale) {
   const double points = scale * figure::kPointsPerPixel;
-  return {.center = page.center,
+  return {.center = page.center + page.center_low,
           .units_per_pixel = page.units_per_point * points,
           .width = page.width / points,
           .height = page.height / points};

@@ -162,3 +162,18 @@ TEST_CASE("a page that is cut to the drawing has its title beside that") {
   CHECK(words.start.x + words.width < titled.figure.width);
   CHECK(low.y <= titled.figure.height);
 }
+
+TEST_CASE("a page that is cut to the drawing has annotations and numbers where they belong") {
+  PlacedAnnotations annotations;
+  annotations.annotations = std::make_shared<const Annotations>(
+      Annotations{{.kind = AnnotationKind::text, .text = "here", .anchors = {Anchor{.at = {1.0, 1.0}}}}});
+  annotations.places = {{{1.0, 1.0}}};
+  for (const bool is_tight : {false, true}) {
+    const Drawn out = drawn({.shown = {}, .part = Everything{}, .is_tight = is_tight}, annotations);
+    REQUIRE(out.figure.layers.size() == 2);
+    REQUIRE(out.figure.layers[1].texts.size() == 1);
+    const Vec2 apart = numbers(out.figure).second - out.figure.layers[1].texts[0].start;
+    CHECK(apart.x == Approx(2.5 * figure::kPointsPerPixel).margin(0.02));
+    CHECK(apart.y == Approx(-2.5 * figure::kPointsPerPixel).margin(0.02));
+  }
+}
