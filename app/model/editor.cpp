@@ -114,6 +114,40 @@ void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> da
   mark_saved();
 }
 
+Editor::Aside Editor::put_aside() {
+  cancel_gesture();
+  note_layers();
+  auto data = std::make_shared<const SampleData>(data_of(document_));
+  Aside out{.document = document_,
+            .history = std::exchange(history_, {}),
+            .timeline = std::exchange(timeline_, {}),
+            .noted_layers = std::exchange(noted_layers_, {}),
+            .saved_layers = std::exchange(saved_layers_, {}),
+            .saved_revision = saved_revision_,
+            .evolved_revision = evolved_revision_};
+  timeline_.restart(std::move(data));
+  take_layers_as_noted();
+  return out;
+}
+
+void Editor::take_up(Aside aside) {
+  if (in_gesture()) end_gesture();
+  aside.document.number_after(document_);
+  document_ = std::move(aside.document);
+  history_ = std::move(aside.history);
+  timeline_ = std::move(aside.timeline);
+  saved_layers_ = std::move(aside.saved_layers);
+  compared_revision_ = ~std::uint64_t{0};
+  saved_revision_ = aside.saved_revision;
+  evolved_revision_ = aside.evolved_revision;
+  noted_layers_ = std::move(aside.noted_layers);
+  noted_revision_ = ~std::uint64_t{0};  // compared when they come to rest
+  if (told_revision_ == document_.revision()) return;
+  const auto change = std::make_shared<const DocumentDelta>(replacement());
+  follow(*change);
+  tell(change);
+}
+
 void Editor::begin_gesture(std::string name) {
   note_layers();
   timeline_.note_gesture_begun(name);

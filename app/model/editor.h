@@ -61,6 +61,21 @@ class Editor {
                Lesson lesson = {});
   const Timeline& timeline() const { return timeline_; }
 
+  /// All that can be worked on, out of the way while something else is.
+  struct Aside {
+    Document document;
+    History history;
+    Timeline timeline;
+    std::optional<LayerConfiguration> noted_layers;
+    std::optional<LayerConfiguration> saved_layers;
+    std::uint64_t saved_revision = 0;
+    std::uint64_t evolved_revision = 0;
+  };
+  /// The document stays as it is, as data without a history.
+  Aside put_aside();
+  /// Goes on with what was put aside by this editor. The layers are to be as they were then.
+  void take_up(Aside aside);
+
   /// Makes what became different in the layers a step of undo, called `name`, or by what it is. To be called when no
   /// control of theirs is held, so that a slider being dragged makes one step; edits and undo call it first. The
   /// first time after `load` it notes how the layers are, without a step.

@@ -19,6 +19,7 @@
 // Cost: `apply` is O(edits). Threads: none; the window's thread owns it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -36,6 +37,10 @@ class Document {
   Document();
   /// An empty document whose revisions and ids continue from this one's, so that no delta of one fits the other.
   Document successor() const;
+  /// What is done to this document from now on has revisions that the other one never had.
+  void number_after(const Document& other) {
+    highest_revision_ = std::max(highest_revision_, other.highest_revision_);
+  }
 
   std::uint64_t revision() const { return revision_; }
   std::size_t sample_count() const { return samples_.count(); }
