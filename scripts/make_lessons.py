@@ -397,8 +397,10 @@ def main():
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
     is_stale = False
-    texts = {f"{name}.json": make().text() for name, make in LESSONS.items()}
-    texts["index.json"] = json.dumps([f"{name}.json" for name in LESSONS], indent=2) + "\n"
+    lessons = {name: make() for name, make in LESSONS.items()}
+    texts = {f"{name}.json": lesson.text() for name, lesson in lessons.items()}
+    titles = [{"file": f"{name}.json", "title": lesson.title} for name, lesson in lessons.items()]
+    texts["index.json"] = json.dumps(titles, indent=2, ensure_ascii=False) + "\n"
     for name, text in texts.items():
         path = OUTPUT / name
         if path.exists() and path.read_text() == text:

@@ -21,6 +21,7 @@ class ActionBindings {
   };
 
   void bind(ActionId id, Binding binding) { bindings_[static_cast<std::size_t>(id)] = std::move(binding); }
+  const Binding& binding(ActionId id) const { return at(id); }
   bool is_bound(ActionId id) const { return static_cast<bool>(at(id).run); }
   bool is_enabled(ActionId id) const { return is_bound(id) && (!at(id).enabled || at(id).enabled()); }
   bool is_checked(ActionId id) const { return at(id).checked && at(id).checked(); }

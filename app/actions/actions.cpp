@@ -114,9 +114,10 @@ constexpr auto kViewRows = std::to_array<Row>({
 });
 
 constexpr auto kBundleRows = std::to_array<Row>({
-    {Id::next_bundle, "next-bundle", "Next bundle", "Show the layers as the bundle below has them", "PageDown"},
-    {Id::previous_bundle, "previous-bundle", "Previous bundle", "Show the layers as the bundle above has them",
-     "PageUp"},
+    {Id::next_bundle, "next-bundle", "Next bundle",
+     "Show the layers as the bundle below has them; in a lesson, go on to its next step", "PageDown"},
+    {Id::previous_bundle, "previous-bundle", "Previous bundle",
+     "Show the layers as the bundle above has them; in a lesson, go back a step", "PageUp"},
     {Id::balls_inner, "balls-inner", "Inner balls",
      "Balls around the Voronoi vertices inside the curve: show their union where that of others is shown"},
     {Id::balls_polar, "balls-polar", "Polar balls",
@@ -170,6 +171,11 @@ constexpr auto kEvolutionRows = std::to_array<Row>({
 });
 
 constexpr auto kHelpRows = std::to_array<Row>({
+    {Id::present_lesson, "present-lesson", "Present the lesson",
+     "Show the steps of the lesson that the session holds, one after the other by the Page keys, with the samples to "
+     "be "
+     "worked on; Esc ends it and gives back what was there",
+     "Shift+F5"},
     {Id::demo, "demo", "Demo", "Play the paper's video, computed live; Esc ends it"},
     {Id::classic_keys, "classic-keys", "Classic Mesecina keys",
      "Use the keys of the program of 2007, or those of this one again; the manual lists what differs"},

@@ -90,6 +90,7 @@ enum class ActionId : std::uint8_t {
   evolution_play,
   evolution_previous,
   evolution_next,
+  present_lesson,
   demo,
   classic_keys,
   write_keys,

@@ -26,27 +26,14 @@ Box2 box(double left, double top, double right, double bottom) {
   return out;
 }
 
-/// As large as it fits into the room, down to a size that can hardly be read; what is below the room then is left out.
+/// What there is to say of it goes to the remarks.
 PaperDrawing fitted_caption(const CaptionText& text, const Box2& room, double letters, Rgb ink,
                             const MeasureText& measure, std::vector<std::string>& remarks) {
-  constexpr double kSmaller = 0.95;
-  constexpr double kSmallest = 0.42;
-  CaptionLook look{.width = room.width(), .letters = letters, .ink = ink};
-  CaptionDrawing drawn = layout_caption(text, look, measure);
-  const auto fits = [&] {
-    return drawn.drawing.height <= room.height() && drawn.drawing.width <= 1.001 * room.width();
-  };
-  while (!fits() && look.letters * kSmaller > kSmallest * letters) {
-    look.letters *= kSmaller;
-    drawn = layout_caption(text, look, measure);
-  }
-  if (!drawn.complaint.empty()) remarks.push_back("caption: " + drawn.complaint);
-  if (!fits()) {
-    std::erase_if(drawn.drawing.lines,
-                  [&](const PaperDrawing::Line& line) { return line.top + line.size > room.height(); });
-    remarks.push_back("the caption is longer than its page; the end is left out");
-  }
-  return std::move(drawn.drawing);
+  FittedCaption fitted =
+      fit_caption(text, {.width = room.width(), .letters = letters, .ink = ink}, room.height(), measure);
+  if (!fitted.complaint.empty()) remarks.push_back("caption: " + fitted.complaint);
+  if (!fitted.is_whole) remarks.push_back("the caption is longer than its page; the end is left out");
+  return std::move(fitted.drawing);
 }
 
 }  // namespace

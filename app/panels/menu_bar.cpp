@@ -173,6 +173,15 @@ void shapes_menu(const MenuBar& menu) {
   }
 }
 
+void lessons_menu(const MenuBar& menu) {
+  action_item(menu, ActionId::present_lesson);
+  if (!menu.lessons.empty()) ImGui::Separator();
+  for (const ShippedLesson& lesson : menu.lessons) {
+    if (ImGui::MenuItem(lesson.title.c_str())) menu.open_lesson(lesson);
+    tooltip(menu.gui, "Open this lesson and present it");
+  }
+}
+
 }  // namespace
 
 float MenuBar::draw() const {
@@ -218,6 +227,10 @@ float MenuBar::draw() const {
   if (ImGui::BeginMenu("Help")) {
     action_item(*this, ActionId::command_palette);
     action_item(*this, ActionId::help);
+    if (ImGui::BeginMenu("Lessons")) {
+      lessons_menu(*this);
+      ImGui::EndMenu();
+    }
     action_item(*this, ActionId::demo);
     ImGui::Separator();
     for (const ActionId id : {ActionId::classic_keys, ActionId::write_keys}) action_item(*this, id);

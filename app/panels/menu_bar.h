@@ -12,6 +12,7 @@
 #include "app/model/layer_stack.h"
 #include "app/model/settings.h"
 #include "app/store/layer_text.h"
+#include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "app/ui/gui.h"
 
@@ -25,8 +26,10 @@ struct MenuBar {
   LayerStack& layers;
   EvolutionPlayer& evolution;
   std::span<const SampleShape> shapes;
-  std::function<void(const std::string&)> open_file;            ///< asks before unsaved work is lost
-  std::function<void(const SampleShape&)> open_shape;           ///< the same
+  std::function<void(const std::string&)> open_file;   ///< asks before unsaved work is lost
+  std::function<void(const SampleShape&)> open_shape;  ///< the same
+  std::span<const ShippedLesson> lessons;
+  std::function<void(const ShippedLesson&)> open_lesson;        ///< the same
   std::function<void(const LayerTextFormat&)> export_geometry;  ///< of what is shown
 
   /// Across the window; its height in screen coordinates.

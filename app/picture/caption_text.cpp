@@ -398,6 +398,22 @@ CaptionDrawing layout_caption(const CaptionText& text, const CaptionLook& look, 
   return std::move(setter).finish();
 }
 
+FittedCaption fit_caption(const CaptionText& text, CaptionLook look, double height, const MeasureText& measure) {
+  constexpr double kSmaller = 0.95;
+  constexpr double kSmallest = 0.42;
+  const double least = kSmallest * look.letters;
+  CaptionDrawing drawn = layout_caption(text, look, measure);
+  const auto fits = [&] { return drawn.drawing.height <= height && drawn.drawing.width <= 1.001 * look.width; };
+  while (!fits() && look.letters * kSmaller > least) {
+    look.letters *= kSmaller;
+    drawn = layout_caption(text, look, measure);
+  }
+  const bool is_whole = fits();
+  if (!is_whole)
+    std::erase_if(drawn.drawing.lines, [&](const PaperDrawing::Line& line) { return line.top + line.size > height; });
+  return {std::move(drawn.drawing), std::move(drawn.complaint), is_whole};
+}
+
 std::string html_of(const CaptionText& text) {
   std::string out;
   bool in_list = false;

@@ -68,6 +68,15 @@ struct CaptionDrawing {
 /// Words that are wider than the column are broken; only mathematics may be wider than it.
 CaptionDrawing layout_caption(const CaptionText& text, const CaptionLook& look, const MeasureText& measure);
 
+struct FittedCaption {
+  PaperDrawing drawing;
+  std::string complaint{};  ///< as that of `CaptionDrawing`
+  bool is_whole = true;     ///< false: it is longer than its room even so, and ends where that ends
+};
+
+/// In letters as large as fit into the room, down to a size that can hardly be read.
+FittedCaption fit_caption(const CaptionText& text, CaptionLook look, double height, const MeasureText& measure);
+
 /// Elements h2 to h4, p, ul and li, with nothing in them but what was understood: all else is escaped.
 std::string html_of(const CaptionText& text);
 

@@ -104,11 +104,11 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     out.samples = editor_.document().sample_count();
     out.balls = editor_.document().ball_count();
     forget_files();
-    // What is saved must not take the place of a picture.
-    if (!first.is_carried) held_.file = held_.session_file = out.file;
+    // What is saved must not take the place of a picture, nor of what came with the program.
+    if (!first.is_carried && !out.is_shape) held_.file = held_.session_file = out.file;
     note_known(first.sources);
     note_all_as_saved();
-    held_.title = out.file.filename().string();
+    held_.title = out.is_shape ? asked.title : out.file.filename().string();
     return out;
   }
 

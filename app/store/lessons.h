@@ -11,6 +11,7 @@ namespace mes {
 struct ShippedLesson {
   std::filesystem::path file;
   std::string name;  ///< of the file, without its extension
+  std::string title;
 };
 
 /// As `lessons/index.json` lists them; those whose file is missing are left out.

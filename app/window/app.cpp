@@ -29,12 +29,13 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       work_(assets, messages_, GlfwWindow::wake),
       board_(work_, settings_.settings(), messages_, screen_, assets, GlfwWindow::wake),
       demo_(work_, board_.fitter(), messages_),
-      recording_({screen_, work_, board_, demo_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
-      documents_({work_, board_, demo_, dialogs_, messages_, settings_.settings(), screen_}, assets,
+      lesson_(work_, board_, messages_),
+      recording_({screen_, work_, board_, demo_, lesson_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
+      documents_({work_, board_, demo_, lesson_, dialogs_, messages_, settings_.settings(), screen_}, assets,
                  GlfwWindow::wake),
       keys_(settings_.settings(), messages_),
-      panels_(
-          {screen_, work_, board_, demo_, recording_, documents_, keys_.actions(), settings_.settings(), messages_}),
+      panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, keys_.actions(), settings_.settings(),
+               messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
               recording_, keys_.actions(), messages_, panels_.presenter()}) {
   bind_actions();
@@ -51,6 +52,7 @@ void App::bind_actions() {
   ActionBindings& actions = keys_.actions();
   work_.bind(actions, settings_.settings());
   board_.bind(actions);
+  lesson_.bind(actions);
   recording_.bind(actions);
   documents_.bind(actions);
   panels_.bind(actions);
@@ -63,13 +65,25 @@ void App::bind_actions() {
   actions.when_out_of_memory([this] { refuse_for_memory(); });
 }
 
+bool App::clear_selection() {
+  if (work_.editor().selection().is_empty()) return false;
+  work_.editor().selection().clear();
+  return true;
+}
+
+bool App::end_lesson() {
+  const bool was_running = lesson_.is_running();
+  lesson_.end();
+  return was_running;
+}
+
 // Esc ends one thing at a time.
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
   else if (!board_.canvas().cancel_gesture() && !work_.annotations().close() && !board_.canvas().clear_tool() &&
-           !board_.provenance().clear() && !panels_.end_presentation())
-    work_.editor().selection().clear();
+           !board_.provenance().clear() && !clear_selection() && !end_lesson())
+    panels_.end_presentation();
 }
 
 double App::next_wait() const {
@@ -78,8 +92,8 @@ double App::next_wait() const {
   const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || files.is_reading() ||
                        files.is_saving() || board_.traced().is_reading() || documents_.figures().is_busy() ||
                        screen_.gui.is_about_to_rest();
-  return FrameClock::sleep({demo_.next_due(now), work_.computation().next_due(now), work_.evolution().next_due(now),
-                            panels_.presenter().next_due(now)},
+  return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
+                            work_.evolution().next_due(now), panels_.presenter().next_due(now)},
                            is_busy);
 }
 
@@ -152,6 +166,7 @@ void App::take_steps() {
   const auto may_step = [this] { return !work_.engine().status().busy && !recording_.holds_input(); };
   if (may_step() && work_.computation().advance(now)) screen_.clock.settle();
   if (demo_.advance(now, may_step())) screen_.clock.settle();
+  if (lesson_.advance(now, may_step())) screen_.clock.settle();
   work_.engine().set_want_findings(panels_.are_shown());
   work_.engine().set_want_statistics(panels_.are_shown() && settings_.settings().details == DetailsPage::statistics);
 }

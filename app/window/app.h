@@ -15,6 +15,7 @@
 #include "app/window/document_flow.h"
 #include "app/window/drawing_board.h"
 #include "app/window/key_desk.h"
+#include "app/window/lesson_run.h"
 #include "app/window/live_recording.h"
 #include "app/window/panels.h"
 #include "app/window/run_window.h"
@@ -39,6 +40,8 @@ class App {
   App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets, LoadedSettings loaded);
   void bind_actions();
   void deselect();
+  bool clear_selection();
+  bool end_lesson();
   double next_wait() const;
   void turn();
   void deliver_events();
@@ -55,6 +58,7 @@ class App {
   Workspace work_;
   DrawingBoard board_;
   DemoRun demo_;
+  LessonRun lesson_;
   LiveRecording recording_;
   Dialogs dialogs_;
   DocumentFlow documents_;

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::function<void()>& wake)
     : uses_(uses),
       shapes_(read_sample_shapes(assets)),
+      lessons_(read_shipped_lessons(assets)),
       files_(
           uses_.work.editor(),
           [this] {
@@ -59,6 +60,12 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
+  actions.bind(ActionId::present_lesson,
+               {[this] {
+                  uses_.demo.end(true);
+                  uses_.lesson.start(session_now());
+                },
+                [this] { return can_present(); }, [this] { return uses_.lesson.is_running(); }});
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
 }
 
@@ -97,6 +104,7 @@ FileBrowser::Then DocumentFlow::remembering(FileBrowser::Then then) {
 
 void DocumentFlow::with_saved_work(std::function<void()> then) {
   uses_.board.canvas().cancel_gesture();
+  uses_.lesson.end();
   if (files_.is_saving()) {
     after_save_ = [this, then = std::move(then)] { with_saved_work(then); };
     return;
@@ -122,6 +130,12 @@ void DocumentFlow::start_empty() {
 void DocumentFlow::leave_document() {
   uses_.work.leave_document();
   uses_.board.traced().give_up();
+}
+
+// What is being read or saved is about the document that the lesson would put aside.
+bool DocumentFlow::can_present() const {
+  return !uses_.work.editor().timeline().lesson().steps.empty() && !uses_.lesson.is_running() &&
+         !files_.is_reading() && !files_.is_saving();
 }
 
 void DocumentFlow::start_demo() {
@@ -156,7 +170,9 @@ void DocumentFlow::follow_dialogs() {
   if (!is_asking && !files_.is_saving()) after_save_ = {};
 }
 
+// While a lesson is presented, what there is to keep is put aside.
 void DocumentFlow::keep() {
+  if (uses_.lesson.is_running()) return;
   const bool controls = !ImGui::IsAnyItemActive();
   const bool all = controls && uses_.board.is_at_rest() && !files_.is_reading();
   keeper_.follow({.controls = controls, .all = all}, uses_.board.view().free_box());

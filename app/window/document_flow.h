@@ -13,10 +13,12 @@
 #include "app/model/settings.h"
 #include "app/panels/dialogs.h"
 #include "app/store/file_desk.h"
+#include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
 #include "app/window/figure_flow.h"
+#include "app/window/lesson_run.h"
 #include "app/window/work_keeper.h"
 
 namespace mes {
@@ -33,6 +35,7 @@ class DocumentFlow {
     Workspace& work;
     DrawingBoard& board;
     DemoRun& demo;
+    LessonRun& lesson;
     Dialogs& dialogs;
     Messages& messages;
     Settings& settings;
@@ -45,6 +48,7 @@ class DocumentFlow {
   const FigureFlow& figures() const { return figures_; }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }
+  std::span<const ShippedLesson> lessons() const { return lessons_; }
   void bind(ActionBindings& actions);
 
   /// At the start of the program; without files it is the first built-in shape.
@@ -52,6 +56,8 @@ class DocumentFlow {
   /// Documents, bundles, and at most one picture to trace in what the others bring.
   void open(std::vector<std::string> files);
   void open_shape(const SampleShape& shape);
+  /// Opens it, and presents it when it is there.
+  void open_lesson(const ShippedLesson& lesson);
   /// Asks for a file for one bundle, or all.
   void ask_export(std::optional<std::size_t> bundle);
 
@@ -76,6 +82,7 @@ class DocumentFlow {
   /// What belongs to the document before alone goes.
   void leave_document();
   void start_demo();
+  bool can_present() const;
 
   // document_opening.cpp
   void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
@@ -102,11 +109,13 @@ class DocumentFlow {
 
   Uses uses_;
   std::vector<SampleShape> shapes_;
+  std::vector<ShippedLesson> lessons_;
   FileDesk files_;
   WorkKeeper keeper_;
   FigureFlow figures_;
   std::function<void()> after_save_;        // what waits for a save, under a new name perhaps
   std::filesystem::path traced_with_next_;  // when what is being read is there
+  bool presents_next_ = false;              // what is being read
   bool had_first_file_ = false;
   bool is_left_ = false;
 };

@@ -71,6 +71,14 @@ void DocumentFlow::open_shape(const SampleShape& shape) {
   });
 }
 
+void DocumentFlow::open_lesson(const ShippedLesson& lesson) {
+  with_saved_work([this, lesson] {
+    traced_with_next_.clear();
+    files_.open_shape(lesson.file, lesson.title);
+    presents_next_ = true;
+  });
+}
+
 std::vector<fs::path> DocumentFlow::without_bundles(const std::vector<std::string>& files) {
   std::vector<fs::path> rest;
   for (const std::string& file : files) {
@@ -86,6 +94,7 @@ void DocumentFlow::take_read_file() {
   const auto outcome = files_.poll();
   if (!outcome) return;
   const fs::path picture = std::exchange(traced_with_next_, {});
+  const bool presents = std::exchange(presents_next_, false);
   uses_.screen.clock.settle();
   if (outcome->error) {
     report(*outcome->error);
@@ -102,6 +111,11 @@ void DocumentFlow::take_read_file() {
   uses_.board.note_new_document();
   had_first_file_ = true;
   say_opened(*outcome);
+  if (!can_present()) return;
+  if (presents)
+    uses_.lesson.start(session_now());
+  else if (outcome->warnings.empty())
+    uses_.messages.remark("It holds a lesson: Help > Lessons > Present the lesson shows its steps");
 }
 
 void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {

@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 
 // Whatever waits for the save goes on once everything is in a file; what has none is asked a name for then.
 void DocumentFlow::save() {
+  uses_.lesson.end();
   if (files_.file().empty())
     ask_save_as();
   else
@@ -18,6 +19,7 @@ void DocumentFlow::save() {
 }
 
 void DocumentFlow::ask_save_as() {
+  uses_.lesson.end();
   std::string name = fs::path(files_.title()).stem().string();
   std::ranges::replace(name, '/', '-');
   const FileDesk::Unsaved rest = files_.unsaved();

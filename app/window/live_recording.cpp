@@ -54,7 +54,7 @@ ShownState LiveRecording::shown_state() const {
           legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
           uses_.settings.marks,
           uses_.settings.show_annotations,
-          uses_.demo.caption()};
+          uses_.lesson.is_running() ? uses_.lesson.caption() : uses_.demo.caption()};
 }
 
 AtRest LiveRecording::at_rest() const {

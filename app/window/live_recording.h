@@ -10,6 +10,7 @@
 #include "app/recording/record_desk.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
+#include "app/window/lesson_run.h"
 
 namespace mes {
 
@@ -23,6 +24,7 @@ class LiveRecording {
     const Workspace& work;
     DrawingBoard& board;
     const DemoRun& demo;
+    const LessonRun& lesson;
     const Settings& settings;
     Messages& messages;
   };

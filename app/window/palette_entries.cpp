@@ -48,6 +48,14 @@ void add_bundles(const Panels::Uses& uses, Entries& out) {
   }
 }
 
+void add_lessons(const Panels::Uses& uses, Entries& out) {
+  for (const ShippedLesson& lesson : uses.documents.lessons())
+    out.push_back({.kind = "Lesson",
+                   .name = lesson.title,
+                   .explanation = "Open this lesson and present it",
+                   .run = [&flow = uses.documents, lesson] { flow.open_lesson(lesson); }});
+}
+
 void add_layers(const Panels::Uses& uses, Entries& out) {
   LayerStack& layers = uses.work.layers();
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) {
@@ -111,6 +119,7 @@ std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
   Entries out;
   add_actions(uses, out);
   add_bundles(uses, out);
+  add_lessons(uses, out);
   add_layers(uses, out);
   add_parameters(uses, out);
   add_evolutions(uses, out);

@@ -36,6 +36,8 @@ Panels::Panels(const Uses& uses)
                 uses.documents.shapes(),
                 [&flow = uses.documents](const std::string& file) { flow.open({file}); },
                 [&flow = uses.documents](const SampleShape& shape) { flow.open_shape(shape); },
+                uses.documents.lessons(),
+                [&flow = uses.documents](const ShippedLesson& lesson) { flow.open_lesson(lesson); },
                 [&flow = uses.documents, &layers = uses.work.layers()](const LayerTextFormat& format) {
                   flow.figures().ask_geometry(layers.visible_layers(), format);
                 }},
@@ -122,8 +124,19 @@ bool Panels::end_presentation() {
   return true;
 }
 
+void Panels::follow_lesson() {
+  const bool is_running = uses_.lesson.is_running();
+  if (is_running == presents_lesson_) return;
+  presents_lesson_ = is_running;
+  if (!is_running)
+    end_presentation();
+  else if (!presenter_.is_on())
+    begin_presentation();
+}
+
 // "3 of 13: Crust".
 std::string Panels::slide() const {
+  if (uses_.lesson.is_running()) return uses_.lesson.place();
   const BundleDesk& bundles = uses_.work.bundles();
   const auto current = bundles.current();
   if (!current || bundles.is_changed()) return {};
@@ -147,7 +160,9 @@ void Panels::bind_look(ActionBindings& actions) {
 }
 
 Panels::Room Panels::draw() {
+  follow_lesson();
   Sides sides = are_shown_ ? draw_around() : Sides{};
+  draw_lesson(sides);
   draw_over(sides);
   divide(sides);
   draw_annotation_card(sides);
@@ -171,6 +186,13 @@ Panels::Room Panels::draw() {
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},
           {in_pixels(legend.x), in_pixels(legend.y)}};
+}
+
+void Panels::draw_lesson(Sides& sides) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  sides.left += uses_.lesson.draw(
+      uses_.screen.gui, uses_.actions,
+      {{sides.left, sides.top}, {screen.x - sides.left - sides.right, screen.y - sides.top - sides.bottom}});
 }
 
 // Above, below, on the right and on the left.

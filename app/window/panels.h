@@ -25,6 +25,7 @@ class Panels {
     Workspace& work;
     DrawingBoard& board;
     DemoRun& demo;
+    LessonRun& lesson;
     LiveRecording& recording;
     DocumentFlow& documents;
     const ActionBindings& actions;
@@ -61,8 +62,11 @@ class Panels {
     float bottom = 0.0F;
   };
   void begin_presentation();
+  /// A lesson is shown without panels.
+  void follow_lesson();
   std::string slide() const;
   Sides draw_around();
+  void draw_lesson(Sides& sides);
   /// Divides what is left between the panes, and leaves the main one of them.
   void divide(Sides& sides);
   float draw_column(float top, float height);
@@ -85,6 +89,7 @@ class Panels {
   DetailsPanel details_panel_;
   bool are_shown_ = true;
   bool were_shown_ = true;  // before the presentation
+  bool presents_lesson_ = false;
   AnnotationCard annotation_card_;
   Presenter presenter_;
   ImVec2 legend_moved_{};                 // from its corner, by hand

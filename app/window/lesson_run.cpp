@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/lesson_run.h"
+
+#include <fmt/core.h>
+#include <memory>
+#include <utility>
+
+namespace mes {
+
+LessonRun::LessonRun(Workspace& work, DrawingBoard& board, Messages& messages)
+    : work_(work),
+      board_(board),
+      messages_(messages),
+      presenter_({work.editor(), work.layers(), [&work] { return work.computation().settings(); },
+                  [&work](const ComputationSettings& settings) { work.computation().set(settings); },
+                  [this](const Box2& box) { look_at(box); }}) {}
+
+void LessonRun::bind(ActionBindings& actions) {
+  const auto bind_step = [&](ActionId id, Expected<void> (LessonPresenter::*step)()) {
+    ActionBindings::Binding binding = actions.binding(id);
+    const ActionBindings::Binding otherwise = binding;
+    binding.run = [this, step, otherwise] {
+      if (!is_running()) return otherwise.run();
+      leave_step();
+      say((presenter_.*step)());
+    };
+    binding.enabled = [this, otherwise] { return is_running() || !otherwise.enabled || otherwise.enabled(); };
+    actions.bind(id, std::move(binding));
+  };
+  bind_step(ActionId::next_bundle, &LessonPresenter::go_on);
+  bind_step(ActionId::previous_bundle, &LessonPresenter::go_back);
+}
+
+void LessonRun::start(const Session& session) {
+  end();
+  work_.computation().give_back();
+  work_.evolution().cancel();
+  // A document that has just been opened has not been looked at.
+  view_before_ = board_.fitter().is_wanted() ? Box2{} : board_.view().free_box();
+  leave_step();
+  messages_.clear();
+  say(presenter_.start(std::make_shared<const Session>(session), 0));
+}
+
+void LessonRun::end() {
+  if (!is_running()) return;
+  work_.computation().give_back();
+  work_.evolution().cancel();
+  leave_step();
+  presenter_.end();
+  work_.take_family_of_layers();
+  look_at(view_before_);
+}
+
+std::string LessonRun::place() const {
+  return is_running() ? fmt::format("{} of {}", presenter_.step() + 1, presenter_.step_count()) : std::string();
+}
+
+void LessonRun::leave_step() {
+  board_.canvas().cancel_gesture();
+  board_.provenance().clear();
+  work_.editor().selection().clear();
+  work_.annotations().close();
+}
+
+void LessonRun::say(const Expected<void>& done) {
+  work_.take_family_of_layers();
+  if (!done) messages_.problem(done.error().message());
+}
+
+void LessonRun::look_at(const Box2& box) {
+  if (!box.is_empty()) board_.fitter().set_target(box);
+  board_.fitter().want(ViewFitter::How::glide);
+}
+
+float LessonRun::draw(const Gui& gui, const ActionBindings& actions, const PanelArea& area) {
+  if (!is_running()) return 0.0F;
+  const LessonCard card{gui, actions, presenter_, board_.picture().canvas()};
+  const float width = card.width(area.size.x);
+  switch (card.draw({area.at, {width, area.size.y}})) {
+    case LessonCard::Wish::none: break;
+    case LessonCard::Wish::back: actions.run(ActionId::previous_bundle); break;
+    case LessonCard::Wish::on: actions.run(ActionId::next_bundle); break;
+    case LessonCard::Wish::restore:
+      leave_step();
+      say(presenter_.restore());
+      break;
+    case LessonCard::Wish::end: end(); break;
+  }
+  return width;
+}
+
+}  // namespace mes

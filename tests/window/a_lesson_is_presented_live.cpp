@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+
+#include "core/io/session.h"
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+/// A house, of which the second step has another corner, and the third step a taller roof.
+std::string house_lesson() {
+  Session session;
+  session.data =
+      std::make_shared<const SampleData>(SampleData{.positions = {{0, 0}, {4, 0}, {4, 3}, {2, 5}, {0, 3}}});
+  session.entries = {TimelineEdit{.name = "Insert", .inserted = {{2, -1}}},
+                     TimelineEdit{.name = "Move", .moved = {{3, {2, 5.5}}}},
+                     TimelineEdit{.name = "Move", .moved = {{3, {2, 6}}}}};
+  session.lesson = {.title = "House",
+                    .steps = {{.caption = "# A house"},
+                              {.caption = "# A sixth corner", .position = 1},
+                              {.caption = "# A taller roof", .position = 3}}};
+  return write_session(session);
+}
+
+struct Window : DrivenProgram {
+  Window() {
+    folder.write("house.json", house_lesson());
+    start("house.json");
+  }
+  /// Edits that would be offered after a crash.
+  std::size_t unsaved_edits() const {
+    std::error_code error;
+    std::size_t out = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "data" / "mesecina" / "autosave", error))
+      if (const auto journal = read_journal(bytes_of(entry.path()), entry.path().string()))
+        out += journal->unsaved_edits;
+    return out;
+  }
+  /// The canvas beside the captions, once the panels are gone and nothing moves.
+  bool shows_beside_caption(const Screenshot& look) const {
+    return eventually([&] {
+      const Screenshot now = screen.settled();
+      return now.box_of_changes(kBeside, look).is_empty();
+    });
+  }
+  Screenshot other_beside_caption(const Screenshot& look) const {
+    Screenshot out = look;
+    REQUIRE(eventually([&] {
+      out = screen.settled();
+      return !out.box_of_changes(kBeside, look).is_empty();
+    }));
+    return out;
+  }
+  static constexpr PixelBox kBeside{400, 30, 1270, 700};
+};
+
+}  // namespace
+
+TEST_CASE("a lesson is presented by the Page keys, and gives the document back with what was unsaved in it") {
+  Window window;
+  const Screenshot before = window.drawn();
+  window.press("i");
+  window.screen.click({600, 420});
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.json"); }));
+  const Screenshot edited = window.other_than(before);
+  REQUIRE(eventually([&] { return window.unsaved_edits() > 0; }));
+  const std::size_t unsaved = window.unsaved_edits();
+
+  window.press("shift+F5");
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  const Screenshot first = window.other_beside_caption(edited);
+  window.press("Next");
+  const Screenshot second = window.other_beside_caption(first);
+  window.press("Next");
+  const Screenshot third = window.other_beside_caption(second);
+  window.press("Prior");
+  CHECK(window.shows_beside_caption(second));
+  // In the middle of it a sample is added: going on takes it back.
+  window.screen.click({700, 300});
+  static_cast<void>(window.other_beside_caption(second));
+  window.press("Next");
+  CHECK(window.shows_beside_caption(third));
+  CHECK(window.unsaved_edits() == unsaved);
+
+  window.press("Escape");
+  CHECK(eventually([&] { return window.title().starts_with("* house.json"); }));
+  CHECK_FALSE(window.screen.settled().is_white(1270, 700));
+  window.press("ctrl+z");
+  CHECK(eventually([&] { return window.title().starts_with("house.json"); }));
+  CHECK(window.program.is_running());
+}
+
+TEST_CASE("saving ends a lesson first, and saves the document") {
+  const Window window;
+  const Screenshot before = window.drawn();
+  window.press("i");
+  window.screen.click({600, 420});
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.json"); }));
+  static_cast<void>(window.other_than(before));
+  window.press("shift+F5");
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  static_cast<void>(window.screen.settled());
+  window.screen.click({700, 300});
+  window.press("ctrl+s");
+  REQUIRE(eventually([&] { return window.title().starts_with("house.json"); }));
+  const auto saved = read_session(bytes_of(window.folder / "house.json"), "house.json");
+  REQUIRE(saved);
+  CHECK(saved->lesson.steps.size() == 3);
+  DocumentReplay replay;
+  REQUIRE(replay_session(*saved, replay, "house.json"));
+  // Five, the sixth of the lesson, and the one that was inserted before it was presented.
+  CHECK(replay.document().sample_count() == 7);
+}
