@@ -171,6 +171,10 @@ constexpr auto kEvolutionRows = std::to_array<Row>({
 });
 
 constexpr auto kHelpRows = std::to_array<Row>({
+    {Id::toggle_lesson, "toggle-lesson", "Steps of the lesson",
+     "Show or hide the panel in which a lesson is made: its steps, their order and their captions"},
+    {Id::mark_step, "mark-step", "Mark a step",
+     "Make what is shown now a step of the lesson, after the one that was marked or chosen last"},
     {Id::present_lesson, "present-lesson", "Present the lesson",
      "Show the steps of the lesson that the session holds, one after the other by the Page keys, with the samples to "
      "be "

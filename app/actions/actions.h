@@ -90,6 +90,8 @@ enum class ActionId : std::uint8_t {
   evolution_play,
   evolution_previous,
   evolution_next,
+  toggle_lesson,
+  mark_step,
   present_lesson,
   demo,
   classic_keys,

@@ -94,6 +94,7 @@ Expected<void> Editor::load(const SampleData& data) {
   tell(change);
   noted_layers_.reset();
   saved_layers_.reset();
+  saved_lesson_ = 0;
   mark_saved();
   return {};
 }
@@ -107,11 +108,19 @@ void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> da
   timeline_.restart(std::move(data), std::move(entries), std::move(lesson));
   take_layers_as_noted();
   saved_layers_.reset();
+  saved_lesson_ = 0;
   // Observers see one replacement.
   const auto change = std::make_shared<const DocumentDelta>(replacement());
   follow(*change);
   tell(change);
   mark_saved();
+}
+
+std::size_t Editor::settle() {
+  MES_ASSERT(!in_gesture());
+  note_layers();
+  timeline_.settle();
+  return timeline_.entries().size();
 }
 
 Editor::Aside Editor::put_aside() {
@@ -124,7 +133,8 @@ Editor::Aside Editor::put_aside() {
             .noted_layers = std::exchange(noted_layers_, {}),
             .saved_layers = std::exchange(saved_layers_, {}),
             .saved_revision = saved_revision_,
-            .evolved_revision = evolved_revision_};
+            .evolved_revision = evolved_revision_,
+            .saved_lesson = std::exchange(saved_lesson_, 0)};
   timeline_.restart(std::move(data));
   take_layers_as_noted();
   return out;
@@ -140,6 +150,7 @@ void Editor::take_up(Aside aside) {
   compared_revision_ = ~std::uint64_t{0};
   saved_revision_ = aside.saved_revision;
   evolved_revision_ = aside.evolved_revision;
+  saved_lesson_ = aside.saved_lesson;
   noted_layers_ = std::move(aside.noted_layers);
   noted_revision_ = ~std::uint64_t{0};  // compared when they come to rest
   if (told_revision_ == document_.revision()) return;
@@ -427,7 +438,7 @@ void Editor::show_layers(LayersChanged change, LayersChanged::Role role) {
 }
 
 bool Editor::is_modified() const {
-  if (document_.revision() != saved_revision_) return true;
+  if (document_.revision() != saved_revision_ || is_lesson_modified()) return true;
   if (!saved_layers_ || layers_ == nullptr) return false;
   if (compared_revision_ != layers_->revision()) {
     compared_revision_ = layers_->revision();

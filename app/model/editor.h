@@ -28,7 +28,8 @@ namespace mes {
 ///  3. The timeline tells of each change, once and in order; replaying it gives this document and this history.
 ///  4. Coordinates that are given here and are nothing beside the others of the document
 ///     (core/base/coordinate_range.h) are set to zero; other numbers out of range are refused.
-///  5. `is_modified` compares states: undoing back to what was saved is "not modified".
+///  5. `is_modified` compares states: undoing back to what was saved is "not modified". A lesson that was changed is
+///     modified until it is saved; steps of undo do not change it.
 ///  6. When memory runs out, a function throws std::bad_alloc, and the document, the history, the timeline and what is
 ///     selected are as they were before. Only the listener may be behind: it gets one replacement of everything as soon
 ///     as there is room (`catch_up`).
@@ -61,6 +62,14 @@ class Editor {
                Lesson lesson = {});
   const Timeline& timeline() const { return timeline_; }
 
+  const Lesson& lesson() const { return timeline_.lesson(); }
+  void set_lesson(Lesson lesson) { timeline_.set_lesson(std::move(lesson)); }
+  /// A place on the timeline, with the layers as they are, at which nothing will change any more. Not within a gesture.
+  std::size_t settle();
+  bool is_lesson_modified() const { return timeline_.lesson_revision() != saved_lesson_; }
+  /// A file holds the lesson as it was at this revision (`Timeline::lesson_revision`).
+  void mark_lesson_saved(std::uint64_t revision) { saved_lesson_ = revision; }
+
   /// All that can be worked on, out of the way while something else is.
   struct Aside {
     Document document;
@@ -70,6 +79,7 @@ class Editor {
     std::optional<LayerConfiguration> saved_layers;
     std::uint64_t saved_revision = 0;
     std::uint64_t evolved_revision = 0;
+    std::uint64_t saved_lesson = 0;
   };
   /// The document stays as it is, as data without a history.
   Aside put_aside();
@@ -194,6 +204,7 @@ class Editor {
   mutable std::uint64_t compared_revision_ = ~std::uint64_t{0};  // of the layers for which the next one is true
   mutable bool are_layers_modified_ = false;
   std::uint64_t saved_revision_ = 0;
+  std::uint64_t saved_lesson_ = 0;
   std::uint64_t evolved_revision_ = ~std::uint64_t{0};  // the last state of an evolution
 };
 

@@ -23,7 +23,7 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
 // In the order of `DetailsPage`.
-constexpr std::array<std::string_view, 4> kPages{"none", "statistics", "parameters", "log"};
+constexpr std::array<std::string_view, 5> kPages{"none", "statistics", "parameters", "log", "lesson"};
 
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";

@@ -17,7 +17,7 @@
 namespace mes {
 
 /// What the lower right panel shows.
-enum class DetailsPage : std::uint8_t { none, statistics, parameters, log };
+enum class DetailsPage : std::uint8_t { none, statistics, parameters, log, lesson };
 
 enum class Theme : std::uint8_t { light, dark };
 

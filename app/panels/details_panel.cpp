@@ -14,22 +14,29 @@ struct Page {
   const char* title;
   ActionId toggle;
 };
-constexpr std::array<Page, 3> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
+constexpr std::array<Page, 4> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
                                       {DetailsPage::parameters, "Parameters", ActionId::toggle_parameters},
-                                      {DetailsPage::log, "Log", ActionId::toggle_log}}};
+                                      {DetailsPage::log, "Log", ActionId::toggle_log},
+                                      {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson}}};
 
 }  // namespace
 
 void DetailsPanel::draw(const PanelArea& area) {
   if (begin_panel("##details", area)) {
     const float unit = gui_.unit();
+    const float size = ImGui::GetFrameHeight();
+    const float right = ImGui::GetContentRegionMax().x - size;
     for (const Page& page : kPages) {
-      if (page.page != kPages.front().page) ImGui::SameLine(0, 2 * unit);
+      const float width = ImGui::CalcTextSize(page.title).x + 2 * ImGui::GetStyle().FramePadding.x;
+      if (page.page != kPages.front().page) {
+        ImGui::SameLine(0, 2 * unit);
+        // In a narrow column on a line of its own.
+        if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
+      }
       if (choice_button(page.title, shown_ == page.page)) shown_ = page.page;
       tooltip(gui_, actions_.tooltip_of(page.toggle));
     }
-    const float size = ImGui::GetFrameHeight();
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
+    ImGui::SameLine(right);
     if (icon_button("close", Icon::close, size)) shown_ = DetailsPage::none;
     tooltip(gui_, "Hide this panel");
     ImGui::Separator();
@@ -37,6 +44,7 @@ void DetailsPanel::draw(const PanelArea& area) {
       case DetailsPage::statistics: statistics_.draw(); break;
       case DetailsPage::parameters: parameters_.draw(); break;
       case DetailsPage::log: log_.draw(); break;
+      case DetailsPage::lesson: lesson_.draw(); break;
       case DetailsPage::none: break;
     }
   }

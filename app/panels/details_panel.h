@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower right panel, with a page at a time: statistics, parameters, log.
+// The lower right panel, with a page at a time: statistics, parameters, log, lesson.
 #pragma once
 
 #include "app/actions/action_bindings.h"
 #include "app/model/settings.h"
+#include "app/panels/lesson_panel.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
 #include "app/panels/statistics_panel.h"
@@ -15,13 +16,14 @@ class DetailsPanel {
  public:
   /// Which page is shown is in `shown`.
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
-               ParametersPanel parameters, LogPanel log)
+               ParametersPanel parameters, LogPanel log, LessonPanel lesson)
       : gui_(gui),
         actions_(actions),
         shown_(shown),
         statistics_(statistics),
         parameters_(std::move(parameters)),
-        log_(log) {}
+        log_(log),
+        lesson_(std::move(lesson)) {}
 
   void draw(const PanelArea& area);
   /// Lists the parameters of this name.
@@ -34,6 +36,7 @@ class DetailsPanel {
   StatisticsPanel statistics_;
   ParametersPanel parameters_;
   LogPanel log_;
+  LessonPanel lesson_;
 };
 
 }  // namespace mes

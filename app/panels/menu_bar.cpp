@@ -174,7 +174,8 @@ void shapes_menu(const MenuBar& menu) {
 }
 
 void lessons_menu(const MenuBar& menu) {
-  action_item(menu, ActionId::present_lesson);
+  for (const ActionId id : {ActionId::present_lesson, ActionId::mark_step, ActionId::toggle_lesson})
+    action_item(menu, id);
   if (!menu.lessons.empty()) ImGui::Separator();
   for (const ShippedLesson& lesson : menu.lessons) {
     if (ImGui::MenuItem(lesson.title.c_str())) menu.open_lesson(lesson);

@@ -151,12 +151,14 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
   if (folder_.empty()) return;
   const Timeline& timeline = editor.timeline();
   Work work;
-  if (timeline.generation() != generation_) {
+  // The lesson stands on the first line, so another one makes another journal.
+  if (timeline.generation() != generation_ || timeline.lesson_revision() != lesson_revision_) {
     generation_ = timeline.generation();
+    lesson_revision_ = timeline.lesson_revision();
     work.ends = std::exchange(has_journal_, false);
     told_ = 0;
   }
-  if (!has_journal_ && editor.is_modified() && timeline.settled() > 0) {
+  if (!has_journal_ && editor.is_modified() && (timeline.settled() > 0 || editor.is_lesson_modified())) {
     work.begins = has_journal_ = true;
     work.head = head();
     told_ = 0;

@@ -67,6 +67,7 @@ class Autosave {
   std::function<void()> wake_;
   std::chrono::milliseconds gather_;
   std::uint64_t generation_ = 0;
+  std::uint64_t lesson_revision_ = 0;
   std::size_t told_ = 0;
   bool has_journal_ = false;
 

@@ -196,7 +196,7 @@ FileDesk::Unsaved FileDesk::unsaved() const {
   if (has_session_file()) return {.samples = editor_.is_modified()};
   const Document& now = editor_.document();
   return {now.sample_digest() != held_.samples, now.ball_digest() != held_.balls,
-          *now.annotations() != *held_.annotations};
+          *now.annotations() != *held_.annotations, editor_.is_lesson_modified()};
 }
 
 void FileDesk::save() {
@@ -247,6 +247,7 @@ void FileDesk::begin_saving(Held after) {
   };
   if (!after.session_file.empty()) {
     saving.session = std::make_shared<const Session>(session_now_());
+    saving.lesson_revision = editor_.timeline().lesson_revision();
     add(after.session_file, [session = saving.session] { return write_session(*session); });
     after.samples = now.sample_digest();
     after.balls = now.ball_digest();
@@ -332,6 +333,7 @@ FileDesk::Saved FileDesk::saved(Written written) {
   note_known(written.files);
   if (out.error || out.conflict) return out;
   if (saving->is_whole) editor_.mark_saved(saving->revision);
+  if (saving->session) editor_.mark_lesson_saved(saving->lesson_revision);
   editor_.set_saved_layers(saving->session ? std::optional(saving->session->layers) : std::nullopt);
   return out;
 }

@@ -94,7 +94,8 @@ class FileDesk {
     bool samples = false;
     bool balls = false;
     bool annotations = false;  ///< only sessions hold them
-    bool any() const { return samples || balls || annotations; }
+    bool lesson = false;       ///< and this
+    bool any() const { return samples || balls || annotations || lesson; }
   };
   Unsaved unsaved() const;
 
@@ -137,7 +138,8 @@ class FileDesk {
   struct Saving {
     std::vector<Part> parts;
     Held after;
-    std::uint64_t revision = 0;            // of the document that is written
+    std::uint64_t revision = 0;  // of the document that is written
+    std::uint64_t lesson_revision = 0;
     bool is_whole = false;                 // the parts hold all of it
     std::shared_ptr<const SampleData> of;  // what was loaded
     std::shared_ptr<const Document> document;

@@ -26,8 +26,8 @@ void DocumentFlow::ask_save_as() {
   const Document& document = uses_.work.document();
   const bool balls_only = document.sample_count() == 0 && document.ball_count() != 0;
   const bool wants_balls = rest.balls && !rest.samples;
-  const bool wants_annotations = rest.annotations && !rest.samples && !rest.balls;
-  const bool has_format = !files_.file().empty() && !files_.has_session_file() && !wants_annotations;
+  const bool wants_session = (rest.annotations || rest.lesson) && !rest.samples && !rest.balls;
+  const bool has_format = !files_.file().empty() && !files_.has_session_file() && !wants_session;
   const char* const extension = !has_format ? ".json" : wants_balls || balls_only ? ".wpoff" : ".poff";
   uses_.dialogs.browser.ask_save(browse_folder(), name + extension,
                                  remembering([this](const fs::path& file) { files_.save_as(file); }));
@@ -79,9 +79,12 @@ void DocumentFlow::say_saved(const std::string& files) {
 }
 
 void DocumentFlow::say_still_unsaved(const FileDesk::Unsaved& rest) {
-  if (rest.annotations) {
-    uses_.messages.problem("Saved " + files_.title() +
-                           "; still unsaved: the annotations (\"Save as...\" with a name that ends in .json)");
+  if (rest.annotations || rest.lesson) {
+    const std::string what = !rest.lesson        ? "the annotations"
+                             : !rest.annotations ? "the lesson"
+                                                 : "the annotations and the lesson";
+    uses_.messages.problem("Saved " + files_.title() + "; still unsaved: " + what +
+                           " (\"Save as...\" with a name that ends in .json)");
     return;
   }
   const std::string what = rest.samples ? rest.balls ? "the samples and the balls" : "the samples" : "the balls";

@@ -13,7 +13,11 @@ LessonRun::LessonRun(Workspace& work, DrawingBoard& board, Messages& messages)
       messages_(messages),
       presenter_({work.editor(), work.layers(), [&work] { return work.computation().settings(); },
                   [&work](const ComputationSettings& settings) { work.computation().set(settings); },
-                  [this](const Box2& box) { look_at(box); }}) {}
+                  [this](const Box2& box) { look_at(box); }}),
+      desk_(work.editor(), [&work, &board] {
+        return LessonDesk::Look{work.layers().configuration(), work.computation().settings(),
+                                board.view().free_box()};
+      }) {}
 
 void LessonRun::bind(ActionBindings& actions) {
   const auto bind_step = [&](ActionId id, Expected<void> (LessonPresenter::*step)()) {
@@ -29,6 +33,7 @@ void LessonRun::bind(ActionBindings& actions) {
   };
   bind_step(ActionId::next_bundle, &LessonPresenter::go_on);
   bind_step(ActionId::previous_bundle, &LessonPresenter::go_back);
+  actions.bind(ActionId::mark_step, {[this] { desk_.mark(); }, [this] { return !is_running() && desk_.can_mark(); }});
 }
 
 void LessonRun::start(const Session& session) {
@@ -69,6 +74,7 @@ void LessonRun::say(const Expected<void>& done) {
 }
 
 void LessonRun::look_at(const Box2& box) {
+  looked_at_ = box;
   if (!box.is_empty()) board_.fitter().set_target(box);
   board_.fitter().want(ViewFitter::How::glide);
 }

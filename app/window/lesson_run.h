@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
+#include "app/model/lesson_desk.h"
 #include "app/model/lesson_presenter.h"
 #include "app/panels/lesson_card.h"
 #include "app/window/drawing_board.h"
@@ -26,6 +27,8 @@ class LessonRun {
   void start(const Session& session);
   void end();
   bool is_running() const { return presenter_.is_running(); }
+  /// Where a lesson is made of the document.
+  LessonDesk& desk() { return desk_; }
   /// Caption of the present step; empty while none runs.
   std::string caption() const { return is_running() ? presenter_.caption() : std::string(); }
   /// "2 of 8".
@@ -34,6 +37,8 @@ class LessonRun {
   std::optional<double> next_due(double now) const { return presenter_.next_due(now); }
   /// Once a frame; `may_step`: the picture is complete. True when an edit was played.
   bool advance(double now, bool may_step) { return presenter_.advance(now, may_step); }
+  /// The room of the drawing has changed because it began or ended.
+  void fit_again() { look_at(looked_at_); }
   /// Beside the drawing, at the left of this area; the width that it takes.
   float draw(const Gui& gui, const ActionBindings& actions, const PanelArea& area);
 
@@ -47,7 +52,9 @@ class LessonRun {
   DrawingBoard& board_;
   Messages& messages_;
   LessonPresenter presenter_;
+  LessonDesk desk_;
   Box2 view_before_;
+  Box2 looked_at_;  // last; empty: everything
 };
 
 }  // namespace mes

@@ -62,7 +62,8 @@ Panels::Panels(const Uses& uses)
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
       details_panel_(uses.screen.gui, uses.actions, uses.settings.details,
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
-                     {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages}) {
+                     {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages},
+                     {uses.screen.gui, uses.actions, uses.lesson.desk()}) {
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });
@@ -104,6 +105,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_page(ActionId::toggle_statistics, DetailsPage::statistics);
   bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
   bind_page(ActionId::toggle_log, DetailsPage::log);
+  bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
   actions.bind(ActionId::save_bundle, {[this, &settings] {
                  are_shown_ = true;
                  settings.show_layers = true;
@@ -132,6 +134,7 @@ void Panels::follow_lesson() {
     end_presentation();
   else if (!presenter_.is_on())
     begin_presentation();
+  uses_.lesson.fit_again();
 }
 
 // "3 of 13: Crust".

@@ -143,6 +143,7 @@ void Timeline::restart(std::shared_ptr<const SampleData> data, TimelineLog entri
   data_ = std::move(data);
   entries_ = std::move(entries);
   lesson_ = std::move(lesson);
+  lesson_revision_ = 0;
   gesture_at_.reset();
   is_gesture_overdue_ = false;
   evolution_at_.reset();

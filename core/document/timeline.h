@@ -203,8 +203,20 @@ class Timeline {
   const TimelineLog& entries() const { return entries_; }
   /// Its positions lie among the entries that are settled.
   const Lesson& lesson() const { return lesson_; }
+  /// Not an entry of its own: a step names entries, and the last lesson is the one that counts.
+  void set_lesson(Lesson lesson) {
+    lesson_ = std::move(lesson);
+    ++lesson_revision_;
+  }
+  /// Grows with each `set_lesson`; 0 after a `restart`.
+  std::uint64_t lesson_revision() const { return lesson_revision_; }
   /// So many entries, from the first, will not change any more.
   std::size_t settled() const { return gesture_at_ ? *gesture_at_ : evolution_at_.value_or(entries_.size()); }
+  /// What was done until now is not merged with what follows: a step of a lesson may name it.
+  void settle() {
+    end_overdue_gesture();
+    evolution_at_.reset();
+  }
   /// Grows with each `restart`.
   std::uint64_t generation() const { return generation_; }
 
@@ -229,6 +241,7 @@ class Timeline {
   std::shared_ptr<const SampleData> data_;
   TimelineLog entries_;
   Lesson lesson_;
+  std::uint64_t lesson_revision_ = 0;
   std::optional<std::size_t> gesture_at_;    // where the open gesture began
   bool is_gesture_overdue_ = false;          // its end found no room
   std::optional<std::size_t> evolution_at_;  // a last entry that the next state takes the place of

@@ -68,10 +68,12 @@ std::string write_journal_line(const TimelineEntry& entry);
 /// Says that a file holds everything up to here.
 std::string write_journal_saved();
 struct Journaled {
-  Session session;                ///< with layers, settings and view as they were last
-  std::size_t unsaved_edits = 0;  ///< entries since the last save that changed the document, or the layers by hand
-  bool is_torn = false;           ///< ends within a line, as after a crash
-  std::string complaint;          ///< about the line at which reading ended early; empty: all was read
+  Session session;  ///< with layers, settings and view as they were last
+  /// Entries since the last save that changed the document, or the layers by hand; a lesson alone that no file holds is
+  /// one.
+  std::size_t unsaved_edits = 0;
+  bool is_torn = false;   ///< ends within a line, as after a crash
+  std::string complaint;  ///< about the line at which reading ended early; empty: all was read
 };
 /// Reads as far as it makes sense. Error: the first line does not.
 Expected<Journaled> read_journal(std::string_view text, const std::string& file);

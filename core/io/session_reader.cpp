@@ -502,6 +502,7 @@ Expected<void> replay_session(const Session& session, DocumentReplay& replay, co
 Expected<Journaled> read_journal(std::string_view text, const std::string& file) {
   Journaled out;
   bool is_first = true;
+  bool has_unsaved_lesson = false;
   DocumentReplay replay;
   for (std::uint64_t line = 1; !text.empty(); ++line) {
     const std::size_t end = text.find('\n');
@@ -515,6 +516,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
       auto session = read(this_line, Timelines::following, file);
       if (!session) return std::unexpected(session.error());
       out.session = std::move(*session);
+      has_unsaved_lesson = !out.session.lesson.steps.empty();
       if (auto begun = replay.begin(*out.session.data); !begun) return bad(file, begun.error().text, line);
       is_first = false;
       continue;
@@ -526,7 +528,10 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     }
     try {
       const JsonView object = JsonView::whole(this_line);
-      if (object.find("saved")) out.unsaved_edits = 0;
+      if (object.find("saved")) {
+        out.unsaved_edits = 0;
+        has_unsaved_lesson = false;
+      }
       const auto entry = entry_from(object);
       if (!entry) continue;
       out.unsaved_edits += is_work(*entry) ? 1U : 0U;
@@ -541,6 +546,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     }
   }
   if (is_first) return bad(file, "the first line is missing");
+  if (has_unsaved_lesson && out.unsaved_edits == 0) out.unsaved_edits = 1;
   LayerFold layers_now(std::move(out.session.layers));
   for (const TimelineEntry& entry : out.session.entries) {
     if (const auto* layers = std::get_if<LayersChanged>(&entry)) layers_now.apply(*layers);

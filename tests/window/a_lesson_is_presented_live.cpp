@@ -94,6 +94,40 @@ TEST_CASE("a lesson is presented by the Page keys, and gives the document back w
   CHECK(window.program.is_running());
 }
 
+TEST_CASE("a lesson is made in the window, is unsaved work, and goes into a session") {
+  DrivenProgram window;
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.start("house.poff");
+  const Screenshot before = window.drawn();
+  const auto mark = [&] {
+    window.press("ctrl+shift+p");
+    static_cast<void>(window.screen.settled());
+    window.screen.xdotool("type 'mark a step'");
+    static_cast<void>(window.screen.settled());
+    window.press("Return");
+    static_cast<void>(window.screen.settled());
+  };
+  mark();
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.poff"); }));
+  window.press("2");
+  const Screenshot other = window.other_than(before);
+  window.press("i");
+  window.screen.click({600, 420});
+  static_cast<void>(window.other_than(other));
+  mark();
+  window.press("ctrl+z");
+  window.press("ctrl+s");
+  // The samples are those of the file again; what a file of samples cannot hold asks for a name of its own.
+  static_cast<void>(window.screen.settled());
+  window.save_as("made.json");
+  const auto saved = read_session(bytes_of(window.folder / "made.json"), "made.json");
+  REQUIRE(saved);
+  REQUIRE(saved->lesson.steps.size() == 2);
+  CHECK(saved->lesson.steps[0].layers != saved->lesson.steps[1].layers);
+  CHECK(saved->lesson.steps[0].position < saved->lesson.steps[1].position);
+  REQUIRE(eventually([&] { return window.title().starts_with("made.json"); }));
+}
+
 TEST_CASE("saving ends a lesson first, and saves the document") {
   const Window window;
   const Screenshot before = window.drawn();

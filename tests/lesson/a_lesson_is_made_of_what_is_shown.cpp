@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/model/lesson_desk.h"
+#include "app/model/lesson_presenter.h"
+#include "core/base/rng.h"
+#include "tests/model/random_editing.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+struct Room {
+  LayerStack layers{layer_descriptors()};
+  ComputationSettings settings{};
+  Box2 view{};
+  Editor editor{{}, &layers};
+  LessonDesk desk{editor, [this] { return LessonDesk::Look{layers.configuration(), settings, view}; }};
+  Session session() const {
+    const Timeline& timeline = editor.timeline();
+    return {.data = timeline.data(), .entries = timeline.entries(), .lesson = timeline.lesson()};
+  }
+};
+
+std::vector<bool> visible(const LayerStack& layers) {
+  std::vector<bool> out;
+  for (LayerIndex i = 0; i < layers.size(); ++i) out.push_back(layers.is_visible(i));
+  return out;
+}
+
+/// "one, two" of the captions.
+std::string captions(const LessonDesk& desk) {
+  std::string out;
+  for (const LessonStep& step : desk.lesson().steps) out += (out.empty() ? "" : " ") + step.caption;
+  return out;
+}
+
+void mark(LessonDesk& desk, const std::string& caption) {
+  desk.mark();
+  desk.set_caption(caption);
+}
+
+}  // namespace
+
+TEST_CASE("a marked step shows its moment, whatever was done since") {
+  struct Moment {
+    SampleData data;
+    std::vector<bool> layers;
+    ComputationSettings settings;
+    Box2 view;
+  };
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    INFO("seed " << seed);
+    Room room;
+    RandomEditing script(seed);
+    REQUIRE(room.editor.load(script.data()));
+    Rng random(seed);
+    std::vector<Moment> moments;
+    for (int i = 0; i < 12; ++i) {
+      for (std::size_t k = random.below(12); k > 0; --k) script.step(room.editor);
+      const auto layer = static_cast<LayerIndex>(random.below(room.layers.size()));
+      room.layers.set_visible(layer, !room.layers.is_visible(layer));
+      room.settings.precision = random.below(2) == 0 ? Precision::exact : Precision::fast;
+      room.view.add(Vec2{random.uniform(), random.uniform()});
+      CHECK(room.desk.can_mark() == !room.editor.in_gesture());
+      if (room.editor.in_gesture()) room.editor.end_gesture();
+      room.desk.mark();
+      moments.push_back({data_of(room.editor.document()), visible(room.layers), room.settings, room.view});
+    }
+    for (int k = 0; k < 30; ++k) script.step(room.editor);
+    if (room.editor.in_gesture()) room.editor.end_gesture();
+
+    const auto read = read_session(write_session(room.session()), "lesson.json");
+    REQUIRE(read);
+    LessonWalk walk(*read);
+    REQUIRE(read->lesson.steps.size() == moments.size());
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      INFO("step " << i);
+      const auto scene = walk.scene(i);
+      REQUIRE(scene);
+      CHECK(scene->data.positions == moments[i].data.positions);
+      CHECK(scene->data.contours == moments[i].data.contours);
+      CHECK(scene->data.balls == moments[i].data.balls);
+      CHECK(visible(scene->layers) == moments[i].layers);
+      CHECK(scene->settings == moments[i].settings);
+      CHECK(scene->view == moments[i].view);
+    }
+  }
+}
+
+TEST_CASE("steps are put in order, written and removed, and each change is taken back") {
+  Room room;
+  REQUIRE(room.editor.load({.positions = {{0, 0}}}));
+  LessonDesk& desk = room.desk;
+  CHECK_FALSE(desk.chosen());
+  CHECK_FALSE(desk.can_take_back());
+  mark(desk, "one");
+  mark(desk, "two");
+  mark(desk, "three");
+  CHECK(captions(desk) == "one two three");
+  CHECK(room.editor.is_modified());
+  desk.choose(0);
+  mark(desk, "new");
+  CHECK(captions(desk) == "one new two three");
+  CHECK(desk.chosen() == 1U);
+  CHECK(desk.can_move(2));
+  CHECK_FALSE(desk.can_move(3));
+  CHECK_FALSE(desk.can_move(-2));
+  desk.move(2);
+  CHECK(captions(desk) == "one two three new");
+  desk.move(-3);
+  CHECK(captions(desk) == "new one two three");
+  CHECK(desk.chosen() == 0U);
+  desk.remove();
+  CHECK(captions(desk) == "one two three");
+  desk.take_back();
+  CHECK(captions(desk) == "new one two three");
+  desk.set_seconds(7.5);
+  CHECK(desk.lesson().steps.front().seconds == 7.5);
+  desk.set_seconds(1e9);
+  CHECK(desk.lesson().steps.front().seconds == kLongestLessonStep);
+  desk.set_seconds(std::numeric_limits<double>::quiet_NaN());
+  CHECK(desk.lesson().steps.front().seconds == kLongestLessonStep);
+
+  REQUIRE(room.editor.insert(std::array{Vec2{1, 1}}, "Insert"));
+  desk.mark_again();
+  CHECK(desk.lesson().steps.front().caption == "new");
+  CHECK(desk.lesson().steps.front().seconds == kLongestLessonStep);
+  CHECK(desk.lesson().steps.front().position > desk.lesson().steps[1].position);
+  while (desk.can_take_back()) desk.take_back();
+  CHECK(captions(desk).empty());
+  CHECK_FALSE(desk.chosen());
+}
+
+TEST_CASE("a lesson is unsaved until it is saved, and another document has another lesson") {
+  Room room;
+  REQUIRE(room.editor.load({.positions = {{0, 0}}}));
+  CHECK_FALSE(room.editor.is_modified());
+  mark(room.desk, "one");
+  CHECK(room.editor.is_modified());
+  room.editor.mark_saved();
+  CHECK(room.editor.is_modified());
+  room.editor.mark_lesson_saved(room.editor.timeline().lesson_revision());
+  CHECK_FALSE(room.editor.is_modified());
+  room.desk.set_caption("other");
+  CHECK(room.editor.is_modified());
+  // A change that changes nothing is none.
+  room.editor.mark_lesson_saved(room.editor.timeline().lesson_revision());
+  room.desk.set_caption("other");
+  CHECK_FALSE(room.editor.is_modified());
+  REQUIRE(room.editor.load({.positions = {{0, 0}}}));
+  CHECK_FALSE(room.desk.chosen());
+  CHECK_FALSE(room.desk.can_take_back());
+  CHECK(room.desk.lesson().steps.empty());
+}
+
+TEST_CASE("lessons keep the bounds that their readers have") {
+  Room room;
+  REQUIRE(room.editor.load({.positions = {{0, 0}}}));
+  for (std::size_t i = 0; i < kMostLessonSteps; ++i) {
+    REQUIRE(room.desk.can_mark());
+    room.desk.mark();
+  }
+  CHECK_FALSE(room.desk.can_mark());
+  std::string letters;
+  while (letters.size() < kLongestLessonCaption + 10) letters += "\xc3\xa9";
+  room.desk.set_caption("x" + letters);
+  room.desk.set_title("x" + letters);
+  // No letter is cut: one byte less than the most.
+  CHECK(room.desk.lesson().steps.back().caption.size() == kLongestLessonCaption - 1);
+  CHECK(room.desk.lesson().title.size() == kLongestLessonTitle - 1);
+  CHECK(read_session(write_session(room.session()), "lesson.json"));
+}
