@@ -91,6 +91,8 @@ class OpenJournal {
 struct Autosave::Journal {
   int fd = -1;
   fs::path file;
+  int superseded_fd = -1;  // of the one before, while this one is not on the disk
+  fs::path superseded;
   off_t length = 0;  // up to the last whole line
   std::string unwritten;
   bool is_wanted = false;
@@ -98,13 +100,29 @@ struct Autosave::Journal {
   Journal() = default;
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
-  ~Journal() { close(); }
+  ~Journal() {
+    close();
+    if (superseded_fd >= 0) ::close(superseded_fd);
+  }
 
   void close() {
     if (fd >= 0) ::close(fd);
     fd = -1;
   }
+  /// Stays on the disk until its successor is there.
+  void set_aside() {
+    if (fd < 0) return;
+    drop_superseded();
+    superseded_fd = std::exchange(fd, -1);
+    superseded = std::exchange(file, {});
+  }
+  void drop_superseded() {
+    if (superseded_fd < 0) return;
+    ::unlink(superseded.c_str());
+    ::close(std::exchange(superseded_fd, -1));
+  }
   void drop() {
+    drop_superseded();
     if (fd >= 0) ::unlink(file.c_str());
     close();
     length = 0;
@@ -136,6 +154,7 @@ struct Autosave::Journal {
     if (::fdatasync(fd) != 0) return errno;
     length += static_cast<off_t>(done);
     unwritten.clear();
+    drop_superseded();
     return 0;
   }
 };
@@ -151,11 +170,17 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
   if (folder_.empty()) return;
   const Timeline& timeline = editor.timeline();
   Work work;
-  // The lesson stands on the first line, so another one makes another journal.
-  if (timeline.generation() != generation_ || timeline.lesson_revision() != lesson_revision_) {
+  // The lesson stands on the first line.
+  const bool is_renewed = timeline.generation() == generation_ && timeline.lesson_revision() != lesson_revision_;
+  lesson_revision_ = timeline.lesson_revision();
+  if (timeline.generation() != generation_) {
     generation_ = timeline.generation();
-    lesson_revision_ = timeline.lesson_revision();
     work.ends = std::exchange(has_journal_, false);
+    told_ = 0;
+  }
+  if (has_journal_ && is_renewed) {
+    work.renews = true;
+    work.head = head();
     told_ = 0;
   }
   if (!has_journal_ && editor.is_modified() && (timeline.settled() > 0 || editor.is_lesson_modified())) {
@@ -210,6 +235,11 @@ void Autosave::flush() {
 
 void Autosave::write(Work& work, Journal& journal) {
   if (work.ends) journal.drop();
+  if (work.renews) {
+    journal.set_aside();
+    journal.length = 0;
+    journal.unwritten = write_journal_head(work.head);
+  }
   if (work.begins) {
     journal.drop();
     journal.is_wanted = true;

@@ -53,11 +53,12 @@ class Autosave {
  private:
   struct Work {
     bool begins = false;  // a new journal
+    bool renews = false;  // the same work has another first line: a new journal takes the place of this one
     bool ends = false;    // the journal is not needed any more
     bool saved = false;
     Session head;
     std::vector<TimelineEntry> entries;
-    bool is_empty() const { return !begins && !ends && !saved && entries.empty(); }
+    bool is_empty() const { return !begins && !renews && !ends && !saved && entries.empty(); }
   };
   struct Journal;
   void write_on(const std::stop_token& stop);

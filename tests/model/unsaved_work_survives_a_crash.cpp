@@ -100,6 +100,53 @@ TEST_CASE("what was edited is found after the program is gone, and what was save
   CHECK(find_left_work(folder.path()).works.empty());
 }
 
+TEST_CASE("a lesson that no file holds is found after the program is gone, with the work it is made of") {
+  const TemporaryFolder folder;
+  Editor editor({});
+  REQUIRE(editor.load({{{0, 0}, {1, 0}}, {}}));
+  const auto with_lesson = [&] {
+    Session out = head_of(editor);
+    out.lesson = editor.lesson();
+    return out;
+  };
+  const auto found_after = [&](auto edit) {
+    {
+      Autosave autosave(folder.path(), {}, milliseconds(0));
+      edit(autosave, [&] {
+        autosave.follow(editor, with_lesson);
+        autosave.flush();
+        // One journal at any time, whichever was renewed.
+        CHECK(folder.file_count() == (editor.is_modified() ? 1U : 0U));
+      });
+    }
+    FoundWork found = find_left_work(folder.path());
+    CHECK(found.message.empty());
+    REQUIRE(found.works.size() == 1);
+    const Session session = found.works[0].session();
+    CHECK(found.works[0].edits() > 0);
+    CHECK(session.lesson == editor.lesson());
+    CHECK(digest_of(session) == editor.document().digest());
+    found.works[0].remove();
+  };
+  found_after([&](Autosave&, auto follow) {
+    editor.set_lesson({.title = "Alone", .steps = {{.caption = "one"}}});
+    follow();
+  });
+  found_after([&](Autosave&, auto follow) {
+    REQUIRE(editor.insert(std::array{Vec2{2, 3}}, "Insert"));
+    follow();
+    editor.set_lesson({.title = "First", .steps = {{.caption = "one", .position = 1}}});
+    follow();
+    REQUIRE(editor.insert(std::array{Vec2{4, 5}}, "Insert"));
+    follow();
+    editor.set_lesson({.title = "Second", .steps = {{.caption = "one", .position = 2}, {.position = 1}}});
+    editor.undo();
+    follow();
+    REQUIRE(editor.insert(std::array{Vec2{6, 5}}, "Insert"));
+    follow();
+  });
+}
+
 TEST_CASE("a gesture that is not finished waits; an unreadable journal is set aside with a message") {
   const TemporaryFolder folder;
   Editor editor({});
