@@ -294,6 +294,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
       "--html", to.lesson.html,
       "Slides in one file for a browser, with keys and nothing from elsewhere;\n- for standard output");
   lesson->add_option("--frames", to.lesson.frames, "Folder for a picture a step, 00001.png ..., and manifest.json");
+  lesson->add_option("--video", to.lesson.video,
+                     "A video that shows each step for its seconds, .mp4 or .webm; needs ffmpeg");
   lesson->add_option("--vtt", to.lesson.vtt,
                      "The captions with the times of the steps, as WebVTT; - for standard output");
   lesson->add_option("--size", to.lesson.size, "Width and height of these pictures in pixels, WxH")

@@ -77,9 +77,7 @@ Expected<Film> understand(const FilmRequest& request) {
   if (!shard) return std::unexpected(shard.error());
   film.shard = *shard;
   if (!request.video.empty()) {
-    const std::string extension = fs::path(request.video).extension().string();
-    if (extension != ".mp4" && extension != ".webm")
-      return usage_error("the name of the video must end in .mp4 or .webm");
+    if (!is_video_name(request.video)) return usage_error("the name of the video must end in .mp4 or .webm");
     if (film.shard.count > 1) return usage_error("a shard is not a video; make it of the frames of all shards");
   }
   return film;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,11 @@
 #include "app/export/lesson_pages.h"
 #include "app/export/page_size.h"
 #include "app/recording/frame_writer.h"
+#include "app/recording/video.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "core/io/carried_session.h"
+#include "core/io/temporary.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -122,6 +125,10 @@ std::vector<std::string> files_of(const LessonRequest& request) {
 
 Expected<void> check_outputs(const LessonRequest& request) {
   const std::vector<std::string> files = files_of(request);
+  if (!request.video.empty()) {
+    if (!is_video_name(request.video)) return usage_error("the name of the video must end in .mp4 or .webm");
+    if (auto good = check_video(request.video); !good) return good;
+  }
   if (request.pdf == "-" && ::isatty(STDOUT_FILENO) != 0)
     return usage_error("a PDF cannot be printed on a terminal; name a file");
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -161,14 +168,18 @@ std::unexpected<Error> cannot_write(const std::string& text, const std::filesyst
   return std::unexpected(Error{ErrorCode::cannot_write, text, file.string()});
 }
 
-/// A picture a step, each with the time at which its step begins.
-Expected<void> write_frames(const std::filesystem::path& folder, const Session& session,
-                            const std::vector<std::size_t>& steps, const Pixels& pixels) {
+Expected<void> prepare_frames(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return cannot_write("cannot be made: " + error.message(), folder);
   if (std::filesystem::exists(folder / frame_name(1), error))
     return cannot_write("there are frames already; name another folder", folder);
+  return {};
+}
+
+/// A picture a step, each with the time at which its step begins.
+Expected<void> write_frames(const std::filesystem::path& folder, const Session& session,
+                            const std::vector<std::size_t>& steps, const Pixels& pixels) {
   auto printer = LessonPrinter::make(session, pixels.look);
   if (!printer) return std::unexpected(printer.error());
   FrameWriter writer({folder, {pixels.size.width, pixels.size.height}});
@@ -186,6 +197,25 @@ Expected<void> write_frames(const std::filesystem::path& folder, const Session& 
     begin += seconds_of(session.lesson.steps[steps[k]]);
   }
   return writer.finish();
+}
+
+/// The frames, and the video of them.
+Expected<void> write_film(const LessonRequest& request, const Session& session, const std::vector<std::size_t>& steps,
+                          const Pixels& pixels) {
+  constexpr double kFramesASecond = 25.0;
+  std::optional<ScratchFolder> temporary;
+  if (request.frames.empty()) {
+    auto made = ScratchFolder::make();
+    if (!made) return std::unexpected(made.error());
+    temporary.emplace(std::move(*made));
+  }
+  const std::filesystem::path folder = temporary ? temporary->path() : std::filesystem::path(request.frames);
+  if (auto ready = prepare_frames(folder); !ready) return ready;
+  if (auto done = write_frames(folder, session, steps, pixels); !done || request.video.empty()) return done;
+  Progress progress;
+  progress.show("making the video", 1.0);
+  return make_video(folder, kFramesASecond, request.video, {},
+                    {.pace = VideoPace::real_time, .last_seconds = seconds_of(session.lesson.steps[steps.back()])});
 }
 
 std::string packed_lesson(const Session& session) {
@@ -241,12 +271,12 @@ Expected<void> run_lesson(const LessonRequest& request, Interruption& interrupti
     return std::unexpected(Error{ErrorCode::bad_input, "this session has no lesson", *file});
   const auto steps = parse_steps(request.steps, session.lesson.steps.size());
   if (!steps) return std::unexpected(steps.error());
-  if (files_of(request).empty() && request.frames.empty())
-    return write_output({}, listed(session, *steps), interruption);
+  const bool has_frames = !request.frames.empty() || !request.video.empty();
+  if (files_of(request).empty() && !has_frames) return write_output({}, listed(session, *steps), interruption);
   const auto outputs = make_outputs(request, session, *steps, *look);
   if (!outputs) return std::unexpected(outputs.error());
-  if (!request.frames.empty())
-    if (auto done = write_frames(request.frames, session, *steps, *pixels); !done) return done;
+  if (has_frames)
+    if (auto done = write_film(request, session, *steps, *pixels); !done) return done;
   for (const Output& output : *outputs)
     if (auto done = write_output(output.file, output.bytes, interruption, {input->sources, request.force}); !done)
       return done;

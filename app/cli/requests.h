@@ -89,6 +89,7 @@ struct LessonRequest {
   std::string pdf;
   std::string html;
   std::string frames;  ///< folder
+  std::string video;   ///< .mp4 or .webm
   std::string vtt;
   std::string size = "1280x720";  ///< of frames
   std::string figure_size = "slide";

@@ -29,18 +29,17 @@ class TimedFrames {
  public:
   static constexpr const char* kName = "frames.ffconcat";
 
-  TimedFrames(const fs::path& take, double fps, std::span<const FrameInfo> frames) : file_(take / kName) {
+  TimedFrames(const fs::path& take, double fps, std::span<const FrameInfo> frames, double last)
+      : file_(take / kName) {
     std::ofstream out(file_);
     out << "ffconcat version 1.0\n" << std::fixed << std::setprecision(6);
     const double least = 1.0 / fps;
-    constexpr double kLast = 1.0;  // seconds, of the last frame
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const bool is_last = i + 1 == frames.size();
-      const double seen = is_last ? kLast : frames[i + 1].seconds - frames[i].seconds;
-      out << "file " << frame_name(i + 1) << "\nduration " << std::max(least, seen) << '\n';
+      const double seen = std::max(least, is_last ? last : frames[i + 1].seconds - frames[i].seconds);
+      out << "file " << frame_name(i + 1) << "\nduration " << seen << '\n';
+      seconds_ += seen;
     }
-    // The program counts the last duration only if another file follows.
-    if (!frames.empty()) out << "file " << frame_name(frames.size()) << '\n';
     is_written_ = static_cast<bool>(out.flush());
   }
   ~TimedFrames() {
@@ -50,9 +49,12 @@ class TimedFrames {
   TimedFrames(const TimedFrames&) = delete;
   TimedFrames& operator=(const TimedFrames&) = delete;
   bool is_written() const { return is_written_; }
+  /// Of all of them.
+  double seconds() const { return seconds_; }
 
  private:
   fs::path file_;
+  double seconds_ = 0.0;
   bool is_written_ = false;
 };
 
@@ -60,25 +62,31 @@ bool has_times(std::span<const FrameInfo> frames) {
   return frames.size() > 1 && frames.back().seconds > frames.front().seconds;
 }
 
-// `part` is where the bytes go; the kind of video is by the name of `output`.
+// `part` is where the bytes go; the kind of video is by the name of `output`. `seconds`: of the video, with the times of
+// the frames; 0: a steady pace.
 std::vector<std::string> arguments(double fps, std::size_t frames, const fs::path& output, const fs::path& part,
-                                   VideoPace pace) {
+                                   double seconds) {
   const std::string rate = fmt::format("{:g}", fps);
   const bool is_webm = output.extension() == ".webm";
   std::vector<std::string> out{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y"};
   const auto add = [&out](std::initializer_list<const char*> words) {
     out.insert(out.end(), words.begin(), words.end());
   };
-  if (pace == VideoPace::real_time)
+  const bool is_timed = seconds > 0.0;
+  if (is_timed)
     add({"-f", "concat", "-i", TimedFrames::kName});
   else
     add({"-framerate", rate.data(), "-start_number", "1", "-i", "%05d.png"});
+  // A frame is repeated until the next one, and the last one until the end, which the program does not do by itself.
+  const std::string paced =
+      is_timed ? "[0]fps=" + rate + ",tpad=stop=-1:stop_mode=clone,format=rgba" : "[0]format=rgba";
   // Players want even sides; without the ground, what is transparent would be black.
-  add({"-filter_complex",
-       "[0]format=rgba,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white@0,split[a][b];"
-       "[a]lutrgb=r=255:g=255:b=255:a=255[ground];[ground][b]overlay=format=auto"});
-  if (pace == VideoPace::real_time)
-    add({"-vsync", "cfr", "-r", rate.data()});
+  const std::string filter = paced +
+                             ",pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white@0,split[a][b];"
+                             "[a]lutrgb=r=255:g=255:b=255:a=255[ground];[ground][b]overlay=format=auto";
+  add({"-filter_complex", filter.c_str()});
+  if (is_timed)
+    add({"-t", fmt::format("{:.6f}", seconds).c_str()});
   else
     add({"-frames:v", std::to_string(frames).c_str()});
   add({"-pix_fmt", "yuv420p", "-c:v"});
@@ -96,6 +104,10 @@ bool has_video_maker() {
   return is_program_on_path("ffmpeg");
 }
 
+bool is_video_name(const fs::path& output) {
+  return output.extension() == ".mp4" || output.extension() == ".webm";
+}
+
 Expected<void> check_video(const fs::path& output) {
   if (!has_video_maker()) return failed("a video needs the program ffmpeg, which is not on the PATH", output);
   const auto writing = OutsideWriting::begin(output);
@@ -104,7 +116,7 @@ Expected<void> check_video(const fs::path& output) {
 }
 
 Expected<void> make_video(const fs::path& take, double fps, const fs::path& output, const std::stop_token& stop,
-                          VideoPace pace) {
+                          const VideoTiming& timing) {
   if (!has_video_maker())
     return failed("a video needs the program ffmpeg, which is not on the PATH; the frames stay as they are", output);
   const auto manifest = read_take(take);
@@ -114,11 +126,14 @@ Expected<void> make_video(const fs::path& take, double fps, const fs::path& outp
   std::error_code error;
   const fs::path part = fs::absolute(writing->part(), error);
   std::optional<TimedFrames> timed;
-  if (pace == VideoPace::real_time && has_times(manifest->frames)) timed.emplace(take, fps, manifest->frames);
+  constexpr double kLast = 1.0;  // seconds
+  if (timing.pace == VideoPace::real_time && (has_times(manifest->frames) || timing.last_seconds))
+    timed.emplace(take, fps, manifest->frames, timing.last_seconds.value_or(kLast));
   if (timed && !timed->is_written()) return failed("the times of the frames cannot be written", take);
-  const VideoPace kept = timed ? VideoPace::real_time : VideoPace::steady;
+  const double seconds = timed ? timed->seconds() : 0.0;
   ChildProcess child;
-  if (const int reason = child.start(arguments(fps, manifest->frames.size(), output, part, kept), take); reason != 0)
+  if (const int reason = child.start(arguments(fps, manifest->frames.size(), output, part, seconds), take);
+      reason != 0)
     return failed("ffmpeg cannot be run: " + std::generic_category().message(reason), output);
   const bool is_done = child.wait(stop);
   if (stop.stop_requested()) return std::unexpected(Error{ErrorCode::cancelled, "the video was cancelled"});
@@ -130,7 +145,7 @@ void VideoJob::start(fs::path take, double fps, fs::path output, VideoPace pace)
   output_ = std::move(output);
   stop_ = {};
   job_.begin([take = std::move(take), fps, output = output_, stop = stop_.get_token(), pace](const std::stop_token&) {
-    return make_video(take, fps, output, stop, pace);
+    return make_video(take, fps, output, stop, {.pace = pace});
   });
 }
 

@@ -17,6 +17,11 @@ namespace mes {
 /// How long each frame is seen: all equally long, or as long as it was seen when it was recorded. A take without times
 /// has a steady pace.
 enum class VideoPace : std::uint8_t { steady, real_time };
+struct VideoTiming {
+  VideoPace pace = VideoPace::steady;
+  /// In real time: how long the last frame is seen, which a take does not know; nothing: a second.
+  std::optional<double> last_seconds{};
+};
 
 /// Whether ffmpeg is on the PATH.
 bool has_video_maker();
@@ -29,7 +34,9 @@ Expected<void> check_video(const std::filesystem::path& output);
 /// white. The file appears complete or not at all, and replaces one of the same name; if that is a link, the file it
 /// leads to. Waits for the child process, which is ended when a stop is requested (error `cancelled`). Any thread.
 Expected<void> make_video(const std::filesystem::path& take, double fps, const std::filesystem::path& output,
-                          const std::stop_token& stop = {}, VideoPace pace = VideoPace::steady);
+                          const std::stop_token& stop = {}, const VideoTiming& timing = {});
+/// Whether the name of a video ends in .mp4 or .webm.
+bool is_video_name(const std::filesystem::path& output);
 
 /// The same beside the window. Threads: one; `wake` is called from another when it is done.
 class VideoJob {

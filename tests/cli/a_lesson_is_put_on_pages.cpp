@@ -192,6 +192,8 @@ TEST_CASE("a lesson is a picture a step, and captions with their times") {
   CHECK(png.substr(16, 8) == std::string("\0\0\x01\x41\0\0\0\xb4", 8));
   CHECK_FALSE(std::filesystem::exists(frames + "/00004.png"));
   require_refused({"lesson", "crust", "--frames", frames}, 4, "there are frames already");
+  require_refused({"lesson", "crust", "--video", folder / "lesson.avi"}, 2, "must end in .mp4 or .webm");
+  require_refused({"lesson", "crust", "--video", folder / "nowhere" / "lesson.mp4"}, 4, "lesson.mp4");
   for (const char* size : {"0x1", "x", "1000x100"})
     require_refused({"lesson", "crust", "--frames", frames, "--size", size}, 2, "--size");
   const std::string steps = R"([{"caption":"# A < B\n\n- c --> d","seconds":2.5},{"seconds":3600},{"caption":"e"}])";
