@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mes {
+namespace {
+
+Vec2 between(Vec2 a, Vec2 b, double t) {
+  return (1.0 - t) * a + t * b;
+}
+
+Vec2 on_ellipse(const EllipticArc& arc, double angle) {
+  return arc.center + (std::cos(angle) * arc.u + std::sin(angle) * arc.v);
+}
+
+/// By the angle.
+Vec2 along_ellipse(const EllipticArc& arc, double angle) {
+  return std::cos(angle) * arc.v - std::sin(angle) * arc.u;
+}
+
+std::size_t point_count(PieceKind kind) {
+  switch (kind) {
+    case PieceKind::line:
+    case PieceKind::arc: return 2;
+    case PieceKind::quadratic: return 3;
+    case PieceKind::cubic: return 4;
+  }
+  return 2;
+}
+
+}  // namespace
+
+// Source: SVG 2, appendix B.2.4 and B.2.5: the circle that the ellipse becomes when its axes are made the unit.
+std::optional<EllipticArc> arc_between(Vec2 from, Vec2 to, Vec2 radii, double rotation, bool is_large,
+                                       bool turns_to_v) {
+  radii = {std::abs(radii.x), std::abs(radii.y)};
+  if (radii.x == 0.0 || radii.y == 0.0 || from == to) return std::nullopt;
+  const double cosine = std::cos(rotation);
+  const double sine = std::sin(rotation);
+  const Vec2 half{0.5 * to.x - 0.5 * from.x, 0.5 * to.y - 0.5 * from.y};
+  const Vec2 middle{0.5 * to.x + 0.5 * from.x, 0.5 * to.y + 0.5 * from.y};
+  const Vec2 chord{(cosine * half.x + sine * half.y) / radii.x, (cosine * half.y - sine * half.x) / radii.y};
+  const double reach = length(chord);
+  if (!std::isfinite(reach) || reach == 0.0) return std::nullopt;
+
+  Vec2 center{};  // in units of the axes, from the middle of the chord
+  if (reach >= 1.0) {
+    radii = reach * radii;
+  } else {
+    const double height = std::sqrt((1.0 - reach) * (1.0 + reach));
+    center = (is_large == turns_to_v ? -height / reach : height / reach) * perpendicular(chord);
+  }
+  const double scale = std::max(reach, 1.0);
+  const Vec2 unit_chord{chord.x / scale, chord.y / scale};
+  const Vec2 begin = -unit_chord - center;
+  const Vec2 end = unit_chord - center;
+
+  EllipticArc arc;
+  arc.u = radii.x * Vec2{cosine, sine};
+  arc.v = radii.y * Vec2{-sine, cosine};
+  arc.center = middle + (center.x * arc.u + center.y * arc.v);
+  arc.start = std::atan2(begin.y, begin.x);
+  arc.sweep = std::atan2(cross(begin, end), dot(begin, end));
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  if (turns_to_v && arc.sweep < 0.0) arc.sweep += kTurn;
+  if (!turns_to_v && arc.sweep > 0.0) arc.sweep -= kTurn;
+  return arc;
+}
+
+Vec2 Piece::to() const {
+  return points[point_count(kind) - 1];
+}
+
+Vec2 Piece::at(double t) const {
+  if (t <= 0.0) return from();
+  if (t >= 1.0) return to();
+  if (kind == PieceKind::arc) return on_ellipse(arc, arc.start + t * arc.sweep);
+  // De Casteljau's way: it stays within the control points whatever is rounded.
+  std::array<Vec2, 4> p = points;
+  for (std::size_t left = point_count(kind) - 1; left > 0; --left)
+    for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
+  return p[0];
+}
+
+Vec2 Piece::derivative(double t) const {
+  const auto& p = points;
+  switch (kind) {
+    case PieceKind::line: return p[1] - p[0];
+    case PieceKind::quadratic: return 2.0 * between(p[1] - p[0], p[2] - p[1], t);
+    case PieceKind::cubic:
+      return 3.0 * between(between(p[1] - p[0], p[2] - p[1], t), between(p[2] - p[1], p[3] - p[2], t), t);
+    case PieceKind::arc: return arc.sweep * along_ellipse(arc, arc.start + t * arc.sweep);
+  }
+  return {};
+}
+
+Vec2 Piece::first_direction() const {
+  if (kind == PieceKind::arc) return derivative(0.0);
+  for (std::size_t i = 1; i < point_count(kind); ++i)
+    if (points[i] != points[0]) return points[i] - points[0];
+  return {};
+}
+
+Vec2 Piece::last_direction() const {
+  if (kind == PieceKind::arc) return derivative(1.0);
+  const Vec2 last = to();
+  for (std::size_t i = point_count(kind) - 1; i-- > 0;)
+    if (points[i] != last) return last - points[i];
+  return {};
+}
+
+void Curve::line_to(Vec2 to) {
+  points_.push_back(to);
+  kinds_.push_back(PieceKind::line);
+}
+
+void Curve::quadratic_to(Vec2 control, Vec2 to) {
+  points_.insert(points_.end(), {control, to});
+  kinds_.push_back(PieceKind::quadratic);
+  is_polyline_ = false;
+}
+
+void Curve::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
+  points_.insert(points_.end(), {first, second, to});
+  kinds_.push_back(PieceKind::cubic);
+  is_polyline_ = false;
+}
+
+void Curve::arc_to(const EllipticArc& arc, Vec2 to) {
+  points_.push_back(to);
+  kinds_.push_back(PieceKind::arc);
+  arcs_.push_back(arc);
+  is_polyline_ = false;
+}
+
+void Curve::close() {
+  if (end() != start()) line_to(start());
+  is_closed_ = true;
+}
+
+void Curve::transform(const Affine& map) {
+  for (Vec2& point : points_) point = map.of_point(point);
+  for (EllipticArc& arc : arcs_) {
+    arc.center = map.of_point(arc.center);
+    arc.u = map.of_vector(arc.u);
+    arc.v = map.of_vector(arc.v);
+  }
+}
+
+}  // namespace mes

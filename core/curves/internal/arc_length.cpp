@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/internal/arc_length.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace mes {
+namespace {
+
+constexpr double kTolerance = 1e-12;
+// An arc of a whole turn may look even to eight points; a cusp is narrowed down to 2^-40 of its piece.
+constexpr int kLeastDepth = 2;
+constexpr int kMostDepth = 40;
+
+/// The length between two parameters. Source of nodes and weights: Abramowitz and Stegun, table 25.4.
+double quadrature(const Piece& piece, double begin, double end) {
+  constexpr std::array<std::pair<double, double>, 4> kNodes{{{0.183434642495649805, 0.362683783378361983},
+                                                             {0.525532409916328986, 0.313706645877887287},
+                                                             {0.796666477413626740, 0.222381034453374471},
+                                                             {0.960289856497536232, 0.101228536290376259}}};
+  const double middle = 0.5 * (begin + end);
+  const double half = 0.5 * (end - begin);
+  double sum = 0.0;
+  for (const auto& [node, weight] : kNodes)
+    sum += weight * (length(piece.derivative(middle - half * node)) + length(piece.derivative(middle + half * node)));
+  return half * sum;
+}
+
+double polygon_length(const Piece& piece) {
+  if (piece.kind == PieceKind::arc) return std::abs(piece.arc.sweep) * (length(piece.arc.u) + length(piece.arc.v));
+  const std::size_t count = piece.kind == PieceKind::cubic ? 4 : 3;
+  double sum = 0.0;
+  for (std::size_t i = 1; i < count; ++i) sum += distance(piece.points[i - 1], piece.points[i]);
+  return sum;
+}
+
+}  // namespace
+
+PieceLength::PieceLength(const Piece& piece) : piece_(piece) {
+  if (piece.kind == PieceKind::line) {
+    total_ = distance(piece.from(), piece.to());
+    return;
+  }
+  halve(0.0, 1.0, quadrature(piece, 0.0, 1.0), kTolerance * polygon_length(piece), 0);
+}
+
+void PieceLength::halve(double begin, double end, double whole, double tolerance, int depth) {
+  const double middle = 0.5 * (begin + end);
+  const double first = quadrature(piece_, begin, middle);
+  const double second = quadrature(piece_, middle, end);
+  // Negated, so that what is not a number ends it too.
+  const bool is_rough = std::abs(first + second - whole) > tolerance;
+  if (depth < kMostDepth && (depth < kLeastDepth || is_rough)) {
+    halve(begin, middle, first, tolerance, depth + 1);
+    halve(middle, end, second, tolerance, depth + 1);
+    return;
+  }
+  intervals_.push_back({middle, total_ + first});
+  total_ += first + second;
+  intervals_.push_back({end, total_});
+}
+
+double PieceLength::parameter_at(double wanted) const {
+  if (!(wanted > 0.0)) return 0.0;
+  if (wanted >= total_) return 1.0;
+  if (piece_.kind == PieceKind::line) return wanted / total_;
+  const auto interval = std::ranges::upper_bound(intervals_, wanted, {}, [](const Interval& i) { return i.length; });
+  if (interval == intervals_.end()) return 1.0;
+  const bool is_first = interval == intervals_.begin();
+  const double begin = is_first ? 0.0 : std::prev(interval)->end;
+  const double reached = is_first ? 0.0 : std::prev(interval)->length;
+
+  // Newton's method, kept between bounds that bisection narrows.
+  double low = begin;
+  double high = interval->end;
+  double t = begin + (high - begin) * (wanted - reached) / (interval->length - reached);
+  constexpr int kMostSteps = 60;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double error = reached + quadrature(piece_, begin, t) - wanted;
+    (error > 0.0 ? high : low) = t;
+    const double speed = length(piece_.derivative(t));
+    double next = t - error / speed;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - t) <= 1e-16 || next == t) return next;
+    t = next;
+  }
+  return t;
+}
+
+}  // namespace mes

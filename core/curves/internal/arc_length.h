@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The length of a piece of a curve, and where on it a length is reached. Private to core/curves.
+//
+// Gauss-Legendre quadrature with eight points, on intervals that are halved until both halves together agree with the
+// whole within 1e-12 of the length of the control polygon. Lines are measured without.
+#pragma once
+
+#include <vector>
+
+#include "core/curves/curve.h"
+
+namespace mes {
+
+class PieceLength {
+ public:
+  explicit PieceLength(const Piece& piece);
+
+  double total() const { return total_; }
+  /// The parameter at which the length from the beginning is `wanted`; 0 and 1 beyond the ends. Cost: logarithmic in
+  /// the number of intervals.
+  double parameter_at(double wanted) const;
+
+ private:
+  struct Interval {
+    double end;     // parameter
+    double length;  // from the beginning to there
+  };
+  void halve(double begin, double end, double whole, double tolerance, int depth);
+
+  Piece piece_;
+  std::vector<Interval> intervals_;  // of what is not a line
+  double total_ = 0.0;
+};
+
+}  // namespace mes

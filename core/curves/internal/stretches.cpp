@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/internal/stretches.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mes {
+namespace {
+
+constexpr double kNegligible = 1e-9;
+
+double angle_between(Vec2 a, Vec2 b) {
+  const Vec2 p = 1.0 / length(a) * a;
+  const Vec2 q = 1.0 / length(b) * b;
+  return std::abs(std::atan2(cross(p, q), dot(p, q)));
+}
+
+/// Whether each piece begins at a corner. Of an open curve the first does.
+std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle) {
+  const std::size_t count = curve.pieces.size();
+  std::vector<bool> out(count, false);
+  const double least = kNegligible * curve.length();
+  const auto counts = [&](std::size_t i) { return curve.lengths[i].total() > least; };
+  std::size_t last = count;
+  if (curve.is_closed)
+    for (std::size_t i = count; i-- > 0 && last == count;)
+      if (counts(i)) last = i;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!counts(i)) continue;
+    if (last != count)
+      out[i] = angle_between(curve.pieces[last].last_direction(), curve.pieces[i].first_direction()) > corner_angle;
+    last = i;
+  }
+  if (!curve.is_closed) out[0] = true;
+  return out;
+}
+
+}  // namespace
+
+double MeasuredCurve::length() const {
+  double sum = 0.0;
+  for (const PieceLength& piece : lengths) sum += piece.total();
+  return sum;
+}
+
+MeasuredCurve measured(const Curve& curve, double corner_angle) {
+  MeasuredCurve out;
+  out.is_closed = curve.is_closed();
+  curve.for_each_piece([&](const Piece& piece) {
+    PieceLength length(piece);
+    if (length.total() == 0.0) return;
+    out.pieces.push_back(piece);
+    out.lengths.push_back(std::move(length));
+  });
+  if (out.pieces.empty()) return out;
+
+  std::vector<bool> begins = corners_of(out, corner_angle);
+  const auto first = std::ranges::find(begins, true);
+  out.has_corner_at_start = first != begins.end();
+  const auto turn = out.has_corner_at_start ? first - begins.begin() : 0;
+  std::rotate(begins.begin(), begins.begin() + turn, begins.end());
+  std::ranges::rotate(out.pieces, out.pieces.begin() + turn);
+  std::ranges::rotate(out.lengths, out.lengths.begin() + turn);
+  for (std::size_t i = 0; i < out.pieces.size(); ++i) {
+    if (i == 0 || begins[i]) out.stretches.push_back({.first = i});
+    ++out.stretches.back().count;
+    out.stretches.back().length += out.lengths[i].total();
+  }
+  return out;
+}
+
+}  // namespace mes

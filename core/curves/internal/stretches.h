@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A curve measured and cut at its corners. Private to core/curves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/curves/curve.h"
+#include "core/curves/internal/arc_length.h"
+
+namespace mes {
+
+/// A smooth part of a curve, between corners or ends; a closed curve without corners is one stretch.
+struct Stretch {
+  std::size_t first = 0;  ///< of its pieces
+  std::size_t count = 0;
+  double length = 0.0;
+};
+
+/// A curve without its pieces of no length.
+struct MeasuredCurve {
+  std::vector<Piece> pieces;  ///< of a closed curve with corners from one of them on
+  std::vector<PieceLength> lengths;
+  std::vector<Stretch> stretches;  ///< none where all of the curve is one point
+  bool is_closed = false;
+  bool has_corner_at_start = true;  ///< false for a closed curve without corners
+
+  double length() const;
+};
+
+/// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than 1e-9 of the curve are left out
+/// of the question, for they come from rounded coordinates.
+MeasuredCurve measured(const Curve& curve, double corner_angle);
+
+}  // namespace mes

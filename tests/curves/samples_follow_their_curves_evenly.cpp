@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/curves/sampling.h"
+
+using namespace mes;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Curve circle(Vec2 center, double radius) {
+  const EllipticArc arc{center, {radius, 0}, {0, radius}, 0.0, 2.0 * kPi};
+  const Vec2 start = center + Vec2{radius, 0};
+  Curve curve(start);
+  curve.arc_to(arc, start);
+  curve.close();
+  return curve;
+}
+
+Curve polygon(const std::vector<Vec2>& points, bool is_closed = true) {
+  Curve curve(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
+  if (is_closed) curve.close();
+  return curve;
+}
+
+SampledCurves sampled(const Curve& curve, const SamplingRequest& request) {
+  auto samples = sample({.curves = {curve}}, request);
+  REQUIRE(samples.has_value());
+  return *std::move(samples);
+}
+
+bool holds(const std::vector<Vec2>& points, Vec2 wanted) {
+  return std::ranges::find(points, wanted) != points.end();
+}
+
+/// Length of a curve between two parameters by many chords, as an oracle.
+double length_by_chords(const Piece& piece, double begin, double end) {
+  constexpr int kChords = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < kChords; ++i)
+    sum +=
+        distance(piece.at(begin + (end - begin) * i / kChords), piece.at(begin + (end - begin) * (i + 1) / kChords));
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("samples of a circle lie on it, evenly spaced") {
+  const SampledCurves samples = sampled(circle({3, -2}, 5), {.rule = SamplingRule::count, .count = 100});
+  REQUIRE(samples.positions.size() == 100);
+  REQUIRE(samples.chains.size() == 1);
+  CHECK(samples.chains[0] == SampledCurves::Chain{true, 0, 100});
+  for (std::size_t i = 0; i < 100; ++i) {
+    const double angle = 2.0 * kPi * static_cast<double>(i) / 100.0;
+    CHECK(std::abs(distance(samples.positions[i], {3, -2}) - 5.0) < 5e-12);
+    CHECK(distance(samples.positions[i], {3 + 5 * std::cos(angle), -2 + 5 * std::sin(angle)}) < 5e-12);
+  }
+}
+
+TEST_CASE("samples of an ellipse and of a cubic are at equal lengths of arc") {
+  Curve ellipse({4, 0});
+  ellipse.arc_to({{0, 0}, {4, 0}, {0, 1}, 0.0, 2.0 * kPi}, {4, 0});
+  ellipse.close();
+  const SampledCurves around = sampled(ellipse, {.rule = SamplingRule::count, .count = 64});
+  REQUIRE(around.positions.size() == 64);
+  Piece whole;
+  ellipse.for_each_piece([&](const Piece& piece) { whole = piece; });
+  const double each = length_by_chords(whole, 0.0, 1.0) / 64.0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const Vec2 p = around.positions[i];
+    const Vec2 q = around.positions[(i + 1) % 64];
+    double t = std::atan2(p.y, p.x / 4) / (2 * kPi);
+    double s = std::atan2(q.y, q.x / 4) / (2 * kPi);
+    if (t < -1e-9) t += 1;
+    if (s < t) s += 1;
+    CHECK(std::hypot(p.x / 4, p.y) == Approx(1.0).epsilon(1e-12));
+    CHECK(length_by_chords(whole, t, std::min(s, 1.0)) == Approx(each).epsilon(1e-6));
+  }
+
+  // (t, t^2): its length from 0 to t is t sqrt(1 + 4 t^2) / 2 + asinh(2 t) / 4.
+  Curve parabola({0, 0});
+  parabola.cubic_to({1.0 / 3, 0}, {2.0 / 3, 1.0 / 3}, {1, 1});
+  const auto length_to = [](double t) { return t * std::sqrt(1 + 4 * t * t) / 2 + std::asinh(2 * t) / 4; };
+  const SampledCurves along = sampled(parabola, {.rule = SamplingRule::count, .count = 11});
+  REQUIRE(along.positions.size() == 11);
+  CHECK_FALSE(along.chains[0].is_closed);
+  for (std::size_t i = 0; i <= 10; ++i) {
+    const Vec2 p = along.positions[i];
+    CHECK(p.y == Approx(p.x * p.x).margin(1e-12));
+    CHECK(length_to(p.x) == Approx(length_to(1.0) * static_cast<double>(i) / 10.0).margin(1e-10));
+  }
+}
+
+TEST_CASE("corners and ends are samples, and no two neighbours are farther apart than asked") {
+  const std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 3}, {4, 3}, {0, 8}};
+  for (const bool is_closed : {true, false}) {
+    const SampledCurves samples =
+        sampled(polygon(corners, is_closed), {.rule = SamplingRule::spacing, .spacing = 0.7});
+    for (const Vec2 corner : corners) CHECK(holds(samples.positions, corner));
+    REQUIRE(samples.chains.size() == 1);
+    CHECK(samples.chains[0].is_closed == is_closed);
+    for (std::size_t i = 1; i < samples.positions.size(); ++i)
+      CHECK(distance(samples.positions[i - 1], samples.positions[i]) <= 0.7 * (1 + 1e-9));
+    const double last = distance(samples.positions.back(), samples.positions.front());
+    CHECK((last <= 0.7 * (1 + 1e-9)) == is_closed);
+  }
+  // A spacing that divides the sides gives just that many.
+  CHECK(sampled(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {.rule = SamplingRule::spacing, .spacing = 0.1})
+            .positions.size() == 40);
+}
+
+TEST_CASE("a tangent that turns less than a corner is no sample of its own") {
+  // A regular polygon of 60 sides turns by 6 degrees at each vertex; its edges have length 2 sin(3 degrees).
+  std::vector<Vec2> points;
+  for (int i = 0; i < 60; ++i) points.push_back({std::cos(i * kPi / 30), std::sin(i * kPi / 30)});
+  const SampledCurves samples = sampled(polygon(points), {.rule = SamplingRule::count, .count = 50});
+  CHECK(samples.positions.size() == 50);
+  const SampledCurves sharp =
+      sampled(polygon(points), {.rule = SamplingRule::count, .count = 70, .corner_angle = 0.1});
+  CHECK(sharp.positions.size() == 60);
+}
+
+TEST_CASE("a cusp within a piece is passed at even steps") {
+  Curve cusp({0, 0});
+  cusp.cubic_to({1, 1}, {0, 1}, {1, 0});
+  const SampledCurves samples = sampled(cusp, {.rule = SamplingRule::count, .count = 41});
+  REQUIRE(samples.positions.size() == 41);
+  // Symmetric about x = 1/2: the sample in the middle is the cusp (1/2, 3/4).
+  CHECK(distance(samples.positions[20], {0.5, 0.75}) < 1e-5);
+  for (std::size_t i = 0; i < 41; ++i)
+    CHECK(distance(samples.positions[i], {1 - samples.positions[40 - i].x, samples.positions[40 - i].y}) < 1e-6);
+}
+
+TEST_CASE("a number of samples is spread by length over all curves") {
+  const CurveSet curves{.curves = {circle({0, 0}, 3), circle({10, 0}, 1)}, .points = {}};
+  const auto samples = sample(curves, {.rule = SamplingRule::count, .count = 400});
+  REQUIRE(samples.has_value());
+  CHECK(samples->positions.size() == 400);
+  REQUIRE(samples->chains.size() == 2);
+  CHECK(samples->chains[0].count == 300);
+  CHECK(samples->chains[1].count == 100);
+  const auto few = sample(curves, {.rule = SamplingRule::count, .count = 4, .least_each = 8});
+  REQUIRE(few.has_value());
+  CHECK(few->chains[0].count == 8);
+  CHECK(few->chains[1].count == 8);
+}
+
+TEST_CASE("vertices are taken as they are, once each") {
+  // An eight whose middle is a vertex twice, a repeated vertex, and a closing point.
+  const SampledCurves samples = sampled(polygon({{0, 0}, {1, 1}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 0}}),
+                                        {.rule = SamplingRule::vertices});
+  CHECK(samples.positions == std::vector<Vec2>{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {0, 2}});
+  REQUIRE(samples.chains.size() == 1);
+  CHECK(samples.chains[0] == SampledCurves::Chain{true, 0, 5});
+}
+
+TEST_CASE("points and curves without length are samples without a chain") {
+  Curve dot({7, 7});
+  dot.close();
+  for (const SamplingRule rule : {SamplingRule::vertices, SamplingRule::count}) {
+    const auto samples =
+        sample({.curves = {dot, polygon({{0, 0}, {1, 0}}, false)}, .points = {{5, 5}}}, {.rule = rule, .count = 2});
+    REQUIRE(samples.has_value());
+    CHECK(samples->positions == std::vector<Vec2>{{7, 7}, {0, 0}, {1, 0}, {5, 5}});
+    CHECK(samples->chains == std::vector<SampledCurves::Chain>{{false, 1, 2}});
+  }
+}
+
+TEST_CASE("samples of one curve differ, whatever is asked for") {
+  // Three times around one circle.
+  Curve curve({1, 0});
+  for (int i = 0; i < 3; ++i) curve.arc_to({{0, 0}, {1, 0}, {0, 1}, 0.0, 2.0 * kPi}, {1, 0});
+  curve.close();
+  const SampledCurves samples = sampled(curve, {.rule = SamplingRule::count, .count = 30});
+  std::set<std::pair<double, double>> seen;
+  for (const Vec2 p : samples.positions) CHECK(seen.emplace(p.x, p.y).second);
+}
+
+TEST_CASE("a sampling without bounds is refused") {
+  const CurveSet curves{.curves = {circle({0, 0}, 1)}, .points = {}};
+  const auto many = sample(curves, {.rule = SamplingRule::spacing, .spacing = 1e-9});
+  REQUIRE_FALSE(many.has_value());
+  CHECK(many.error().code == ErrorCode::bad_input);
+  CHECK_THAT(many.error().text, Catch::Contains("10000000"));
+  CHECK(sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.0}).error().code == ErrorCode::usage);
+  CHECK(sample(curves, {.rule = SamplingRule::count, .count = 100, .most = 99}).error().code == ErrorCode::bad_input);
+  const CurveSet endless{.curves = {polygon({{0, 0}, {HUGE_VAL, 0}})}, .points = {}};
+  for (const SamplingRule rule : {SamplingRule::vertices, SamplingRule::count})
+    CHECK(sample(endless, {.rule = rule, .count = 5}).error().code == ErrorCode::bad_input);
+}
+
+TEST_CASE("what has been sampled already keeps its vertices when it is opened") {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 400; ++i) points.push_back({std::cos(i * kPi / 200), std::sin(i * kPi / 200)});
+  CHECK(default_sampling({.curves = {polygon(points)}, .points = {}}).rule == SamplingRule::vertices);
+  points.pop_back();
+  points.pop_back();
+  CHECK(default_sampling({.curves = {polygon(points)}, .points = {}}).rule == SamplingRule::count);
+  CHECK(default_sampling({.curves = {circle({0, 0}, 1)}, .points = {}}).count == 400);
+}
