@@ -140,8 +140,48 @@ TEST_CASE("tables that are wrong are refused where they are wrong") {
       {"a.txt", "5\n6\n7\n", 1, 2, "number for y, found the end of the line"},
       {"a.txt", "1 2\n3 4,5\n", 2, 3, "found \"4,5\""},
       {"notes", "Dear all,\nplease find enclosed\n", 1, 1, "none of the formats"},
-      {"a.geojson", "{\"type\": \"Point\"}", 1, 1, "none of the formats"},
       {"a.svg", "<svg/>", 1, 1, "XML"},
+  };
+  for (const Case& test : cases) require_refusal(test);
+}
+
+TEST_CASE("maps that are wrong are refused where they are wrong") {
+  std::string deep;
+  for (int i = 0; i < 100; ++i) deep += "GEOMETRYCOLLECTION(";
+  const std::vector<Case> cases{
+      {"a.wkt", "POINT", 1, 6, "expected \"(\" or EMPTY, found the end"},
+      {"a.wkt", "POINT (", 1, 8, "expected a number, found the end"},
+      {"a.wkt", "POINT (1)", 1, 9, "expected a number, found \")\""},
+      {"a.wkt", "POINT (1 2", 1, 11, "expected \",\" or \")\", found the end"},
+      {"a.wkt", "POINT (1 2 3 4 5)", 1, 16, "found \"5\""},
+      {"a.wkt", "POINT (1 x)", 1, 10, "found \"x\""},
+      {"a.wkt", "LINESTRING (0 0,\r\n 1 nan)", 2, 4, "not a finite number"},
+      {"a.wkt", "LINESTRING (0 0,\n 1 1e999)", 2, 4, "too large"},
+      {"a.wkt", "LINESTRING (0 0, , 1 1)", 1, 18, "expected a number, found \",\""},
+      {"a.wkt", "POLYGON (0 0, 1 0, 1 1)", 1, 10, "expected \"(\" or EMPTY"},
+      {"a.wkt", "POLYGON ((0 0, 1 0, 1 1)) nonsense", 1, 27,
+       "expected a geometry such as POLYGON, found \"nonsense\""},
+      {"a.wkt", "CIRCULARSTRING (0 0, 1 0, 1 1)", 1, 1, "expected a geometry"},
+      {"a.wkt", "POINT EMPTY", 1, 1, "nothing in it"},
+      {"a.wkt", "SRID=many;POINT (1 2)", 1, 6, "found \"many\""},
+      {"a.wkt", "SRID=4326 POINT (1 2)", 1, 11, "expected \";\""},
+      {"a.wkt", deep, 1, 65 * 19 + 1, "nested too deeply"},
+      {"a.geojson", "{\"type\": \"Point\"}", 1, 1, "list of \"coordinates\""},
+      {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 2", 1, 39, "not JSON"},
+      {"a.geojson", "{\"type\": \"Point\",\n \"coordinates\": [1]}", 2, 17, "two numbers"},
+      {"a.geojson", "{\"type\": \"Point\",\n \"coordinates\": [1, \"2\"]}", 2, 21, "expected a number"},
+      {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 1e400]}", 1, 1, "too large"},
+      {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 1e200]}", 1, 38, "too large"},
+      {"a.geojson", "{\"type\": \"Point\", \"coordinates\": []}", 1, 1, "nothing in it"},
+      {"a.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[0, 0], [1, 0]]}", 1, 38, "list of coordinates"},
+      {"a.geojson", "{\"type\": \"Topology\", \"arcs\": []}", 1, 10, "\"Topology\" is not a type of GeoJSON"},
+      {"a.geojson", "{\"type\": \"FeatureCollection\"}", 1, 1, "list of \"features\""},
+      {"a.geojson", "{\"type\": \"FeatureCollection\", \"features\": [7]}", 1, 44, "expected an object"},
+      {"a.geojson", "{\"type\": \"FeatureCollection\", \"features\": []}", 1, 1, "nothing in it"},
+      {"a.geojson", "{}", 1, 1, "\"type\""},
+      {"a.json", "[[1, 2], [3]]", 1, 10, "two numbers"},
+      {"a.json", "[[[]]]", 1, 3, "two numbers"},
+      {"a.json", std::string(100, '['), 1, 65, "nested too deeply"},
   };
   for (const Case& test : cases) require_refusal(test);
 }
@@ -175,7 +215,10 @@ TEST_CASE("every prefix and every changed byte of a good file gives a result or 
   const std::string poff = "POFF 3 0 0\n0 0\n1.5e3 -2 # a comment\n7 8\n# loop closed 0 1 2\n";
   const std::string wpoff = "WPOFF 3 0 0\n0 0 1\n1.5e3 -2 0 # a comment\n7 8 2e1\n";
   const std::string csv = "ring;x;y\na;1,5;2\n\"b\";3;4\na;5;6e1\n";
-  for (const std::string& good : {poff, wpoff, csv}) {
+  const std::string wkt = "SRID=4326;POLYGON Z((0 0 1,1 0 1,1 1 2,0 0 1));MULTIPOINT((5 5),EMPTY)";
+  const std::string geojson =
+      R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1.5e1,2],[0,0]]]}})";
+  for (const std::string& good : {poff, wpoff, csv, wkt, geojson}) {
     std::vector<std::string> variants;
     for (std::size_t i = 0; i < good.size(); ++i) {
       variants.push_back(good.substr(0, i));

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GeoJSON (RFC 7946), and plain lists of rings or points in JSON.
+//
+// Positions are longitude and latitude, and projected (core/io/map_shapes.h). They are coordinates of the plane in
+// lists, where a member `crs` names another system, and in what this program has exported.
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/coordinate_range.h"
+#include "core/io/format_registry.h"
+#include "core/io/json_text.h"
+#include "core/io/json_view.h"
+#include "core/io/map_shapes.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+enum class Shape : std::uint8_t { point, line, ring };
+
+/// `depth` lists around a position.
+struct GeometryType {
+  std::string_view name;
+  int depth;
+  Shape shape;
+};
+constexpr std::array<GeometryType, 6> kGeometries{{{"Point", 0, Shape::point},
+                                                   {"MultiPoint", 1, Shape::point},
+                                                   {"LineString", 1, Shape::line},
+                                                   {"MultiLineString", 2, Shape::line},
+                                                   {"Polygon", 2, Shape::ring},
+                                                   {"MultiPolygon", 3, Shape::ring}}};
+constexpr std::array<std::string_view, 3> kContainers{"GeometryCollection", "Feature", "FeatureCollection"};
+
+class GeoJsonReader {
+ public:
+  GeoJsonReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  Expected<LoadedFile> read() {
+    const JsonView whole = JsonView::whole(text_);
+    if (whole.is_list()) {
+      unit_ = MapShapes::Unit::plane;
+      if (auto done = read_list(whole); !done) return std::unexpected(done.error());
+    } else {
+      if (names_another_system(whole)) unit_ = MapShapes::Unit::plane;
+      if (auto done = read_object(whole); !done) return std::unexpected(done.error());
+    }
+    auto file = std::move(shapes_).load(name_, unit_);
+    if (file && first_height_)
+      file->warnings.push_back(refuse(first_height_, "heights are left out").error().message());
+    return file;
+  }
+
+ private:
+  std::unexpected<Error> refuse(JsonView at, std::string text) const {
+    return bad_json(text_, at ? at.offset_in(text_) : 0, std::move(text), name_);
+  }
+
+  static bool names_another_system(JsonView whole) {
+    const JsonView system = whole.find("crs").find("properties").find("name");
+    constexpr std::size_t kLongest = 256;
+    if (!system.is_text() || system.text_length() > kLongest) return false;
+    const std::string text = system.text();
+    return !text.contains("CRS84") && !text.contains("4326");
+  }
+
+  Expected<void> read_object(JsonView object) {
+    if (!object.is_object()) return refuse(object, "expected an object of GeoJSON");
+    const auto [type, coordinates, geometry, geometries, features, properties] = object.pick(
+        std::array<std::string_view, 6>{"type", "coordinates", "geometry", "geometries", "features", "properties"});
+    if (!type.is_text()) return refuse(object, "expected an object with a \"type\"");
+    constexpr std::size_t kLongest = 256;
+    const std::string name = type.text_length() <= kLongest ? type.text() : std::string();
+    if (name == "FeatureCollection") return read_all(features, object, "features");
+    if (name == "GeometryCollection") return read_all(geometries, object, "geometries");
+    if (name == "Feature") return read_feature(geometry, properties);
+    const auto known = std::ranges::find(kGeometries, name, &GeometryType::name);
+    if (known == kGeometries.end()) return refuse(type, in_quotes(name) + " is not a type of GeoJSON");
+    if (!coordinates.is_list()) return refuse(object, "expected a list of \"coordinates\"");
+    return read_coordinates(coordinates, known->depth, known->shape);
+  }
+
+  Expected<void> read_all(JsonView list, JsonView object, std::string_view key) {
+    if (!list.is_list()) return refuse(object, fmt::format("expected a list of \"{}\"", key));
+    for (const JsonView element : list.elements())
+      if (auto done = read_object(element); !done) return done;
+    return {};
+  }
+
+  Expected<void> read_feature(JsonView geometry, JsonView properties) {
+    // This program writes layers of the plane so.
+    if (properties.find("layer").is_text() && properties.find("kind").is_text()) unit_ = MapShapes::Unit::plane;
+    const bool is_null = geometry && !geometry.is_object();
+    return !geometry || is_null ? Expected<void>{} : read_object(geometry);
+  }
+
+  /// A list around `depth` lists around positions. An empty one is a geometry without positions.
+  Expected<void> read_coordinates(JsonView list, int depth, Shape shape) {
+    if (depth == 0) {
+      if (list.size() == 0) return {};
+      if (auto done = read_position(list); !done) return done;
+      shapes_.end_points();
+      return {};
+    }
+    for (const JsonView element : list.elements()) {
+      if (!element.is_list()) return refuse(element, "expected a list of coordinates");
+      auto done = depth == 1 ? read_position(element) : read_coordinates(element, depth - 1, shape);
+      if (!done) return done;
+    }
+    if (depth > 1) return {};
+    switch (shape) {
+      case Shape::point: shapes_.end_points(); break;
+      case Shape::line: shapes_.end_line(); break;
+      case Shape::ring: shapes_.end_ring(); break;
+    }
+    return {};
+  }
+
+  Expected<void> read_position(JsonView list) {
+    std::array<double, 2> numbers{};
+    std::size_t count = 0;
+    for (const JsonView element : list.elements()) {
+      if (!element.is_number()) return refuse(element, "expected a number");
+      if (count >= 2) {
+        if (!first_height_) first_height_ = element;
+      } else {
+        numbers[count] = element.number();
+        if (const auto fault = seen_.fault_of(numbers[count]))
+          return refuse(element, describe(*fault, numbers[count], seen_));
+        seen_.add(numbers[count]);
+      }
+      ++count;
+    }
+    if (count < 2) return refuse(list, "expected a position of two numbers");
+    shapes_.add({numbers[0], numbers[1]});
+    return {};
+  }
+
+  /// Lists around lists of positions are around rings; one list of positions is a set of points.
+  Expected<void> read_list(JsonView list) {
+    const auto first_of = [](JsonView view) -> JsonView {
+      for (const JsonView element : view.elements()) return element;
+      return {};
+    };
+    int depth = 0;
+    for (JsonView inner = first_of(list); inner.is_list(); inner = first_of(inner)) ++depth;
+    if (depth == 0) return refuse(list, "expected lists of positions");
+    if (depth > 1) return read_coordinates(list, depth, Shape::ring);
+    return read_coordinates(list, depth, Shape::point);
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  MapShapes shapes_;
+  MapShapes::Unit unit_ = MapShapes::Unit::degrees;
+  Magnitudes seen_;
+  JsonView first_height_;
+};
+
+/// Whether a key "type" near the beginning has a value that GeoJSON knows.
+bool names_a_type(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
+  constexpr std::string_view kKey = "\"type\"";
+  const std::string_view begin = bytes.substr(0, kLookedAt);
+  for (std::size_t at = begin.find(kKey); at != std::string_view::npos; at = begin.find(kKey, at + 1)) {
+    const std::size_t value = begin.find_first_not_of(" \t\r\n:", at + kKey.size());
+    if (value == std::string_view::npos || begin[value] != '"') continue;
+    const std::string_view rest = begin.substr(value + 1);
+    const std::string_view word = rest.substr(0, rest.find('"'));
+    if (std::ranges::find(kContainers, word) != kContainers.end()) return true;
+    if (std::ranges::find(kGeometries, word, &GeometryType::name) != kGeometries.end()) return true;
+  }
+  return false;
+}
+
+Match match(std::string_view bytes) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  bytes = without_bom(bytes);
+  const std::size_t begin = bytes.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return Match::no;
+  if (bytes[begin] == '{') return names_a_type(bytes) ? Match::surely : Match::no;
+  const std::size_t next = bytes.find_first_not_of(kBlanks, begin + 1);
+  const bool is_list_of_lists = bytes[begin] == '[' && next != std::string_view::npos && bytes[next] == '[';
+  return is_list_of_lists ? Match::surely : Match::no;
+}
+
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
+  const std::string_view text = without_bom(bytes);
+  if (auto good = check_json(text, name); !good) return std::unexpected(good.error());
+  return GeoJsonReader(text, name).read();
+}
+
+}  // namespace
+
+Format geojson_format() {
+  return {.descriptor = {.id = "geojson",
+                         .name = "GeoJSON, or lists of positions in JSON",
+                         .extensions = {".geojson"},
+                         .can_read = true},
+          .match = match,
+          .read = read};
+}
+
+}  // namespace mes

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// WKT, well-known text (OGC 06-103r4, section 7): any number of geometries after each other, with line breaks, commas
+// or semicolons between them or not. Heights and measures (Z, M) are left out. `SRID=4326;` before one, as PostGIS
+// writes it, makes degrees of all positions; without it they are coordinates of the plane.
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/lower_case.h"
+#include "core/io/format_registry.h"
+#include "core/io/map_shapes.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr int kDeepest = 64;
+
+enum class Shape : std::uint8_t { point, line, ring, any };
+
+/// `depth` pairs of parentheses around the list that holds positions.
+struct GeometryType {
+  std::string_view name;
+  int depth;
+  Shape shape;
+};
+constexpr std::array<GeometryType, 7> kGeometries{{{"point", 0, Shape::point},
+                                                   {"multipoint", 0, Shape::point},
+                                                   {"linestring", 0, Shape::line},
+                                                   {"multilinestring", 1, Shape::line},
+                                                   {"polygon", 1, Shape::ring},
+                                                   {"multipolygon", 2, Shape::ring},
+                                                   {"geometrycollection", 0, Shape::any}}};
+
+constexpr bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// Goes through parentheses, commas and words.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) { skip_blanks(); }
+
+  bool is_at_end() const { return at_ == text_.size(); }
+  /// The next sign, or 0 at the end.
+  char sign() const { return is_at_end() ? '\0' : text_[at_]; }
+  bool take(char sign_wanted) {
+    if (sign() != sign_wanted || is_at_end()) return false;
+    ++at_;
+    skip_blanks();
+    return true;
+  }
+  /// Up to the next blank or sign; empty at a sign and at the end.
+  std::string_view word() const {
+    const std::string_view rest = text_.substr(at_);
+    const auto end = std::ranges::find_if(
+        rest, [](char c) { return is_blank(c) || c == '(' || c == ')' || c == ',' || c == ';' || c == '='; });
+    return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+  }
+  void skip_word() {
+    at_ += word().size();
+    skip_blanks();
+  }
+  std::size_t place() const { return at_; }
+  void go_to(std::size_t place) { at_ = place; }
+
+ private:
+  void skip_blanks() {
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  }
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+const GeometryType* type_named(std::string_view word) {
+  constexpr std::size_t kLongest = 32;
+  std::string name = lower_case(word.substr(0, kLongest));
+  const auto find = [](std::string_view wanted) {
+    const auto found = std::ranges::find(kGeometries, wanted, &GeometryType::name);
+    return found == kGeometries.end() ? nullptr : &*found;
+  };
+  if (const GeometryType* found = find(name)) return found;
+  // "POINTZ" is written as well.
+  for (int i = 0; i < 2 && (name.ends_with('z') || name.ends_with('m')); ++i) name.pop_back();
+  return find(name);
+}
+
+class WktReader {
+ public:
+  WktReader(std::string_view text, const std::string& name) : text_(text), name_(name), words_(text) {}
+
+  Expected<LoadedFile> read() {
+    while (!words_.is_at_end()) {
+      if (auto done = read_reference_system(); !done) return std::unexpected(done.error());
+      if (auto done = read_geometry(0); !done) return std::unexpected(done.error());
+      while (words_.take(';') || words_.take(',')) continue;
+    }
+    auto file = std::move(shapes_).load(name_, unit_);
+    if (file && first_height_)
+      file->warnings.push_back(bad("heights and measures are left out", *first_height_).error().message());
+    return file;
+  }
+
+ private:
+  std::unexpected<Error> bad(std::string text, std::size_t place) const {
+    std::uint64_t line = 1;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < place; ++i) {
+      const bool is_pair = text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n';
+      if ((text_[i] != '\n' && text_[i] != '\r') || is_pair) continue;
+      ++line;
+      start = i + 1;
+    }
+    return bad_input(std::move(text), name_, line, place - start + 1);
+  }
+
+  std::unexpected<Error> unexpected_here(std::string_view wanted) const {
+    if (words_.is_at_end()) return bad(fmt::format("expected {}, found the end", wanted), words_.place());
+    const std::string_view word = words_.word();
+    const char sign = words_.sign();
+    return bad(
+        fmt::format("expected {}, found {}", wanted, in_quotes(word.empty() ? std::string_view(&sign, 1) : word)),
+        words_.place());
+  }
+
+  Expected<void> read_reference_system() {
+    if (lower_case(words_.word().substr(0, 5)) != "srid") return {};
+    words_.skip_word();
+    if (!words_.take('=')) return unexpected_here("\"=\" after SRID");
+    const auto number = parse_count(words_.word());
+    if (!number) return unexpected_here("the number of a reference system");
+    words_.skip_word();
+    if (!words_.take(';')) return unexpected_here("\";\" after the reference system");
+    constexpr std::uint64_t kDegrees = 4326;  // WGS 84 in degrees, by EPSG
+    if (*number == kDegrees) unit_ = MapShapes::Unit::degrees;
+    return {};
+  }
+
+  Expected<void> read_geometry(int depth) {
+    const GeometryType* const type = type_named(words_.word());
+    if (type == nullptr) return unexpected_here("a geometry such as POLYGON");
+    if (depth > kDeepest) return bad("collections are nested too deeply", words_.place());
+    words_.skip_word();
+    for (std::string word = word_in_lower_case(); word == "z" || word == "m" || word == "zm";
+         word = word_in_lower_case())
+      words_.skip_word();
+    if (type->shape != Shape::any) return read_lists(*type, type->depth);
+    return read_list([&] { return read_geometry(depth + 1); });
+  }
+
+  std::string word_in_lower_case() const {
+    constexpr std::size_t kLongest = 8;
+    return lower_case(words_.word().substr(0, kLongest));
+  }
+
+  /// "EMPTY", or elements with commas between them, in parentheses.
+  template <class ReadElement>
+  Expected<void> read_list(ReadElement read_element) {
+    if (word_in_lower_case() == "empty") {
+      words_.skip_word();
+      return {};
+    }
+    if (!words_.take('(')) return unexpected_here("\"(\" or EMPTY");
+    do {
+      if (Expected<void> done = read_element(); !done) return done;
+    } while (words_.take(','));
+    if (!words_.take(')')) return unexpected_here("\",\" or \")\"");
+    return {};
+  }
+
+  Expected<void> read_lists(const GeometryType& type, int depth) {
+    if (depth > 0) return read_list([&] { return read_lists(type, depth - 1); });
+    auto done = read_list([&] { return type.shape == Shape::point ? read_point() : read_position(); });
+    if (!done) return done;
+    switch (type.shape) {
+      case Shape::line: shapes_.end_line(); break;
+      case Shape::ring: shapes_.end_ring(); break;
+      case Shape::point:
+      case Shape::any: shapes_.end_points(); break;
+    }
+    return {};
+  }
+
+  /// In a MULTIPOINT points are in parentheses or not, and may be EMPTY.
+  Expected<void> read_point() {
+    if (words_.sign() == '(' || word_in_lower_case() == "empty") return read_list([&] { return read_position(); });
+    return read_position();
+  }
+
+  Expected<void> read_position() {
+    std::array<double, 2> numbers{};
+    for (double& number : numbers) {
+      if (words_.word().empty()) return unexpected_here("a number");
+      auto value = coordinates_.read(words_.word());
+      if (!value) return bad(std::move(value.error()), words_.place());
+      number = *value;
+      words_.skip_word();
+    }
+    shapes_.add({numbers[0], numbers[1]});
+    constexpr int kMost = 2;
+    for (int i = 0; i < kMost && !words_.word().empty(); ++i) {
+      // A measure may be missing ("nan").
+      const auto value = parse_number(words_.word());
+      if (!value && value.error() == NumberFault::not_a_number) return unexpected_here("a number");
+      if (!first_height_) first_height_ = words_.place();
+      words_.skip_word();
+    }
+    return {};
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  Words words_;
+  MapShapes shapes_;
+  MapShapes::Unit unit_ = MapShapes::Unit::plane;
+  CoordinateReader coordinates_;
+  std::optional<std::size_t> first_height_;
+};
+
+/// A geometry's name, and what can follow it.
+Match match(std::string_view bytes) {
+  Words words(without_bom(bytes));
+  if (lower_case(words.word().substr(0, 5)) == "srid") {
+    words.skip_word();
+    return words.sign() == '=' ? Match::surely : Match::no;
+  }
+  if (words.is_at_end() || !is_letter(words.sign()) || type_named(words.word()) == nullptr) return Match::no;
+  words.skip_word();
+  const std::string next = lower_case(words.word().substr(0, 6));
+  const bool follows = words.sign() == '(' || next == "empty" || next == "z" || next == "m" || next == "zm";
+  return follows ? Match::surely : Match::no;
+}
+
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
+  return WktReader(without_bom(bytes), name).read();
+}
+
+}  // namespace
+
+Format wkt_format() {
+  return {.descriptor = {.id = "wkt", .name = "WKT, well-known text", .extensions = {".wkt"}, .can_read = true},
+          .match = match,
+          .read = read};
+}
+
+}  // namespace mes
