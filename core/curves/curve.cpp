@@ -8,8 +8,9 @@
 namespace mes {
 namespace {
 
+/// Exactly level where the ends are.
 Vec2 between(Vec2 a, Vec2 b, double t) {
-  return (1.0 - t) * a + t * b;
+  return a + t * (b - a);
 }
 
 Vec2 on_ellipse(const EllipticArc& arc, double angle) {
@@ -78,7 +79,7 @@ Vec2 Piece::at(double t) const {
   if (t <= 0.0) return from();
   if (t >= 1.0) return to();
   if (kind == PieceKind::arc) return on_ellipse(arc, arc.start + t * arc.sweep);
-  // De Casteljau's way: it stays within the control points whatever is rounded.
+  // De Casteljau's way, which is steady near the ends.
   std::array<Vec2, 4> p = points;
   for (std::size_t left = point_count(kind) - 1; left > 0; --left)
     for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);

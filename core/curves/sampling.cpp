@@ -152,8 +152,21 @@ void add_stretch(const MeasuredCurve& curve, const Stretch& stretch, double inte
   if (adds_end) out.add(curve.pieces[last].to());
 }
 
-void add_evenly(const Curve& source, double spacing, const SamplingRequest& request, Collector& out) {
-  const MeasuredCurve curve = measured(source, request.corner_angle);
+/// The length of pieces that make no corners: a hundredth of about what lies between samples.
+double negligible_length(const CurveSet& curves, const SamplingRequest& request) {
+  double spacing = request.spacing;
+  if (request.rule == SamplingRule::count) {
+    spacing = 0.0;
+    for (const Curve& curve : curves.curves)
+      curve.for_each_piece([&](const Piece& piece) { spacing += distance(piece.from(), piece.to()); });
+    spacing /= static_cast<double>(std::max<std::size_t>(request.count, 1));
+  }
+  constexpr double kShare = 0.01;
+  return kShare * spacing;
+}
+
+void add_evenly(const MeasuredCurve& curve, const Curve& source, double spacing, const SamplingRequest& request,
+                Collector& out) {
   out.begin_curve(curve.is_closed);
   if (curve.stretches.empty()) out.add(source.start());
   const double here = spacing_for(outline_of(curve), spacing, request.least_each);
@@ -184,15 +197,17 @@ Expected<void> sample_vertices(const CurveSet& curves, const SamplingRequest& re
 Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& request, Collector& out) {
   std::vector<Outline> outlines;
   outlines.reserve(curves.curves.size());
+  const double negligible = negligible_length(curves, request);
   for (const Curve& curve : curves.curves) {
-    outlines.push_back(outline_of(measured(curve, request.corner_angle)));
+    outlines.push_back(outline_of(measured(curve, request.corner_angle, negligible)));
     if (!std::isfinite(outlines.back().length)) return beyond_range();
   }
   const double spacing = request.rule == SamplingRule::spacing
                              ? request.spacing
                              : spacing_for_count(outlines, request.count, request.least_each);
   if (auto fits = check_count(sample_count(outlines, spacing, request.least_each), request); !fits) return fits;
-  for (const Curve& curve : curves.curves) add_evenly(curve, spacing, request, out);
+  for (const Curve& curve : curves.curves)
+    add_evenly(measured(curve, request.corner_angle, negligible), curve, spacing, request, out);
   return {};
 }
 

@@ -27,10 +27,11 @@ enum class SamplingRule : std::uint8_t {
 
 struct SamplingRequest {
   SamplingRule rule = SamplingRule::vertices;
-  double spacing = 0.0;           ///< of the rule of that name: positive
-  std::size_t count = 0;          ///< of the rule of that name; corners, ends and `least_each` may ask for more
-  std::size_t least_each = 3;     ///< samples of a closed curve, or intervals of an open one that is not straight
-  double corner_angle = 0.5;      ///< in radians; a tangent that turns by more makes a corner
+  double spacing = 0.0;        ///< of the rule of that name: positive
+  std::size_t count = 0;       ///< of the rule of that name; corners, ends and `least_each` may ask for more
+  std::size_t least_each = 3;  ///< samples of a closed curve, or intervals of an open one that is not straight
+  /// In radians. Where the tangent turns by more is a corner; pieces of less than a hundredth of the spacing make none.
+  double corner_angle = 0.5;
   std::size_t most = 10'000'000;  ///< samples, of all curves together
 };
 

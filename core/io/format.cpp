@@ -11,6 +11,7 @@
 #include "core/io/carried_session.h"
 #include "core/io/format_registry.h"
 #include "core/io/read_file.h"
+#include "core/io/svg_drawing.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -90,7 +91,7 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
       if (*text) return read_carried(**text, name);
     }
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
-    if (const std::string_view kind = foreign_kind(bytes); !kind.empty())
+    if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !looks_like_svg(bytes))
       return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +
                            ", not a text of samples",
                        name, 1, 1);

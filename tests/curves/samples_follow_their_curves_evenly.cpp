@@ -126,6 +126,19 @@ TEST_CASE("a tangent that turns less than a corner is no sample of its own") {
   CHECK(sharp.positions.size() == 60);
 }
 
+TEST_CASE("what closes a curve by the digits left out makes no corner") {
+  // A circle of two halves that ends a little beside its start.
+  Curve curve({1, 0});
+  curve.arc_to({{0, 0}, {1, 0}, {0, 1}, 0.0, kPi}, {-1, 0});
+  curve.arc_to({{0, 0}, {1, 0}, {0, 1}, kPi, kPi}, {1, -1e-5});
+  curve.close();
+  const SampledCurves samples = sampled(curve, {.rule = SamplingRule::count, .count = 20});
+  REQUIRE(samples.positions.size() == 20);
+  for (std::size_t i = 0; i < 20; ++i)
+    CHECK(distance(samples.positions[i], samples.positions[(i + 1) % 20]) ==
+          Approx(2 * std::sin(kPi / 20)).epsilon(1e-4));
+}
+
 TEST_CASE("a cusp within a piece is passed at even steps") {
   Curve cusp({0, 0});
   cusp.cubic_to({1, 1}, {0, 1}, {1, 0});

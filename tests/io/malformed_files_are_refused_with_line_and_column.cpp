@@ -140,7 +140,6 @@ TEST_CASE("tables that are wrong are refused where they are wrong") {
       {"a.txt", "5\n6\n7\n", 1, 2, "number for y, found the end of the line"},
       {"a.txt", "1 2\n3 4,5\n", 2, 3, "found \"4,5\""},
       {"notes", "Dear all,\nplease find enclosed\n", 1, 1, "none of the formats"},
-      {"a.svg", "<svg/>", 1, 1, "XML"},
   };
   for (const Case& test : cases) require_refusal(test);
 }
@@ -186,6 +185,22 @@ TEST_CASE("maps that are wrong are refused where they are wrong") {
   for (const Case& test : cases) require_refusal(test);
 }
 
+TEST_CASE("drawings that are wrong are refused where they are wrong") {
+  const std::vector<Case> cases{
+      {"a.svg", "<html/>", 1, 1, "XML"},
+      {"a.svg", "<svg/>", 1, 1, "no shape is drawn in it"},
+      {"a.svg", "<svg><text/></svg>", 1, 1, "no shape is drawn in it; 1 text element is left out"},
+      {"a.svg", "<svg>\n <g", 2, 3, "not XML"},
+      {"a.svg", "<svg>\n <g></svg>", 2, 7, "an element ends that is not open"},
+      {"a.svg", "<svg>\n<path d=\"M0 0L1 1\"/>", 2, 20, "not XML"},
+      {"a.svg", "<svg><path d=\"M0 0L1e200 1e200\"/></svg>", 1, 1, "too large"},
+      {"a.svg", "<svg><path d=\"M0 0Lnan inf\"/></svg>", 1, 1, "no shape is drawn in it; 1 list of coordinates"},
+      {"a.svg", "<svg><path d=\"M0 0L1e999 1\"/></svg>", 1, 1, "no shape"},
+      {"a.svg", "<svg><g transform=\"scale(1e300) scale(1e300)\"><path d=\"M0 0L1 1\"/></g></svg>", 1, 1, "range"},
+  };
+  for (const Case& test : cases) require_refusal(test);
+}
+
 TEST_CASE("files that cannot be read say why") {
   const test::TemporaryFolder folder;
   const auto missing = read_sample_file(folder / "missing.poff");
@@ -218,7 +233,9 @@ TEST_CASE("every prefix and every changed byte of a good file gives a result or 
   const std::string wkt = "SRID=4326;POLYGON Z((0 0 1,1 0 1,1 1 2,0 0 1));MULTIPOINT((5 5),EMPTY)";
   const std::string geojson =
       R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1.5e1,2],[0,0]]]}})";
-  for (const std::string& good : {poff, wpoff, csv, wkt, geojson}) {
+  const std::string svg =
+      "<svg><g transform='scale(2)'><path d='M0 0a1 1 0 00.5.5L2 2z'/><use href='#a' id='a'/></g></svg>";
+  for (const std::string& good : {poff, wpoff, csv, wkt, geojson, svg}) {
     std::vector<std::string> variants;
     for (std::size_t i = 0; i < good.size(); ++i) {
       variants.push_back(good.substr(0, i));

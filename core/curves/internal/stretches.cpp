@@ -7,7 +7,7 @@
 namespace mes {
 namespace {
 
-constexpr double kNegligible = 1e-9;
+constexpr double kRounding = 1e-9;
 
 double angle_between(Vec2 a, Vec2 b) {
   const Vec2 p = 1.0 / length(a) * a;
@@ -16,10 +16,13 @@ double angle_between(Vec2 a, Vec2 b) {
 }
 
 /// Whether each piece begins at a corner. Of an open curve the first does.
-std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle) {
+std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle, double negligible) {
   const std::size_t count = curve.pieces.size();
   std::vector<bool> out(count, false);
-  const double least = kNegligible * curve.length();
+  double longest = 0.0;
+  for (const PieceLength& length : curve.lengths) longest = std::max(longest, length.total());
+  // Something is left of every curve.
+  const double least = std::max(kRounding * longest, std::min(negligible, 0.5 * longest));
   const auto counts = [&](std::size_t i) { return curve.lengths[i].total() > least; };
   std::size_t last = count;
   if (curve.is_closed)
@@ -43,7 +46,7 @@ double MeasuredCurve::length() const {
   return sum;
 }
 
-MeasuredCurve measured(const Curve& curve, double corner_angle) {
+MeasuredCurve measured(const Curve& curve, double corner_angle, double negligible) {
   MeasuredCurve out;
   out.is_closed = curve.is_closed();
   curve.for_each_piece([&](const Piece& piece) {
@@ -54,7 +57,7 @@ MeasuredCurve measured(const Curve& curve, double corner_angle) {
   });
   if (out.pieces.empty()) return out;
 
-  std::vector<bool> begins = corners_of(out, corner_angle);
+  std::vector<bool> begins = corners_of(out, corner_angle, negligible);
   const auto first = std::ranges::find(begins, true);
   out.has_corner_at_start = first != begins.end();
   const auto turn = out.has_corner_at_start ? first - begins.begin() : 0;

@@ -28,8 +28,8 @@ struct MeasuredCurve {
   double length() const;
 };
 
-/// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than 1e-9 of the curve are left out
-/// of the question, for they come from rounded coordinates.
-MeasuredCurve measured(const Curve& curve, double corner_angle);
+/// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than `negligible`, and those below
+/// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates.
+MeasuredCurve measured(const Curve& curve, double corner_angle, double negligible);
 
 }  // namespace mes

@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/svg_drawing.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <pugixml.hpp>
+#include <unordered_map>
+#include <utility>
+
+#include "core/io/svg_path.h"
+#include "core/io/svg_shapes.h"
+#include "core/io/svg_values.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr std::size_t kMostElements = 1'000'000;
+constexpr std::size_t kMostPieces = 4'000'000;
+constexpr std::size_t kDeepest = 200;
+
+using pugi::xml_node;
+
+/// What an element has from those around it.
+struct Context {
+  Affine map;
+  SvgViewport viewport;
+  bool is_visible = true;
+  bool is_filled = true;
+  bool is_stroked = false;
+  bool has_class = false;
+};
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// The word after the colon of a prefix.
+std::string_view local_name(std::string_view name) {
+  return name.substr(name.find(':') + 1);
+}
+std::string_view prefix_of(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? std::string_view{} : name.substr(0, colon);
+}
+
+class DrawingReader {
+ public:
+  DrawingReader(std::string_view bytes, const std::string& name) : bytes_(bytes), buffer_(bytes), name_(name) {}
+
+  Expected<SvgDrawing> read() {
+    // In place, so that values know where they stand.
+    const pugi::xml_parse_result parsed =
+        document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (parsed.status == pugi::status_out_of_memory)
+      return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name_});
+    if (!parsed)
+      return refuse(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
+                    fmt::format("this is not XML: {}", in_words(parsed.status)));
+    const xml_node root = document_.document_element();
+    if (local_name(root.name()) != "svg") return refuse(place_of(root), "the root element is not svg");
+    prefix_ = prefix_of(root.name());
+    note_names(root);
+    if (auto done = read_root(root); !done) return std::unexpected(done.error());
+    for (const Remark& remark : remarks_) out_.warnings.push_back(error_at(remark.place, text_of(remark)).message());
+    return std::move(out_);
+  }
+
+ private:
+  /// What is said once about all elements of a kind.
+  struct Remark {
+    std::string one;   // after "1"
+    std::string many;  // after a number
+    std::size_t place;
+    std::size_t count;
+  };
+
+  static std::string text_of(const Remark& remark) {
+    return fmt::format("{} {}", remark.count, remark.count == 1 ? remark.one : remark.many);
+  }
+
+  static std::string_view in_words(pugi::xml_parse_status status) {
+    switch (status) {
+      case pugi::status_end_element_mismatch: return "an element ends that is not open, or the end is missing";
+      case pugi::status_no_document_element: return "it has no element";
+      case pugi::status_bad_attribute: return "an attribute is broken";
+      case pugi::status_bad_start_element:
+      case pugi::status_bad_end_element: return "the tag of an element is broken";
+      case pugi::status_bad_doctype: return "its document type is broken";
+      default: return "it is broken or cut off here";
+    }
+  }
+
+  Error error_at(std::size_t place, std::string text) const {
+    const std::string_view before = bytes_.substr(0, std::min(place, bytes_.size()));
+    const auto line = static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1;
+    const std::size_t newline = before.rfind('\n');
+    const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
+    return {ErrorCode::bad_input, std::move(text), name_, line, before.size() - start + 1};
+  }
+  std::unexpected<Error> refuse(std::size_t place, std::string text) const {
+    return std::unexpected(error_at(place, std::move(text)));
+  }
+
+  /// Of its "<".
+  static std::size_t place_of(xml_node node) {
+    const std::ptrdiff_t offset = node.offset_debug();
+    return offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0;
+  }
+  /// Of the value of an attribute; of the element for an empty one, which stands nowhere.
+  std::size_t place_of(xml_node node, std::string_view value, std::size_t within) const {
+    const char* const begin = buffer_.data();
+    const bool is_inside =
+        std::less_equal<>()(begin, value.data()) && std::less<>()(value.data(), begin + buffer_.size());
+    return is_inside ? static_cast<std::size_t>(value.data() - begin) + within : place_of(node);
+  }
+
+  void remark(std::string one, std::string many, std::size_t place) {
+    const auto known = std::ranges::find(remarks_, one, &Remark::one);
+    if (known != remarks_.end()) {
+      ++known->count;
+      known->place = std::min(known->place, place);
+    } else {
+      remarks_.push_back({std::move(one), std::move(many), place, 1});
+    }
+  }
+  void remark_ignored(std::string_view attribute, xml_node node, std::string_view value, std::size_t within = 0) {
+    remark(fmt::format("value of {} is ignored, which is none", attribute),
+           fmt::format("values of {} are ignored, which are none", attribute), place_of(node, value, within));
+  }
+
+  /// Elements by their id; the first counts. Without recursion, for it comes before depth is checked.
+  void note_names(xml_node root) {
+    for (xml_node node = root; node;) {
+      if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
+      if (node.type() == pugi::node_element && local_name(node.name()) == "style") has_style_sheet_ = true;
+      if (const xml_node child = node.first_child()) {
+        node = child;
+        continue;
+      }
+      while (node && node != root && !node.next_sibling()) node = node.parent();
+      node = !node || node == root ? xml_node() : node.next_sibling();
+    }
+  }
+
+  std::optional<double> length(xml_node node, const char* attribute, SvgAxis axis, const Context& context) {
+    const std::string_view text = node.attribute(attribute).value();
+    if (text.empty() || text == "auto") return std::nullopt;
+    const auto value = svg_length(text, axis, context.viewport);
+    if (!value) remark_ignored(attribute, node, text);
+    return value;
+  }
+  double length_or_zero(xml_node node, const char* attribute, SvgAxis axis, const Context& context) {
+    return length(node, attribute, axis, context).value_or(0.0);
+  }
+
+  /// An attribute, or the declaration in `style` that outweighs it.
+  static std::string_view property(xml_node node, const char* name) {
+    const std::string_view declared = svg_declared(node.attribute("style").value(), name);
+    return declared.empty() ? std::string_view(node.attribute(name).value()) : declared;
+  }
+
+  /// The context within an element; nothing for one that is not displayed.
+  std::optional<Context> context_of(xml_node node, Context context) {
+    if (property(node, "display") == "none") return std::nullopt;
+    const std::string_view visibility = property(node, "visibility");
+    if (visibility == "visible") context.is_visible = true;
+    if (visibility == "hidden" || visibility == "collapse") context.is_visible = false;
+    const std::string_view fill = property(node, "fill");
+    if (!fill.empty() && fill != "inherit") context.is_filled = fill != "none";
+    const std::string_view stroke = property(node, "stroke");
+    if (!stroke.empty() && stroke != "inherit") context.is_stroked = stroke != "none";
+    context.has_class = context.has_class || node.attribute("class");
+    const std::string_view transform = node.attribute("transform").value();
+    if (!transform.empty()) {
+      if (const auto map = svg_transform(transform)) {
+        context.map = context.map * *map;
+      } else {
+        remark_ignored("transform", node, transform);
+      }
+    }
+    return context;
+  }
+
+  Expected<void> read_root(xml_node root) {
+    Context context{.map = {}, .viewport = {}};
+    const auto box = svg_view_box(root.attribute("viewBox").value());
+    if (box) context.viewport = {(*box)[2], (*box)[3]};
+    const SvgViewport size{length(root, "width", SvgAxis::x, context).value_or(context.viewport.width),
+                           length(root, "height", SvgAxis::y, context).value_or(context.viewport.height)};
+    // y points down in SVG.
+    context.map = Affine{1.0, 0.0, 0.0, -1.0, 0.0, size.height};
+    return read_viewport(root, context, size);
+  }
+
+  /// The content of an `svg` or `symbol` that is so large.
+  Expected<void> read_viewport(xml_node node, Context context, const SvgViewport& size) {
+    const std::string_view text = node.attribute("viewBox").value();
+    const auto box = svg_view_box(text);
+    if (!text.empty() && !box) remark_ignored("viewBox", node, text);
+    context.viewport = size;
+    if (box && size.width > 0.0 && size.height > 0.0) {
+      context.map = context.map * svg_fit(*box, size, node.attribute("preserveAspectRatio").value());
+      context.viewport = {(*box)[2], (*box)[3]};
+    }
+    const auto inner = context_of(node, context);
+    return inner ? read_children(node, *inner) : Expected<void>{};
+  }
+
+  Expected<void> read_children(xml_node node, const Context& context) {
+    path_.push_back(node);
+    for (const xml_node child : node.children()) {
+      if (child.type() != pugi::node_element) continue;
+      if (auto done = read_element(child, context); !done) return done;
+      // Of the alternatives of a `switch` the first one is taken.
+      if (local_name(node.name()) == "switch" && !child.attribute("requiredExtensions")) break;
+    }
+    path_.pop_back();
+    return {};
+  }
+
+  Expected<void> read_element(xml_node node, const Context& outer) {
+    if (prefix_of(node.name()) != prefix_) return {};  // of another vocabulary
+    if (++elements_ > kMostElements)
+      return refuse(place_of(node), fmt::format("the drawing has more than {} elements, those that are used again "
+                                                "counted each time",
+                                                kMostElements));
+    if (path_.size() > kDeepest) return refuse(place_of(node), "elements are nested too deeply");
+    const std::string_view kind = local_name(node.name());
+    if (kind == "svg") return read_nested_svg(node, outer);
+    if (kind == "use") return read_use(node, outer);
+    if (kind == "g" || kind == "a" || kind == "switch") {
+      const auto context = context_of(node, outer);
+      return context ? read_children(node, *context) : Expected<void>{};
+    }
+    constexpr std::array<std::string_view, 5> kLeftOut{"text", "image", "foreignObject", "flowRoot", "video"};
+    if (is_one_of(kind, kLeftOut)) {
+      const auto context = context_of(node, outer);
+      if (context && context->is_visible)
+        remark(fmt::format("{} element is left out", kind), fmt::format("{} elements are left out", kind),
+               place_of(node));
+      return {};
+    }
+    return read_shape(node, kind, outer);
+  }
+
+  Expected<void> read_nested_svg(xml_node node, Context context) {
+    context.map = context.map * Affine::translation(length_or_zero(node, "x", SvgAxis::x, context),
+                                                    length_or_zero(node, "y", SvgAxis::y, context));
+    const SvgViewport size{length(node, "width", SvgAxis::x, context).value_or(context.viewport.width),
+                           length(node, "height", SvgAxis::y, context).value_or(context.viewport.height)};
+    return read_viewport(node, context, size);
+  }
+
+  Expected<void> read_use(xml_node node, const Context& outer) {
+    const auto context = context_of(node, outer);
+    if (!context) return {};
+    const pugi::xml_attribute plain = node.attribute("href");
+    const std::string_view link = plain ? plain.value() : node.attribute("xlink:href").value();
+    const auto found = link.starts_with('#') ? by_id_.find(link.substr(1)) : by_id_.end();
+    if (found == by_id_.end()) {
+      remark("use element is left out, which refers to nothing here",
+             "use elements are left out, which refer to nothing here", place_of(node));
+      return {};
+    }
+    const xml_node target = found->second;
+    if (target == node || std::ranges::find(path_, target) != path_.end()) {
+      remark("use element is left out, which is part of what it refers to",
+             "use elements are left out, which are part of what they refer to", place_of(node));
+      return {};
+    }
+    Context inner = *context;
+    inner.map = inner.map * Affine::translation(length_or_zero(node, "x", SvgAxis::x, inner),
+                                                length_or_zero(node, "y", SvgAxis::y, inner));
+    path_.push_back(node);
+    auto done = read_used(target, inner, node);
+    path_.pop_back();
+    return done;
+  }
+
+  Expected<void> read_used(xml_node target, const Context& context, xml_node use) {
+    const std::string_view kind = local_name(target.name());
+    if (kind != "symbol" && kind != "svg") return read_element(target, context);
+    // A size in the `use` outweighs that of what it refers to.
+    const auto size = [&](const char* side, SvgAxis axis, double otherwise) {
+      if (const auto here = length(use, side, axis, context)) return *here;
+      return length(target, side, axis, context).value_or(otherwise);
+    };
+    const SvgViewport viewport{size("width", SvgAxis::x, context.viewport.width),
+                               size("height", SvgAxis::y, context.viewport.height)};
+    if (path_.size() > kDeepest) return refuse(place_of(target), "elements are nested too deeply");
+    Context inner = context;
+    inner.map = inner.map * Affine::translation(length_or_zero(target, "x", SvgAxis::x, context),
+                                                length_or_zero(target, "y", SvgAxis::y, context));
+    return read_viewport(target, inner, viewport);
+  }
+
+  Expected<void> read_shape(xml_node node, std::string_view kind, const Context& outer) {
+    constexpr std::array<std::string_view, 7> kShapes{"path", "rect",     "circle", "ellipse",
+                                                      "line", "polyline", "polygon"};
+    if (!is_one_of(kind, kShapes)) return {};
+    const auto context = context_of(node, outer);
+    if (!context || !context->is_visible) return {};
+    if (kind == "path") {
+      const std::string_view data = node.attribute("d").value();
+      SvgPath path = read_svg_path(data);
+      if (path.fault) remark_fault(node, data, *path.fault);
+      for (Curve& curve : path.curves)
+        if (auto done = add(std::move(curve), node, *context); !done) return done;
+      return {};
+    }
+    auto curve = simple_shape(node, kind, *context);
+    return curve ? add(std::move(*curve), node, *context) : Expected<void>{};
+  }
+
+  std::optional<Curve> simple_shape(xml_node node, std::string_view kind, const Context& context) {
+    const auto x = [&](const char* attribute) { return length_or_zero(node, attribute, SvgAxis::x, context); };
+    const auto y = [&](const char* attribute) { return length_or_zero(node, attribute, SvgAxis::y, context); };
+    if (kind == "line") {
+      Curve curve({x("x1"), y("y1")});
+      curve.line_to({x("x2"), y("y2")});
+      return curve;
+    }
+    if (kind == "circle") {
+      const double radius = length_or_zero(node, "r", SvgAxis::both, context);
+      return svg_ellipse({x("cx"), y("cy")}, {radius, radius});
+    }
+    if (kind == "polyline" || kind == "polygon") {
+      const std::string_view points = node.attribute("points").value();
+      std::optional<std::size_t> fault;
+      auto curve = svg_polyline(points, kind == "polygon", fault);
+      if (fault) remark_fault(node, points, *fault);
+      return curve;
+    }
+    const auto rx = length(node, "rx", SvgAxis::x, context);
+    const auto ry = length(node, "ry", SvgAxis::y, context);
+    const Vec2 radii{rx ? *rx : ry.value_or(0.0), ry ? *ry : rx.value_or(0.0)};
+    if (kind == "ellipse") return svg_ellipse({x("cx"), y("cy")}, radii);
+    return svg_rect({x("x"), y("y")}, {x("width"), y("height")}, radii);
+  }
+
+  void remark_fault(xml_node node, std::string_view value, std::size_t within) {
+    remark("list of coordinates is read up to a fault", "lists of coordinates are read up to a fault",
+           place_of(node, value, within));
+  }
+
+  Expected<void> add(Curve curve, xml_node node, const Context& context) {
+    pieces_ += curve.piece_count();
+    if (pieces_ > kMostPieces)
+      return refuse(place_of(node), fmt::format("the drawing has more than {} pieces of curves", kMostPieces));
+    close_what_looks_closed(curve, context);
+    curve.transform(context.map);
+    curve.name = node.attribute("id").value();
+    out_.curves.curves.push_back(std::move(curve));
+    return {};
+  }
+
+  /// Filling closes what is open, and what misses its start by the rounding of coordinates is meant to be closed.
+  void close_what_looks_closed(Curve& curve, const Context& context) const {
+    if (curve.is_closed() || curve.piece_count() < 2) return;
+    const bool knows_style = !(has_style_sheet_ && context.has_class);
+    const bool is_area = knows_style && context.is_filled && !context.is_stroked;
+    double around = 0.0;
+    curve.for_each_piece([&](const Piece& piece) { around += distance(piece.from(), piece.to()); });
+    constexpr double kRounding = 1e-4;
+    if (is_area || distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
+  }
+
+  std::string_view bytes_;
+  std::string buffer_;  // what is parsed; values of attributes are pieces of it
+  const std::string& name_;
+  pugi::xml_document document_;
+  std::string_view prefix_;
+  std::unordered_map<std::string_view, xml_node> by_id_;
+  std::vector<xml_node> path_;  // elements around the present one, through `use` too
+  bool has_style_sheet_ = false;
+  std::size_t elements_ = 0;
+  std::size_t pieces_ = 0;
+  std::vector<Remark> remarks_;
+  SvgDrawing out_;
+};
+
+/// Takes white space, declarations, comments and document types off the front.
+std::string_view without_prolog(std::string_view text) {
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return {};
+    text.remove_prefix(begin);
+    std::string_view end;
+    if (text.starts_with("<?")) {
+      end = "?>";
+    } else if (text.starts_with("<!--")) {
+      end = "-->";
+    } else if (text.starts_with("<!DOCTYPE")) {
+      const std::size_t bracket = text.find_first_of("[>");
+      end = bracket != std::string_view::npos && text[bracket] == '[' ? "]>" : ">";
+    } else {
+      return text;
+    }
+    const std::size_t at = text.find(end);
+    if (at == std::string_view::npos) return {};
+    text.remove_prefix(at + end.size());
+  }
+}
+
+}  // namespace
+
+bool looks_like_svg(std::string_view bytes) {
+  const std::string_view text = without_prolog(without_bom(bytes));
+  if (!text.starts_with('<')) return false;
+  const std::string_view name = text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1);
+  return local_name(name) == "svg";
+}
+
+Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name) {
+  return DrawingReader(without_bom(bytes), name).read();
+}
+
+}  // namespace mes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The curves that an SVG drawing consists of. Private to core/io.
+//
+// What is drawn is read: paths and basic shapes with their transforms, groups, `use`, symbols, nested viewports. Left
+// out are what is hidden (by attributes and `style`, not by style sheets) and what is not drawn by itself: definitions,
+// clip paths, masks, patterns, markers. Text and pictures are left out with a warning. Strokes are their middle lines.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/curves/curve.h"
+
+namespace mes {
+
+struct SvgDrawing {
+  CurveSet curves;                    ///< in pixels, y up, the lower left corner of the drawing at the origin
+  std::vector<std::string> warnings;  ///< one line a kind, with the place of the first
+};
+
+/// Whether the root element is that of SVG. A look at what stands before it.
+bool looks_like_svg(std::string_view bytes);
+
+/// Error: `bad_input` with line and column for what is no XML, and for what has too many elements or pieces or is
+/// nested too deeply, so that a few lines of `use` cannot grow without bounds. Entities other than those of XML are not
+/// expanded.
+Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name);
+
+}  // namespace mes

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Source: SVG 2, chapter 9.
+#include "core/io/svg_path.h"
+
+#include <numbers>
+#include <utility>
+
+#include "core/base/lower_case.h"
+#include "core/io/svg_values.h"
+
+namespace mes {
+namespace {
+
+class PathReader {
+ public:
+  explicit PathReader(std::string_view data) : text_(data) {}
+
+  SvgPath read() {
+    text_.skip_blanks();
+    while (!text_.is_at_end() && !out_.fault) {
+      const std::size_t place = text_.place();
+      const std::string_view known = "MmLlHhVvCcSsQqTtAaZz";
+      const char command = text_.sign();
+      const bool may_begin = has_begun_ || lower_case(command) == 'm';
+      if (!known.contains(command) || !may_begin) {
+        out_.fault = place;
+        break;
+      }
+      text_.take(command);
+      read_command(command);
+      text_.skip_blanks();
+    }
+    finish_subpath();
+    return std::move(out_);
+  }
+
+ private:
+  /// The command with all its sets of numbers. What follows a set of M is a set of L.
+  void read_command(char command) {
+    const char kind = lower_case(command);
+    is_relative_ = command == kind;
+    if (kind == 'z') return close();
+    char now = kind;
+    for (bool has_another = true; has_another; has_another = begins_a_number()) {
+      if (!read_set(now)) {
+        out_.fault = text_.place();
+        return;
+      }
+      if (now == 'm') now = 'l';
+    }
+  }
+
+  bool begins_a_number() {
+    text_.skip_blanks();
+    const char c = text_.sign();
+    return c == ',' || c == '.' || c == '-' || c == '+' || (c >= '0' && c <= '9');
+  }
+
+  bool read_set(char kind) {
+    switch (kind) {
+      case 'm': return read_move();
+      case 'l': return read_line();
+      case 'h': return read_along(&Vec2::x);
+      case 'v': return read_along(&Vec2::y);
+      case 'c': return read_cubic(false);
+      case 's': return read_cubic(true);
+      case 'q': return read_quadratic(false);
+      case 't': return read_quadratic(true);
+      default: return read_arc();
+    }
+  }
+
+  std::optional<double> number() {
+    text_.skip_comma();
+    return text_.number();
+  }
+  std::optional<Vec2> vector() {
+    const auto x = number();
+    const auto y = x ? number() : std::nullopt;
+    return y ? std::optional(Vec2{*x, *y}) : std::nullopt;
+  }
+  std::optional<Vec2> point() {
+    const auto value = vector();
+    return value && is_relative_ ? std::optional(at_ + *value) : value;
+  }
+
+  bool read_move() {
+    const auto to = point();
+    if (!to) return false;
+    finish_subpath();
+    has_begun_ = true;
+    at_ = start_ = *to;
+    forget_controls();
+    return true;
+  }
+
+  bool read_line() {
+    const auto to = point();
+    if (!to) return false;
+    curve().line_to(*to);
+    at_ = *to;
+    forget_controls();
+    return true;
+  }
+
+  bool read_along(double Vec2::*axis) {
+    const auto value = number();
+    if (!value) return false;
+    Vec2 to = at_;
+    to.*axis = is_relative_ ? at_.*axis + *value : *value;
+    curve().line_to(to);
+    at_ = to;
+    forget_controls();
+    return true;
+  }
+
+  bool read_cubic(bool is_smooth) {
+    const auto first = is_smooth ? std::optional(mirrored(cubic_control_)) : point();
+    const auto second = first ? point() : std::nullopt;
+    const auto to = second ? point() : std::nullopt;
+    if (!to) return false;
+    curve().cubic_to(*first, *second, *to);
+    at_ = *to;
+    forget_controls();
+    cubic_control_ = second;
+    return true;
+  }
+
+  bool read_quadratic(bool is_smooth) {
+    const auto control = is_smooth ? std::optional(mirrored(quadratic_control_)) : point();
+    const auto to = control ? point() : std::nullopt;
+    if (!to) return false;
+    curve().quadratic_to(*control, *to);
+    at_ = *to;
+    forget_controls();
+    quadratic_control_ = control;
+    return true;
+  }
+
+  bool read_arc() {
+    const auto radii = vector();
+    const auto rotation = radii ? number() : std::nullopt;
+    if (!rotation) return false;
+    text_.skip_comma();
+    const auto is_large = text_.flag();
+    if (!is_large) return false;
+    text_.skip_comma();
+    const auto sweeps = text_.flag();
+    const auto to = sweeps ? point() : std::nullopt;
+    if (!to) return false;
+    if (const auto arc = arc_between(at_, *to, *radii, *rotation * std::numbers::pi / 180.0, *is_large, *sweeps)) {
+      curve().arc_to(*arc, *to);
+    } else {
+      curve().line_to(*to);
+    }
+    at_ = *to;
+    forget_controls();
+    return true;
+  }
+
+  void close() {
+    if (curve_) curve_->close();
+    finish_subpath();
+    at_ = start_;
+    forget_controls();
+  }
+
+  /// The curve of this subpath. After a closed one the next begins where it began.
+  Curve& curve() {
+    if (!curve_) curve_.emplace(at_);
+    return *curve_;
+  }
+  void finish_subpath() {
+    if (curve_) out_.curves.push_back(*std::exchange(curve_, std::nullopt));
+  }
+
+  Vec2 mirrored(const std::optional<Vec2>& control) const { return control ? at_ + (at_ - *control) : at_; }
+  void forget_controls() {
+    cubic_control_.reset();
+    quadratic_control_.reset();
+  }
+
+  SvgText text_;
+  SvgPath out_;
+  std::optional<Curve> curve_;
+  Vec2 at_{};
+  Vec2 start_{};
+  std::optional<Vec2> cubic_control_;      // the last one, if a cubic came last
+  std::optional<Vec2> quadratic_control_;  // the same for quadratics
+  bool is_relative_ = false;
+  bool has_begun_ = false;
+};
+
+}  // namespace
+
+SvgPath read_svg_path(std::string_view data) {
+  return PathReader(data).read();
+}
+
+}  // namespace mes

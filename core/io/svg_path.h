@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The data of paths of SVG. Private to core/io.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/curves/curve.h"
+
+namespace mes {
+
+struct SvgPath {
+  std::vector<Curve> curves;         ///< a curve for each subpath that has a piece
+  std::optional<std::size_t> fault;  ///< where the data stop making sense; what comes before is read
+};
+
+/// Every command, relative and absolute. Stops at a fault, as those who draw do. Cost: linear in the text.
+SvgPath read_svg_path(std::string_view data);
+
+}  // namespace mes

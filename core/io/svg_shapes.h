@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The basic shapes of SVG as curves (SVG 2, chapter 10). Private to core/io.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/curves/curve.h"
+
+namespace mes {
+
+/// Radii are cut to half the sides; a rectangle without extent is none.
+std::optional<Curve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii);
+/// Nothing for a radius that is not positive.
+std::optional<Curve> svg_ellipse(Vec2 center, Vec2 radii);
+/// The points of a polyline or a polygon up to the first fault; nothing for less than two.
+std::optional<Curve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault);
+
+}  // namespace mes

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/svg_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <system_error>
+#include <utility>
+
+#include "core/base/lower_case.h"
+
+namespace mes {
+namespace {
+
+bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// How many bytes from the beginning are a number.
+std::size_t number_length(std::string_view text) {
+  std::size_t at = 0;
+  const auto here = [&] { return at < text.size() ? text[at] : '\0'; };
+  const auto skip_digits = [&] {
+    const std::size_t begin = at;
+    while (is_digit(here())) ++at;
+    return at - begin;
+  };
+  if (here() == '-' || here() == '+') ++at;
+  std::size_t digits = skip_digits();
+  if (here() == '.') {
+    ++at;
+    digits += skip_digits();
+  }
+  if (digits == 0) return 0;
+  const std::size_t mantissa = at;
+  if (here() != 'e' && here() != 'E') return mantissa;
+  ++at;
+  if (here() == '-' || here() == '+') ++at;
+  return skip_digits() == 0 ? mantissa : at;  // the e of "2em" is a unit's
+}
+
+}  // namespace
+
+void SvgText::skip_blanks() {
+  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+}
+
+void SvgText::skip_comma() {
+  skip_blanks();
+  if (take(',')) skip_blanks();
+}
+
+bool SvgText::take(char wanted) {
+  if (is_at_end() || text_[at_] != wanted) return false;
+  ++at_;
+  return true;
+}
+
+std::optional<double> SvgText::number() {
+  const std::size_t size = number_length(text_.substr(at_));
+  if (size == 0) return std::nullopt;
+  std::string_view token = text_.substr(at_, size);
+  if (token.starts_with('+')) token.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (error == std::errc::invalid_argument) return std::nullopt;
+  // Numbers too near to zero come as out of range too, and are left as zero.
+  constexpr double kLargest = 1e300;
+  const bool is_negative_power = token.find("e-") != token.npos || token.find("E-") != token.npos;
+  if (error == std::errc::result_out_of_range && !is_negative_power) return std::nullopt;
+  if (error == std::errc::result_out_of_range) value = 0.0;
+  if (!(std::abs(value) <= kLargest)) return std::nullopt;
+  at_ += size;
+  return value;
+}
+
+std::optional<bool> SvgText::flag() {
+  if (sign() != '0' && sign() != '1') return std::nullopt;
+  return text_[at_++] == '1';
+}
+
+std::string_view SvgText::word() {
+  const std::size_t begin = at_;
+  while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
+  return text_.substr(begin, at_ - begin);
+}
+
+double SvgViewport::reference(SvgAxis axis) const {
+  if (axis == SvgAxis::x) return width;
+  if (axis == SvgAxis::y) return height;
+  return std::hypot(width, height) / std::numbers::sqrt2;
+}
+
+std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport) {
+  using Unit = std::pair<std::string_view, double>;
+  constexpr double kInch = 96.0;
+  constexpr std::array<Unit, 11> kUnits{{{"", 1.0},
+                                         {"px", 1.0},
+                                         {"in", kInch},
+                                         {"cm", kInch / 2.54},
+                                         {"mm", kInch / 25.4},
+                                         {"q", kInch / 101.6},
+                                         {"pt", kInch / 72.0},
+                                         {"pc", kInch / 6.0},
+                                         {"em", 16.0},
+                                         {"rem", 16.0},
+                                         {"ex", 8.0}}};
+  SvgText rest(trimmed(text));
+  const auto value = rest.number();
+  if (!value) return std::nullopt;
+  if (rest.take('%'))
+    return rest.is_at_end() ? std::optional(*value / 100.0 * viewport.reference(axis)) : std::nullopt;
+  const std::string_view word = rest.word();
+  if (!rest.is_at_end() || word.size() > 3) return std::nullopt;
+  const auto unit = std::ranges::find(kUnits, std::string_view(lower_case(word)), &Unit::first);
+  return unit == kUnits.end() ? std::nullopt : std::optional(*value * unit->second);
+}
+
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180.0;
+
+/// One transform of a list, with the numbers it has.
+std::optional<Affine> transform_named(std::string_view name, const std::array<double, 6>& n, std::size_t count) {
+  if (name == "matrix" && count == 6) return Affine{n[0], n[1], n[2], n[3], n[4], n[5]};
+  if (name == "translate" && (count == 1 || count == 2)) return Affine::translation(n[0], n[1]);
+  if (name == "scale" && (count == 1 || count == 2)) return Affine::scaling(n[0], count == 1 ? n[0] : n[1]);
+  if (name == "rotate" && count == 1) return Affine::rotation(n[0] * kRadian);
+  if (name == "rotate" && count == 3)
+    return Affine::translation(n[1], n[2]) * Affine::rotation(n[0] * kRadian) * Affine::translation(-n[1], -n[2]);
+  if (name == "skewX" && count == 1) return Affine{1.0, 0.0, std::tan(n[0] * kRadian), 1.0, 0.0, 0.0};
+  if (name == "skewY" && count == 1) return Affine{1.0, std::tan(n[0] * kRadian), 0.0, 1.0, 0.0, 0.0};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Affine> svg_transform(std::string_view text) {
+  Affine out;
+  SvgText rest(text);
+  for (rest.skip_comma(); !rest.is_at_end(); rest.skip_comma()) {
+    const std::string_view name = rest.word();
+    rest.skip_blanks();
+    if (!rest.take('(')) return std::nullopt;
+    std::array<double, 6> numbers{};
+    std::size_t count = 0;
+    rest.skip_blanks();
+    while (!rest.take(')')) {
+      const auto value = rest.number();
+      if (!value || count == numbers.size()) return std::nullopt;
+      numbers[count++] = *value;
+      rest.skip_comma();
+    }
+    const auto map = transform_named(name, numbers, count);
+    if (!map) return std::nullopt;
+    out = out * *map;
+  }
+  return out;
+}
+
+std::optional<SvgViewBox> svg_view_box(std::string_view text) {
+  SvgViewBox box{};
+  SvgText rest(text);
+  rest.skip_blanks();
+  for (double& number : box) {
+    const auto value = rest.number();
+    if (!value) return std::nullopt;
+    number = *value;
+    rest.skip_comma();
+  }
+  if (!rest.is_at_end() || !(box[2] > 0.0) || !(box[3] > 0.0)) return std::nullopt;
+  return box;
+}
+
+Affine svg_fit(const SvgViewBox& box, const SvgViewport& size, std::string_view preserve_aspect_ratio) {
+  double x = size.width / box[2];
+  double y = size.height / box[3];
+  std::string_view align = trimmed(preserve_aspect_ratio);
+  const bool covers = align.ends_with("slice");
+  if (!align.starts_with("none")) x = y = covers ? std::max(x, y) : std::min(x, y);
+  const double free_x = size.width - box[2] * x;
+  const double free_y = size.height - box[3] * y;
+  const double share_x = align.starts_with("xMin") ? 0.0 : align.starts_with("xMax") ? 1.0 : 0.5;
+  const double share_y = align.contains("YMin") ? 0.0 : align.contains("YMax") ? 1.0 : 0.5;
+  return Affine::translation(share_x * free_x, share_y * free_y) * Affine::scaling(x, y) *
+         Affine::translation(-box[0], -box[1]);
+}
+
+std::string_view svg_declared(std::string_view style, std::string_view property) {
+  std::string_view found;
+  while (!style.empty()) {
+    const std::string_view declaration = style.substr(0, style.find(';'));
+    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
+    const std::size_t colon = declaration.find(':');
+    if (colon == std::string_view::npos || trimmed(declaration.substr(0, colon)) != property) continue;
+    const std::string_view value = declaration.substr(colon + 1);
+    found = trimmed(value.substr(0, value.find('!')));
+  }
+  return found;
+}
+
+}  // namespace mes

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values of attributes of SVG: numbers, lengths, transforms, viewports, declarations of style. Private to core/io.
+//
+// Source: SVG 2 (W3C Candidate Recommendation of 2018), and SVG 1.1 where it has more.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/curves/affine.h"
+
+namespace mes {
+
+/// Reads numbers that may follow each other without anything between, as in "1-2.5.5".
+class SvgText {
+ public:
+  explicit SvgText(std::string_view text) : text_(text) {}
+
+  void skip_blanks();
+  /// Blanks with at most one comma among them.
+  void skip_comma();
+  bool is_at_end() const { return at_ == text_.size(); }
+  char sign() const { return is_at_end() ? '\0' : text_[at_]; }
+  bool take(char wanted);
+  /// A finite number right here; nothing, and nothing is taken, where none is.
+  std::optional<double> number();
+  /// One character, 0 or 1, for nothing need follow it.
+  std::optional<bool> flag();
+  /// Letters right here; may be empty.
+  std::string_view word();
+  std::size_t place() const { return at_; }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+/// What a percentage is of.
+enum class SvgAxis : std::uint8_t { x, y, both };
+
+/// The size in which lengths in percent are measured.
+struct SvgViewport {
+  double width = 0.0;
+  double height = 0.0;
+  double reference(SvgAxis axis) const;
+};
+
+/// In pixels of 1/96 inch; a letter "m" of a font has 16. Nothing for what is no length.
+std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport);
+
+/// The product of a list of transforms; nothing for what is none.
+std::optional<Affine> svg_transform(std::string_view text);
+
+/// Least x and y, width and height.
+using SvgViewBox = std::array<double, 4>;
+/// Nothing for what is none or has no extent.
+std::optional<SvgViewBox> svg_view_box(std::string_view text);
+
+/// From the coordinates of a view box to those of a viewport of this size, as `preserveAspectRatio` says.
+Affine svg_fit(const SvgViewBox& box, const SvgViewport& size, std::string_view preserve_aspect_ratio);
+
+/// The value of a property in the text of an attribute `style`; empty where it is not declared.
+std::string_view svg_declared(std::string_view style, std::string_view property);
+
+}  // namespace mes
