@@ -7,12 +7,17 @@
 #include <numeric>
 #include <utility>
 
+#include "core/curves/internal/spacing_field.h"
 #include "core/curves/internal/stretches.h"
 
 namespace mes {
 namespace {
 
 constexpr std::size_t kSamplesOfADrawing = 400;
+// Of the adaptive rule: how many samples may lie where one would.
+constexpr double kFiner = 8.0;
+// What has more pieces is sampled evenly when it is opened, in time that grows with their number and no faster.
+constexpr std::size_t kMostAdaptivePieces = 20'000;
 
 std::unexpected<Error> refused(ErrorCode code, std::string text) {
   return std::unexpected(Error{code, std::move(text)});
@@ -138,24 +143,29 @@ void add_vertices(const Curve& curve, Collector& out) {
   out.end_curve();
 }
 
-/// Every interval's beginning; the end too where `adds_end`.
-void add_stretch(const MeasuredCurve& curve, const Stretch& stretch, double intervals, bool adds_end,
-                 Collector& out) {
+/// Samples at lengths of arc from the beginning of a stretch, in order; at its end too where `adds_end`.
+void add_places(const MeasuredCurve& curve, const Stretch& stretch, const std::vector<double>& places, bool adds_end,
+                Collector& out) {
   std::size_t piece = stretch.first;
   double before = 0.0;
   const std::size_t last = stretch.first + stretch.count - 1;
-  for (double i = 0.0; i < intervals; ++i) {
-    const double wanted = stretch.length * (i / intervals);
+  for (const double wanted : places) {
     while (piece < last && wanted >= before + curve.lengths[piece].total()) before += curve.lengths[piece++].total();
     out.add(curve.pieces[piece].at(curve.lengths[piece].parameter_at(wanted - before)));
   }
   if (adds_end) out.add(curve.pieces[last].to());
 }
 
+std::vector<double> even_places(double length, double intervals) {
+  std::vector<double> out;
+  for (double i = 0.0; i < intervals; ++i) out.push_back(length * (i / intervals));
+  return out;
+}
+
 /// The length of pieces that make no corners: a hundredth of about what lies between samples.
 double negligible_length(const CurveSet& curves, const SamplingRequest& request) {
   double spacing = request.spacing;
-  if (request.rule == SamplingRule::count) {
+  if (request.rule != SamplingRule::spacing) {
     spacing = 0.0;
     for (const Curve& curve : curves.curves)
       curve.for_each_piece([&](const Piece& piece) { spacing += distance(piece.from(), piece.to()); });
@@ -173,7 +183,19 @@ void add_evenly(const MeasuredCurve& curve, const Curve& source, double spacing,
   for (std::size_t i = 0; i < curve.stretches.size(); ++i) {
     const Stretch& stretch = curve.stretches[i];
     const bool adds_end = !curve.is_closed && i + 1 == curve.stretches.size();
-    add_stretch(curve, stretch, intervals_of(stretch.length, here), adds_end, out);
+    add_places(curve, stretch, even_places(stretch.length, intervals_of(stretch.length, here)), adds_end, out);
+  }
+  out.end_curve();
+}
+
+/// A curve by the spacings of its stretches.
+void add_adaptively(const MeasuredCurve& curve, const Curve& source, const std::vector<StretchSpacing>& spacings,
+                    Collector& out) {
+  out.begin_curve(curve.is_closed);
+  if (curve.stretches.empty()) out.add(source.start());
+  for (std::size_t i = 0; i < curve.stretches.size(); ++i) {
+    const bool adds_end = !curve.is_closed && i + 1 == curve.stretches.size();
+    add_places(curve, curve.stretches[i], spacings[i].places(), adds_end, out);
   }
   out.end_curve();
 }
@@ -211,6 +233,31 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
   return {};
 }
 
+Expected<void> sample_adaptively(const CurveSet& curves, const SamplingRequest& request, Collector& out) {
+  const double negligible = negligible_length(curves, request);
+  std::vector<MeasuredCurve> measured_curves;
+  double all = 0.0;
+  for (const Curve& curve : curves.curves) {
+    measured_curves.push_back(measured(curve, request.corner_angle, negligible));
+    all += measured_curves.back().length();
+  }
+  if (!std::isfinite(all)) return beyond_range();
+  SpacingLimits limits;
+  limits.widest = all / static_cast<double>(std::max<std::size_t>(request.count, 1));
+  limits.finest = limits.widest / kFiner;
+  limits.share = request.share;
+  limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
+  const auto spacings = all > 0.0 ? spacings_of(measured_curves, limits)
+                                  : std::vector<std::vector<StretchSpacing>>(curves.curves.size());
+  double count = 0.0;
+  for (const std::vector<StretchSpacing>& curve : spacings)
+    for (const StretchSpacing& stretch : curve) count += stretch.count();
+  if (auto fits = check_count(count, request); !fits) return fits;
+  for (std::size_t i = 0; i < measured_curves.size(); ++i)
+    add_adaptively(measured_curves[i], curves.curves[i], spacings[i], out);
+  return {};
+}
+
 }  // namespace
 
 SamplingRequest default_sampling(const CurveSet& curves) {
@@ -221,15 +268,17 @@ SamplingRequest default_sampling(const CurveSet& curves) {
     is_straight = is_straight && curve.is_polyline();
   }
   if (is_straight && vertices >= kSamplesOfADrawing) return {.rule = SamplingRule::vertices};
-  return {.rule = SamplingRule::count, .count = kSamplesOfADrawing, .least_each = 8};
+  const auto rule = vertices <= kMostAdaptivePieces ? SamplingRule::adaptive : SamplingRule::count;
+  return {.rule = rule, .count = kSamplesOfADrawing, .least_each = 8};
 }
 
 Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request) {
   if (request.rule == SamplingRule::spacing && !(request.spacing > 0.0))
     return refused(ErrorCode::usage, "the spacing of samples must be positive");
   Collector out;
-  auto done = request.rule == SamplingRule::vertices ? sample_vertices(curves, request, out)
-                                                     : sample_evenly(curves, request, out);
+  auto done = request.rule == SamplingRule::vertices   ? sample_vertices(curves, request, out)
+              : request.rule == SamplingRule::adaptive ? sample_adaptively(curves, request, out)
+                                                       : sample_evenly(curves, request, out);
   if (!done) return std::unexpected(done.error());
   if (auto fits = check_count(static_cast<double>(out.size() + curves.points.size()), request); !fits)
     return std::unexpected(fits.error());

@@ -2,7 +2,7 @@
 // Samples of curves.
 //
 // Corners, where the tangent turns by more than an angle, and the ends of open curves are samples whatever the rule;
-// between them samples follow each other at equal lengths of arc. A closed curve has no doubled end, and the samples of
+// between them samples follow each other at equal lengths of arc, or by the rule `adaptive` at lengths that change slowly. A closed curve has no doubled end, and the samples of
 // one curve are different points: where a curve comes back to a sample exactly, it passes it over. The result depends
 // on curves and request alone.
 //
@@ -23,6 +23,8 @@ enum class SamplingRule : std::uint8_t {
   vertices,  ///< the ends of pieces; nothing between
   spacing,   ///< neighbours at most `spacing` apart along the curve
   count,     ///< at the least spacing that gives at most `count` samples
+  adaptive,  ///< as `count` or denser, so that no more than `share` of the distance to another part of the curves lies
+             ///< between neighbours; at most eight times as dense
 };
 
 struct SamplingRequest {
@@ -30,13 +32,15 @@ struct SamplingRequest {
   double spacing = 0.0;        ///< of the rule of that name: positive
   std::size_t count = 0;       ///< of the rule of that name; corners, ends and `least_each` may ask for more
   std::size_t least_each = 3;  ///< samples of a closed curve, or intervals of an open one that is not straight
+  double share = 0.4;          ///< of the rule `adaptive`
   /// In radians. Where the tangent turns by more is a corner; pieces of less than a hundredth of the spacing make none.
   double corner_angle = 0.5;
   std::size_t most = 10'000'000;  ///< samples, of all curves together
 };
 
 /// What a file is sampled by when it is opened. A drawing of straight lines with at least 400 vertices has been sampled
-/// already, and keeps its vertices. Anything else gets 400 samples, at least eight on each curve.
+/// already, and keeps its vertices. Anything else gets about 400 samples, more where parts of it are near to each other
+/// (`adaptive`), and at least eight on each curve; without regard to nearness where there are more than 20,000 pieces.
 SamplingRequest default_sampling(const CurveSet& curves);
 
 struct SampledCurves {

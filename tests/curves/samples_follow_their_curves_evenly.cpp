@@ -164,6 +164,48 @@ TEST_CASE("a number of samples is spread by length over all curves") {
   CHECK(few->chains[1].count == 8);
 }
 
+TEST_CASE("where nothing is near, adaptive samples are as even as others") {
+  const SampledCurves samples = sampled(circle({0, 0}, 1), {.rule = SamplingRule::adaptive, .count = 100});
+  REQUIRE(samples.positions.size() == 100);
+  for (std::size_t i = 0; i < 100; ++i)
+    CHECK(distance(samples.positions[i], samples.positions[(i + 1) % 100]) ==
+          Approx(2 * std::sin(kPi / 100)).epsilon(1e-9));
+}
+
+TEST_CASE("samples are as dense as curves are near to each other, within bounds") {
+  const double inner = 10.0;
+  for (const double gap : {0.5, 0.3, 0.01}) {
+    const CurveSet curves{.curves = {circle({0, 0}, inner), circle({0, 0}, inner + gap)}, .points = {}};
+    const auto samples = sample(curves, {.rule = SamplingRule::adaptive, .count = 400, .share = 0.4});
+    REQUIRE(samples.has_value());
+    const double widest = 2 * kPi * (2 * inner + gap) / 400;
+    const double wanted = std::max(0.4 * gap, widest / 8);
+    REQUIRE(samples->chains.size() == 2);
+    for (const SampledCurves::Chain& chain : samples->chains)
+      for (std::size_t i = 1; i < chain.count; ++i)
+        CHECK(distance(samples->positions[chain.first + i - 1], samples->positions[chain.first + i]) ==
+              Approx(wanted).epsilon(0.03));
+  }
+}
+
+TEST_CASE("a strip that narrows is sampled ever more densely, a right angle is not") {
+  // Two legs that end one apart after 20; their distance grows evenly from 0.1.
+  const SampledCurves strip = sampled(polygon({{20, 0.5}, {0, 0.05}, {0, -0.05}, {20, -0.5}}, false),
+                                      {.rule = SamplingRule::adaptive, .count = 50, .share = 0.5});
+  const double widest = 40.1 / 50;
+  for (std::size_t i = 1; i < strip.positions.size(); ++i) {
+    const Vec2 p = strip.positions[i - 1];
+    const Vec2 q = strip.positions[i];
+    if (std::min(p.x, q.x) < 0.5) continue;
+    const double apart = 2 * (0.05 + 0.0225 * std::min(p.x, q.x));
+    INFO(p.x << ' ' << q.x);
+    CHECK(distance(p, q) <= 1.15 * std::min(widest, std::max(0.5 * apart, widest / 8)));
+  }
+  const SampledCurves square =
+      sampled(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {.rule = SamplingRule::adaptive, .count = 40});
+  CHECK(square.positions.size() == 40);
+}
+
 TEST_CASE("vertices are taken as they are, once each") {
   // An eight whose middle is a vertex twice, a repeated vertex, and a closing point.
   const SampledCurves samples = sampled(polygon({{0, 0}, {1, 1}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 0}}),
@@ -214,6 +256,6 @@ TEST_CASE("what has been sampled already keeps its vertices when it is opened") 
   CHECK(default_sampling({.curves = {polygon(points)}, .points = {}}).rule == SamplingRule::vertices);
   points.pop_back();
   points.pop_back();
-  CHECK(default_sampling({.curves = {polygon(points)}, .points = {}}).rule == SamplingRule::count);
+  CHECK(default_sampling({.curves = {polygon(points)}, .points = {}}).rule == SamplingRule::adaptive);
   CHECK(default_sampling({.curves = {circle({0, 0}, 1)}, .points = {}}).count == 400);
 }

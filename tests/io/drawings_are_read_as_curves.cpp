@@ -270,7 +270,7 @@ TEST_CASE("a drawing is found by its content, and gives samples with their curve
   REQUIRE(read->data.contours.size() == 2);
   CHECK(read->data.contours[0].closed);
   CHECK_FALSE(read->data.contours[1].closed);
-  CHECK(read->data.positions.size() <= 400);
+  CHECK(read->data.positions.size() <= 410);
   CHECK(read->data.positions.size() >= 395);
   for (const std::uint32_t i : read->data.contours[0].points)
     CHECK(distance(read->data.positions[i], {50, 40}) == Approx(30).epsilon(1e-12));

