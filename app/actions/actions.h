@@ -67,7 +67,7 @@ enum class ActionId : std::uint8_t {
   last_bundle = first_bundle + 8,
   next_bundle,
   previous_bundle,
-  balls_inner,  // the three in the order of `BallFamily`
+  balls_inner,  // the three in the order of `FamilyKind`
   balls_polar,
   balls_own,
   save_bundle,

@@ -27,7 +27,7 @@ bool has_family(LayerIndex layer) {
   return family_of(layer_descriptors()[layer]).has_value();
 }
 
-ShownLayers with_family(const ShownLayers& shown, BallFamily family) {
+ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
   LayerConfiguration layers;
   for (const LayerIndex layer : shown.layers)
     layers.layers.push_back({std::string(layer_descriptors()[layer].id), true, shown.styles[layer]});
@@ -43,8 +43,8 @@ ShownLayers with_family(const ShownLayers& shown, BallFamily family) {
 }
 
 /// By its letter in the ids of layers: a, p or b.
-std::optional<BallFamily> family_named(const std::string& letter) {
-  for (const BallFamily family : kBallFamilies)
+std::optional<FamilyKind> family_named(const std::string& letter) {
+  for (const FamilyKind family : kBallFamilies)
     if (lower_case(letter) == letter_of(family)) return family;
   return std::nullopt;
 }

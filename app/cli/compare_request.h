@@ -25,7 +25,7 @@ struct CompareRequest {
   std::vector<Precision> precisions;  ///< one a pane, where these are compared
   Parameter parameter{};              ///< the one that is compared
   std::vector<double> values;         ///< of it
-  std::vector<BallFamily> families;
+  std::vector<FamilyKind> families;
   std::vector<PictureRequest> bundles;  ///< with their layers
   std::vector<std::uint64_t> steps;     ///< of `evolution`
   EvolutionChoice evolution{};

@@ -8,7 +8,7 @@ namespace {
 
 using Entry = LayerConfiguration::Entry;
 
-std::optional<BallFamily> family_of_layer(std::string_view id) {
+std::optional<FamilyKind> family_of_layer(std::string_view id) {
   const LayerIndex layer = find_layer(id);
   return layer == kNoLayer ? std::nullopt : family_of(layer_descriptors()[layer]);
 }
@@ -21,39 +21,39 @@ bool is_plain(std::string_view id) {
 }
 
 // "a-v-points" and "b-v-points".
-std::string counterpart_of(std::string_view id, BallFamily family) {
+std::string counterpart_of(std::string_view id, FamilyKind family) {
   return std::string(letter_of(family)).append(id.substr(id.find('-')));
 }
 
 }  // namespace
 
-std::string_view letter_of(BallFamily family) {
+std::string_view letter_of(FamilyKind family) {
   constexpr std::array<std::string_view, kBallFamilies.size()> kLetters{"a", "p", "b"};
   return kLetters[static_cast<std::size_t>(family)];
 }
 
-LayerGroup group_of(BallFamily family) {
+LayerGroup group_of(FamilyKind family) {
   switch (family) {
-    case BallFamily::inner: return LayerGroup::union_a;
-    case BallFamily::polar: return LayerGroup::union_p;
-    case BallFamily::own: break;
+    case FamilyKind::inner: return LayerGroup::union_a;
+    case FamilyKind::polar: return LayerGroup::union_p;
+    case FamilyKind::own: break;
   }
   return LayerGroup::union_b;
 }
 
-std::optional<BallFamily> family_of(const LayerDescriptor& descriptor) {
+std::optional<FamilyKind> family_of(const LayerDescriptor& descriptor) {
   const auto found = std::ranges::find(kBallFamilies, descriptor.group, group_of);
   return found == kBallFamilies.end() ? std::nullopt : std::optional(*found);
 }
 
-bool has_balls(const Document& document, BallFamily family) {
-  return family == BallFamily::own ? document.ball_count() != 0 : document.sample_count() != 0;
+bool has_balls(const Document& document, FamilyKind family) {
+  return family == FamilyKind::own ? document.ball_count() != 0 : document.sample_count() != 0;
 }
 
-LayerConfiguration in_family(const LayerConfiguration& layers, BallFamily family) {
+LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family) {
   LayerConfiguration out = layers;
   const bool is_of_union = std::ranges::any_of(layers.layers, [](const Entry& entry) {
-    return entry.visible && family_of_layer(entry.layer) == BallFamily::own && !is_plain(entry.layer);
+    return entry.visible && family_of_layer(entry.layer) == FamilyKind::own && !is_plain(entry.layer);
   });
   for (Entry& entry : out.layers) {
     const auto of = family_of_layer(entry.layer);
@@ -73,8 +73,8 @@ LayerConfiguration in_family(const LayerConfiguration& layers, BallFamily family
   return out;
 }
 
-std::optional<BallFamily> family_of(const LayerConfiguration& layers) {
-  std::optional<BallFamily> out;
+std::optional<FamilyKind> family_of(const LayerConfiguration& layers) {
+  std::optional<FamilyKind> out;
   for (const Entry& entry : layers.layers) {
     const auto of = family_of_layer(entry.layer);
     if (!entry.visible || !of || is_plain(entry.layer)) continue;
@@ -87,15 +87,15 @@ std::optional<BallFamily> family_of(const LayerConfiguration& layers) {
 bool FamilyChoice::follow(const Document& document) {
   if (is_chosen_ || has_balls(document, family_)) return false;
   const auto found =
-      std::ranges::find_if(kBallFamilies, [&](BallFamily family) { return has_balls(document, family); });
+      std::ranges::find_if(kBallFamilies, [&](FamilyKind family) { return has_balls(document, family); });
   if (found == kBallFamilies.end()) return false;
   family_ = *found;
   return true;
 }
 
-LayerConfiguration adapted(const LayerConfiguration& bundle, BallFamily family, const Document& document) {
+LayerConfiguration adapted(const LayerConfiguration& bundle, FamilyKind family, const Document& document) {
   const auto of = family_of(bundle);
-  if (!of || (*of != BallFamily::inner && has_balls(document, *of))) return bundle;
+  if (!of || (*of != FamilyKind::inner && has_balls(document, *of))) return bundle;
   return in_family(bundle, family);
 }
 

@@ -13,23 +13,23 @@
 
 namespace mes {
 
-enum class BallFamily : std::uint8_t { inner, polar, own };
-inline constexpr std::array kBallFamilies{BallFamily::inner, BallFamily::polar, BallFamily::own};
+enum class FamilyKind : std::uint8_t { inner, polar, own };
+inline constexpr std::array kBallFamilies{FamilyKind::inner, FamilyKind::polar, FamilyKind::own};
 
-LayerGroup group_of(BallFamily family);
+LayerGroup group_of(FamilyKind family);
 /// Its letter in the ids of layers: "a", "p" or "b".
-std::string_view letter_of(BallFamily family);
+std::string_view letter_of(FamilyKind family);
 /// The family of a layer of a union; nothing for other layers.
-std::optional<BallFamily> family_of(const LayerDescriptor& descriptor);
+std::optional<FamilyKind> family_of(const LayerDescriptor& descriptor);
 /// Whether the document has what the balls are made of: samples, or balls of its own.
-bool has_balls(const Document& document, BallFamily family);
+bool has_balls(const Document& document, FamilyKind family);
 
 /// The layers with those of every other family that are visible replaced by those of this one. A layer takes the place
 /// of its counterpart; it has the style that is given for it, or else that of the counterpart. Own balls that are drawn
 /// without their union stay.
-LayerConfiguration in_family(const LayerConfiguration& layers, BallFamily family);
+LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family);
 /// The one family whose union the visible layers are about; nothing: none, or several.
-std::optional<BallFamily> family_of(const LayerConfiguration& layers);
+std::optional<FamilyKind> family_of(const LayerConfiguration& layers);
 
 /// Which family the window is about.
 ///
@@ -37,26 +37,26 @@ std::optional<BallFamily> family_of(const LayerConfiguration& layers);
 /// by itself only when the document has lost all its balls and has others. Threads: none.
 class FamilyChoice {
  public:
-  BallFamily family() const { return family_; }
+  FamilyKind family() const { return family_; }
   /// Stays for this document, whatever it has.
-  void choose(BallFamily family) {
+  void choose(FamilyKind family) {
     family_ = family;
     is_chosen_ = true;
   }
   /// The layers are about this family now, and were not chosen for it.
-  void note_shown(BallFamily family) { family_ = family; }
+  void note_shown(FamilyKind family) { family_ = family; }
   /// Another document takes the place of this one.
   void begin() { *this = {}; }
   /// Once a frame. True when the family has changed.
   bool follow(const Document& document);
 
  private:
-  BallFamily family_ = BallFamily::inner;
+  FamilyKind family_ = FamilyKind::inner;
   bool is_chosen_ = false;
 };
 
 /// A bundle for the family the window is about: one of inner balls stands for all families, and one of another family
 /// for those that the document has.
-LayerConfiguration adapted(const LayerConfiguration& bundle, BallFamily family, const Document& document);
+LayerConfiguration adapted(const LayerConfiguration& bundle, FamilyKind family, const Document& document);
 
 }  // namespace mes

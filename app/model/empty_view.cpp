@@ -34,8 +34,8 @@ void show_instead(ShowInstead what, LayerStack& layers) {
     case ShowInstead::own_balls:
       return show(layers, {"b-inner-disks", "b-inner-circles", "b-inner-centers", "b-ball-medial-axis"});
     case ShowInstead::inner_family:
-      return layers.set_configuration(in_family(layers.configuration(), BallFamily::inner));
-    case ShowInstead::own_family: return layers.set_configuration(in_family(layers.configuration(), BallFamily::own));
+      return layers.set_configuration(in_family(layers.configuration(), FamilyKind::inner));
+    case ShowInstead::own_family: return layers.set_configuration(in_family(layers.configuration(), FamilyKind::own));
   }
 }
 
@@ -51,7 +51,7 @@ std::optional<EmptyView> empty_view(const Document& document, const LayerStack& 
     if (descriptor.kinds.empty()) continue;
     if (shows(layer)) return std::nullopt;
     ++shown;
-    if (const auto family = family_of(descriptor)) ++(*family == BallFamily::own ? of_own_balls : of_other_balls);
+    if (const auto family = family_of(descriptor)) ++(*family == FamilyKind::own ? of_own_balls : of_other_balls);
   }
   const bool has_samples = document.sample_count() != 0;
   const auto something = has_samples ? ShowInstead::samples : ShowInstead::own_balls;

@@ -11,13 +11,13 @@ namespace mes {
 namespace {
 
 /// The family whose balls it scales; nothing: it moves samples.
-std::optional<BallFamily> family_of(EvolutionIndex evolution) {
+std::optional<FamilyKind> family_of(EvolutionIndex evolution) {
   const ParameterMove* const move = evolutions()[evolution].moved_parameter();
   if (move == nullptr) return std::nullopt;
   switch (move->parameter) {
-    case Parameter::a_scale: return BallFamily::inner;
-    case Parameter::p_scale: return BallFamily::polar;
-    default: return BallFamily::own;
+    case Parameter::a_scale: return FamilyKind::inner;
+    case Parameter::p_scale: return FamilyKind::polar;
+    default: return FamilyKind::own;
   }
 }
 
@@ -29,12 +29,12 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
     const LayerDescriptor& descriptor = layers.descriptor(layer);
     const auto of = mes::family_of(descriptor);
     if (descriptor.kinds.empty()) return false;
-    return family ? of == family : of != BallFamily::own;
+    return family ? of == family : of != FamilyKind::own;
   };
   if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
   std::vector<std::string> ids{"points", "curve"};
   if (family) {
-    const std::string letter = *family == BallFamily::inner ? "a-" : *family == BallFamily::polar ? "p-" : "b-";
+    const std::string letter = *family == FamilyKind::inner ? "a-" : *family == FamilyKind::polar ? "p-" : "b-";
     ids = {letter + "inner-disks", letter + "union-boundary", letter + "ball-medial-axis"};
   }
   std::vector<LayerIndex> out;
@@ -47,9 +47,9 @@ std::string what_moves(EvolutionIndex evolution) {
   const auto family = family_of(evolution);
   if (!family) return "the samples";
   switch (*family) {
-    case BallFamily::inner: return "the inner balls";
-    case BallFamily::polar: return "the polar balls";
-    case BallFamily::own: break;
+    case FamilyKind::inner: return "the inner balls";
+    case FamilyKind::polar: return "the polar balls";
+    case FamilyKind::own: break;
   }
   return "your own balls";
 }

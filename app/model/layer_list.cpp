@@ -13,9 +13,9 @@ constexpr std::array kGroups{LayerGroup::samples, LayerGroup::delaunay_voronoi, 
                              LayerGroup::poles,   LayerGroup::union_a,          LayerGroup::union_p,
                              LayerGroup::union_b, LayerGroup::diagnostics};
 
-bool is_of_another_family(LayerGroup group, BallFamily family) {
+bool is_of_another_family(LayerGroup group, FamilyKind family) {
   return std::ranges::any_of(kBallFamilies,
-                             [&](BallFamily other) { return other != family && group_of(other) == group; });
+                             [&](FamilyKind other) { return other != family && group_of(other) == group; });
 }
 
 /// Top first, of all layers in drawing order.

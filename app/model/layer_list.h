@@ -14,7 +14,7 @@ struct LayerListOptions {
   std::string search{};
   bool only_shown = false;
   bool by_order = false;  ///< as they lie on each other, top first, without headings
-  BallFamily family = BallFamily::inner;
+  FamilyKind family = FamilyKind::inner;
   friend bool operator==(const LayerListOptions&, const LayerListOptions&) = default;
 };
 

@@ -36,7 +36,7 @@ ShownPanes::Layers visible_in(const LayerConfiguration& configuration, const Lay
 }
 
 ShownPanes::Layers layers_of(const PaneChoice& choice, const LayerStack& layers) {
-  if (const BallFamily* const family = std::get_if<BallFamily>(&choice))
+  if (const FamilyKind* const family = std::get_if<FamilyKind>(&choice))
     return visible_in(in_family(layers.configuration(), *family), layers);
   if (const Bundle* const bundle = std::get_if<Bundle>(&choice)) return visible_in(bundle->layers, layers);
   ShownPanes::Layers out;
@@ -54,7 +54,7 @@ std::string words_of(const PaneChoice& choice) {
                                  return fmt::format("{} {:.4g}", title_of(descriptor_of(parameter.parameter)),
                                                     parameter.value);
                                },
-                               [](BallFamily family) { return std::string(title_of(group_of(family))); },
+                               [](FamilyKind family) { return std::string(title_of(group_of(family))); },
                                [](const Bundle& bundle) { return bundle.name; }},
                     choice);
 }

@@ -36,7 +36,7 @@ struct ParameterChoice {
 };
 
 /// What a pane shows otherwise than the main one.
-using PaneChoice = std::variant<Precision, ParameterChoice, BallFamily, Bundle>;
+using PaneChoice = std::variant<Precision, ParameterChoice, FamilyKind, Bundle>;
 
 /// As in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle.
 std::string words_of(const PaneChoice& choice);

@@ -146,7 +146,7 @@ void LayersPanel::draw_families() const {
   constexpr std::array<const char*, kBallFamilies.size()> kWords{"Inner", "Polar", "Own"};
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Union of balls");
-  for (const BallFamily family : kBallFamilies) {
+  for (const FamilyKind family : kBallFamilies) {
     const auto place = static_cast<std::size_t>(family);
     const ActionId id = nth(ActionId::balls_inner, place);
     ImGui::SameLine(0, (place == 0 ? 8 : 2) * unit);
@@ -442,8 +442,8 @@ void LayersPanel::draw_filter_note() {
 }
 
 void LayersPanel::follow() {
-  options_.family = BallFamily::inner;
-  for (const BallFamily family : kBallFamilies)
+  options_.family = FamilyKind::inner;
+  for (const FamilyKind family : kBallFamilies)
     if (actions_.is_checked(nth(ActionId::balls_inner, static_cast<std::size_t>(family)))) options_.family = family;
   const bool is_held = is_pointer_on_rows_ && clicked_at_ == layers_.revision() && options_ == listed_options_;
   if (is_held) return;

@@ -39,7 +39,7 @@ std::string PaneHeaders::words_of_main() const {
   if (std::holds_alternative<Precision>(other)) return words_of(settings.precision);
   if (const auto* const parameter = std::get_if<ParameterChoice>(&other))
     return words_of(ParameterChoice{parameter->parameter, settings[parameter->parameter]});
-  if (std::holds_alternative<BallFamily>(other)) return words_of(family);
+  if (std::holds_alternative<FamilyKind>(other)) return words_of(family);
   const auto current = bundles.current();
   return current && !bundles.is_changed() ? bundles.bundles()[*current].name : "Layers of the list";
 }
@@ -111,7 +111,7 @@ void PaneHeaders::draw_menu(std::size_t pane) const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Balls")) {
-    for (const BallFamily each : kBallFamilies) item(words_of(each), each);
+    for (const FamilyKind each : kBallFamilies) item(words_of(each), each);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Bundle", !bundles.bundles().empty())) {

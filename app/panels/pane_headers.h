@@ -19,7 +19,7 @@ struct PaneHeaders {
   PaneList& panes;
   const BundleDesk& bundles;
   const ComputationSettings& settings;
-  BallFamily family;
+  FamilyKind family;
   double pixel_ratio = 1.0;  ///< framebuffer pixels per unit of screen coordinates
 
   /// Nothing while there is only the main pane.

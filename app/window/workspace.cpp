@@ -43,7 +43,7 @@ void Workspace::choose_bundle(std::size_t index) {
   messages_.remark(fmt::format("Bundle {}: {}", index + 1, bundle.name));
 }
 
-void Workspace::choose_family(BallFamily family) {
+void Workspace::choose_family(FamilyKind family) {
   family_.choose(family);
   editor_.change_layers(std::string(title_of(group_of(family))), [&] { show_family(); });
 }

@@ -37,7 +37,7 @@ class Workspace {
   const LayerStack& layers() const { return layers_; }
   BundleDesk& bundles() { return bundles_; }
   /// Which family of balls the layers are about.
-  BallFamily family() const { return family_.family(); }
+  FamilyKind family() const { return family_.family(); }
   Editor& editor() { return editor_; }
   const Editor& editor() const { return editor_; }
   const Document& document() const { return editor_.document(); }
@@ -59,7 +59,7 @@ class Workspace {
   /// Shows the bundle, for the family of balls that the window is about.
   void choose_bundle(std::size_t index);
   /// Shows the same of another family of balls.
-  void choose_family(BallFamily family);
+  void choose_family(FamilyKind family);
   /// The layers were replaced by those of a session.
   void take_family_of_layers();
   void import_bundles(const std::filesystem::path& file);

@@ -118,7 +118,7 @@ void Workspace::bind_bundles(ActionBindings& actions) {
   };
   bind_step(ActionId::next_bundle, true);
   bind_step(ActionId::previous_bundle, false);
-  for (const BallFamily family : kBallFamilies)
+  for (const FamilyKind family : kBallFamilies)
     actions.bind(
         nth(ActionId::balls_inner, static_cast<std::size_t>(family)),
         {[this, family] { choose_family(family); }, {}, [this, family] { return this->family() == family; }});

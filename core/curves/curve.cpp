@@ -113,36 +113,36 @@ Vec2 Piece::last_direction() const {
   return {};
 }
 
-void Curve::line_to(Vec2 to) {
+void PlaneCurve::line_to(Vec2 to) {
   points_.push_back(to);
   kinds_.push_back(PieceKind::line);
 }
 
-void Curve::quadratic_to(Vec2 control, Vec2 to) {
+void PlaneCurve::quadratic_to(Vec2 control, Vec2 to) {
   points_.insert(points_.end(), {control, to});
   kinds_.push_back(PieceKind::quadratic);
   is_polyline_ = false;
 }
 
-void Curve::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
+void PlaneCurve::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
   points_.insert(points_.end(), {first, second, to});
   kinds_.push_back(PieceKind::cubic);
   is_polyline_ = false;
 }
 
-void Curve::arc_to(const EllipticArc& arc, Vec2 to) {
+void PlaneCurve::arc_to(const EllipticArc& arc, Vec2 to) {
   points_.push_back(to);
   kinds_.push_back(PieceKind::arc);
   arcs_.push_back(arc);
   is_polyline_ = false;
 }
 
-void Curve::close() {
+void PlaneCurve::close() {
   if (end() != start()) line_to(start());
   is_closed_ = true;
 }
 
-void Curve::transform(const Affine& map) {
+void PlaneCurve::transform(const Affine& map) {
   for (Vec2& point : points_) point = map.of_point(point);
   for (EllipticArc& arc : arcs_) {
     arc.center = map.of_point(arc.center);

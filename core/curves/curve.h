@@ -6,7 +6,7 @@
 // control points and arcs are kept as they are given.
 //
 // Smallest use:
-//     Curve curve({0.0, 0.0});
+//     PlaneCurve curve({0.0, 0.0});
 //     curve.line_to({1.0, 0.0});
 //     curve.cubic_to({1.5, 0.0}, {1.5, 1.0}, {1.0, 1.0});
 //     curve.close();
@@ -59,9 +59,9 @@ struct Piece {
 
 /// Pieces that follow each other. A closed curve ends exactly where it starts. 17 bytes for each line; an arc has 64
 /// more.
-class Curve {
+class PlaneCurve {
  public:
-  explicit Curve(Vec2 start) : points_{start} {}
+  explicit PlaneCurve(Vec2 start) : points_{start} {}
 
   void line_to(Vec2 to);
   void quadratic_to(Vec2 control, Vec2 to);
@@ -109,7 +109,7 @@ class Curve {
 
 /// What a drawing or a map consists of.
 struct CurveSet {
-  std::vector<Curve> curves{};
+  std::vector<PlaneCurve> curves{};
   std::vector<Vec2> points{};  ///< that lie on no curve
 };
 

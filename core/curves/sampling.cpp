@@ -135,7 +135,7 @@ class Collector {
   SampledCurves out_;
 };
 
-void add_vertices(const Curve& curve, Collector& out) {
+void add_vertices(const PlaneCurve& curve, Collector& out) {
   out.begin_curve(curve.is_closed());
   out.add(curve.start());
   // The last one of a closed curve is its start, which comes out again.
@@ -167,7 +167,7 @@ double negligible_length(const CurveSet& curves, const SamplingRequest& request)
   double spacing = request.spacing;
   if (request.rule != SamplingRule::spacing) {
     spacing = 0.0;
-    for (const Curve& curve : curves.curves)
+    for (const PlaneCurve& curve : curves.curves)
       curve.for_each_piece([&](const Piece& piece) { spacing += distance(piece.from(), piece.to()); });
     spacing /= static_cast<double>(std::max<std::size_t>(request.count, 1));
   }
@@ -175,7 +175,7 @@ double negligible_length(const CurveSet& curves, const SamplingRequest& request)
   return kShare * spacing;
 }
 
-void add_evenly(const MeasuredCurve& curve, const Curve& source, double spacing, const SamplingRequest& request,
+void add_evenly(const MeasuredCurve& curve, const PlaneCurve& source, double spacing, const SamplingRequest& request,
                 Collector& out) {
   out.begin_curve(curve.is_closed);
   if (curve.stretches.empty()) out.add(source.start());
@@ -189,7 +189,7 @@ void add_evenly(const MeasuredCurve& curve, const Curve& source, double spacing,
 }
 
 /// A curve by the spacings of its stretches.
-void add_adaptively(const MeasuredCurve& curve, const Curve& source, const std::vector<StretchSpacing>& spacings,
+void add_adaptively(const MeasuredCurve& curve, const PlaneCurve& source, const std::vector<StretchSpacing>& spacings,
                     Collector& out) {
   out.begin_curve(curve.is_closed);
   if (curve.stretches.empty()) out.add(source.start());
@@ -209,10 +209,10 @@ Expected<void> check_count(double count, const SamplingRequest& request) {
 
 Expected<void> sample_vertices(const CurveSet& curves, const SamplingRequest& request, Collector& out) {
   double count = 0.0;
-  for (const Curve& curve : curves.curves)
+  for (const PlaneCurve& curve : curves.curves)
     count += static_cast<double>(curve.piece_count()) + (curve.is_closed() ? 0.0 : 1.0);
   if (auto fits = check_count(count, request); !fits) return fits;
-  for (const Curve& curve : curves.curves) add_vertices(curve, out);
+  for (const PlaneCurve& curve : curves.curves) add_vertices(curve, out);
   return {};
 }
 
@@ -220,7 +220,7 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
   std::vector<Outline> outlines;
   outlines.reserve(curves.curves.size());
   const double negligible = negligible_length(curves, request);
-  for (const Curve& curve : curves.curves) {
+  for (const PlaneCurve& curve : curves.curves) {
     outlines.push_back(outline_of(measured(curve, request.corner_angle, negligible)));
     if (!std::isfinite(outlines.back().length)) return beyond_range();
   }
@@ -228,7 +228,7 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
                              ? request.spacing
                              : spacing_for_count(outlines, request.count, request.least_each);
   if (auto fits = check_count(sample_count(outlines, spacing, request.least_each), request); !fits) return fits;
-  for (const Curve& curve : curves.curves)
+  for (const PlaneCurve& curve : curves.curves)
     add_evenly(measured(curve, request.corner_angle, negligible), curve, spacing, request, out);
   return {};
 }
@@ -237,7 +237,7 @@ Expected<void> sample_adaptively(const CurveSet& curves, const SamplingRequest& 
   const double negligible = negligible_length(curves, request);
   std::vector<MeasuredCurve> measured_curves;
   double all = 0.0;
-  for (const Curve& curve : curves.curves) {
+  for (const PlaneCurve& curve : curves.curves) {
     measured_curves.push_back(measured(curve, request.corner_angle, negligible));
     all += measured_curves.back().length();
   }
@@ -263,7 +263,7 @@ Expected<void> sample_adaptively(const CurveSet& curves, const SamplingRequest& 
 SamplingRequest default_sampling(const CurveSet& curves) {
   std::size_t vertices = 0;
   bool is_straight = true;
-  for (const Curve& curve : curves.curves) {
+  for (const PlaneCurve& curve : curves.curves) {
     vertices += curve.piece_count();
     is_straight = is_straight && curve.is_polyline();
   }

@@ -2,9 +2,9 @@
 // Samples of curves.
 //
 // Corners, where the tangent turns by more than an angle, and the ends of open curves are samples whatever the rule;
-// between them samples follow each other at equal lengths of arc, or by the rule `adaptive` at lengths that change slowly. A closed curve has no doubled end, and the samples of
-// one curve are different points: where a curve comes back to a sample exactly, it passes it over. The result depends
-// on curves and request alone.
+// between them samples follow each other at equal lengths of arc, or by the rule `adaptive` at lengths that change
+// slowly. A closed curve has no doubled end, and the samples of one curve are different points: where a curve comes
+// back to a sample exactly, it passes it over. The result depends on curves and request alone.
 //
 // Smallest use:
 //     auto samples = sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.5});

@@ -71,7 +71,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit) && {
     if (part.kind == Kind::points) {
       for (std::size_t i = begin; i < part.end; ++i) curves.points.push_back(positions_[i]);
     } else {
-      Curve& curve = curves.curves.emplace_back(positions_[begin]);
+      PlaneCurve& curve = curves.curves.emplace_back(positions_[begin]);
       for (std::size_t i = begin + 1; i < part.end; ++i) curve.line_to(positions_[i]);
       if (part.kind == Kind::ring) curve.close();
     }

@@ -17,8 +17,7 @@ namespace mes {
 ///
 /// Smallest use:
 ///     MapShapes shapes;
-///     shapes.add({23.9, 35.5});
-///     ...
+///     for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
 ///     shapes.end_ring();
 ///     return std::move(shapes).load(name, MapShapes::Unit::degrees);
 class MapShapes {

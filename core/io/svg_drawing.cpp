@@ -310,7 +310,7 @@ class DrawingReader {
       const std::string_view data = node.attribute("d").value();
       SvgPath path = read_svg_path(data);
       if (path.fault) remark_fault(node, data, *path.fault);
-      for (Curve& curve : path.curves)
+      for (PlaneCurve& curve : path.curves)
         if (auto done = add(std::move(curve), node, *context); !done) return done;
       return {};
     }
@@ -318,11 +318,11 @@ class DrawingReader {
     return curve ? add(std::move(*curve), node, *context) : Expected<void>{};
   }
 
-  std::optional<Curve> simple_shape(xml_node node, std::string_view kind, const Context& context) {
+  std::optional<PlaneCurve> simple_shape(xml_node node, std::string_view kind, const Context& context) {
     const auto x = [&](const char* attribute) { return length_or_zero(node, attribute, SvgAxis::x, context); };
     const auto y = [&](const char* attribute) { return length_or_zero(node, attribute, SvgAxis::y, context); };
     if (kind == "line") {
-      Curve curve({x("x1"), y("y1")});
+      PlaneCurve curve({x("x1"), y("y1")});
       curve.line_to({x("x2"), y("y2")});
       return curve;
     }
@@ -349,7 +349,7 @@ class DrawingReader {
            place_of(node, value, within));
   }
 
-  Expected<void> add(Curve curve, xml_node node, const Context& context) {
+  Expected<void> add(PlaneCurve curve, xml_node node, const Context& context) {
     pieces_ += curve.piece_count();
     if (pieces_ > kMostPieces)
       return refuse(place_of(node), fmt::format("the drawing has more than {} pieces of curves", kMostPieces));
@@ -361,7 +361,7 @@ class DrawingReader {
   }
 
   /// Filling closes what is open, and what misses its start by the rounding of coordinates is meant to be closed.
-  void close_what_looks_closed(Curve& curve, const Context& context) const {
+  void close_what_looks_closed(PlaneCurve& curve, const Context& context) const {
     if (curve.is_closed() || curve.piece_count() < 2) return;
     const bool knows_style = !(has_style_sheet_ && context.has_class);
     const bool is_area = knows_style && context.is_filled && !context.is_stroked;

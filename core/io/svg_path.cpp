@@ -166,7 +166,7 @@ class PathReader {
   }
 
   /// The curve of this subpath. After a closed one the next begins where it began.
-  Curve& curve() {
+  PlaneCurve& curve() {
     if (!curve_) curve_.emplace(at_);
     return *curve_;
   }
@@ -182,7 +182,7 @@ class PathReader {
 
   SvgText text_;
   SvgPath out_;
-  std::optional<Curve> curve_;
+  std::optional<PlaneCurve> curve_;
   Vec2 at_{};
   Vec2 start_{};
   std::optional<Vec2> cubic_control_;      // the last one, if a cubic came last

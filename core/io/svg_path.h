@@ -12,7 +12,7 @@
 namespace mes {
 
 struct SvgPath {
-  std::vector<Curve> curves;         ///< a curve for each subpath that has a piece
+  std::vector<PlaneCurve> curves;    ///< a curve for each subpath that has a piece
   std::optional<std::size_t> fault;  ///< where the data stop making sense; what comes before is read
 };
 

@@ -12,25 +12,25 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// A quarter turn to the right, as SVG sees it: from x towards y.
-void add_quarter(Curve& curve, Vec2 center, Vec2 radii, double start, Vec2 to) {
+void add_quarter(PlaneCurve& curve, Vec2 center, Vec2 radii, double start, Vec2 to) {
   curve.arc_to({center, {radii.x, 0.0}, {0.0, radii.y}, start, 0.5 * kPi}, to);
 }
 
 }  // namespace
 
-std::optional<Curve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii) {
+std::optional<PlaneCurve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii) {
   if (!(size.x > 0.0) || !(size.y > 0.0)) return std::nullopt;
   const Vec2 r{std::clamp(radii.x, 0.0, 0.5 * size.x), std::clamp(radii.y, 0.0, 0.5 * size.y)};
   const Vec2 far = corner + size;
   if (r.x == 0.0 || r.y == 0.0) {
-    Curve curve(corner);
+    PlaneCurve curve(corner);
     curve.line_to({far.x, corner.y});
     curve.line_to(far);
     curve.line_to({corner.x, far.y});
     curve.close();
     return curve;
   }
-  Curve curve({corner.x + r.x, corner.y});
+  PlaneCurve curve({corner.x + r.x, corner.y});
   curve.line_to({far.x - r.x, corner.y});
   add_quarter(curve, {far.x - r.x, corner.y + r.y}, r, -0.5 * kPi, {far.x, corner.y + r.y});
   curve.line_to({far.x, far.y - r.y});
@@ -43,16 +43,16 @@ std::optional<Curve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii) {
   return curve;
 }
 
-std::optional<Curve> svg_ellipse(Vec2 center, Vec2 radii) {
+std::optional<PlaneCurve> svg_ellipse(Vec2 center, Vec2 radii) {
   if (!(radii.x > 0.0) || !(radii.y > 0.0)) return std::nullopt;
-  Curve curve({center.x + radii.x, center.y});
+  PlaneCurve curve({center.x + radii.x, center.y});
   curve.arc_to({center, {radii.x, 0.0}, {0.0, radii.y}, 0.0, 2.0 * kPi}, curve.start());
   curve.close();
   return curve;
 }
 
-std::optional<Curve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault) {
-  std::optional<Curve> curve;
+std::optional<PlaneCurve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault) {
+  std::optional<PlaneCurve> curve;
   SvgText rest(points);
   for (rest.skip_blanks(); !rest.is_at_end(); rest.skip_comma()) {
     const auto x = rest.number();

@@ -10,10 +10,10 @@
 namespace mes {
 
 /// Radii are cut to half the sides; a rectangle without extent is none.
-std::optional<Curve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii);
+std::optional<PlaneCurve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii);
 /// Nothing for a radius that is not positive.
-std::optional<Curve> svg_ellipse(Vec2 center, Vec2 radii);
+std::optional<PlaneCurve> svg_ellipse(Vec2 center, Vec2 radii);
 /// The points of a polyline or a polygon up to the first fault; nothing for less than two.
-std::optional<Curve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault);
+std::optional<PlaneCurve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault);
 
 }  // namespace mes

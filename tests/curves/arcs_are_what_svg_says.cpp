@@ -61,12 +61,12 @@ TEST_CASE("radii that do not reach are made larger, and a missing one makes a li
 
 TEST_CASE("an affine map moves every piece as it moves its points") {
   const Affine map = Affine::translation(3, -1) * Affine::rotation(0.7) * Affine{2, 0, 0.5, 1, 0, 0};
-  Curve curve({0, 0});
+  PlaneCurve curve({0, 0});
   curve.line_to({1, 0});
   curve.quadratic_to({2, 0}, {2, 1});
   curve.cubic_to({2, 2}, {1, 2}, {1, 3});
   curve.arc_to(*arc_between({1, 3}, {0, 3}, {1, 0.7}, 0.3, true, false), {0, 3});
-  Curve moved = curve;
+  PlaneCurve moved = curve;
   moved.transform(map);
   std::vector<Piece> before;
   std::vector<Piece> after;
@@ -82,7 +82,7 @@ TEST_CASE("an affine map moves every piece as it moves its points") {
 }
 
 TEST_CASE("a closed curve ends where it starts") {
-  Curve open({0, 0});
+  PlaneCurve open({0, 0});
   open.line_to({1, 0});
   open.line_to({1, 1});
   CHECK_FALSE(open.is_closed());
@@ -91,7 +91,7 @@ TEST_CASE("a closed curve ends where it starts") {
   CHECK(open.piece_count() == 3);
   CHECK(open.end() == Vec2{0, 0});
 
-  Curve back({0, 0});
+  PlaneCurve back({0, 0});
   back.line_to({1, 0});
   back.line_to({0, 0});
   back.close();

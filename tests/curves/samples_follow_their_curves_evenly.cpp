@@ -13,23 +13,23 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Curve circle(Vec2 center, double radius) {
+PlaneCurve circle(Vec2 center, double radius) {
   const EllipticArc arc{center, {radius, 0}, {0, radius}, 0.0, 2.0 * kPi};
   const Vec2 start = center + Vec2{radius, 0};
-  Curve curve(start);
+  PlaneCurve curve(start);
   curve.arc_to(arc, start);
   curve.close();
   return curve;
 }
 
-Curve polygon(const std::vector<Vec2>& points, bool is_closed = true) {
-  Curve curve(points.front());
+PlaneCurve polygon(const std::vector<Vec2>& points, bool is_closed = true) {
+  PlaneCurve curve(points.front());
   for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
   if (is_closed) curve.close();
   return curve;
 }
 
-SampledCurves sampled(const Curve& curve, const SamplingRequest& request) {
+SampledCurves sampled(const PlaneCurve& curve, const SamplingRequest& request) {
   auto samples = sample({.curves = {curve}}, request);
   REQUIRE(samples.has_value());
   return *std::move(samples);
@@ -64,7 +64,7 @@ TEST_CASE("samples of a circle lie on it, evenly spaced") {
 }
 
 TEST_CASE("samples of an ellipse and of a cubic are at equal lengths of arc") {
-  Curve ellipse({4, 0});
+  PlaneCurve ellipse({4, 0});
   ellipse.arc_to({{0, 0}, {4, 0}, {0, 1}, 0.0, 2.0 * kPi}, {4, 0});
   ellipse.close();
   const SampledCurves around = sampled(ellipse, {.rule = SamplingRule::count, .count = 64});
@@ -84,7 +84,7 @@ TEST_CASE("samples of an ellipse and of a cubic are at equal lengths of arc") {
   }
 
   // (t, t^2): its length from 0 to t is t sqrt(1 + 4 t^2) / 2 + asinh(2 t) / 4.
-  Curve parabola({0, 0});
+  PlaneCurve parabola({0, 0});
   parabola.cubic_to({1.0 / 3, 0}, {2.0 / 3, 1.0 / 3}, {1, 1});
   const auto length_to = [](double t) { return t * std::sqrt(1 + 4 * t * t) / 2 + std::asinh(2 * t) / 4; };
   const SampledCurves along = sampled(parabola, {.rule = SamplingRule::count, .count = 11});
@@ -128,7 +128,7 @@ TEST_CASE("a tangent that turns less than a corner is no sample of its own") {
 
 TEST_CASE("what closes a curve by the digits left out makes no corner") {
   // A circle of two halves that ends a little beside its start.
-  Curve curve({1, 0});
+  PlaneCurve curve({1, 0});
   curve.arc_to({{0, 0}, {1, 0}, {0, 1}, 0.0, kPi}, {-1, 0});
   curve.arc_to({{0, 0}, {1, 0}, {0, 1}, kPi, kPi}, {1, -1e-5});
   curve.close();
@@ -140,7 +140,7 @@ TEST_CASE("what closes a curve by the digits left out makes no corner") {
 }
 
 TEST_CASE("a cusp within a piece is passed at even steps") {
-  Curve cusp({0, 0});
+  PlaneCurve cusp({0, 0});
   cusp.cubic_to({1, 1}, {0, 1}, {1, 0});
   const SampledCurves samples = sampled(cusp, {.rule = SamplingRule::count, .count = 41});
   REQUIRE(samples.positions.size() == 41);
@@ -216,7 +216,7 @@ TEST_CASE("vertices are taken as they are, once each") {
 }
 
 TEST_CASE("points and curves without length are samples without a chain") {
-  Curve dot({7, 7});
+  PlaneCurve dot({7, 7});
   dot.close();
   for (const SamplingRule rule : {SamplingRule::vertices, SamplingRule::count}) {
     const auto samples =
@@ -229,7 +229,7 @@ TEST_CASE("points and curves without length are samples without a chain") {
 
 TEST_CASE("samples of one curve differ, whatever is asked for") {
   // Three times around one circle.
-  Curve curve({1, 0});
+  PlaneCurve curve({1, 0});
   for (int i = 0; i < 3; ++i) curve.arc_to({{0, 0}, {1, 0}, {0, 1}, 0.0, 2.0 * kPi}, {1, 0});
   curve.close();
   const SampledCurves samples = sampled(curve, {.rule = SamplingRule::count, .count = 30});

@@ -10,6 +10,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/rng.h"
 #include "core/base/task_queue.h"
+#include "core/curves/sampling.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/document/layer_fold.h"
@@ -21,6 +22,7 @@
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
 #include "core/io/line_layout.h"
+#include "core/io/map_shapes.h"
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"
 #include "core/layers/parts/helpers.h"
@@ -50,6 +52,23 @@ Document ring_document() {
   Document document;
   document.apply(*insert_samples(document, ring()));
   return document;
+}
+
+PlaneCurve bow() {
+  // core/curves/curve.h
+  PlaneCurve curve({0.0, 0.0});
+  curve.line_to({1.0, 0.0});
+  curve.cubic_to({1.5, 0.0}, {1.5, 1.0}, {1.0, 1.0});
+  curve.close();
+  return curve;
+}
+
+Expected<LoadedFile> crete(const std::string& name) {
+  // core/io/map_shapes.h
+  MapShapes shapes;
+  for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
+  shapes.end_ring();
+  return std::move(shapes).load(name, MapShapes::Unit::degrees);
 }
 
 std::string refused_by_coordinate_range(double x) {
@@ -340,4 +359,18 @@ TEST_CASE("core/structures/crust/internal/link_cut_forest.h") {
   forest.cut(EdgeSlot(0), 0, 1);
   CHECK_FALSE(forest.are_connected(0, 2));
   CHECK(forest.are_connected(2, 1));
+}
+
+TEST_CASE("curves are sampled, and maps are read, as their headers show") {
+  CurveSet curves;
+  curves.curves.push_back(bow());
+  // core/curves/sampling.h
+  auto samples = sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.5});
+  REQUIRE(samples);
+  CHECK(samples->positions.size() > 6);
+  const auto island = crete("crete.json");
+  REQUIRE(island);
+  REQUIRE(island->data.contours.size() == 1);
+  CHECK(island->data.contours.front().closed);
+  CHECK(island->data.positions.size() == 3);
 }

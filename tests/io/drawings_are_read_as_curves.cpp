@@ -26,7 +26,7 @@ SvgDrawing read_good(const std::string& text) {
   return *std::move(read);
 }
 
-std::vector<Curve> curves_of(const std::string& content, const std::string& attributes = "") {
+std::vector<PlaneCurve> curves_of(const std::string& content, const std::string& attributes = "") {
   SvgDrawing read = read_good(drawing(content, attributes));
   for (const std::string& warning : read.warnings) UNSCOPED_INFO(warning);
   CHECK(read.warnings.empty());
@@ -34,7 +34,7 @@ std::vector<Curve> curves_of(const std::string& content, const std::string& attr
 }
 
 /// The start and the end of each piece, y down again.
-std::vector<Vec2> ends_of(const Curve& curve) {
+std::vector<Vec2> ends_of(const PlaneCurve& curve) {
   std::vector<Vec2> out{{curve.start().x, 100.0 - curve.start().y}};
   curve.for_each_piece([&](const Piece& piece) { out.push_back({piece.to().x, 100.0 - piece.to().y}); });
   return out;
@@ -42,7 +42,7 @@ std::vector<Vec2> ends_of(const Curve& curve) {
 
 void require_ends(const std::string& content, const std::vector<Vec2>& wanted, const std::string& attributes = "") {
   INFO(content);
-  const std::vector<Curve> curves = curves_of(content, attributes);
+  const std::vector<PlaneCurve> curves = curves_of(content, attributes);
   REQUIRE(curves.size() == 1);
   const std::vector<Vec2> found = ends_of(curves[0]);
   REQUIRE(found.size() == wanted.size());
@@ -89,7 +89,7 @@ TEST_CASE("smooth commands mirror the control point before them, and only one of
 
 TEST_CASE("flags of an arc may run together with what follows") {
   for (const char* data : {"M1 2 a1 1 0 00.5.5", "M1 2a1,1,0,0,0,.5,.5", "M1 2 a 1 1 0 0 0 0.5 0.5"}) {
-    const std::vector<Curve> curves = curves_of(path(data));
+    const std::vector<PlaneCurve> curves = curves_of(path(data));
     REQUIRE(curves.size() == 1);
     CHECK(ends_of(curves[0]) == std::vector<Vec2>{{1, 2}, {1.5, 2.5}});
   }
@@ -108,7 +108,7 @@ TEST_CASE("an arc turns the way its flag says, y down") {
 }
 
 TEST_CASE("a path has a curve for each of its parts, and begins again where it was closed") {
-  const std::vector<Curve> curves = curves_of(path("M0 0H4V4zl-2-2v-2M9 9M20 20h5"));
+  const std::vector<PlaneCurve> curves = curves_of(path("M0 0H4V4zl-2-2v-2M9 9M20 20h5"));
   REQUIRE(curves.size() == 3);
   CHECK(curves[0].is_closed());
   CHECK(ends_of(curves[1]) == std::vector<Vec2>{{0, 0}, {-2, -2}, {-2, -4}});

@@ -57,7 +57,7 @@ TEST_CASE("groups count what is shown of all their layers") {
 
 TEST_CASE("one family of balls is listed, and of the others what is shown") {
   const LayerStack layers = showing({"p-v-points", "points"});
-  auto rows = rows_of(layers, {.family = BallFamily::own});
+  auto rows = rows_of(layers, {.family = FamilyKind::own});
   CHECK(rows["Own balls"].size() > 20);
   CHECK(rows["Polar balls"] == std::vector<LayerIndex>{layers.find("p-v-points")});
   CHECK(rows.count("Inner balls") == 0);

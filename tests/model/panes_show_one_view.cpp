@@ -79,7 +79,7 @@ TEST_CASE("panes of another family or a bundle show other layers of the same com
   style.point_size_px = 11.0;
   layers.set_style(find_layer("points"), style);
   PaneList list;
-  list.add(BallFamily::polar);
+  list.add(FamilyKind::polar);
   Bundle bundle{.name = "Axis"};
   bundle.layers = stack_of({"medial-axis"}).configuration();
   list.add(bundle);

@@ -46,7 +46,7 @@ double MeasuredCurve::length() const {
   return sum;
 }
 
-MeasuredCurve measured(const Curve& curve, double corner_angle, double negligible) {
+MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible) {
   MeasuredCurve out;
   out.is_closed = curve.is_closed();
   curve.for_each_piece([&](const Piece& piece) {

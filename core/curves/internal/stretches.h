@@ -30,6 +30,6 @@ struct MeasuredCurve {
 
 /// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than `negligible`, and those below
 /// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates.
-MeasuredCurve measured(const Curve& curve, double corner_angle, double negligible);
+MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible);
 
 }  // namespace mes
