@@ -57,6 +57,7 @@ enum class ActionId : std::uint8_t {
   toggle_axes,
   toggle_grid,
   toggle_annotations,
+  put_marks_back,
   add_pane,
   close_panes,
   toggle_evolution,

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -138,6 +139,37 @@ void add_explanations(CLI::App& command, Request& to) {
                    "Leave out text, arrows and dimensions that a session holds");
 }
 
+/// An option whose value is a place; `to` gets it.
+CLI::Option* add_place(CLI::App& command, const std::string& name, std::function<void(const PaperPlace&)> to,
+                       const std::string& explanation) {
+  return command.add_option_function<std::string>(
+      name,
+      [name, to = std::move(to)](const std::string& text) {
+        const auto place = parse_place(text);
+        if (!place)
+          throw CLI::ValidationError(name + " expects " + one_of(place_corners()) +
+                                     ", and perhaps millimetres from there to 5080, as in top-left:5,7.5, not " +
+                                     in_quotes(text));
+        to(*place);
+      },
+      explanation);
+}
+
+void add_places(CLI::App& command, RenderRequest& to) {
+  add_place(
+      command, "--legend-at", [&to](const PaperPlace& place) { to.legend_at = place; },
+      "Where the legend stands, CORNER or CORNER:XMM,YMM: top-left, top-right,\n"
+      "bottom-left or bottom-right, so many millimetres from its sides (of 96\n"
+      "pixels an inch, times --scale); default: the corner where it hides least");
+  add_place(
+      command, "--scale-bar-at",
+      [&to](const PaperPlace& place) {
+        to.marks.bar = true;
+        to.marks.bar_at = place;
+      },
+      "With a scale bar there, as for --legend-at");
+}
+
 void add_title(CLI::App& command, std::string& title) {
   command.add_option("--title", title,
                      "Words above the drawing, with as much LaTeX as annotations have:\n"
@@ -259,6 +291,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                      "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"
                      "without them it is laid into the box around the samples");
   add_explanations(*render, to.render);
+  add_places(*render, to.render);
   add_title(*render, to.render.title);
   render->add_flag("!--no-source", to.render.with_source,
                    "Leave out of the picture what it is of: without this PNG, SVG, PDF and\n"

@@ -9,6 +9,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/export/page_size.h"
+#include "app/model/paper_place.h"
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
@@ -69,13 +70,18 @@ std::vector<std::string> bounds() {
   return {std::string(kBoundsOfView), std::string(kBoundsOfInk)};
 }
 
+std::vector<std::string> corners() {
+  const auto corners = place_corners();
+  return {corners.begin(), corners.end()};
+}
+
 std::vector<std::string> compared_things() {
   std::vector<std::string> out;
   for (const std::string_view subject : compared_subjects()) out.push_back(std::string(subject) + '=');
   return out;
 }
 
-constexpr std::array<OptionValue, 34> kValues{{
+constexpr std::array<OptionValue, 36> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -103,6 +109,8 @@ constexpr std::array<OptionValue, 34> kValues{{
     {"--bounds", "BOUNDS", ValueKind::choice, bounds},
     {"--rasterize", "IDS", ValueKind::choices, layers},
     {"--dpi", "N"},
+    {"--legend-at", "PLACE", ValueKind::choice, corners},
+    {"--scale-bar-at", "PLACE", ValueKind::choice, corners},
     {"--view", "VIEW"},
     {"--scale", "FACTOR"},
     {"--background", "COLOR"},

@@ -31,16 +31,19 @@ void add_paper(render::Image& image, const render::Scene& scene, std::span<const
                                                          measure_with(*fonts, shown.scale), shown.background);
   for (const std::string& complaint : annotated.complaints) say(complaint);
   paint(image, *fonts, annotated.drawing, {0.0, 0.0}, shown.scale);
+  SeenPlane plane = seen_plane(camera, shown.scale);
+  plane.covered_above = title.height;
+  const MeasureText measure = measure_with(*fonts, shown.scale);
   if (!request.marks.is_empty())
-    paint(image, *fonts,
-          layout_scale_marks(request.marks, seen_plane(camera, shown.scale), measure_with(*fonts, shown.scale),
-                             shown.background),
-          {0.0, 0.0}, shown.scale);
+    paint(image, *fonts, layout_scale_marks(request.marks, plane, measure, shown.background), {0.0, 0.0},
+          shown.scale);
   paint(image, *fonts, title, {0.0, 0.0}, shown.scale);
-  if (!entries.empty())
-    draw_legend(image, *fonts,
-                layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background),
-                LegendPlace::emptiest_corner);
+  if (entries.empty()) return;
+  const PictureLegend legend =
+      layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background);
+  if (!request.legend_at) return draw_legend(image, *fonts, legend, LegendPlace::emptiest_corner);
+  const Box2 room = place_of_marks(request.marks, plane, measure).room;
+  draw_legend(image, *fonts, legend, *request.legend_at, {shown.scale * room.low, shown.scale * room.high});
 }
 
 /// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
@@ -126,6 +129,7 @@ FigureRequest figure_request(const PictureRequest& picture, const RenderRequest&
                         .pixels = {picture.size.width, picture.size.height},
                         .is_tight = picture.is_tight,
                         .legend = legend_scope(wanted.with_legend, wanted.with_key),
+                        .legend_at = wanted.legend_at,
                         .marks = wanted.marks,
                         .title = wanted.title,
                         .image = picture.image,

@@ -2,6 +2,7 @@
 // The commands and their requests. Each writes its result and nothing else, or reports why it cannot.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,6 +62,7 @@ struct RenderRequest {
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
   bool with_legend = true;          ///< where a colour map is used
   bool with_key = false;
+  std::optional<PaperPlace> legend_at;  ///< none: where it hides least
   ScaleMarks marks{};
   bool with_annotations = true;
   std::string title;        ///< above the drawing; empty: none

@@ -93,12 +93,19 @@ double band_of(const PictureTitle& title, const FigureRequest& request) {
   return figure::kPointsPerPixel * std::ceil(request.shown.scale * title.drawing.height);
 }
 
-void add_scale_marks(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
-                     const PaperFonts& fonts) {
+/// Adds the scale marks, and says where the legend can be.
+FigureLegendPlace add_scale_marks(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
+                                  const PictureTitle& title, const PaperFonts& fonts) {
   const double scale = request.shown.scale;
-  const PaperDrawing marks = layout_scale_marks(request.marks, seen_plane(page, scale), measure_with(fonts, scale),
-                                                request.shown.background);
-  add_to(figure, fonts, marks, {0.0, 0.0}, scale);
+  SeenPlane plane = seen_plane(page, scale);
+  plane.covered_above = title.drawing.height;
+  const MeasureText measure = measure_with(fonts, scale);
+  if (!request.marks.is_empty())
+    add_to(figure, fonts, layout_scale_marks(request.marks, plane, measure, request.shown.background), {0.0, 0.0},
+           scale);
+  const Box2 room = place_of_marks(request.marks, plane, measure).room;
+  const double points = scale * figure::kPointsPerPixel;
+  return {request.legend_at, {points * room.low, points * room.high}};
 }
 
 bool has_texts(std::span<const LayerIndex> layers) {
@@ -194,9 +201,9 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
     return std::unexpected(good.error());
   out.remarks.insert(out.remarks.end(), complaints.begin(), complaints.end());
   if (!fonts) return out;
-  if (!request.marks.is_empty()) add_scale_marks(out.figure, page, request, *fonts);
+  const FigureLegendPlace legend = add_scale_marks(out.figure, page, request, title, *fonts);
   if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
-  if (is_explained) add_legend(out.figure, explained, request.legend, *fonts);
+  if (is_explained) add_legend(out.figure, explained, request.legend, legend, *fonts);
   return out;
 }
 

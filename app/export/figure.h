@@ -37,6 +37,7 @@ struct FigureRequest {
   int pixels[2] = {1600, 1200};  ///< width and height, of 1/96 inch
   bool is_tight = false;         ///< the page is cut to what is drawn
   LegendScope legend = LegendScope::color_maps;
+  std::optional<PaperPlace> legend_at{};  ///< none: where it hides least
   ScaleMarks marks{};
   std::string title{};  ///< as `rich_text` has it, in a band above the drawing; empty: none
   bool with_annotations = true;

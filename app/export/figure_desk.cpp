@@ -38,7 +38,9 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.page = page;
   out.is_tight = settings.extent == FigureExtent::ink;
   out.legend = legend_scope(settings.with_legend, settings.with_key);
+  out.legend_at = subject.legend_at;
   out.marks = settings.marks;
+  out.marks.bar_at = subject.scale_bar_at;
   out.title = settings.title;
   out.with_annotations = settings.with_annotations;
   out.shown.background = paper_of(settings.paper, subject.shown.background);

@@ -30,7 +30,9 @@ struct FigureSubject {
   std::vector<render::ColorMap> maps;
   figure::Page view;          ///< what the window shows; of its width and height only the proportion counts
   double canvas_width = 0.0;  ///< of the view, in logical pixels of the window
-  Session session{};          ///< that the file carries, where the settings say so
+  std::optional<PaperPlace> legend_at{};     ///< where the legend was dragged to
+  std::optional<PaperPlace> scale_bar_at{};  ///< and the scale bar
+  Session session{};                         ///< that the file carries, where the settings say so
 };
 
 /// A figure as its settings have it. Plain data.

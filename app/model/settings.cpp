@@ -56,6 +56,15 @@ std::optional<Rgb> color_in(const json& object, const char* key) {
              static_cast<std::uint8_t>(value)};
 }
 
+std::optional<PaperPlace> place_in(const json& object, const char* key) {
+  return parse_place(text_in(object, key));
+}
+
+json to_json(const std::optional<PaperPlace>& place) {
+  if (!place) return nullptr;
+  return to_text(*place);
+}
+
 json to_json(const std::optional<Rgb>& color) {
   if (!color) return nullptr;
   return static_cast<unsigned>(color->r) << 16U | static_cast<unsigned>(color->g) << 8U |
@@ -170,7 +179,9 @@ Settings from_json(const json& object) {
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_key = flag_in(object, "show_key", out.show_key);
   out.show_annotations = flag_in(object, "show_annotations", out.show_annotations);
+  out.legend_at = place_in(object, "legend_at");
   out.marks.bar = flag_in(object, "show_scale_bar", out.marks.bar);
+  out.marks.bar_at = place_in(object, "scale_bar_at");
   out.marks.axes = flag_in(object, "show_axes", out.marks.axes);
   out.marks.grid = flag_in(object, "show_grid", out.marks.grid);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
@@ -251,7 +262,9 @@ json to_json(const Settings& settings) {
           {"show_legend", settings.show_legend},
           {"show_key", settings.show_key},
           {"show_annotations", settings.show_annotations},
+          {"legend_at", to_json(settings.legend_at)},
           {"show_scale_bar", settings.marks.bar},
+          {"scale_bar_at", to_json(settings.marks.bar_at)},
           {"show_axes", settings.marks.axes},
           {"show_grid", settings.marks.grid},
           {"show_evolution", settings.show_evolution},

@@ -42,7 +42,8 @@ struct Settings {
   bool show_legend = true;                    ///< of the colour maps in use
   bool show_key = false;                      ///< of all visible layers
   bool show_annotations = true;
-  ScaleMarks marks{};  ///< scale bar, axes and grid
+  std::optional<PaperPlace> legend_at;  ///< where it was dragged to
+  ScaleMarks marks{};                   ///< scale bar, axes and grid
   bool show_evolution = false;
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser

@@ -9,17 +9,21 @@
 
 namespace mes {
 
-ImVec2 CanvasLegend::draw(ImVec2 corner, float room) const {
+std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
+                                       const Box2& room) const {
   std::vector<LegendEntry> entries = picture.legend(layers, scope);
-  if (entries.empty()) return {};
+  if (entries.empty()) return std::nullopt;
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
-  const float unit = gui.unit();
   const PaperDrawing legend =
-      layout_legend(entries, measure_on_canvas(gui), static_cast<double>(room / unit), picture.canvas());
-  const ImVec2 at(std::floor(corner.x - static_cast<float>(legend.width) * unit),
-                  std::floor(corner.y - static_cast<float>(legend.height) * unit));
-  paint_on_canvas(gui, legend, at);
-  return {static_cast<float>(legend.width) * unit, static_cast<float>(legend.height) * unit};
+      layout_legend(entries, measure_on_canvas(gui), room.height() - 2.0 * kUsualMarginPx, picture.canvas());
+  const Vec2 size{legend.width, legend.height};
+  const Vec2 at = placed(place.value_or(PaperPlace{}), size, room);
+  const float unit = gui.unit();
+  // On whole pixels, or its frame would be blurred.
+  paint_on_canvas(gui, legend,
+                  {std::round(origin.x + static_cast<float>(at.x) * unit),
+                   std::round(origin.y + static_cast<float>(at.y) * unit)});
+  return Box2{at, at + size};
 }
 
 }  // namespace mes

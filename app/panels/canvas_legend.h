@@ -2,7 +2,10 @@
 // The legend of visible layers, above the canvas.
 #pragma once
 
+#include <optional>
+
 #include "app/model/layer_stack.h"
+#include "app/model/paper_place.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 
@@ -14,9 +17,9 @@ struct CanvasLegend {
   const LayerStack& layers;
   LegendScope scope;
 
-  /// With its lower right corner at `corner`, no higher than `room`. Its size in screen coordinates; nothing while it
-  /// has no entries.
-  ImVec2 draw(ImVec2 corner, float room) const;
+  /// At its place, or in the lower right corner, of a room with this origin in screen coordinates, in logical pixels.
+  /// Where it is; nothing while it has no entries.
+  std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const Box2& room) const;
 };
 
 }  // namespace mes

@@ -13,8 +13,9 @@ struct CanvasMarks {
   const Picture& picture;
   const render::Camera& camera;
 
-  /// In the part of the window from `low` to `high`, in screen coordinates, each `pixel_ratio` pixels wide.
-  void draw(const ScaleMarks& marks, ImVec2 low, ImVec2 high, double pixel_ratio) const;
+  /// In the part of the window from `low` to `high`, in screen coordinates, each `pixel_ratio` pixels wide. Where they
+  /// are, from `low`.
+  MarksPlace draw(const ScaleMarks& marks, ImVec2 low, ImVec2 high, double pixel_ratio) const;
 };
 
 }  // namespace mes

@@ -199,13 +199,15 @@ void FigureDialog::draw_look(const Gui& gui) const {
       "Text and a little LaTeX, as in annotations: $x_i^2 \\le \\varepsilon$, \\textbf{...}, \\\\ for a new line");
   title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
-  tooltip(gui, "In the corner where it hides least");
+  tooltip(gui, "Where it was dragged to on the canvas, or else in the corner where it hides least");
   ImGui::SameLine();
   ImGui::Checkbox("Of all layers", &settings.with_key);
   tooltip(gui, "The names of the layers, with a sample of how each is drawn");
   title(gui, "Scale");
   ImGui::Checkbox("Bar", &settings.marks.bar);
-  tooltip(gui, "A line of a round length, with its length in the units of the samples");
+  tooltip(gui,
+          "A line of a round length, with its length in the units of the samples, where it was dragged to on the "
+          "canvas");
   ImGui::SameLine();
   ImGui::Checkbox("Axes", &settings.marks.axes);
   tooltip(gui, "Numbers along the lower and the left edge");

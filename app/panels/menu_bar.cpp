@@ -114,6 +114,8 @@ void view_menu(const MenuBar& menu) {
     for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_key, ActionId::toggle_scale_bar,
                               ActionId::toggle_axes, ActionId::toggle_grid, ActionId::toggle_annotations})
       action_item(menu, id);
+    ImGui::Separator();
+    action_item(menu, ActionId::put_marks_back);
     ImGui::EndMenu();
   }
   ImGui::Separator();

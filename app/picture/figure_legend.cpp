@@ -48,15 +48,22 @@ bool has_legend(const figure::Drawing& drawing, LegendScope scope) {
   return !legend_of(drawing, scope).empty();
 }
 
-void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope, const PaperFonts& fonts) {
+void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,
+                const FigureLegendPlace& where, const PaperFonts& fonts) {
   const std::vector<LegendEntry> entries = legend_of(drawing, scope);
   if (entries.empty()) return;
   const auto pixels = [](double points) { return static_cast<int>(std::ceil(points / figure::kPointsPerPixel)); };
   const PictureLegend legend =
       layout_legend(entries, fonts, pixels(figure.width), pixels(figure.height), drawing.scale, drawing.background);
   const double scale = legend.scale * figure::kPointsPerPixel;
-  const Vec2 corner =
-      emptiest_corner(figure, scale * legend.drawing.width, scale * legend.drawing.height, kMargin * legend.scale);
+  const auto placed_corner = [&] {
+    constexpr double kPixels = 1.0 / figure::kPointsPerPixel;
+    return figure::kPointsPerPixel *
+           corner_of(legend, *where.place, {kPixels * where.room.low, kPixels * where.room.high});
+  };
+  const Vec2 corner = where.place ? placed_corner()
+                                  : emptiest_corner(figure, scale * legend.drawing.width,
+                                                    scale * legend.drawing.height, kMargin * legend.scale);
   add_to(figure, fonts, legend.drawing, corner, legend.scale);
 }
 

@@ -4,13 +4,21 @@
 // Cost: O(shapes of the figure). Threads: any, with a figure of its own.
 #pragma once
 
+#include <optional>
+
 #include "app/picture/legend.h"
 #include "render/figure/figure_of.h"
 
 namespace mes {
 
-/// Adds it in the corner where it hides the fewest shapes; nothing where it would explain no layer.
-void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope, const PaperFonts& fonts);
+/// Where it is to stand.
+struct FigureLegendPlace {
+  std::optional<PaperPlace> place{};  ///< none: the corner where it hides the fewest shapes
+  Box2 room{};                        ///< of the place, in points
+};
+/// Adds nothing where it would explain no layer.
+void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,
+                const FigureLegendPlace& where, const PaperFonts& fonts);
 
 /// True if `add_legend` would add something.
 bool has_legend(const figure::Drawing& drawing, LegendScope scope);

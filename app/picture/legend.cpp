@@ -314,19 +314,35 @@ PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFon
                             double scale, const std::optional<Rgb>& background) {
   constexpr double kShare = 0.3;
   constexpr double kLeast = 0.7;
+  const double paper_scale = scale;
   scale *= std::clamp(kShare * width / (scale * kWidth), kLeast, 1.0);
-  return {layout_legend(entries, measure_with(fonts, scale), height / scale - 2.0 * kMargin, background), scale};
+  return {layout_legend(entries, measure_with(fonts, scale), height / scale - 2.0 * kMargin, background), scale,
+          paper_scale};
 }
 
 void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& picture_legend,
                  LegendPlace place, double foot) {
-  const auto& [legend, scale] = picture_legend;
+  const PaperDrawing& legend = picture_legend.drawing;
+  const double scale = picture_legend.scale;
   const double width = scale * legend.width;
   const double height = scale * legend.height;
   PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
                                                     : emptiest_corner(image, width, height, scale * kMargin);
   if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
   paint(image, fonts, legend, {at.left, at.top}, scale);
+}
+
+Vec2 corner_of(const PictureLegend& legend, const PaperPlace& place, const Box2& room) {
+  const double logical = 1.0 / legend.paper_scale;
+  const Vec2 size = legend.scale * Vec2{legend.drawing.width, legend.drawing.height};
+  return legend.paper_scale * placed(place, logical * size, {logical * room.low, logical * room.high});
+}
+
+void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, const PaperPlace& place,
+                 const Box2& room) {
+  const Vec2 corner = corner_of(legend, place, room);
+  // On whole pixels, or its frame would be blurred.
+  paint(image, fonts, legend.drawing, {std::round(corner.x), std::round(corner.y)}, legend.scale);
 }
 
 }  // namespace mes

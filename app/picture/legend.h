@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "app/model/legend_scope.h"
+#include "app/model/paper_place.h"
 #include "app/picture/paper_drawing.h"
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
@@ -62,12 +63,13 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range);
 PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
                            const std::optional<Rgb>& background);
 
-/// A legend for a picture of some size; `scale` is in pixels per logical pixel.
+/// A legend for a picture of some size; scales are in pixels per logical pixel.
 struct PictureLegend {
   PaperDrawing drawing;
-  double scale = 1.0;
+  double scale = 1.0;        ///< of the legend
+  double paper_scale = 1.0;  ///< of everything else that stands on the picture
 };
-/// Reduces `scale` somewhat for a small picture.
+/// Reduces the scale of the legend somewhat for a small picture.
 PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFonts& fonts, int width, int height,
                             double scale, const std::optional<Rgb>& background);
 
@@ -76,5 +78,11 @@ PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFon
 enum class LegendPlace : std::uint8_t { emptiest_corner, lower_right };
 void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, LegendPlace place,
                  double foot = 0.0);
+
+/// The upper left corner of a legend that has a place. `room` is the picture without what lies over its ends, in pixels.
+Vec2 corner_of(const PictureLegend& legend, const PaperPlace& place, const Box2& room);
+/// There.
+void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, const PaperPlace& place,
+                 const Box2& room);
 
 }  // namespace mes

@@ -46,7 +46,10 @@ void PictureOverlay::paint(render::Image& image) const {
   if (!annotations.is_empty()) mes::paint(image, *fonts, annotations, {0.0, 0.0}, marks_scale);
   if (!marks.is_empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
   if (!title.is_empty()) mes::paint(image, *fonts, title, {0.0, 0.0}, marks_scale);
-  if (!legend.drawing.boxes.empty()) draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band + axes);
+  if (!legend.drawing.boxes.empty() && legend_at)
+    draw_legend(image, *fonts, legend, *legend_at, legend_room);
+  else if (!legend.drawing.boxes.empty())
+    draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band + axes);
   if (!caption.empty()) draw_caption(image, fonts->bold, caption, size, background);
 }
 
@@ -59,6 +62,8 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
                      .marks_scale = target.scale,
                      .has_axes = content.marks.axes,
                      .title = std::move(content.title),
+                     .legend_at = content.legend_at,
+                     .legend_room = {},
                      .caption = std::move(content.caption),
                      .background = target.background};
   if (!out.fonts) return out;
@@ -68,10 +73,12 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
   const MeasureText measure = measure_with(*out.fonts, scale);
   if (!content.annotations.is_empty())
     out.annotations = layout_annotations(content.annotations, seen_plane(camera, scale), measure, background).drawing;
-  if (content.marks.is_empty()) return out;
   SeenPlane plane = seen_plane(camera, scale);
   plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
-  out.marks = layout_scale_marks(content.marks, plane, measure, background);
+  plane.covered_above = out.title.height;
+  if (!content.marks.is_empty()) out.marks = layout_scale_marks(content.marks, plane, measure, background);
+  const Box2 room = place_of_marks(content.marks, plane, measure).room;
+  out.legend_room = {scale * room.low, scale * room.high};
   return out;
 }
 

@@ -33,6 +33,8 @@ struct PictureOverlay {
   double marks_scale = 1.0;
   bool has_axes = false;
   PaperDrawing title{};
+  std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner
+  Box2 legend_room{};                     ///< of that place, in pixels
   std::string caption;
   std::optional<Rgb> background;  ///< none: transparent
 
@@ -57,6 +59,7 @@ struct OverlayContent {
   ScaleMarks marks{};
   PlacedAnnotations annotations{};
   PaperDrawing title{};  ///< of `layout_title`
+  std::optional<PaperPlace> legend_at{};
 };
 
 /// Without fonts the overlay is empty.

@@ -14,8 +14,9 @@ namespace {
 constexpr double kTextSize = 13.0;
 constexpr double kLineHeight = 17.0;
 constexpr double kTick = 5.0;
-constexpr double kMargin = 12.0;
+constexpr double kMargin = kUsualMarginPx;
 constexpr double kApart = 10.0;
+constexpr double kEnd = 8.0;  // height of the ends of a bar
 constexpr double kBarShare = 0.25;
 // Ticks are at least so far apart.
 constexpr double kLeastStep = 56.0;
@@ -84,30 +85,41 @@ class Layout {
     bottom_room_ = kAxisRoom;
   }
 
-  void bar() {
+  void bar(const std::optional<PaperPlace>& place) {
     const double most = kBarShare * plane_.width * plane_.units_per_pixel;
     if (!(most > 0.0) || !std::isfinite(most)) return;
     const double units = round_number_up_to(most);
     const double length = units / plane_.units_per_pixel;
     const std::string label = number_text(units, units);
     const double width = measure_(label, kTextSize, Face::plain);
-    const double left = left_room_ + kMargin;
-    const double foot = plane_.height - plane_.covered - bottom_room_ - kMargin;
+    const Vec2 size{std::max(length, width), kEnd + kLineHeight};
+    const Vec2 at = bar_corner(place, length, size);
+    bar_box_ = Box2{at, at + size};
+    const double left = at.x + 0.5 * (size.x - length);
+    const double foot = at.y + size.y;
+    constexpr double kBeside = 6.0;
+    constexpr double kAbove = 4.0;
+    box(at.x - kBeside, at.y - kAbove, size.x + 2.0 * kBeside, size.y + 2.0 * kAbove, paper());
     constexpr double kThick = 2.0;
-    constexpr double kEnd = 8.0;
-    const double text = left + 0.5 * (length - width);
-    const double paper_left = std::min(left, text) - 6.0;
-    const double paper_width = std::max(length, width) + 12.0;
-    box(paper_left, foot - kEnd - kLineHeight - 4.0, paper_width, kEnd + kLineHeight + 8.0, paper());
     box(left, foot - kThick, length, kThick, colors_.ink);
     box(left, foot - kEnd, kThick, kEnd, colors_.ink);
     box(left + length - kThick, foot - kEnd, kThick, kEnd, colors_.ink);
-    drawing_.lines.push_back({text, foot - kEnd - kLineHeight, kTextSize, Face::plain, colors_.ink, label});
+    drawing_.lines.push_back({at.x + 0.5 * (size.x - width), at.y, kTextSize, Face::plain, colors_.ink, label});
   }
 
+  /// Within the axes, if they have been laid out.
+  Box2 room() const {
+    return {{left_room_, plane_.covered_above}, {plane_.width, plane_.height - plane_.covered - bottom_room_}};
+  }
+  const std::optional<Box2>& bar_box() const { return bar_box_; }
   PaperDrawing take() { return std::move(drawing_); }
 
  private:
+  /// Without a place the line, not its number, has the margin.
+  Vec2 bar_corner(const std::optional<PaperPlace>& place, double length, Vec2 size) const {
+    if (place) return placed(*place, size, room());
+    return {left_room_ + kMargin - 0.5 * (size.x - length), room().high.y - kMargin - size.y};
+  }
   Rgb paper() const { return paper_.value_or(colors_.paper); }
   void box(double left, double top, double width, double height, Rgb color) {
     drawing_.boxes.push_back({left, top, width, height, color});
@@ -125,7 +137,17 @@ class Layout {
   PaperDrawing drawing_;
   double left_room_ = 0.0;
   double bottom_room_ = 0.0;
+  std::optional<Box2> bar_box_;
 };
+
+Layout laid_out(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
+                const std::optional<Rgb>& background) {
+  Layout layout(plane, measure, background);
+  if (marks.grid) layout.grid();
+  if (marks.axes) layout.axes();
+  if (marks.bar) layout.bar(marks.bar_at);
+  return layout;
+}
 
 }  // namespace
 
@@ -146,11 +168,12 @@ SeenPlane seen_plane(const figure::Page& page, double scale) {
 
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
                                 const std::optional<Rgb>& background) {
-  Layout layout(plane, measure, background);
-  if (marks.grid) layout.grid();
-  if (marks.axes) layout.axes();
-  if (marks.bar) layout.bar();
-  return layout.take();
+  return laid_out(marks, plane, measure, background).take();
+}
+
+MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure) {
+  const Layout layout = laid_out(marks, plane, measure, std::nullopt);
+  return {layout.bar_box(), layout.room()};
 }
 
 }  // namespace mes

@@ -12,6 +12,7 @@
 
 #include "app/model/scale_marks.h"
 #include "app/picture/paper_drawing.h"
+#include "core/base/box2.h"
 #include "render/camera.h"
 #include "render/figure/figure_of.h"
 
@@ -23,18 +24,27 @@ struct SeenPlane {
   double units_per_pixel = 1.0;  ///< of a logical pixel
   double width = 0.0;
   double height = 0.0;
-  double covered = 0.0;  ///< of the height: what lies over the lower end, such as a caption
+  double covered = 0.0;        ///< of the height: what lies over the lower end, such as a caption
+  double covered_above = 0.0;  ///< and over the upper end, such as a title
 };
 /// `scale`: pixels, or units of 1/96 inch, per logical pixel.
 SeenPlane seen_plane(const render::Camera& camera, double scale);
 SeenPlane seen_plane(const figure::Page& page, double scale);
 
-/// The bar is in the lower left corner, and at most a quarter of the width; the axes are the lower and the left edge;
-/// the grid has lines at the same numbers.
+/// The bar is in the lower left corner unless it has another place, and at most a quarter of the width; the axes are the
+/// lower and the left edge; the grid has lines at the same numbers. Places are counted from what covers the ends and from
+/// the axes.
 /// Their numbers are round, and each tells its place from that of its neighbours: where doubles do not, as in a deep
 /// zoom far from the origin, there are none. Numbers that would run together or out of the drawing are left out.
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
                                 const std::optional<Rgb>& background);
+
+/// Where the marks are, in logical pixels.
+struct MarksPlace {
+  std::optional<Box2> bar;  ///< with its number; none: there is no bar
+  Box2 room;                ///< what neither axes nor anything else covers: where bar and legend can be placed
+};
+MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure);
 
 /// The height in logical pixels that axes take from the lower edge.
 inline constexpr double kAxisRoom = 26.0;

@@ -177,8 +177,12 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
   const Rgb background = settings.background.value_or(picture_.canvas());
   const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
   PictureOverlay overlay =
-      picture_overlay_of({picture_.legend(drawn.layers, drawn.state.legend), drawn.state.caption, drawn.state.marks,
-                          drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{}},
+      picture_overlay_of({picture_.legend(drawn.layers, drawn.state.legend),
+                          drawn.state.caption,
+                          drawn.state.marks,
+                          drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
+                          {},
+                          drawn.state.legend_at},
                          fonts_, {view.camera, view.content_scale, behind});
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
                             view.content_scale == drawn.content_scale && settings.supersampling == 1 &&

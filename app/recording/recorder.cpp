@@ -24,8 +24,8 @@ Change Recorder::change(const ShownState& now) const {
   if (now.settings != captured_.settings) return Change::settings;
   if (now.layers != captured_.layers || now.solo != captured_.solo) return Change::layers;
   if (now.selection != captured_.selection) return Change::selection;
-  if (now.legend != captured_.legend || now.marks != captured_.marks || now.annotations != captured_.annotations ||
-      now.caption != captured_.caption)
+  if (now.legend != captured_.legend || now.legend_at != captured_.legend_at || now.marks != captured_.marks ||
+      now.annotations != captured_.annotations || now.caption != captured_.caption)
     return Change::texts;
   return now.view == captured_.view ? Change::none : Change::view;
 }

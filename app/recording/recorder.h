@@ -39,6 +39,7 @@ struct ShownState {
   ComputationSettings settings{};
   render::Camera view{};
   LegendScope legend = LegendScope::none;
+  std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner
   ScaleMarks marks{};
   bool annotations = true;  ///< shown
   std::string caption{};

@@ -138,7 +138,8 @@ SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area) {
   return {is_dragged, ImGui::GetIO().MousePos, is_reset};
 }
 
-SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation) {
+SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation,
+                         const char* back) {
   ImGui::SetNextWindowPos(area.at);
   ImGui::SetNextWindowSize(area.size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -149,11 +150,15 @@ SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, 
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::InvisibleButton("handle", area.size);
   const bool is_active = ImGui::IsItemActive();
-  const bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (is_active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  // The tooltip has a border and a margin, and would be in the way while the thing is moved.
+  // Tooltip and menu have a border and a margin; the tooltip would be in the way while the thing is moved.
   ImGui::PopStyleVar(2);
   if (!is_active) tooltip(gui, explanation);
+  if (begin_context_popup(gui, "menu")) {
+    if (ImGui::MenuItem(back)) is_reset = true;
+    ImGui::EndPopup();
+  }
   ImGui::End();
   return {is_active && !is_reset, ImGui::GetIO().MousePos, is_reset};
 }

@@ -29,12 +29,14 @@ void keep_in_window(const Gui& gui);
 struct SplitterMove {
   bool is_dragged = false;
   ImVec2 to{};            ///< where the pointer is
-  bool is_reset = false;  ///< double click
+  bool is_reset = false;  ///< by a double click
 };
 SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area);
 
-/// A place over the canvas by which what is drawn there can be dragged.
-SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation);
+/// A place over the canvas by which what is drawn there can be dragged. A double click resets it, and so does `back` in
+/// the menu of the right button.
+SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation,
+                         const char* back);
 
 /// The text, or as much of its beginning as fits into the width with "...".
 std::string elided(const std::string& text, float width);

@@ -37,7 +37,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, keys_.actions(), settings_.settings(),
                messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
-              recording_, keys_.actions(), messages_, panels_.presenter()}) {
+              recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
   bind_actions();
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
                                [this] { screen_.clock.settle(); });

@@ -55,7 +55,9 @@ FigureSubject FigureFlow::subject() const {
                     .image = uses_.work.layers().image(),
                     .maps = uses_.board.picture().scene().color_maps(),
                     .view = figure::page_of(seen.camera),
-                    .canvas_width = seen.camera.width() / scale};
+                    .canvas_width = seen.camera.width() / scale,
+                    .legend_at = uses_.settings.legend_at,
+                    .scale_bar_at = uses_.settings.marks.bar_at};
   out.session = session_for_picture(uses_.title(), out.data, uses_.work.layers().configuration(), out.settings,
                                     uses_.board.view().free_box());
   const LayerStack& layers = uses_.work.layers();

@@ -52,6 +52,7 @@ ShownState LiveRecording::shown_state() const {
           uses_.work.computation().settings(),
           uses_.board.view().camera(),
           legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
+          uses_.settings.legend_at,
           uses_.settings.marks,
           uses_.settings.show_annotations,
           uses_.lesson.is_running() ? uses_.lesson.caption() : uses_.demo.caption()};

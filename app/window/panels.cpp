@@ -97,6 +97,11 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_axes, settings.marks.axes);
   bind_toggle(ActionId::toggle_grid, settings.marks.grid);
   bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
+  actions.bind(ActionId::put_marks_back, {[&settings] {
+                                            settings.legend_at.reset();
+                                            settings.marks.bar_at.reset();
+                                          },
+                                          [&settings] { return settings.legend_at || settings.marks.bar_at; }});
   const auto bind_page = [&](ActionId id, DetailsPage page) {
     actions.bind(id, {[&settings, page] { settings.details = settings.details == page ? DetailsPage::none : page; },
                       {},
@@ -169,8 +174,9 @@ Panels::Room Panels::draw() {
   draw_over(sides);
   divide(sides);
   draw_annotation_card(sides);
-  draw_scale_marks(sides);
-  const ImVec2 legend = draw_legend(sides);
+  const Box2 room = draw_scale_marks(sides);
+  const ImVec2 legend = draw_legend(sides, room);
+  mark_drag_.end_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float unit = uses_.screen.gui.unit();
   const float width = screen.x - sides.left - sides.right;
@@ -344,41 +350,40 @@ void Panels::draw_annotation_card(const Sides& sides) {
                         room, [this](const Error& error) { uses_.messages.problem(error.message()); });
 }
 
-void Panels::draw_scale_marks(const Sides& sides) {
-  if (uses_.settings.marks.is_empty()) return;
+// What they leave for the legend, in logical pixels.
+Box2 Panels::draw_scale_marks(const Sides& sides) {
+  const Gui& gui = uses_.screen.gui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  CanvasMarks{uses_.screen.gui, uses_.board.picture(), uses_.board.view().camera()}.draw(
-      uses_.settings.marks, {sides.left, sides.top}, {screen.x - sides.right, screen.y - sides.bottom},
+  const ImVec2 low(sides.left, sides.top);
+  const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), uses_.board.view().camera()}.draw(
+      uses_.settings.marks, low, {screen.x - sides.right, screen.y - sides.bottom},
       uses_.screen.window->pixel_ratio());
+  if (marks.bar && mark_drag_.follow(gui,
+                                     {"##scale-bar-handle", "Drag to move the scale bar; double click to put it back",
+                                      low, *marks.bar, marks.room},
+                                     uses_.settings.marks.bar_at))
+    uses_.screen.clock.want(2);
+  return marks.room;
 }
 
 // Its size with its margin while it is in its corner, of which the drawing is kept clear.
-ImVec2 Panels::draw_legend(const Sides& sides) {
+ImVec2 Panels::draw_legend(const Sides& sides, const Box2& room) {
+  if (room.is_empty()) return {};
   const Gui& gui = uses_.screen.gui;
-  const float margin = kMargin * gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float axes = uses_.settings.marks.axes ? static_cast<float>(kAxisRoom) * gui.unit() : 0.0F;
-  const ImVec2 corner(screen.x - sides.right - margin, screen.y - sides.bottom - axes - margin);
-  const ImVec2 at(std::clamp(corner.x + legend_moved_.x, sides.left, corner.x),
-                  std::clamp(corner.y + legend_moved_.y, sides.top, corner.y));
-  const ImVec2 size = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
-                                   legend_scope(uses_.settings.show_legend, uses_.settings.show_key)}
-                          .draw(at, screen.y - sides.top - sides.bottom - 2 * margin);
-  if (size.x <= 0.0F) return {};
-  const SplitterMove move = drag_handle(gui, "##legend-handle", {{at.x - size.x, at.y - size.y}, size},
-                                        "Drag to move the legend; double click to put it back");
-  // From where the button was pressed: a late frame may have missed some of the way.
-  if (move.is_dragged) {
-    if (!legend_grasped_) legend_grasped_ = {at.x - corner.x, at.y - corner.y};
-    const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
-    legend_moved_ = {legend_grasped_->x + way.x, legend_grasped_->y + way.y};
+  const float unit = gui.unit();
+  std::optional<PaperPlace>& place = uses_.settings.legend_at;
+  const ImVec2 low(sides.left, sides.top);
+  const bool is_in_its_corner = !place;
+  const auto box = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
+                                legend_scope(uses_.settings.show_legend, uses_.settings.show_key)}
+                       .draw(place, low, room);
+  if (!box) return {};
+  if (mark_drag_.follow(
+          gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, room}, place))
     uses_.screen.clock.want(2);
-  } else {
-    legend_grasped_.reset();
-  }
-  if (move.is_reset) legend_moved_ = {};
-  const bool is_moved = legend_moved_.x != 0.0F || legend_moved_.y != 0.0F;
-  return is_moved ? ImVec2() : ImVec2(size.x + margin, size.y + margin);
+  if (!is_in_its_corner) return {};
+  return {static_cast<float>(box->width() + kUsualMarginPx) * unit,
+          static_cast<float>(box->height() + kUsualMarginPx) * unit};
 }
 
 }  // namespace mes

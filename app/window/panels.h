@@ -8,6 +8,7 @@
 #include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
 #include "app/panels/layers_panel.h"
+#include "app/panels/mark_drag.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/presenter.h"
 #include "app/panels/status_bar.h"
@@ -41,6 +42,8 @@ class Panels {
   const Presenter& presenter() const { return presenter_; }
   /// Ends the presentation, with the panels as they were before; false when there was none.
   bool end_presentation();
+  /// The legend or the scale bar, while it is dragged.
+  MarkDrag& mark_drag() { return mark_drag_; }
   /// Everything that has a name, as it is now.
   std::vector<PaletteEntry> palette_entries();
   /// Those around the canvas are shown, and not only what lies on it.
@@ -75,8 +78,8 @@ class Panels {
   void draw_splitters(const PanelArea& column, float upper);
   void draw_over(Sides& sides);
   void draw_annotation_card(const Sides& sides);
-  void draw_scale_marks(const Sides& sides);
-  ImVec2 draw_legend(const Sides& sides);
+  Box2 draw_scale_marks(const Sides& sides);
+  ImVec2 draw_legend(const Sides& sides, const Box2& room);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
 
@@ -92,8 +95,7 @@ class Panels {
   bool presents_lesson_ = false;
   AnnotationCard annotation_card_;
   Presenter presenter_;
-  ImVec2 legend_moved_{};                 // from its corner, by hand
-  std::optional<ImVec2> legend_grasped_;  // where it was when it was taken, while it is held
+  MarkDrag mark_drag_;
 };
 
 }  // namespace mes

@@ -79,6 +79,10 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   const auto action =
       uses_.actions.keymap().find(chord, !uses_.selection.is_empty() || uses_.annotations.current() != nullptr);
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
+  if (uses_.mark_drag.is_under_way()) {
+    if (*action == ActionId::deselect || *action == ActionId::undo) uses_.mark_drag.cancel();
+    return;
+  }
   // A gesture under way is ended only by Esc; the document must not change beneath it.
   if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;
   uses_.actions.run(*action);

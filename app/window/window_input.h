@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
+#include "app/panels/mark_drag.h"
 #include "app/panels/presenter.h"
 #include "app/window/document_flow.h"
 #include "app/window/event_queue.h"
@@ -29,6 +30,7 @@ class WindowInput final : private WindowListener {
     const ActionBindings& actions;
     Messages& messages;
     Presenter& presenter;
+    MarkDrag& mark_drag;
   };
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;

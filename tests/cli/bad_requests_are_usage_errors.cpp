@@ -56,6 +56,10 @@ TEST_CASE("sizes, views, scales and colours are checked") {
   for (const char* view :
        {"all", "0,0,1", "0,0,1,1,1", "0,0,0,1", "0,0,nan,1", "0,0,1e999,1", "0,0,1,", "-1e308,0,1e308,1"})
     require_usage_error({"render", kDude, "-o", "a.png", "--view", view}, {"--view"});
+  for (const char* option : {"--legend-at", "--scale-bar-at"})
+    for (const char* place : {"left", "top-left:5", "top-left:5,", "bottom-right:-1,2", "top-right:1,6000"})
+      require_usage_error({"render", kDude, "-o", "a.png", option, place},
+                          {option, "expects top-left, top-right, bottom-left or bottom-right", "millimetres", place});
   for (const char* scale : {"0", "-1", "nan", "1000", "two"})
     require_usage_error({"render", kDude, "-o", "a.png", "--scale", scale}, {"--scale"});
   for (const char* color : {"white", "fff", "#12345", "12345g", ""})

@@ -97,6 +97,14 @@ const std::vector<Case>& cases() {
       {"scale", {kBean, "--scale-bar", "--axes", "--grid"}, 0.004},
       {"key", {kBean, "--key", "--layers", "interior-voronoi-disks,interior-voronoi-circles,curve,points"}, 0.006},
       {"title", {kBean, "--title", "Beans of $r_i^2 \\le \\varepsilon$\\\\\\textbf{second} line", "--key"}, 0.006},
+      {"places",
+       {kBean, "--layers", "curve,medial-axis,points", "--key", "--legend-at", "top-left:20,10", "--scale-bar-at",
+        "top-right:5,30"},
+       0.004},
+      {"places within axes and below a title",
+       {kBean, "--layers", "curve,medial-axis,points", "--key", "--axes", "--title", "Beans", "--legend-at",
+        "top-left:0,0", "--scale-bar-at", "bottom-left:9,9"},
+       0.006},
       {"numbers",
        {kDude, "--layers", "curve,points,indices", "--set-style", "indices:color=D55E00,opacity=0.6,point-size=16"},
        0.004},
@@ -186,6 +194,48 @@ TEST_CASE("annotations are in every picture and every figure, or in none") {
   const std::string again = (folder / "again.png").string();
   render({with, "--layers", "points,curve", "--size", "640x480"}, again);
   CHECK(difference(shown, read_png(again)) == 0.0);
+}
+
+TEST_CASE("a legend and a scale bar stand where they are asked to, in pixels and in vectors") {
+  const TemporaryFolder folder;
+  // Nothing but them is drawn there: the disk is seen far away.
+  const std::vector<std::string> empty{kBean, "--layers", "curve", "--view=0,0,1e6,1e6", "--size", "640x480"};
+  struct Extent {
+    int left = 640, top = 480, right = 0, bottom = 0;
+  };
+  const auto extent = [](const Image& image) {
+    Extent out;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const auto* const pixel = &image.rgba[image.offset(x, y)];
+        // The samples themselves are one dot in the lower left corner.
+        const bool is_dot = x < 90 && y > 420;
+        if (is_dot || (pixel[0] > 235 && pixel[1] > 235 && pixel[2] > 235)) continue;
+        out = {std::min(out.left, x), std::min(out.top, y), std::max(out.right, x), std::max(out.bottom, y)};
+      }
+    return out;
+  };
+  const auto drawn = [&](const std::string& extension, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = empty;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const std::string file = (folder / ("a" + extension)).string();
+    render(arguments, file);
+    return extent(extension == ".png" ? read_png(file) : rasterised(file, 640, 480));
+  };
+  for (const char* extension : {".png", ".svg", ".pdf"}) {
+    INFO(extension);
+    // An inch is 96 pixels.
+    const Extent legend = drawn(extension, {"--key", "--legend-at", "top-right:25.4,50.8"});
+    CHECK(std::abs(legend.right - (640 - 96 - 1)) <= 1);
+    CHECK(std::abs(legend.top - 2 * 96) <= 1);
+    const Extent bar = drawn(extension, {"--scale-bar-at", "bottom-right:25.4,25.4"});
+    CHECK(std::abs(bar.right - (640 - 96 - 1)) <= 1);
+    CHECK(std::abs(bar.bottom - (480 - 96 - 1)) <= 1);
+    // Kept on the page.
+    const Extent kept = drawn(extension, {"--key", "--legend-at", "bottom-left:5080,5080"});
+    CHECK(kept.right >= 638);
+    CHECK(kept.top <= 1);
+  }
 }
 
 TEST_CASE("a PDF carries the fonts of its legend and its marks") {

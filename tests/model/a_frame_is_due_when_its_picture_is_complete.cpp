@@ -164,6 +164,10 @@ TEST_CASE("showing the legend is a frame, and so are a key, a scale bar, axes, a
   check_frame();
   now.marks.axes = true;
   check_frame();
+  now.legend_at = PaperPlace{PaperCorner::top_left};
+  check_frame();
+  now.marks.bar_at = PaperPlace{PaperCorner::top_right};
+  check_frame();
   now.caption = "What of it the union covers";
   recorder.note_complete(now);
   CHECK(recorder.is_due(now, {}));

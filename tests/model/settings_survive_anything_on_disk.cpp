@@ -40,6 +40,8 @@ TEST_CASE("what is saved is loaded") {
   settings.column_width = 412.5;
   settings.details_share = 0.25;
   settings.bundles_height = 133.0;
+  settings.legend_at = PaperPlace{PaperCorner::top_left, {12.5, 3.0}};
+  settings.marks.bar_at = PaperPlace{PaperCorner::top_right};
   settings.theme = Theme::dark;
   settings.for_projector = true;
   settings.canvas_background = Rgb{1, 2, 3};
@@ -67,6 +69,21 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.for_projector);
   CHECK(loaded.settings.canvas_background == Rgb{1, 2, 3});
   CHECK(loaded.settings.record == settings.record);
+  CHECK(loaded.settings.legend_at == settings.legend_at);
+  CHECK(loaded.settings.marks == settings.marks);
+}
+
+TEST_CASE("a place that is not one is none") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  for (const char* place : {"3", "null", R"("left")", R"("top-left:-1,0")", R"({"corner": 1})"}) {
+    write(path, std::string(R"({"schema": 1, "legend_at": )") + place + R"(, "scale_bar_at": )" + place + "}");
+    CAPTURE(place);
+    const LoadedSettings loaded = load_settings(path);
+    CHECK(loaded.message.empty());
+    CHECK_FALSE(loaded.settings.legend_at);
+    CHECK_FALSE(loaded.settings.marks.bar_at);
+  }
 }
 
 TEST_CASE("frames that cannot be are as large as the window") {

@@ -144,3 +144,63 @@ TEST_CASE("a legend lies where it was dragged, however fast the hand was") {
   static_cast<void>(window.screen.settled());
   CHECK(eventually(has_moved));
 }
+
+TEST_CASE(
+    "a scale bar is dragged, given back by Escape, undo or a double click, and stands there in the next window") {
+  DrivenProgram window;
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  const auto settings = [&] { return bytes_of(window.folder / "config" / "mesecina" / "settings.json"); };
+  std::filesystem::create_directories(window.folder / "config" / "mesecina");
+  window.folder.write("config/mesecina/settings.json", R"({"schema": 1, "show_scale_bar": true})");
+  window.start("house.poff");
+  // The line of the bar is longer than anything else that is so dark and so low.
+  constexpr PixelBox kLow{80, 700, 300, 760};
+  constexpr PixelBox kMiddle{150, 250, 900, 700};
+  const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 70; };
+  REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kLow, is_ink).is_empty(); }));
+  const Screenshot own = window.drawn();
+  const PixelBox bar = own.box_of(kLow, is_ink);
+  const std::array<int, 2> from{bar.middle()[0], bar.bottom - 6};
+  const std::array<int, 2> to{from[0] + 60, from[1] - 90};
+  const auto is_at = [&](const Screenshot& shot, int right, int down) {
+    const PixelBox there{bar.left + right, bar.top + down, bar.right + right, bar.bottom + down};
+    const PixelBox now = shot.box_of(there, is_ink);
+    return now.left == there.left && now.right == there.right && now.bottom == there.bottom;
+  };
+  const auto drag = [&] {
+    window.screen.drag(from, to, 1);
+    return eventually([&] { return is_at(window.screen.shoot(), 60, -90); });
+  };
+  for (const char* key : {"Escape", "ctrl+z"}) {
+    INFO(key);
+    REQUIRE(drag());
+    window.press(key);
+    CHECK(eventually([&] { return is_at(window.screen.shoot(), 0, 0); }));
+    window.screen.xdotool("mouseup 1");
+    window.screen.xdotool("mousemove 1200 6");
+    CHECK(window.shows(own));
+  }
+  REQUIRE(drag());
+  window.screen.xdotool("mouseup 1");
+  CHECK(is_at(window.screen.settled(), 60, -90));
+  // Near the edges it takes the usual margin, which is that of its own place.
+  window.screen.drag(to, {from[0] + 5, from[1] - 4}, 1);
+  CHECK(eventually([&] { return is_at(window.screen.shoot(), 0, 0); }));
+  window.screen.xdotool("mouseup 1");
+  REQUIRE(drag());
+  window.screen.xdotool("mouseup 1");
+  window.screen.xdotool("mousemove 1200 6");
+  const Screenshot moved = window.screen.settled();
+  CHECK(is_at(moved, 60, -90));
+  // The next window has it there.
+  window.press("ctrl+q");
+  REQUIRE(eventually([&] { return !window.program.is_running(); }));
+  CHECK(settings().find("\"scale_bar_at\": \"bottom-left:") != std::string::npos);
+  window.start("house.poff");
+  CHECK(eventually([&] { return is_at(window.screen.shoot(), 60, -90); }));
+  // Clicking it does nothing; a second click at once gives it back.
+  window.screen.click(to);
+  CHECK(is_at(window.screen.settled(), 60, -90));
+  window.screen.xdotool("click --repeat 2 --delay 60 1");
+  CHECK(eventually([&] { return is_at(window.screen.shoot(), 0, 0); }));
+}
