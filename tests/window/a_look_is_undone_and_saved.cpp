@@ -155,7 +155,6 @@ TEST_CASE(
   window.start("house.poff");
   // The line of the bar is longer than anything else that is so dark and so low.
   constexpr PixelBox kLow{80, 700, 300, 760};
-  constexpr PixelBox kMiddle{150, 250, 900, 700};
   const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 70; };
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kLow, is_ink).is_empty(); }));
   const Screenshot own = window.drawn();
