@@ -17,8 +17,8 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. While it runs, the editor holds the samples of a step, to be edited like any others. What the editor held before,
-///     with its history and its timeline, is put aside, and is there again, to the last bit, after `end`.
+///  1. While it runs, the editor holds the samples of a step, to be edited like any others. What the editor held
+///     before, with its history and its timeline, is put aside, and is there again, to the last bit, after `end`.
 ///  2. A step that is gone to shows the samples, layers, settings and view that `LessonWalk` gives, whatever was done
 ///     before; only with `keeps_edits` do samples that were edited stay as they are.
 ///  3. Where `plays_edits`, the edits between a step and the next are seen one after the other, each when the picture

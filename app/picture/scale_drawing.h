@@ -41,7 +41,7 @@ PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane,
 
 /// Where the marks are, in logical pixels.
 struct MarksPlace {
-  std::optional<Box2> bar;  ///< with its number; none: there is no bar
+  std::optional<Box2> bar;  ///< with its number; none: it is left out
   Box2 room;                ///< what neither axes nor anything else covers: where bar and legend can be placed
 };
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure);

@@ -62,8 +62,8 @@ bool has_times(std::span<const FrameInfo> frames) {
   return frames.size() > 1 && frames.back().seconds > frames.front().seconds;
 }
 
-// `part` is where the bytes go; the kind of video is by the name of `output`. `seconds`: of the video, with the times of
-// the frames; 0: a steady pace.
+// `part` is where the bytes go; the kind of video is by the name of `output`. `seconds`: of the video, with the times
+// of the frames; 0: a steady pace.
 std::vector<std::string> arguments(double fps, std::size_t frames, const fs::path& output, const fs::path& part,
                                    double seconds) {
   const std::string rate = fmt::format("{:g}", fps);

@@ -23,7 +23,7 @@ struct SvgDrawing {
 /// Whether the root element is that of SVG. A look at what stands before it.
 bool looks_like_svg(std::string_view bytes);
 
-/// Error: `bad_input` with line and column for what is no XML, and for what has too many elements or pieces or is
+/// Error: `bad_input` with line and column for text that is not XML, and for what has too many elements or pieces or is
 /// nested too deeply, so that a few lines of `use` cannot grow without bounds. Entities other than those of XML are not
 /// expanded.
 Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name);

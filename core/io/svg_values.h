@@ -48,7 +48,7 @@ struct SvgViewport {
   double reference(SvgAxis axis) const;
 };
 
-/// In pixels of 1/96 inch; a letter "m" of a font has 16. Nothing for what is no length.
+/// In pixels of 1/96 inch; a letter "m" of a font has 16. Nothing for text that is not a length.
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport);
 
 /// The product of a list of transforms; nothing for what is none.

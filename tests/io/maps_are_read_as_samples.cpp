@@ -89,7 +89,7 @@ TEST_CASE("every geometry of GeoJSON gives its positions in order") {
     {"type": "Feature", "geometry": {"type": "MultiPolygon", "coordinates": [[[[20, 0], [21, 0], [21, 1], [20, 0]]], []]}}
     ], "type": "FeatureCollection"})");
   CHECK(file.format == "geojson");
-  // 1000 is no longitude, so nothing is projected.
+  // 1000 is not a longitude, so nothing is projected.
   CHECK(file.warnings.empty());
   CHECK(file.data.positions == std::vector<Vec2>{{7, 8},  {9, 10}, {11, 8}, {0, 1},    {0, 2}, {0, 3}, {0, 4},
                                                  {0, 0},  {9, 0},  {9, 9},  {0, 9},    {1, 1}, {2, 1}, {2, 2},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <vector>
 
 #include "app/model/lesson_presenter.h"
@@ -13,11 +15,16 @@ namespace {
 
 /// What a window has of a lesson.
 struct Room {
-  Document seen;  // as the engine would know it
+  Document seen;                    // as the engine would know it
+  std::uint64_t last_revision = 0;  // that it was given
   LayerStack layers{layer_descriptors()};
   ComputationSettings settings{};
   Box2 view{};
-  Editor editor{[this](const std::shared_ptr<const DocumentDelta>& delta) { seen.apply(*delta); }, &layers};
+  Editor editor{[this](const std::shared_ptr<const DocumentDelta>& delta) {
+                  seen.apply(*delta);
+                  last_revision = std::max(last_revision, delta->to_revision);
+                },
+                &layers};
   LessonPresenter presenter{{editor, layers, [this] { return settings; },
                              [this](const ComputationSettings& wanted) { settings = wanted; },
                              [this](const Box2& box) { view = box; }}};
@@ -127,7 +134,8 @@ TEST_CASE("a lesson shows each of its steps, and gives back what was there") {
     CHECK(room.layers.configuration() == layers);
     CHECK(room.editor.timeline().entries() == entries);
     CHECK(room.editor.is_modified() == was_modified);
-    // What was put aside can be worked on.
+    // What was put aside can be worked on, and no revision means two states.
+    CHECK(room.editor.document().next_revision() > room.last_revision);
     for (int i = 0; i < 40; ++i) script.step(room.editor);
     if (room.editor.in_gesture()) room.editor.end_gesture();
     CHECK(room.seen.digest() == room.editor.document().digest());
