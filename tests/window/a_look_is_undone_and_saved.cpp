@@ -170,25 +170,33 @@ TEST_CASE(
     window.screen.drag(from, to, 1);
     return eventually([&] { return is_at(window.screen.shoot(), 60, -90); });
   };
+  // A button that goes up and down again between two frames was never up. The tool under the pointer stands out once
+  // nothing is held any more.
+  const auto release = [&] {
+    constexpr PixelBox kTool{12, 75, 52, 108};
+    window.screen.xdotool("mouseup 1");
+    window.screen.xdotool("mousemove 32 90");
+    REQUIRE(eventually([&] { return !window.screen.shoot().box_of_changes(kTool, own).is_empty(); }));
+    window.screen.xdotool("mousemove 1200 6");
+    REQUIRE(eventually([&] { return window.screen.shoot().box_of_changes(kTool, own).is_empty(); }));
+  };
   for (const char* key : {"Escape", "ctrl+z"}) {
     INFO(key);
     REQUIRE(drag());
     window.press(key);
     CHECK(eventually([&] { return is_at(window.screen.shoot(), 0, 0); }));
-    window.screen.xdotool("mouseup 1");
-    window.screen.xdotool("mousemove 1200 6");
+    release();
     CHECK(window.shows(own));
   }
   REQUIRE(drag());
-  window.screen.xdotool("mouseup 1");
+  release();
   CHECK(is_at(window.screen.settled(), 60, -90));
   // Near the edges it takes the usual margin, which is that of its own place.
   window.screen.drag(to, {from[0] + 5, from[1] - 4}, 1);
   CHECK(eventually([&] { return is_at(window.screen.shoot(), 0, 0); }));
-  window.screen.xdotool("mouseup 1");
+  release();
   REQUIRE(drag());
-  window.screen.xdotool("mouseup 1");
-  window.screen.xdotool("mousemove 1200 6");
+  release();
   const Screenshot moved = window.screen.settled();
   CHECK(is_at(moved, 60, -90));
   // The next window has it there.
@@ -200,6 +208,10 @@ TEST_CASE(
   // Clicking it does nothing; a second click at once gives it back.
   window.screen.click(to);
   CHECK(is_at(window.screen.settled(), 60, -90));
-  window.screen.xdotool("click --repeat 2 --delay 60 1");
-  CHECK(eventually([&] { return is_at(window.screen.shoot(), 0, 0); }));
+  // Two clicks between two frames are one.
+  CHECK(eventually([&] {
+    if (is_at(window.screen.settled(), 0, 0)) return true;
+    window.screen.xdotool("click --repeat 2 --delay 60 1");
+    return is_at(window.screen.settled(), 0, 0);
+  }));
 }
