@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "imgui_impl_glfw.h"
@@ -99,7 +100,8 @@ Expected<std::unique_ptr<GlfwWindow>> GlfwWindow::create(const Options& options)
   return std::unique_ptr<GlfwWindow>(new GlfwWindow(window));
 }
 
-GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
+GlfwWindow::GlfwWindow(GLFWwindow* window)
+    : window_(window), shows_rest_(std::getenv("MESECINA_SHOWS_REST") != nullptr) {
   glfwSetWindowUserPointer(window_, this);
   glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   crosshair_ = glfwCreateStandardCursor(GLFW_CROSSHAIR_CURSOR);
@@ -166,6 +168,10 @@ void GlfwWindow::install_callbacks() {
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int code, int scancode, int action, int bits) {
     GlfwWindow* self = self_of(window);
+    if (self->shows_rest_ && code == GLFW_KEY_PAUSE) {
+      if (action == GLFW_PRESS) ++self->rest_asked_;
+      return;
+    }
     self->tell_gui(code, scancode, action, bits);
     self->key(code, scancode, action, bits);
   });
@@ -273,7 +279,17 @@ void GlfwWindow::swap() {
 void GlfwWindow::set_title(const std::string& title) {
   if (title == title_) return;
   title_ = title;
-  glfwSetWindowTitle(window_, title.c_str());
+  show_title();
+}
+
+void GlfwWindow::show_title() {
+  const std::string shown = rest_answered_ == 0 ? title_ : fmt::format("{} ({})", title_, rest_answered_);
+  glfwSetWindowTitle(window_, shown.c_str());
+}
+
+void GlfwWindow::answer_rest() {
+  rest_answered_ = rest_asked_;
+  show_title();
 }
 
 void GlfwWindow::set_pointer_shape(PointerShape shape) {

@@ -61,6 +61,11 @@ class GlfwWindow {
 
   void swap();
   void set_title(const std::string& title);
+  /// For tests of the window, which have to know when everything that was done to it can be seen. Where
+  /// MESECINA_SHOWS_REST is set, a press of Pause asks for an answer, and `answer_rest` writes the number of presses so
+  /// far behind the title.
+  bool is_asked_for_rest() const { return rest_asked_ > rest_answered_; }
+  void answer_rest();
   void set_pointer_shape(PointerShape shape);
   /// Where a button was pressed since the last call, then where it was released, in screen coordinates. When a late
   /// frame begins, the pointer may be elsewhere, and panels would take the click for one there.
@@ -87,6 +92,7 @@ class GlfwWindow {
   void key(int key, int scancode, int action, int modifiers);
   void tell_gui(int key, int scancode, int action, int modifiers);
   void tell_gui_of_releases();
+  void show_title();
 
   GLFWwindow* window_;
   WindowListener* listener_ = nullptr;
@@ -105,6 +111,9 @@ class GlfwWindow {
   std::vector<int> just_pressed_;  // since the last frame
   std::vector<Release> releases_;  // of those; reported to Dear ImGui after the next frame
   bool key_repeats_ = false;       // of the key whose typed text comes next
+  bool shows_rest_ = false;
+  int rest_asked_ = 0;
+  int rest_answered_ = 0;
 };
 
 }  // namespace mes

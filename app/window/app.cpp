@@ -97,12 +97,25 @@ double App::next_wait() const {
                            is_busy);
 }
 
+void App::wait_for_event() {
+  const double limit = next_wait();
+  const bool is_at_rest = limit == 0.0 && !recording_.holds_input() && !input_.has_waiting_events();
+  turns_at_rest_ = is_at_rest ? turns_at_rest_ + 1 : 0;
+  GlfwWindow& window = *screen_.window;
+  if (is_at_rest && window.is_asked_for_rest()) {
+    // What another thread finished after its results were last taken is seen after one more turn.
+    if (turns_at_rest_ < 2) return window.poll();
+    window.answer_rest();
+  }
+  window.wait(limit);
+}
+
 void App::run(const Termination& termination) {
   while (!documents_.is_left() && termination.signal() == 0) {
     if (screen_.clock.wants_frame() || board_.view().is_moving())
       screen_.window->poll();
     else
-      screen_.window->wait(next_wait());
+      wait_for_event();
     screen_.times.begin();
     turn();
   }

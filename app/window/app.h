@@ -43,6 +43,7 @@ class App {
   bool clear_selection();
   bool end_lesson();
   double next_wait() const;
+  void wait_for_event();
   void turn();
   void deliver_events();
   void refuse_for_memory() noexcept;
@@ -65,6 +66,7 @@ class App {
   KeyDesk keys_;
   Panels panels_;
   WindowInput input_;
+  int turns_at_rest_ = 0;  // in a row
 };
 
 }  // namespace mes

@@ -37,6 +37,7 @@ class WindowInput final : private WindowListener {
 
   /// Once a turn: acts on what has come.
   void deliver();
+  bool has_waiting_events() const { return !events_.is_empty(); }
   /// Where the pointer was last, in framebuffer pixels.
   Vec2 pointer_px() const { return pointer_px_; }
 

@@ -37,7 +37,7 @@ struct Window {
     screen.xdotool("mousemove 1200 6");
   }
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  std::string title() const { return screen.title(); }
 
   /// What is framed in the accent colour in the status bar.
   PixelBox chip() const {

@@ -52,7 +52,7 @@ struct Contest {
     REQUIRE(eventually([&] { return title().starts_with("* shared.json"); }));
     home.write("shared.json", theirs);
   }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  std::string title() const { return screen.title(); }
   Color corner() const { return screen.shoot().at(20, 765); }
   bool has_dialog() const {
     const int light = corner().r;

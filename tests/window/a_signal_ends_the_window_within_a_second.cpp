@@ -40,7 +40,7 @@ struct Window {
                     home / "errors");
     REQUIRE(eventually([&] { return !title().empty() && corner().r > 0; }));
   }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  std::string title() const { return screen.title(); }
   Color corner() const { return screen.shoot().at(20, 765); }
   fs::path journals() const { return home / "data" / "mesecina" / "autosave"; }
   bool has_journaled_edit() const {

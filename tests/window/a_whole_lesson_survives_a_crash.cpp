@@ -91,7 +91,7 @@ struct LessonHour {
                     home / "errors");
     REQUIRE(eventually([&] { return !title().empty() && corner().r > 0; }));
   }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  std::string title() const { return screen.title(); }
   /// Keys go to the canvas, or to the dialog that is open.
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
   void type(const std::string& text) const { screen.xdotool("type --delay 30 '" + text + "'"); }

@@ -39,8 +39,7 @@ struct Window {
                      {"LIBGL_ALWAYS_SOFTWARE", "1"},
                      {"ASAN_OPTIONS", "detect_leaks=0"}},
                     folder / "errors");
-    REQUIRE(eventually(
-        [&] { return screen.xdotool("search --name Mesecina getwindowname").starts_with("triangle.poff"); }));
+    REQUIRE(eventually([&] { return screen.title().starts_with("triangle.poff"); }));
     rest();
   }
   /// On the empty end of the menu bar, where the pointer changes nothing.

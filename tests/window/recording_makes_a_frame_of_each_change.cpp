@@ -39,8 +39,7 @@ struct Studio {
                      {"LIBGL_ALWAYS_SOFTWARE", "1"},
                      {"ASAN_OPTIONS", "detect_leaks=0"}},
                     folder / "errors");
-    REQUIRE(eventually(
-        [&] { return screen.xdotool("search --name Mesecina getwindowname").starts_with("circle.poff"); }));
+    REQUIRE(eventually([&] { return screen.title().starts_with("circle.poff"); }));
     screen.xdotool("mousemove 640 400");
     press("Tab");
     press("f");

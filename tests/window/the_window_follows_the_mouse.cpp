@@ -70,7 +70,7 @@ struct Visit {
     program = Child({MESECINA_BINARY, file.string()}, environment, folder.path / "errors");
   }
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  std::string title() const { return screen.title(); }
 
   void show_only_the_drawing() {
     const bool is_open = eventually([&] { return title().starts_with("circle.poff - Mesecina"); });

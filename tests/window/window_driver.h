@@ -93,8 +93,11 @@ class VirtualScreen {
   VirtualScreen();
   const std::string& display() const { return display_; }
   Screenshot shoot() const;
-  /// The screen once nothing on it moves any more: two pictures in a row are equal.
+  /// The screen once the program has acted on all that was done before, and has nothing left to draw; without a program
+  /// on the screen, once two pictures in a row are equal.
   Screenshot settled() const;
+  /// What the title of the program's window says; empty without one.
+  std::string title() const { return window().title; }
   /// One call of xdotool; its standard output.
   std::string xdotool(const std::string& arguments) const;
   /// The rest of the arguments one by one, so that a program draws between them.
@@ -104,6 +107,12 @@ class VirtualScreen {
   void type_over(const std::string& text) const;
 
  private:
+  struct Window {
+    std::string title;
+    int rests = 0;  // how often the program has answered that it is at rest
+  };
+  Window window() const;
+
   std::string display_;
   Child server_;
 };
@@ -120,7 +129,7 @@ struct DrivenProgram {
   /// Opens this file of the folder, and moves the pointer where nothing lies. What ran before is ended.
   void start(const std::string& name, const Environment& extra = {});
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.xdotool("search --name Mesecina getwindowname"); }
+  std::string title() const { return screen.title(); }
   /// The screen once the light has its verdict on a document with samples, and nothing moves any more.
   Screenshot drawn() const;
   /// True once the canvas looks as in this picture.
