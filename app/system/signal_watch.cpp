@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,12 @@
 #include "app/system/process_end.h"
 
 namespace mes {
+
+std::chrono::milliseconds SignalWatch::usual_patience() {
+  const char* const said = std::getenv("MESECINA_PATIENCE");
+  const int milliseconds = said == nullptr ? 0 : std::atoi(said);
+  return milliseconds > 0 ? std::chrono::milliseconds(milliseconds) : kPatience;
+}
 
 SignalWatch::SignalWatch(std::function<void(int)> heard, std::chrono::milliseconds patience)
     : heard_(std::move(heard)), patience_(patience) {

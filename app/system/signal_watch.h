@@ -22,7 +22,10 @@ class SignalWatch {
   /// With what `end_process` takes, less than a second.
   static constexpr std::chrono::milliseconds kPatience{650};
 
-  explicit SignalWatch(std::function<void(int)> heard, std::chrono::milliseconds patience = kPatience);
+  /// Or what MESECINA_PATIENCE says, in milliseconds: for tests of what happens in order, however busy the machine is.
+  static std::chrono::milliseconds usual_patience();
+
+  explicit SignalWatch(std::function<void(int)> heard, std::chrono::milliseconds patience = usual_patience());
   ~SignalWatch();
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;

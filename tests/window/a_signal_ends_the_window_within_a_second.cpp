@@ -36,6 +36,7 @@ struct Window {
                      {"XDG_CONFIG_HOME", (home / "config").string()},
                      {"XDG_DATA_HOME", (home / "data").string()},
                      {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                     {"MESECINA_PATIENCE", ""},
                      {"ASAN_OPTIONS", "detect_leaks=0"}},
                     home / "errors");
     REQUIRE(eventually([&] { return !title().empty() && corner().r > 0; }));

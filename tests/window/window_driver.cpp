@@ -50,6 +50,7 @@ Child::Child(const std::vector<std::string>& arguments, const Environment& extra
   if (pid_ != 0) return;
   setenv("MESECINA_CHECK_PATCHES", "1", 1);
   setenv("MESECINA_SHOWS_REST", "1", 1);
+  setenv("MESECINA_PATIENCE", "60000", 1);
   for (const auto& [name, value] : extra) {
     if (value.empty())
       unsetenv(name.c_str());

@@ -22,7 +22,8 @@ using Environment = std::map<std::string, std::string>;
 class Child {
  public:
   Child() = default;
-  /// Runs `arguments[0]`; a window of it checks each patch it draws and ends at a broken one. Standard error goes to
+  /// Runs `arguments[0]`; a window of it checks each patch it draws and ends at a broken one, and has a minute to end in
+  /// order after a signal. Standard error goes to
   /// `error_file` if that is given. Values in `extra` are set, empty ones unset.
   Child(const std::vector<std::string>& arguments, const Environment& extra,
         const std::filesystem::path& error_file = {});
