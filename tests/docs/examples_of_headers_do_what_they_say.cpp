@@ -16,6 +16,7 @@
 #include "core/document/layer_fold.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
+#include "core/edit/formula.h"
 #include "core/engine/engine.h"
 #include "core/engine/graph.h"
 #include "core/evolutions/evolution_run.h"
@@ -346,6 +347,13 @@ TEST_CASE("core/io/json_view.h") {
   REQUIRE(count);
   CHECK(*count == 3);
   CHECK_FALSE(count_timeline("{"));
+}
+
+TEST_CASE("core/edit/formula.h") {
+  const auto formula = Formula::parse("2 * x + 1", {"x"});
+  const double values[]{3.0};
+  const double seven = formula->value(values);
+  CHECK(seven == 7.0);
 }
 
 TEST_CASE("core/structures/crust/internal/link_cut_forest.h") {
