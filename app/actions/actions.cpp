@@ -52,6 +52,37 @@ constexpr auto kEditRows = std::to_array<Row>({
     {Id::deselect, "deselect", "Deselect",
      "End the gesture under way, take away the card of what was clicked, or select nothing", "Esc"},
     {Id::delete_selection, "delete", "Delete", "Remove what is selected", "Delete Backspace", with_selection},
+    {Id::copy, "copy", "Copy", "Put what is selected on the clipboard, as text: a line of numbers a sample",
+     "Ctrl+C"},
+    {Id::cut, "cut", "Cut", "Put what is selected on the clipboard, and remove it", "Ctrl+X"},
+    {Id::paste, "paste", "Paste",
+     "Add the samples and balls that the text on the clipboard holds: a table, a drawing as SVG, a map, a session",
+     "Ctrl+V"},
+    {Id::duplicate, "duplicate", "Duplicate", "Add what is selected once more, a little to the lower right",
+     "Ctrl+D"},
+    {Id::mirror_x, "mirror-x", "Mirror left and right",
+     "Reflect what is selected about the vertical line in its middle"},
+    {Id::mirror_y, "mirror-y", "Mirror above and below",
+     "Reflect what is selected about the horizontal line in its middle"},
+    {nth(Id::first_alignment, 0), "align-left", "Align left", "Move what is selected to the x of its left end"},
+    {nth(Id::first_alignment, 1), "align-center", "Align at the vertical middle line",
+     "Move what is selected to the x of its middle"},
+    {nth(Id::first_alignment, 2), "align-right", "Align right", "Move what is selected to the x of its right end"},
+    {nth(Id::first_alignment, 3), "align-bottom", "Align at the bottom",
+     "Move what is selected to the y of its lower end"},
+    {nth(Id::first_alignment, 4), "align-middle", "Align at the horizontal middle line",
+     "Move what is selected to the y of its middle"},
+    {nth(Id::first_alignment, 5), "align-top", "Align at the top", "Move what is selected to the y of its upper end"},
+    {Id::distribute_x, "distribute-x", "Distribute from left to right",
+     "Give what is selected equal steps in x, between the outermost two"},
+    {Id::distribute_y, "distribute-y", "Distribute from bottom to top",
+     "Give what is selected equal steps in y, between the outermost two"},
+    {Id::put_on_line, "put-on-line", "Put exactly on a line",
+     "Move what is selected to doubles near by that are collinear as real numbers"},
+    {Id::put_on_circle, "put-on-circle", "Put exactly on a circle",
+     "Move what is selected to doubles near by that are cocircular as real numbers"},
+    {Id::add_circle, "add-circle", "Circle through three",
+     "Add the ball whose circle goes through the three that are selected"},
 });
 
 constexpr auto kToolsRows = std::to_array<Row>({
@@ -70,6 +101,10 @@ constexpr auto kToolsRows = std::to_array<Row>({
      "A"},
     {Id::keep_measurement, "keep-measurement", "Keep measurement",
      "Make what is measured a part of the document: a dimension line, an angle or a radius", "K"},
+    {Id::toggle_snap, "toggle-snap", "Snap",
+     "Put what is inserted or moved exactly on samples, centres, Voronoi vertices, circles or the grid near by; Ctrl "
+     "held: not there",
+     "Shift+S"},
 });
 
 constexpr auto kViewRows = std::to_array<Row>({
@@ -85,6 +120,8 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_parameters, "toggle-parameters", "Parameters", "Show or hide the numbers that steer what is computed",
      "P"},
     {Id::toggle_log, "toggle-log", "Log", "Show or hide what the program has said"},
+    {Id::toggle_selection, "toggle-selection", "Selection in numbers",
+     "Show or hide coordinates and radii of what is selected, to be set by number or formula", "N"},
     {Id::toggle_legend, "toggle-legend", "Legend", "Show or hide the colour bars of layers with a colour map", "C"},
     {Id::toggle_key, "toggle-key", "Key of layers",
      "Show or hide the names of all visible layers, with a sample of how each is drawn"},
@@ -288,7 +325,7 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 17> table{{
+  static constexpr std::array<GestureDescriptor, 18> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
@@ -299,6 +336,7 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Ctrl + Shift + click or box", "take out of the selection"},
       {"Drag a sample or a ball", "move it, with the selection it belongs to"},
       {"Drag empty space", "select what the box holds"},
+      {"Ctrl + drag empty space", "select what the lasso goes around; add it with Shift at the end"},
       {"Drag with the spray tool", "draw a stroke"},
       {"Drag with the ball tool", "draw a ball from its centre"},
       {"Click with the annotation tool", "write words; on a sample or a vertex, with a line to it"},

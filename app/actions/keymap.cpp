@@ -33,6 +33,7 @@ constexpr auto kClassic = std::to_array<ClassicKeys>({
     {ActionId::help, "F1 ?"},
     {ActionId::export_figure, "Ctrl+Shift+E"},
     {ActionId::select_all, "Ctrl+Shift+A"},
+    {ActionId::cut, "Ctrl+Shift+X"},
     {ActionId::invert_selection, "Ctrl+Shift+I"},
 });
 

@@ -23,7 +23,7 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
 // In the order of `DetailsPage`.
-constexpr std::array<std::string_view, 5> kPages{"none", "statistics", "parameters", "log", "lesson"};
+constexpr std::array<std::string_view, 6> kPages{"none", "statistics", "parameters", "log", "lesson", "selection"};
 
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";
@@ -184,6 +184,12 @@ Settings from_json(const json& object) {
   out.marks.bar_at = place_in(object, "scale_bar_at");
   out.marks.axes = flag_in(object, "show_axes", out.marks.axes);
   out.marks.grid = flag_in(object, "show_grid", out.marks.grid);
+  out.snap.is_on = flag_in(object, "snaps", out.snap.is_on);
+  out.snap.samples = flag_in(object, "snaps_to_samples", out.snap.samples);
+  out.snap.centers = flag_in(object, "snaps_to_centers", out.snap.centers);
+  out.snap.vertices = flag_in(object, "snaps_to_vertices", out.snap.vertices);
+  out.snap.circles = flag_in(object, "snaps_to_circles", out.snap.circles);
+  out.snap.grid = flag_in(object, "snaps_to_grid", out.snap.grid);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
   out.last_folder = text_in(object, "last_folder");
@@ -267,6 +273,12 @@ json to_json(const Settings& settings) {
           {"scale_bar_at", to_json(settings.marks.bar_at)},
           {"show_axes", settings.marks.axes},
           {"show_grid", settings.marks.grid},
+          {"snaps", settings.snap.is_on},
+          {"snaps_to_samples", settings.snap.samples},
+          {"snaps_to_centers", settings.snap.centers},
+          {"snaps_to_vertices", settings.snap.vertices},
+          {"snaps_to_circles", settings.snap.circles},
+          {"snaps_to_grid", settings.snap.grid},
           {"show_evolution", settings.show_evolution},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},

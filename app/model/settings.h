@@ -11,13 +11,14 @@
 #include "app/model/figure_settings.h"
 #include "app/model/record_settings.h"
 #include "app/model/scale_marks.h"
+#include "app/model/snap_settings.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
 
 namespace mes {
 
 /// What the lower right panel shows.
-enum class DetailsPage : std::uint8_t { none, statistics, parameters, log, lesson };
+enum class DetailsPage : std::uint8_t { none, statistics, parameters, log, lesson, selection };
 
 enum class Theme : std::uint8_t { light, dark };
 
@@ -44,6 +45,7 @@ struct Settings {
   bool show_annotations = true;
   std::optional<PaperPlace> legend_at;  ///< where it was dragged to
   ScaleMarks marks{};                   ///< scale bar, axes and grid
+  SnapSettings snap{};
   bool show_evolution = false;
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser

@@ -14,9 +14,10 @@ struct Page {
   const char* title;
   ActionId toggle;
 };
-constexpr std::array<Page, 4> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
+constexpr std::array<Page, 5> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
                                       {DetailsPage::parameters, "Parameters", ActionId::toggle_parameters},
                                       {DetailsPage::log, "Log", ActionId::toggle_log},
+                                      {DetailsPage::selection, "Selection", ActionId::toggle_selection},
                                       {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson}}};
 
 }  // namespace
@@ -45,6 +46,7 @@ void DetailsPanel::draw(const PanelArea& area) {
       case DetailsPage::parameters: parameters_.draw(); break;
       case DetailsPage::log: log_.draw(); break;
       case DetailsPage::lesson: lesson_.draw(); break;
+      case DetailsPage::selection: selection_.draw(); break;
       case DetailsPage::none: break;
     }
   }

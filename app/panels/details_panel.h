@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower right panel, with a page at a time: statistics, parameters, log, lesson.
+// The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -7,6 +7,7 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
+#include "app/panels/selection_panel.h"
 #include "app/panels/statistics_panel.h"
 #include "app/ui/widgets.h"
 
@@ -16,14 +17,15 @@ class DetailsPanel {
  public:
   /// Which page is shown is in `shown`.
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
-               ParametersPanel parameters, LogPanel log, LessonPanel lesson)
+               ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection)
       : gui_(gui),
         actions_(actions),
         shown_(shown),
         statistics_(statistics),
         parameters_(std::move(parameters)),
         log_(log),
-        lesson_(std::move(lesson)) {}
+        lesson_(std::move(lesson)),
+        selection_(std::move(selection)) {}
 
   void draw(const PanelArea& area);
   /// Lists the parameters of this name.
@@ -37,6 +39,7 @@ class DetailsPanel {
   ParametersPanel parameters_;
   LogPanel log_;
   LessonPanel lesson_;
+  SelectionPanel selection_;
 };
 
 }  // namespace mes

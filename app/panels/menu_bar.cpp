@@ -9,6 +9,7 @@
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/edit/arrangement.h"
 #include "render/convert.h"
 
 namespace mes {
@@ -77,6 +78,34 @@ void edit_menu(const MenuBar& menu) {
   action_item(menu, ActionId::invert_selection);
   action_item(menu, ActionId::deselect);
   action_item(menu, ActionId::delete_selection);
+  ImGui::Separator();
+  for (const ActionId id : {ActionId::copy, ActionId::cut, ActionId::paste, ActionId::duplicate})
+    action_item(menu, id);
+  ImGui::Separator();
+  action_item(menu, ActionId::toggle_selection);
+  if (ImGui::BeginMenu("Arrange")) {
+    for (const ActionId id : {ActionId::mirror_x, ActionId::mirror_y}) action_item(menu, id);
+    ImGui::Separator();
+    for (std::size_t i = 0; i < kAlignments; ++i) action_item(menu, nth(ActionId::first_alignment, i));
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::distribute_x, ActionId::distribute_y}) action_item(menu, id);
+    ImGui::EndMenu();
+  }
+  for (const ActionId id : {ActionId::put_on_line, ActionId::put_on_circle, ActionId::add_circle})
+    action_item(menu, id);
+}
+
+void snap_menu(const MenuBar& menu) {
+  if (!ImGui::BeginMenu("Snap to")) return;
+  SnapSettings& snap = menu.settings.snap;
+  ImGui::MenuItem("Samples", nullptr, &snap.samples);
+  ImGui::MenuItem("Centres of balls", nullptr, &snap.centers);
+  ImGui::MenuItem("Voronoi vertices", nullptr, &snap.vertices);
+  tooltip(menu.gui, "Centres of circles through three samples, in documents of at most 20,000");
+  ImGui::MenuItem("Circles of balls", nullptr, &snap.circles);
+  ImGui::MenuItem("Grid", nullptr, &snap.grid);
+  tooltip(menu.gui, "Lines at round numbers, also where they are not shown");
+  ImGui::EndMenu();
 }
 
 void canvas_menu(const MenuBar& menu) {
@@ -210,6 +239,9 @@ float MenuBar::draw() const {
     for (const ActionId id :
          {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray, ActionId::tool_ball})
       action_item(*this, id);
+    ImGui::Separator();
+    action_item(*this, ActionId::toggle_snap);
+    snap_menu(*this);
     ImGui::Separator();
     if (ImGui::BeginMenu("Number type")) {
       for (const ActionId id : {ActionId::precision_naive, ActionId::precision_fast, ActionId::precision_exact,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/pointer_marks.h"
 
+#include <span>
+#include <vector>
+
 #include "app/model/measurement.h"
 #include "app/panels/paper_on_canvas.h"
 #include "app/ui/theme.h"
@@ -32,6 +35,21 @@ class Pen {
   }
   void segment(Vec2 a, Vec2 b) const { list_.AddLine(at(to_px(a)), at(to_px(b)), ink_, 1.5F * unit_); }
   ImVec2 on_screen(Vec2 world) const { return at(to_px(world)); }
+  void stroke(std::span<const Vec2> world) const {
+    std::vector<ImVec2> points;
+    points.reserve(world.size());
+    for (const Vec2 p : world) points.push_back(at(to_px(p)));
+    list_.AddPolyline(points.data(), static_cast<int>(points.size()), ink_, ImDrawFlags_Closed, 1.2F * unit_);
+  }
+  /// A cross with what it is on.
+  void snap(const Snap& snap) const {
+    const ImVec2 p = at(to_px(snap.place));
+    const float arm = 8.0F * unit_;
+    list_.AddLine({p.x - arm, p.y}, {p.x + arm, p.y}, ink_, 1.2F * unit_);
+    list_.AddLine({p.x, p.y - arm}, {p.x, p.y + arm}, ink_, 1.2F * unit_);
+    const ImVec2 words{p.x + arm + 4.0F * unit_, p.y + 4.0F * unit_};
+    list_.AddText(words, ink_, snap.name.data(), snap.name.data() + snap.name.size());
+  }
   void line(Vec2 world, Vec2 px) const { list_.AddLine(at(to_px(world)), at(px), ink_, unit_); }
   void box(const Box2& px) const {
     list_.AddRectFilled(at(px.low), at(px.high), to_imgui(color_, 0.13));
@@ -74,6 +92,8 @@ void PointerMarks::draw() const {
   }
   if (feedback.ringed) pen.ring(*feedback.ringed);
   if (feedback.line) pen.segment(feedback.line->first, feedback.line->second);
+  if (feedback.snap) pen.snap(*feedback.snap);
+  if (feedback.lasso.size() > 1) pen.stroke(feedback.lasso);
   if (feedback.box_px) pen.box(*feedback.box_px);
   if (feedback.marker_px && feedback.ring_px > 0.0) pen.faint_ring(*feedback.marker_px, feedback.ring_px);
 }

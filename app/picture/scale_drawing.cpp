@@ -30,7 +30,7 @@ struct Tick {
 std::vector<Tick> ticks_along(double center, double length, double units_per_pixel) {
   const double half = 0.5 * length * units_per_pixel;
   const double largest = std::abs(center) + half;
-  const double step = round_number_from(kLeastStep * units_per_pixel);
+  const double step = grid_step(units_per_pixel);
   // Otherwise neighbouring numbers are equal, or their lines are not where they say.
   constexpr double kDoublesInStep = 64.0;
   if (!std::isfinite(largest) || step < kDoublesInStep * std::numeric_limits<double>::epsilon() * largest) return {};
@@ -174,6 +174,10 @@ PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane,
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure) {
   const Layout layout = laid_out(marks, plane, measure, std::nullopt);
   return {layout.bar_box(), layout.room()};
+}
+
+double grid_step(double units_per_pixel) {
+  return round_number_from(kLeastStep * units_per_pixel);
 }
 
 }  // namespace mes

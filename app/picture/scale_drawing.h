@@ -39,6 +39,9 @@ SeenPlane seen_plane(const figure::Page& page, double scale);
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
                                 const std::optional<Rgb>& background);
 
+/// The distance of lines of the grid, in units.
+double grid_step(double units_per_pixel);
+
 /// Where the marks are, in logical pixels.
 struct MarksPlace {
   std::optional<Box2> bar;  ///< with its number; none: it is left out

@@ -5,6 +5,7 @@
 
 #include "imgui.h"
 #include "imgui_internal.h"
+#include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
@@ -17,6 +18,16 @@ struct Typed {
   int frame = 0;  // in which the field was last drawn
   T value{};
 };
+
+bool is_usable(double value) {
+  return std::isfinite(value);
+}
+bool is_usable(std::uint64_t) {
+  return true;
+}
+bool is_usable(const std::string&) {
+  return true;
+}
 
 /// `draw` returns true while the text of the field is another number than the one it was given, which it changes.
 template <class T, class Draw>
@@ -37,7 +48,7 @@ bool left_with_another(const char* label, T& value, Draw draw) {
   if (ImGui::GetActiveID() == id) return false;
   const T last = typed.value;
   typed = {};
-  if (!std::isfinite(static_cast<double>(last)) || last == value) return false;
+  if (!is_usable(last) || last == value) return false;
   value = last;
   return true;
 }
@@ -52,6 +63,13 @@ bool number_field(const char* label, double& value, const char* format) {
 bool number_field(const char* label, std::uint64_t& value) {
   return left_with_another(label, value,
                            [&](std::uint64_t& now) { return ImGui::InputScalar(label, ImGuiDataType_U64, &now); });
+}
+
+bool formula_field(const char* label, const char* hint, std::string& text) {
+  return left_with_another(label, text, [&](std::string& now) {
+    ImGui::InputTextWithHint(label, hint, &now);
+    return now != text;
+  });
 }
 
 }  // namespace mes

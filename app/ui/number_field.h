@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace mes {
 
@@ -10,5 +11,7 @@ namespace mes {
 /// click elsewhere leave it; Esc restores the old number. Threads: the window's.
 bool number_field(const char* label, double& value, const char* format);
 bool number_field(const char* label, std::uint64_t& value);
+/// The same for a formula, which is text here.
+bool formula_field(const char* label, const char* hint, std::string& text);
 
 }  // namespace mes

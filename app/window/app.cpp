@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/model/memory_problem.h"
+#include "app/window/selection_actions.h"
 
 namespace mes {
 namespace {
@@ -51,6 +52,13 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
 void App::bind_actions() {
   ActionBindings& actions = keys_.actions();
   work_.bind(actions, settings_.settings());
+  bind_selection(actions, {work_.editor(), work_.selection_desk(), messages_,
+                           [] {
+                             const char* const text = ImGui::GetClipboardText();
+                             return std::string(text == nullptr ? "" : text);
+                           },
+                           [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); },
+                           [this] { return board_.canvas().pointer().units_per_px; }});
   board_.bind(actions);
   lesson_.bind(actions);
   recording_.bind(actions);

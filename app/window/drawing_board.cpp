@@ -7,6 +7,7 @@
 #include "app/panels/canvas_annotations.h"
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
+#include "app/picture/scale_drawing.h"
 #include "app/store/color_maps.h"
 #include "app/ui/theme.h"
 
@@ -18,6 +19,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       settings_(settings),
       messages_(messages),
       screen_(screen),
+      snapper_(work.editor(), work.annotations(), settings.snap,
+               [this] { return grid_step(canvas_.pointer().units_per_px); }),
       tool_context_{work.editor(),
                     work.annotations(),
                     settings.spray_spacing_px,
@@ -28,7 +31,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     [this](Vec2 px) {
                       constexpr double kReach = 6.0;
                       return annotation_at(annotations_, px, kReach);
-                    }},
+                    },
+                    &snapper_},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
       traced_(work.editor(), work.layers(), picture_, messages, std::move(wake)) {

@@ -84,6 +84,7 @@ class DrawingBoard {
   Picture picture_;
   ProvenanceCard provenance_;
   PointedElement pointed_;
+  Snapper snapper_;
   ToolContext tool_context_;
   Canvas canvas_;
   ViewFitter fitter_;

@@ -63,7 +63,8 @@ Panels::Panels(const Uses& uses)
       details_panel_(uses.screen.gui, uses.actions, uses.settings.details,
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
                      {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages},
-                     {uses.screen.gui, uses.actions, uses.lesson.desk()}) {
+                     {uses.screen.gui, uses.actions, uses.lesson.desk()},
+                     {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages}) {
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });
@@ -97,6 +98,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_axes, settings.marks.axes);
   bind_toggle(ActionId::toggle_grid, settings.marks.grid);
   bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
+  bind_toggle(ActionId::toggle_snap, settings.snap.is_on);
   actions.bind(ActionId::put_marks_back, {[&settings] {
                                             settings.legend_at.reset();
                                             settings.marks.bar_at.reset();
@@ -110,6 +112,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_page(ActionId::toggle_statistics, DetailsPage::statistics);
   bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
   bind_page(ActionId::toggle_log, DetailsPage::log);
+  bind_page(ActionId::toggle_selection, DetailsPage::selection);
   bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
   actions.bind(ActionId::save_bundle, {[this, &settings] {
                  are_shown_ = true;

@@ -17,7 +17,7 @@ void WindowInput::deliver() {
   const std::vector<const Dialog*> open = uses_.dialogs.open();
   const auto is_recording = [this] { return uses_.recording.desk().is_recording(); };
   const auto is_stroke = [&] {
-    return (uses_.canvas.tool_id() == ToolId::spray || is_recording()) && uses_.canvas.has_pointer();
+    return (uses_.canvas.tool().is_stroke() || is_recording()) && uses_.canvas.has_pointer();
   };
   waits_for_panels_ = false;
   events_.deliver(

@@ -17,6 +17,7 @@
 #include "app/model/layer_stack.h"
 #include "app/model/messages.h"
 #include "app/model/pane_list.h"
+#include "app/model/selection_desk.h"
 #include "app/model/settings.h"
 #include "app/store/bundle_desk.h"
 #include "core/engine/engine.h"
@@ -43,6 +44,7 @@ class Workspace {
   const Document& document() const { return editor_.document(); }
   AnnotationDesk& annotations() { return annotations_; }
   const AnnotationDesk& annotations() const { return annotations_; }
+  SelectionDesk& selection_desk() { return selection_desk_; }
   EvolutionPlayer& evolution() { return evolution_; }
   const EvolutionPlayer& evolution() const { return evolution_; }
 
@@ -89,6 +91,7 @@ class Workspace {
   BundleDesk bundles_;
   Editor editor_;
   AnnotationDesk annotations_{editor_};
+  SelectionDesk selection_desk_{editor_};
   EvolutionPlayer evolution_;
   PaneList panes_;
   EngineDemand demand_;

@@ -126,6 +126,29 @@ TEST_CASE("a box selects, adds and removes") {
   CHECK(bench.selected() == std::vector{SampleSlot(1)});
 }
 
+TEST_CASE("a lasso that begins with Ctrl selects what it goes around, and adds with Shift") {
+  Bench bench;
+  SelectTool tool(bench.context);
+  constexpr Modifiers kCtrl{.ctrl = true};
+  const auto lasso = [&](const std::vector<Vec2>& corners, Modifiers at_end) {
+    tool.hover(at(corners.front().x, corners.front().y, kCtrl));
+    tool.press(at(corners.front().x, corners.front().y, kCtrl));
+    for (const Vec2 p : corners) tool.drag(at(p.x, p.y, kCtrl));
+    CHECK(tool.feedback().lasso.size() > 2);
+    CHECK_FALSE(tool.feedback().box_px);
+    tool.release(at(corners.back().x, corners.back().y, at_end));
+    CHECK(tool.feedback().lasso.empty());
+  };
+  // Around the first and the third: below the second, whose box the lasso covers.
+  lasso({{80, 80}, {120, 80}, {120, 120}, {160, 120}, {160, 80}, {200, 80}, {200, 140}, {80, 140}}, kCtrl);
+  CHECK(bench.selected() == std::vector<SampleSlot>{SampleSlot(0), SampleSlot(2)});
+  lasso({{240, 80}, {280, 80}, {280, 120}, {240, 120}}, kCtrlShift);
+  CHECK(bench.selected() == std::vector<SampleSlot>{SampleSlot(0), SampleSlot(2), SampleSlot(4)});
+  lasso({{120, 80}, {160, 80}, {160, 120}, {120, 120}}, {});
+  CHECK(bench.selected() == std::vector<SampleSlot>{SampleSlot(1)});
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
 TEST_CASE("dragging a sample moves it exactly as far as the pointer, in one step") {
   Bench bench;
   SelectTool tool(bench.context);

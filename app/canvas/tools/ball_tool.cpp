@@ -13,7 +13,7 @@ bool is_too_small(double radius, const Pointer& pointer) {
 }  // namespace
 
 void BallTool::press(const Pointer& pointer) {
-  center_ = pointer.world;
+  center_ = snapped(pointer, pointer.world, {});
   radius_ = 0.0;
   ball_ = {};
   pointer_px_ = pointer.px;
@@ -23,7 +23,8 @@ void BallTool::press(const Pointer& pointer) {
 void BallTool::drag(const Pointer& pointer) {
   if (!is_active()) return;
   pointer_px_ = pointer.px;
-  radius_ = distance(*center_, pointer.world);
+  const auto is_this = [this](BallSlot slot) { return context_.editor.document().ball_id(slot) == ball_; };
+  radius_ = distance(*center_, snapped(pointer, pointer.world, {.ball = is_this}));
   if (ball_.is_valid()) {
     const std::array<std::pair<BallId, Disk>, 1> target{{{ball_, {*center_, radius_}}}};
     accepted(context_.editor.move({}, target, {}));
@@ -58,6 +59,7 @@ void BallTool::cancel() {
 ToolFeedback BallTool::feedback() const {
   ToolFeedback out;
   out.marker_px = pointer_px_;
+  out.snap = snap_;
   if (is_active() && ball_.is_valid()) out.ball = Disk{*center_, radius_};
   return out;
 }

@@ -16,8 +16,14 @@ class BallTool final : public Tool {
   void release(const Pointer& pointer) override;
   void cancel() override;
   bool is_active() const override { return center_.has_value(); }
-  void hover(const Pointer& pointer) override { pointer_px_ = pointer.px; }
-  void leave() override { pointer_px_.reset(); }
+  void hover(const Pointer& pointer) override {
+    pointer_px_ = pointer.px;
+    snapped(pointer, pointer.world, {});
+  }
+  void leave() override {
+    pointer_px_.reset();
+    snap_.reset();
+  }
   ToolFeedback feedback() const override;
   PointerShape pointer_shape() const override { return PointerShape::crosshair; }
   std::string_view hint() const override { return "Press at the centre of a ball and drag to its circle"; }

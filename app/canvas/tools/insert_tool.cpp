@@ -7,7 +7,7 @@ namespace mes {
 
 void InsertTool::press(const Pointer& pointer) {
   context_.editor.begin_gesture("Insert sample");
-  const std::array<Vec2, 1> position{pointer.world};
+  const std::array<Vec2, 1> position{snapped(pointer, pointer.world, beside_samples(false))};
   const auto slots = context_.editor.insert(position, {});
   if (!accepted(slots)) {
     context_.editor.end_gesture();
@@ -20,7 +20,8 @@ void InsertTool::press(const Pointer& pointer) {
 void InsertTool::drag(const Pointer& pointer) {
   if (!is_active()) return;
   pointer_px_ = pointer.px;
-  const std::array<std::pair<SampleId, Vec2>, 1> target{{{sample_, pointer.world}}};
+  const std::array<std::pair<SampleId, Vec2>, 1> target{
+      {{sample_, snapped(pointer, pointer.world, beside_samples(true))}}};
   accepted(context_.editor.move(target, {}));
 }
 
@@ -40,6 +41,7 @@ void InsertTool::cancel() {
 ToolFeedback InsertTool::feedback() const {
   ToolFeedback out;
   out.marker_px = pointer_px_;
+  out.snap = snap_;
   return out;
 }
 

@@ -14,13 +14,24 @@ class InsertTool final : public Tool {
   void release(const Pointer& pointer) override;
   void cancel() override;
   bool is_active() const override { return sample_.is_valid(); }
-  void hover(const Pointer& pointer) override { pointer_px_ = pointer.px; }
-  void leave() override { pointer_px_.reset(); }
+  void hover(const Pointer& pointer) override {
+    pointer_px_ = pointer.px;
+    snapped(pointer, pointer.world, beside_samples(false));
+  }
+  void leave() override {
+    pointer_px_.reset();
+    snap_.reset();
+  }
   ToolFeedback feedback() const override;
   PointerShape pointer_shape() const override { return PointerShape::crosshair; }
   std::string_view hint() const override { return "Click to add a sample; keep the button down to place it"; }
 
  private:
+  /// A sample on another one would change nothing.
+  static Snapper::Except beside_samples(bool is_placed) {
+    return {.sample = [](SampleSlot) { return true; }, .vertices = is_placed};
+  }
+
   SampleId sample_;
   std::optional<Vec2> pointer_px_;
 };

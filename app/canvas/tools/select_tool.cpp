@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/canvas/tools/select_tool.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/model/ball_pick.h"
+#include "core/edit/enclosed.h"
 
 namespace mes {
 namespace {
 
 constexpr double kRadiusPerStep = 1.1;
+constexpr double kLassoStepPx = 3.0;
 
 // Many window managers take Alt with a click for themselves.
 bool asks_about(Modifiers modifiers) {
@@ -83,15 +86,56 @@ void SelectTool::begin_move() {
 void SelectTool::drag(const Pointer& pointer) {
   now_ = pointer;
   const bool is_far = distance(pointer.px, start_.px) > kDragThresholdPx;
-  if (state_ == State::pressed_empty && is_far) state_ = State::boxing;
+  if (state_ == State::pressed_empty && is_far) {
+    state_ = start_.modifiers.ctrl && !start_.modifiers.shift ? State::lassoing : State::boxing;
+    lasso_.assign(1, start_.world);
+    lasso_px_ = start_.px;
+  }
+  if (state_ == State::lassoing && distance(pointer.px, lasso_px_) >= kLassoStepPx) {
+    lasso_.push_back(pointer.world);
+    lasso_px_ = pointer.px;
+  }
   if (state_ == State::pressed_thing && is_far && is_selected(pressed_)) begin_move();
   if (state_ != State::moving) return;
-  const Vec2 offset = pointer.world - start_.world;
+  const Vec2 offset = snapped_offset(pointer);
+  const Document& document = context_.editor.document();
+  // What was pressed lies on what it snaps to without the rounding of a difference.
+  const auto target = [&](Vec2 position, bool is_pressed) {
+    return is_pressed && snap_ ? snap_->place : position + offset;
+  };
+  const bool holds_ball = pressed_.ball != kNoSlot;
+  const SampleId sample = holds_ball ? SampleId() : document.id(pressed_.sample);
+  const BallId ball = holds_ball ? document.ball_id(pressed_.ball) : BallId();
   targets_.clear();
-  for (const auto& [id, position] : from_) targets_.emplace_back(id, position + offset);
+  for (const auto& [id, position] : from_) targets_.emplace_back(id, target(position, id == sample));
   ball_targets_.clear();
-  for (const auto& [id, disk] : from_balls_) ball_targets_.emplace_back(id, Disk{disk.center + offset, disk.radius});
+  for (const auto& [id, disk] : from_balls_)
+    ball_targets_.emplace_back(id, Disk{target(disk.center, id == ball), disk.radius});
   accepted(context_.editor.move(targets_, ball_targets_, {}));
+}
+
+// What was pressed comes to lie on what it snaps to, and the rest keeps its place beside it.
+Vec2 SelectTool::snapped_offset(const Pointer& pointer) {
+  const Vec2 offset = pointer.world - start_.world;
+  const Document& document = context_.editor.document();
+  const auto find = [](const auto& list, auto id) {
+    return std::ranges::find(list, id, [](const auto& entry) { return entry.first; });
+  };
+  Vec2 from;
+  if (pressed_.ball != kNoSlot) {
+    const auto ball = find(from_balls_, document.ball_id(pressed_.ball));
+    if (ball == from_balls_.end()) return offset;
+    from = ball->second.center;
+  } else {
+    const auto sample = find(from_, document.id(pressed_.sample));
+    if (sample == from_.end()) return offset;
+    from = sample->second;
+  }
+  const Selection& selection = context_.editor.selection();
+  const Vec2 to = snapped(pointer, from + offset,
+                          {[&](SampleSlot slot) { return selection.contains(slot); },
+                           [&](BallSlot slot) { return selection.contains_ball(slot); }, true});
+  return snap_ ? to - from : offset;
 }
 
 void SelectTool::select_box(const Pointer& pointer) {
@@ -102,6 +146,19 @@ void SelectTool::select_box(const Pointer& pointer) {
   if (mode == Mode::replace) context_.editor.selection().clear();
   for (const SampleSlot slot : context_.editor.index().in_box(box)) select({slot, kNoSlot}, mode);
   for (const BallSlot slot : balls_in_box(context_.editor.document(), box)) select({kNoSlot, slot}, mode);
+}
+
+void SelectTool::select_lasso(const Pointer& pointer) {
+  // Ctrl began the lasso; with Shift it adds, as a box does.
+  const Mode mode = pointer.modifiers.shift ? Mode::add : Mode::replace;
+  if (mode == Mode::replace) context_.editor.selection().clear();
+  Box2 box;
+  for (const Vec2 corner : lasso_) box.add(corner);
+  const Document& document = context_.editor.document();
+  for (const SampleSlot slot : context_.editor.index().in_box(box))
+    if (encloses(lasso_, document.position(slot))) select({slot, kNoSlot}, mode);
+  for (const BallSlot slot : balls_in_box(document, box))
+    if (encloses(lasso_, document.disk(slot).center)) select({kNoSlot, slot}, mode);
 }
 
 void SelectTool::release(const Pointer& pointer) {
@@ -118,7 +175,11 @@ void SelectTool::release(const Pointer& pointer) {
       if (mode == Mode::replace && asks_about(pointer.modifiers) && context_.ask_about) context_.ask_about(pointer);
       break;
     case State::boxing: select_box(pointer); break;
-    case State::moving: context_.editor.end_gesture(); break;
+    case State::lassoing: select_lasso(pointer); break;
+    case State::moving:
+      context_.editor.end_gesture();
+      snap_.reset();
+      break;
   }
   state_ = State::idle;
   hover(pointer);
@@ -126,6 +187,7 @@ void SelectTool::release(const Pointer& pointer) {
 
 void SelectTool::cancel() {
   if (state_ == State::moving) context_.editor.cancel_gesture();
+  snap_.reset();
   state_ = State::idle;
 }
 
@@ -164,6 +226,12 @@ ToolFeedback SelectTool::feedback() const {
     out.box_px->add(now_.px);
     return out;
   }
+  if (state_ == State::lassoing) {
+    out.lasso = lasso_;
+    out.lasso.push_back(now_.world);
+    return out;
+  }
+  out.snap = snap_;
   const Document& document = context_.editor.document();
   if (document.is_alive(shown.sample)) out.hovered = shown.sample;
   if (document.is_ball_alive(shown.ball)) out.hovered_ball = shown.ball;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Click and box to select; drag a sample or a ball to move it, with the selection it belongs to; turn the wheel on a
+// Click, box and lasso to select; drag a sample or a ball to move it, with the selection it belongs to; turn the wheel on a
 // selected ball to change its radius.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// A ball is taken at its centre or its circle, and is in a box when its centre is. Of a sample and a ball the nearer
+/// A ball is taken at its centre or its circle, and is in a box or a lasso when its centre is. Of a sample and a ball the nearer
 /// one is taken. All turns of the wheel until the pointer moves on are one step.
 class SelectTool final : public Tool {
  public:
@@ -20,13 +20,16 @@ class SelectTool final : public Tool {
   void release(const Pointer& pointer) override;
   void cancel() override;
   bool is_active() const override { return state_ != State::idle; }
+  bool is_stroke() const override {
+    return state_ == State::lassoing || (state_ == State::pressed_empty && start_.modifiers.ctrl);
+  }
   bool wheel(const Pointer& pointer, double steps) override;
   void hover(const Pointer& pointer) override;
   void leave() override;
   ToolFeedback feedback() const override;
   PointerShape pointer_shape() const override;
   std::string_view hint() const override {
-    return "Drag a sample or a ball to move it; drag empty space to select with a box";
+    return "Drag a sample or a ball to move it; drag empty space to select with a box, with Ctrl held with a lasso";
   }
 
  private:
@@ -36,6 +39,7 @@ class SelectTool final : public Tool {
     pressed_empty,
     moving,
     boxing,
+    lassoing,
   };
   enum class Mode : std::uint8_t { replace, add, remove };
   static Mode mode_of(Modifiers modifiers);
@@ -50,7 +54,9 @@ class SelectTool final : public Tool {
   bool is_selected(const Hit& hit) const;
   void select(const Hit& hit, Mode mode);
   void select_one(const Hit& hit, Mode mode);
+  Vec2 snapped_offset(const Pointer& pointer);
   void select_box(const Pointer& pointer);
+  void select_lasso(const Pointer& pointer);
   Hit pick(const Pointer& pointer) const;
 
   State state_ = State::idle;
@@ -60,6 +66,8 @@ class SelectTool final : public Tool {
   bool was_selected_ = false;
   Hit hovered_;
   std::optional<Vec2> wheel_px_;                 // where the wheel is being turned on balls
+  std::vector<Vec2> lasso_;                      // in the world
+  Vec2 lasso_px_;                                // its last corner on the canvas
   std::vector<std::pair<SampleId, Vec2>> from_;  // where the moved samples were
   std::vector<std::pair<BallId, Disk>> from_balls_;
   std::vector<std::pair<SampleId, Vec2>> targets_;  // kept for their memory

@@ -16,6 +16,7 @@ class SprayTool final : public Tool {
   void release(const Pointer& pointer) override;
   void cancel() override;
   bool is_active() const override { return active_; }
+  bool is_stroke() const override { return true; }
   void hover(const Pointer& pointer) override { pointer_px_ = pointer.px; }
   void leave() override { pointer_px_.reset(); }
   ToolFeedback feedback() const override;

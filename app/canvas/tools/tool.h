@@ -11,6 +11,7 @@
 #include "app/actions/key_chord.h"
 #include "app/model/annotation_desk.h"
 #include "app/model/editor.h"
+#include "app/model/snapper.h"
 #include "core/base/box2.h"
 
 namespace mes {
@@ -32,6 +33,7 @@ struct ToolContext {
   std::function<void(const Pointer&)> ask_about{};  ///< what lies there, and where does it come from?
   /// The annotation that is drawn at a place in logical pixels; nothing where none is.
   std::function<std::optional<std::size_t>(Vec2)> annotation_at{};
+  const Snapper* snapper = nullptr;  ///< none: places are where the pointer is
 };
 
 /// What the canvas shows of a tool besides the drawing.
@@ -41,15 +43,20 @@ struct ToolFeedback {
   bool asks = false;                            ///< a click would ask what lies here
   std::optional<Disk> ball;                     ///< a ball being drawn
   std::optional<Box2> box_px;                   ///< the selection box being drawn
+  std::vector<Vec2> lasso{};                    ///< in the world, being drawn around what is to be selected
   std::optional<Vec2> marker_px;                ///< where a press would put a sample
   double ring_px = 0.0;                         ///< radius of a circle around the marker; 0 = none
   std::vector<Vec2> measured{};                 ///< places in the world between which something is measured
   std::optional<std::size_t> annotation{};      ///< that a press would take
   std::optional<Vec2> ringed{};                 ///< the place in the world of an element that a press would be on
   std::optional<std::pair<Vec2, Vec2>> line{};  ///< in the world, being drawn
+  std::optional<Snap> snap{};                   ///< where a place is put instead of under the pointer
 };
 
 enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
+
+/// How near a place must be to what it snaps to, in logical pixels.
+inline constexpr double kSnapReachPx = 8.0;
 
 /// What it guarantees: a tool holds the state of a gesture and nothing else; between gestures it holds only where the
 /// pointer last was, and what `clear` discards. A gesture is at most one step of undo. `cancel` takes it back.
@@ -67,6 +74,8 @@ class Tool {
   virtual void release(const Pointer& pointer) = 0;
   virtual void cancel() = 0;
   virtual bool is_active() const = 0;
+  /// Each place that the pointer passes counts, not only where it is once a frame.
+  virtual bool is_stroke() const { return false; }
   /// Discards what the tool shows between gestures; returns false if it showed nothing.
   virtual bool clear() { return false; }
 
@@ -89,7 +98,15 @@ class Tool {
     if (!result && context_.report) context_.report(result.error());
     return result.has_value();
   }
+  /// The place, or what it snaps to; Ctrl holds that off.
+  Vec2 snapped(const Pointer& pointer, Vec2 place, const Snapper::Except& except) {
+    snap_.reset();
+    if (context_.snapper != nullptr && !pointer.modifiers.ctrl)
+      snap_ = context_.snapper->at(place, kSnapReachPx * pointer.units_per_px, except);
+    return snap_ ? snap_->place : place;
+  }
   ToolContext& context_;
+  std::optional<Snap> snap_;
 };
 
 /// How near the pointer must be to a sample to take it, in logical pixels.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places that the hand means when it is near them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "app/model/annotation_desk.h"
+#include "app/model/editor.h"
+#include "app/model/snap_settings.h"
+
+namespace mes {
+
+/// A place with what it is: "sample", "grid", ...
+struct Snap {
+  Vec2 place{};
+  std::string_view name;
+};
+
+/// What it guarantees: of samples, centres and vertices within reach the nearest one is taken, else the nearest place on a
+/// circle, else a crossing of the grid or a place on one of its lines. Coordinates of
+/// the grid are the doubles nearest to the decimal numbers that the axes show.
+///
+/// Cost: a search among the samples near by; balls are looked at one by one. Threads: the window's.
+class Snapper {
+ public:
+  /// `grid_step`: the distance of lines of the grid at present, in units; not above zero: there is no grid. All that is
+  /// named outlives it.
+  Snapper(const Editor& editor, const AnnotationDesk& vertices, const SnapSettings& settings,
+          std::function<double()> grid_step)
+      : editor_(editor), vertices_(vertices), settings_(settings), grid_step_(std::move(grid_step)) {}
+
+  /// What is no target: what moves with the pointer, and vertices around samples that do.
+  struct Except {
+    std::function<bool(SampleSlot)> sample{};  ///< empty: none
+    std::function<bool(BallSlot)> ball{};
+    bool vertices = false;
+  };
+  /// Nothing where snapping is off, or nothing is within `reach`, in units.
+  std::optional<Snap> at(Vec2 p, double reach, const Except& except) const;
+
+ private:
+  std::optional<Snap> point_at(Vec2 p, double reach, const Except& except) const;
+  std::optional<Snap> circle_at(Vec2 p, double reach, const Except& except) const;
+  std::optional<Snap> grid_at(Vec2 p, double reach) const;
+
+  const Editor& editor_;
+  const AnnotationDesk& vertices_;
+  const SnapSettings& settings_;
+  std::function<double()> grid_step_;
+};
+
+}  // namespace mes

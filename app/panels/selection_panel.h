@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is selected, in numbers: coordinates and radius to be set, steps, turns, alignment, exact degeneracy.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/messages.h"
+#include "app/model/selection_desk.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+/// Every field takes an expression (core/edit/formula.h). Threads: the window's.
+class SelectionPanel {
+ public:
+  SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionDesk& desk, Messages& messages)
+      : gui_(gui), actions_(actions), desk_(desk), messages_(messages) {}
+
+  void draw();
+
+ private:
+  /// A field that shows a number and calls `use` with another one.
+  void number(const char* label, double value, float width, const char* explanation,
+              const std::function<Expected<void>(double)>& use);
+  /// A field for what is done when its button, or Enter in it, is pressed.
+  void wish(const char* label, const char* hint, std::string& text, const char* button, const char* explanation,
+            const std::function<Expected<void>(double)>& use);
+  void draw_place();
+  void draw_motion();
+  void draw_arrangement();
+  void draw_formulas();
+  void action_button(ActionId id, const char* label);
+  void report(const Expected<void>& done);
+
+  const Gui& gui_;
+  const ActionBindings& actions_;
+  SelectionDesk& desk_;
+  Messages& messages_;
+  std::string step_x_;
+  std::string step_y_;
+  std::string degrees_;
+  std::string factor_;
+  SelectionDesk::EachFormula each_;
+};
+
+}  // namespace mes

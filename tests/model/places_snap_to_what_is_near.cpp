@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "app/canvas/tools/ball_tool.h"
+#include "app/canvas/tools/insert_tool.h"
+#include "app/canvas/tools/select_tool.h"
+#include "app/model/snapper.h"
+
+using namespace mes;
+
+namespace {
+
+// A pixel is a hundredth of a unit, so what is within 0.08 is near.
+Pointer at(double x, double y, Modifiers modifiers = {}) {
+  return {{100 * x, -100 * y}, {x, y}, 0.01, modifiers};
+}
+constexpr Modifiers kCtrl{.ctrl = true};
+
+struct Bench {
+  Editor editor{[](auto) {}};
+  AnnotationDesk annotations{editor};
+  SnapSettings settings{.is_on = true};
+  double grid = 0.5;
+  Snapper snapper{editor, annotations, settings, [this] { return grid; }};
+  double spacing = 10.0;
+  ToolContext context{editor, annotations, spacing, [](const Error& error) { FAIL(error.message()); }};
+
+  Bench() {
+    REQUIRE(editor.load({.positions = {{0.013, 0.017}, {3.1, 0.02}, {1.4, 2.3}}, .balls = {{{7.03, 3.07}, 1.31}}}));
+    context.snapper = &snapper;
+  }
+  std::optional<Snap> snap(Vec2 p, double reach = 0.08) const { return snapper.at(p, reach, {}); }
+};
+
+void click(Tool& tool, const Pointer& pointer) {
+  tool.hover(pointer);
+  tool.press(pointer);
+  tool.release(pointer);
+}
+
+}  // namespace
+
+TEST_CASE("the nearest point is meant, then a circle, then the grid") {
+  Bench bench;
+  const auto sample = bench.snap({0.05, 0.0});
+  REQUIRE(sample);
+  CHECK(sample->place == Vec2{0.013, 0.017});
+  CHECK(sample->name == "sample");
+  const auto center = bench.snap({7.0, 3.0});
+  REQUIRE(center);
+  CHECK(center->place == Vec2{7.03, 3.07});
+  CHECK(center->name == "centre of a ball");
+  const auto circle = bench.snap({7.03, 4.43});
+  REQUIRE(circle);
+  CHECK(circle->name == "circle of a ball");
+  CHECK(distance(circle->place, {7.03, 3.07}) == Approx(1.31));
+  const auto crossing = bench.snap({5.05, -1.46});
+  REQUIRE(crossing);
+  CHECK(crossing->place == Vec2{5.0, -1.5});
+  CHECK(crossing->name == "grid");
+  const auto line = bench.snap({5.05, -1.3});
+  REQUIRE(line);
+  CHECK(line->place == Vec2{5.0, -1.3});
+  CHECK_FALSE(bench.snap({5.2, -1.3}));
+}
+
+TEST_CASE("a vertex is the centre of the circle through its three samples") {
+  const Bench bench;
+  const Vec2 vertex{1.5565, 0.8};
+  const auto snap = bench.snap(vertex, 0.2);
+  REQUIRE(snap);
+  CHECK(snap->name == "Voronoi vertex");
+  const Document& document = bench.editor.document();
+  const double radius = distance(snap->place, document.position(SampleSlot(0)));
+  CHECK(distance(snap->place, document.position(SampleSlot(1))) == Approx(radius));
+  CHECK(distance(snap->place, document.position(SampleSlot(2))) == Approx(radius));
+}
+
+TEST_CASE("what is switched off is no target") {
+  Bench bench;
+  bench.settings.samples = false;
+  bench.settings.grid = false;
+  CHECK_FALSE(bench.snap({0.05, 0.0}));
+  bench.settings = {};
+  CHECK_FALSE(bench.snap({0.05, 0.0}));
+  bench.settings = {.is_on = true};
+  bench.grid = 0.0;
+  CHECK_FALSE(bench.snap({5.05, -1.46}));
+}
+
+TEST_CASE("coordinates on the grid are the doubles that decimal numbers are read as") {
+  Bench bench;
+  for (const auto& [step, place, expected] : {std::tuple{0.1, 0.3001, 0.3},
+                                              {0.1, 0.7, 0.7},
+                                              {0.02, 1.1399, 1.14},
+                                              {0.005, -0.0351, -0.035},
+                                              {2e-5, 0.00034, 0.00034},
+                                              {50.0, 1249.0, 1250.0},
+                                              {2.0, 5.01, 6.0}}) {
+    bench.grid = step;
+    const auto snap = bench.snap({place, -50 * step}, step);
+    REQUIRE(snap);
+    if (snap->name.ends_with("grid")) CHECK(snap->place.x == expected);
+  }
+}
+
+TEST_CASE("tools put things where they snap, and Ctrl holds that off") {
+  Bench bench;
+  bench.settings.samples = false;
+  InsertTool insert(bench.context);
+  click(insert, at(5.04, -1.52));
+  const Document& document = bench.editor.document();
+  CHECK(document.position(SampleSlot(3)) == Vec2{5.0, -1.5});
+  CHECK(insert.feedback().snap);
+  click(insert, at(6.04, -1.52, kCtrl));
+  CHECK(document.position(SampleSlot(4)) == Vec2{6.04, -1.52});
+  CHECK_FALSE(insert.feedback().snap);
+  insert.leave();
+  CHECK_FALSE(insert.feedback().snap);
+
+  // A sample on another one would change nothing.
+  bench.settings.samples = true;
+  bench.settings.grid = false;
+  insert.hover(at(3.12, 0.03));
+  CHECK_FALSE(insert.feedback().snap);
+  const auto vertex = bench.snap({1.5565, 0.8}, 0.2);
+  REQUIRE(vertex);
+  insert.hover(at(vertex->place.x + 0.01, vertex->place.y));
+  REQUIRE(insert.feedback().snap);
+  CHECK(insert.feedback().snap->place == vertex->place);
+  bench.settings.grid = true;
+
+  // What is moved is no target itself, and what moves with it keeps its place beside it.
+  bench.settings.samples = true;
+  SelectTool select(bench.context);
+  bench.editor.selection().add(SampleSlot(3));
+  bench.editor.selection().add(SampleSlot(4));
+  select.hover(at(5.0, -1.5));
+  select.press(at(5.0, -1.5));
+  select.drag(at(4.0, -1.0));
+  select.drag(at(3.07, 0.0));
+  REQUIRE(select.feedback().snap);
+  CHECK(select.feedback().snap->name == "sample");
+  select.release(at(3.07, 0.0));
+  CHECK(document.position(SampleSlot(3)) == Vec2{3.1, 0.02});
+  CHECK(document.position(SampleSlot(4)).x == Approx(3.1 + 1.04));
+  CHECK_FALSE(select.feedback().snap);
+
+  BallTool ball(bench.context);
+  ball.hover(at(-2.02, -3.03));
+  ball.press(at(-2.02, -3.03));
+  ball.drag(at(-1.0, -1.0));
+  ball.drag(at(0.0, 0.0));
+  ball.release(at(0.0, 0.0));
+  CHECK(document.disk(BallSlot(1)).center == Vec2{-2.0, -3.0});
+  CHECK(document.disk(BallSlot(1)).radius == distance({-2.0, -3.0}, {0.013, 0.017}));
+}

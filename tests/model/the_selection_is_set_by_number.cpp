@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/model/selection_desk.h"
+#include "core/base/rng.h"
+#include "core/io/format.h"
+
+using namespace mes;
+
+namespace {
+
+struct Desk {
+  Editor editor{[](auto) {}};
+  SelectionDesk desk{editor};
+
+  explicit Desk(SampleData data) { REQUIRE(editor.load(data)); }
+  const Document& document() const { return editor.document(); }
+  void select_all() { editor.selection().select_all(document()); }
+  std::vector<Vec2> positions() const {
+    std::vector<Vec2> out;
+    for (const SampleSlot slot : document().slots_in_input_order()) out.push_back(document().position(slot));
+    return out;
+  }
+  std::vector<Disk> balls() const {
+    std::vector<Disk> out;
+    for (const BallSlot slot : document().ball_slots_in_input_order()) out.push_back(document().disk(slot));
+    return out;
+  }
+  std::vector<Vec2> selected() const {
+    std::vector<Vec2> out;
+    for (const SampleSlot slot : editor.selection().slots()) out.push_back(document().position(slot));
+    return out;
+  }
+  /// One step of undo takes it back, and one brings it again.
+  void is_one_step(const std::vector<Vec2>& before, const std::vector<Disk>& balls_before) {
+    const std::vector<Vec2> after = positions();
+    const std::vector<Disk> balls_after = balls();
+    editor.undo();
+    CHECK(positions() == before);
+    CHECK(balls() == balls_before);
+    CHECK_FALSE(editor.can_undo());
+    editor.redo();
+    CHECK(positions() == after);
+    CHECK(balls() == balls_after);
+  }
+};
+
+SampleData square_and_ball() {
+  return {.positions = {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, .balls = {{{10, 2}, 1.5}}};
+}
+
+}  // namespace
+
+TEST_CASE("one sample is put exactly where it is to be") {
+  Desk d({.positions = {{0.1, 0.2}, {5, 6}}});
+  d.editor.selection().add(SampleSlot(0));
+  CHECK(d.desk.numbers().middle == Vec2{0.1, 0.2});
+  REQUIRE(d.desk.move_middle_to({1.0 / 3.0, 0.7}));
+  CHECK(d.positions() == std::vector<Vec2>{{1.0 / 3.0, 0.7}, {5, 6}});
+  CHECK(d.desk.numbers().middle == Vec2{1.0 / 3.0, 0.7});
+  CHECK(d.editor.undo_name() == "Move sample");
+  d.is_one_step({{0.1, 0.2}, {5, 6}}, {});
+}
+
+TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, each as one step") {
+  const SampleData data = square_and_ball();
+  SECTION("moved by their middle") {
+    Desk d(data);
+    d.select_all();
+    CHECK(d.desk.numbers().middle == Vec2{5, 2});
+    CHECK(d.desk.numbers().radius == 1.5);
+    REQUIRE(d.desk.move_middle_to({6, 2}));
+    CHECK(d.positions() == std::vector<Vec2>{{1, 0}, {5, 0}, {5, 4}, {1, 4}});
+    CHECK(d.balls() == std::vector<Disk>{{{11, 2}, 1.5}});
+    d.is_one_step(data.positions, data.balls);
+  }
+  SECTION("turned") {
+    Desk d(data);
+    d.select_all();
+    REQUIRE(d.desk.turn(90));
+    CHECK(d.positions() == std::vector<Vec2>{{7, -3}, {7, 1}, {3, 1}, {3, -3}});
+    CHECK(d.balls() == std::vector<Disk>{{{5, 7}, 1.5}});
+    d.is_one_step(data.positions, data.balls);
+  }
+  SECTION("scaled, with the radius") {
+    Desk d(data);
+    d.select_all();
+    REQUIRE(d.desk.scale(2));
+    CHECK(d.positions().front() == Vec2{-5, -2});
+    CHECK(d.balls() == std::vector<Disk>{{{15, 2}, 3.0}});
+    d.is_one_step(data.positions, data.balls);
+    CHECK_FALSE(d.desk.scale(0));
+    CHECK_FALSE(d.desk.scale(-1));
+    CHECK_FALSE(d.desk.scale(std::nan("")));
+  }
+  SECTION("mirrored") {
+    Desk d(data);
+    d.select_all();
+    REQUIRE(d.desk.mirror(Axis::x));
+    CHECK(d.positions().front() == Vec2{10, 0});
+    CHECK(d.balls().front().center == Vec2{0, 2});
+    d.is_one_step(data.positions, data.balls);
+  }
+  SECTION("radii set") {
+    Desk d(data);
+    d.select_all();
+    REQUIRE(d.desk.set_radius(0.25));
+    CHECK(d.balls() == std::vector<Disk>{{{10, 2}, 0.25}});
+    d.is_one_step(data.positions, data.balls);
+    CHECK_FALSE(d.desk.set_radius(-1));
+  }
+}
+
+TEST_CASE("formulas place each by itself") {
+  Desk d({.positions = std::vector<Vec2>(8), .balls = {{{1, 1}, 2}}});
+  d.select_all();
+  REQUIRE(d.desk.place_each({.x = "3 * cos(2*pi*i/8)", .y = "3 * sin(2*pi*i/8)", .r = "r / 2"}));
+  const std::vector<Vec2> circle = d.positions();
+  for (std::size_t i = 0; i < 8; ++i) {
+    CHECK(length(circle[i]) == Approx(3.0));
+    CHECK(circle[i].x == Approx(3 * std::cos(2 * 3.14159265358979 * static_cast<double>(i) / 8)).margin(1e-12));
+  }
+  CHECK(d.balls().front().radius == 1.0);
+  CHECK(d.editor.undo_name() == "Place samples and ball");
+  // What is left empty stays.
+  REQUIRE(d.desk.place_each({.x = "x + n"}));
+  CHECK(d.positions()[3].x == circle[3].x + 9);
+  CHECK(d.positions()[3].y == circle[3].y);
+  const std::vector<Vec2> before = d.positions();
+  for (const char* bad : {"1/0", "x +", "foo", "log(-1)"}) {
+    const auto done = d.desk.place_each({.x = bad});
+    REQUIRE_FALSE(done);
+    CHECK(done.error().text.starts_with("x"));
+  }
+  CHECK_FALSE(d.desk.place_each({.r = "-1"}));
+  CHECK_FALSE(d.desk.place_each({.y = "1e300"}));
+  CHECK(d.positions() == before);
+}
+
+TEST_CASE("places become exactly degenerate as one step, and it is said by how much they moved") {
+  std::vector<Vec2> ring;
+  for (int i = 0; i < 6; ++i) ring.push_back({std::cos(i + 0.3), std::sin(i + 0.3)});
+  Desk d({.positions = ring});
+  d.select_all();
+  const auto circle = d.desk.put_on_circle();
+  REQUIRE(circle);
+  CHECK(circle->starts_with("Exactly on one circle; moved by "));
+  CHECK(d.positions() != ring);
+  d.is_one_step(ring, {});
+  const auto again = d.desk.put_on_circle();
+  REQUIRE(again);
+  CHECK(again->ends_with("moved by 0 at most"));
+  const auto line = d.desk.put_on_line();
+  REQUIRE(line);
+  Desk straight({.positions = {{0, 0}, {1, 1}, {2, 2}, {3, 3}}});
+  straight.select_all();
+  CHECK_FALSE(straight.desk.put_on_circle());
+  CHECK_FALSE(straight.editor.can_undo());
+}
+
+TEST_CASE("a circle goes through three, and is selected") {
+  Desk d({.positions = {{1, 0}, {0, 1}, {-1, 0}}});
+  d.select_all();
+  REQUIRE(d.desk.add_circle());
+  REQUIRE(d.balls().size() == 1);
+  CHECK(d.balls().front() == Disk{{0, 0}, 1});
+  CHECK(d.editor.selection().sample_count() == 0);
+  CHECK(d.editor.selection().ball_count() == 1);
+  d.is_one_step({{1, 0}, {0, 1}, {-1, 0}}, {});
+  Desk flat({.positions = {{1, 0}, {2, 0}, {3, 0}}});
+  flat.select_all();
+  CHECK_FALSE(flat.desk.add_circle());
+  flat.editor.selection().remove(SampleSlot(0));
+  CHECK_FALSE(flat.desk.add_circle());
+}
+
+TEST_CASE("text goes from one window to another with every digit") {
+  Rng random(5);
+  for (const bool has_samples : {true, false}) {
+    for (const bool has_balls : {true, false}) {
+      if (!has_samples && !has_balls) continue;
+      SampleData data;
+      for (int i = 0; i < 20 && has_samples; ++i)
+        data.positions.push_back({random.uniform(), random.uniform(-1e9, 1e9)});
+      for (int i = 0; i < 5 && has_balls; ++i)
+        data.balls.push_back({{random.uniform(), random.uniform()}, random.uniform()});
+      Desk from(data);
+      from.select_all();
+      Desk to({.positions = {{100, 100}}});
+      REQUIRE(to.desk.paste(from.desk.text(), {1, -1}));
+      std::vector<Vec2> expected = data.positions;
+      expected.insert(expected.begin(), {100, 100});
+      CHECK(to.positions() == expected);
+      CHECK(to.balls() == data.balls);
+      CHECK(to.editor.selection().sample_count() == data.positions.size());
+      CHECK(to.editor.selection().ball_count() == data.balls.size());
+      to.is_one_step({{100, 100}}, {});
+    }
+  }
+}
+
+TEST_CASE("what is pasted twice does not lie on itself, and what is duplicated neither") {
+  Desk d({.positions = {{0, 0}, {1, 0}}});
+  d.select_all();
+  const std::string text = d.desk.text();
+  CHECK(text == "0\t0\n1\t0\n");
+  REQUIRE(d.desk.paste(text, {0.25, -0.25}));
+  CHECK(d.selected() == std::vector<Vec2>{{0.25, -0.25}, {1.25, -0.25}});
+  REQUIRE(d.desk.paste(text, {0.25, -0.25}));
+  CHECK(d.selected() == std::vector<Vec2>{{0.5, -0.5}, {1.5, -0.5}});
+  REQUIRE(d.desk.duplicate({3, 0}));
+  CHECK(d.selected() == std::vector<Vec2>{{3.5, -0.5}, {4.5, -0.5}});
+  CHECK(d.editor.undo_name() == "Duplicate samples");
+  CHECK(d.document().sample_count() == 8);
+}
+
+TEST_CASE("text that holds no samples is refused in one line, and nothing changes") {
+  Desk d({.positions = {{1, 2}}});
+  for (const std::string& text :
+       {std::string(), std::string("hello world"), std::string("1 2\n3"), std::string("POFF 5 0 0\n1 2"),
+        std::string(3, '\0'), std::string("nan 1"), std::string("1e400 2")}) {
+    const auto done = d.desk.paste(text, {1, 1});
+    INFO(text);
+    REQUIRE_FALSE(done);
+    CHECK(done.error().message().find('\n') == std::string::npos);
+    CHECK(d.positions() == std::vector<Vec2>{{1, 2}});
+    CHECK_FALSE(d.editor.can_undo());
+  }
+  // Other formats are read as when they are opened.
+  REQUIRE(d.desk.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))", {1, 1}));
+  CHECK(d.document().sample_count() >= 4);
+}
+
+TEST_CASE("with nothing selected nothing happens") {
+  Desk d(square_and_ball());
+  CHECK(d.desk.numbers().samples + d.desk.numbers().balls == 0);
+  CHECK(d.desk.move_middle_to({1, 1}));
+  CHECK(d.desk.move_by({1, 1}));
+  CHECK(d.desk.turn(10));
+  CHECK(d.desk.scale(2));
+  CHECK(d.desk.mirror(Axis::y));
+  CHECK(d.desk.align(Alignment::top));
+  CHECK(d.desk.distribute(Axis::x));
+  CHECK(d.desk.place_each({.x = "x + 1"}));
+  CHECK(d.desk.duplicate({1, 1}));
+  CHECK(d.desk.text().empty());
+  CHECK_FALSE(d.editor.can_undo());
+}

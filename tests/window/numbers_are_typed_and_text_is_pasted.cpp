@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "core/io/format.h"
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+struct Window : DrivenProgram {
+  Window() {
+    folder.write("square.poff", "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n");
+    start("square.poff");
+    static_cast<void>(drawn());
+  }
+  /// The samples of the file once it is saved.
+  std::vector<Vec2> saved() const {
+    REQUIRE(eventually([&] { return title().starts_with("* "); }));
+    press("ctrl+s");
+    REQUIRE(eventually([&] { return title().starts_with("square.poff"); }));
+    const auto read = read_sample_file(folder / "square.poff");
+    REQUIRE(read);
+    return read->data.positions;
+  }
+};
+
+constexpr std::array<int, 2> kMiddleX{1105, 577};  // the field, in the panel at the lower right
+
+}  // namespace
+
+TEST_CASE("the middle of what is selected is typed as an expression, and taken back as one step") {
+  const Window window;
+  window.press("n");
+  window.press("ctrl+a");
+  static_cast<void>(window.screen.settled());
+  window.screen.click(kMiddleX);
+  static_cast<void>(window.screen.settled());
+  window.screen.type_over("2 + 1/4");
+  window.press("Return");
+  CHECK(window.saved() == std::vector<Vec2>{{0.25, 0}, {4.25, 0}, {4.25, 4}, {0.25, 4}});
+  window.screen.xdotool("mousemove 500 400");
+  static_cast<void>(window.screen.settled());
+  window.press("ctrl+z");
+  CHECK(window.saved() == std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+}
+
+TEST_CASE("what is selected goes through the clipboard of the desktop") {
+  const Window window;
+  window.press("ctrl+a");
+  static_cast<void>(window.screen.settled());
+  window.press("ctrl+c");
+  static_cast<void>(window.screen.settled());
+  window.press("ctrl+v");
+  const std::vector<Vec2> twice = window.saved();
+  REQUIRE(twice.size() == 8);
+  const Vec2 step = twice[4];
+  CHECK(step.x > 0.0);
+  CHECK(step.y == -step.x);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(distance(twice[4 + i], twice[i] + step) < 1e-12);
+}
