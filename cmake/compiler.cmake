@@ -7,6 +7,15 @@ target_compile_options(mes_options INTERFACE
   -ffp-contract=off)
 target_compile_definitions(mes_options INTERFACE MESECINA_VERSION="${PROJECT_VERSION}")
 
+# What was compiled before, in another clone or after a change that was taken back, comes from a cache where there is one.
+# Paths count from the sources; what depends on where these lie, such as names of files in tests, is compiled again.
+find_program(MESECINA_CCACHE ccache)
+mark_as_advanced(MESECINA_CCACHE)
+if(MESECINA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${MESECINA_CCACHE})
+endif()
+
 # Predicates rely on plain IEEE doubles; release must not carry CGAL's own checks.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG -DCGAL_NDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
