@@ -52,6 +52,12 @@ constexpr auto kEditRows = std::to_array<Row>({
     {Id::deselect, "deselect", "Deselect",
      "End the gesture under way, take away the card of what was clicked, or select nothing", "Esc"},
     {Id::delete_selection, "delete", "Delete", "Remove what is selected", "Delete Backspace", with_selection},
+    {Id::select_curve, "select-curve", "Select the curve",
+     "Select all samples of the curves on which something is selected", "Shift+A"},
+    {Id::grow_selection, "grow-selection", "Grow selection", "Select what is next to it on the curve, too", ">",
+     always, kRepeats},
+    {Id::shrink_selection, "shrink-selection", "Shrink selection",
+     "Take out of the selection what is next to something else on the curve", "<", always, kRepeats},
     {Id::copy, "copy", "Copy", "Put what is selected on the clipboard, as text: a line of numbers a sample",
      "Ctrl+C"},
     {Id::cut, "cut", "Cut", "Put what is selected on the clipboard, and remove it", "Ctrl+X"},
@@ -325,13 +331,14 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 18> table{{
+  static constexpr std::array<GestureDescriptor, 19> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
       {"Click", "select a sample (select tool), add one (insert tool)"},
       {"Click anything else drawn", "show what it comes from and what it leads to (select tool)"},
       {"Ctrl + click, Alt + click", "the same for a sample or a ball"},
+      {"Double click on a sample", "select its curve"},
       {"Shift + click or box", "add to the selection"},
       {"Ctrl + Shift + click or box", "take out of the selection"},
       {"Drag a sample or a ball", "move it, with the selection it belongs to"},

@@ -79,6 +79,9 @@ void edit_menu(const MenuBar& menu) {
   action_item(menu, ActionId::deselect);
   action_item(menu, ActionId::delete_selection);
   ImGui::Separator();
+  for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
+    action_item(menu, id);
+  ImGui::Separator();
   for (const ActionId id : {ActionId::copy, ActionId::cut, ActionId::paste, ActionId::duplicate})
     action_item(menu, id);
   ImGui::Separator();

@@ -168,10 +168,9 @@ bool Gui::is_fading() const {
 }
 
 bool Gui::wants_text() const {
-  // The library's own answer comes a frame after a field has taken the keyboard.
+  // The library's own answer comes a frame after a field has taken or left the keyboard; a key in between would be lost.
   const ImGuiContext& context = *ImGui::GetCurrentContext();
-  const bool has_field = context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
-  return has_field || ImGui::GetIO().WantTextInput;
+  return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
 }
 
 bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {

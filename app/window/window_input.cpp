@@ -46,11 +46,11 @@ void WindowInput::on_pointer_left() {
 }
 
 void WindowInput::on_button(PointerButton button, bool pressed, Modifiers modifiers) {
-  events_.push([this, button, pressed, modifiers, px = pointer_px_] {
+  events_.push([this, button, pressed, modifiers, px = pointer_px_, when = Clock::now()] {
     if (pressed)
       press(button, px, modifiers);
     else
-      uses_.canvas.release(button, px, modifiers);
+      release(button, px, modifiers, when);
   });
 }
 
@@ -61,7 +61,21 @@ void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
     return;
   }
   uses_.messages.clear_remark();
+  pressed_px_ = px;
   uses_.canvas.press(button, px, modifiers);
+}
+
+// The second of two clicks on a selected sample means the curve that it is on.
+void WindowInput::release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when) {
+  constexpr std::chrono::milliseconds kLongest{400};
+  constexpr double kFarthest = 6.0;
+  const bool is_click = uses_.canvas.has_pointer() && button == PointerButton::left && modifiers == Modifiers{} &&
+                        uses_.canvas.tool_id() == ToolId::select && distance(px, pressed_px_) < kFarthest;
+  uses_.canvas.release(button, px, modifiers);
+  if (!is_click) return;
+  const bool is_second = click_ && when - click_->when < kLongest && distance(px, click_->px) < kFarthest;
+  click_ = is_second ? std::nullopt : std::optional(Click{when, px});
+  if (is_second) uses_.actions.run(ActionId::select_curve);
 }
 
 void WindowInput::on_wheel(double steps) {

@@ -2,6 +2,8 @@
 // Events of the window: panels have first refusal, then the canvas, then the table of actions.
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ class WindowInput final : private WindowListener {
   Vec2 pointer_px() const { return pointer_px_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
   void on_pointer_moved(Vec2 px, Modifiers modifiers) override;
   void on_pointer_left() override;
   void on_button(PointerButton button, bool pressed, Modifiers modifiers) override;
@@ -54,11 +57,18 @@ class WindowInput final : private WindowListener {
   void on_anything() override { uses_.screen.clock.settle(); }
   void follow_pointer(Vec2 px, Modifiers modifiers);
   void press(PointerButton button, Vec2 px, Modifiers modifiers);
+  void release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when);
   void run_by_key(const KeyChord& chord, bool repeated);
 
   Uses uses_;
   EventQueue events_;
   Vec2 pointer_px_{-1, -1};
+  Vec2 pressed_px_{-1, -1};
+  struct Click {
+    Clock::time_point when;
+    Vec2 px{};
+  };
+  std::optional<Click> click_;     // the last one on the canvas
   bool waits_for_panels_ = false;  // a press may give the keyboard to a field
 };
 

@@ -10,6 +10,7 @@
 #include "app/model/annotation_desk.h"
 #include "app/model/ball_families.h"
 #include "app/model/computation_control.h"
+#include "app/model/curve_selector.h"
 #include "app/model/editor.h"
 #include "app/model/engine_demand.h"
 #include "app/model/evolution_player.h"
@@ -45,6 +46,7 @@ class Workspace {
   AnnotationDesk& annotations() { return annotations_; }
   const AnnotationDesk& annotations() const { return annotations_; }
   SelectionDesk& selection_desk() { return selection_desk_; }
+  const CurveSelector& curve_selector() const { return curve_selector_; }
   EvolutionPlayer& evolution() { return evolution_; }
   const EvolutionPlayer& evolution() const { return evolution_; }
 
@@ -67,6 +69,8 @@ class Workspace {
   void import_bundles(const std::filesystem::path& file);
   void export_bundles(const std::filesystem::path& file, std::optional<std::size_t> index);
 
+  /// Once a turn: selects along the curve when it was found.
+  void follow_selection() { report(curve_selector_.follow()); }
   /// Once a turn: shows the state of the evolution that is ready.
   void follow_evolution(std::uint64_t shown_document, double now);
   /// Once a frame: asks the engine for what is visible. True when that has changed.
@@ -92,6 +96,7 @@ class Workspace {
   Editor editor_;
   AnnotationDesk annotations_{editor_};
   SelectionDesk selection_desk_{editor_};
+  CurveSelector curve_selector_;
   EvolutionPlayer evolution_;
   PaneList panes_;
   EngineDemand demand_;

@@ -34,6 +34,13 @@ void Workspace::bind_editing(ActionBindings& actions) {
   actions.bind(ActionId::close_panes, {[this] { panes_.close_all(); }, [this] { return !panes_.is_empty(); }});
   actions.bind(ActionId::select_all, {[this] { editor_.selection().select_all(document()); }, has_something});
   actions.bind(ActionId::invert_selection, {[this] { editor_.selection().invert(document()); }, has_something});
+  const auto bind_along_curve = [&](ActionId id, CurveSelector::Wish wish) {
+    actions.bind(id, {[this, wish] { curve_selector_.begin(wish); },
+                      [this] { return editor_.selection().sample_count() != 0; }});
+  };
+  bind_along_curve(ActionId::select_curve, CurveSelector::Wish::whole);
+  bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
+  bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);
   actions.bind(ActionId::delete_selection,
                {[this] {
                   if (annotations_.current() != nullptr) {

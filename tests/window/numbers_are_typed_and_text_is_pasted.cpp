@@ -60,3 +60,21 @@ TEST_CASE("what is selected goes through the clipboard of the desktop") {
   CHECK(step.y == -step.x);
   for (std::size_t i = 0; i < 4; ++i) CHECK(distance(twice[4 + i], twice[i] + step) < 1e-12);
 }
+
+TEST_CASE("a double click on a sample selects its curve, a single one the sample alone") {
+  const Window window;
+  const auto is_black = [](Color c) { return c.r < 40 && c.g < 40 && c.b < 40; };
+  const PixelBox samples = window.screen.settled().box_of(kCanvas, is_black);
+  REQUIRE_FALSE(samples.is_empty());
+  const std::string corner = "mousemove " + std::to_string(samples.left + 3) + ' ' + std::to_string(samples.top + 3);
+  window.screen.xdotool(corner + " click 1");
+  static_cast<void>(window.screen.settled());
+  window.press("ctrl+d");
+  CHECK(window.saved().size() == 5);
+  window.press("ctrl+z");
+  CHECK(window.saved().size() == 4);
+  window.screen.xdotool(corner + " click --repeat 2 --delay 40 1");
+  static_cast<void>(window.screen.settled());
+  window.press("ctrl+d");
+  CHECK(window.saved().size() == 8);
+}
