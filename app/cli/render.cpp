@@ -125,7 +125,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
       const TitleBand title = title_of(request, picture->size, picture->shown);
       const auto image = draw_pixels(picture->shown, {}, *canvas,
                                      camera_for(picture->size, seen_by(*picture, bounds, mirror), title.pixels),
-                                     source, request, title.drawing);
+                                     source, figure_request(*picture, request), title.drawing);
       if (!image) return std::unexpected(image.error());
       return encoded(*image, session);
     }

@@ -22,10 +22,9 @@ namespace {
 
 /// Above everything else, once the picture is there.
 void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
-               const render::Camera& camera, const ShownLayers& shown, const RenderRequest& request,
+               const render::Camera& camera, const ShownLayers& shown, const FigureRequest& request,
                const PlacedAnnotations& annotations, const PaperDrawing& title, const PaperFonts* fonts) {
-  const std::vector<LegendEntry> entries =
-      legend_of(scene, views, legend_scope(request.with_legend, request.with_key));
+  const std::vector<LegendEntry> entries = legend_of(scene, views, request.legend);
   if (fonts == nullptr) return;
   const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
                                                          measure_with(*fonts, shown.scale), shown.background);
@@ -100,7 +99,7 @@ TitleBand title_of(const RenderRequest& request, const PictureSize& size, const 
 
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
-                                    const RenderRequest& request, const PaperDrawing& title) {
+                                    const FigureRequest& request, const PaperDrawing& title) {
   std::vector<render::LayerView> views = views_of(shown, camera.units_per_pixel(), source.samples);
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) say("annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());

@@ -49,10 +49,11 @@ struct Canvas {
   explicit Canvas(render::EglContext made) : context(std::move(made)) {}
 };
 
-/// A picture in pixels. `marks` lie above the layers, and are in no legend; the title lies above everything.
+/// A picture in pixels; of the request, what stands beside the layers counts. `marks` lie above the layers, and are in
+/// no legend; the title lies above everything.
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
-                                    const RenderRequest& request, const PaperDrawing& title);
+                                    const FigureRequest& request, const PaperDrawing& title);
 
 /// The bytes of a PNG file that carries a session, if it is not empty.
 Expected<std::string> encoded(const render::Image& image, std::string_view session);

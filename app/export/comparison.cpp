@@ -2,12 +2,12 @@
 #include "app/export/comparison.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "app/model/ball_families.h"
+#include "app/picture/pane_sheet.h"
 #include "core/base/assert.h"
 #include "core/draw/instance_difference.h"
 #include "core/draw/variant.h"
@@ -15,10 +15,6 @@
 namespace mes {
 namespace {
 
-constexpr double kGap = 16.0;      // logical pixels
-constexpr double kBand = 30.0;     // height of a label with its surroundings
-constexpr double kLetters = 16.0;  // height of its letters
-constexpr double kSmallest = 8.0;  // where they have to be smaller
 constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
 
 /// What layers of several families of balls have in common: "a-union-boundary" is "union-boundary".
@@ -108,11 +104,6 @@ render::ScalarRange range_of(const LayerMirror& mirror, LayerIndex layer) {
   return out;
 }
 
-/// "a" to "z".
-std::string letter_of(std::size_t pane) {
-  return std::string(1, static_cast<char>('a' + pane));
-}
-
 }  // namespace
 
 Comparison compare(std::vector<PaneRequest> requests) {
@@ -131,9 +122,9 @@ Comparison compare(std::vector<PaneRequest> requests) {
     return index;
   };
   for (PaneRequest& request : requests) {
-    const std::string letter = letter_of(out.panes.size());
-    Pane pane{.label = '(' + letter + ") " + request.words,
-              .letter = letter,
+    const std::size_t place = out.panes.size();
+    Pane pane{.label = pane_label(place, request.words),
+              .letter = pane_letter(place),
               .shown = std::move(request.shown),
               .variant = variant_of(request),
               .data = request.data};
@@ -192,59 +183,6 @@ FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, d
     next += layers;
   }
   out.layer_count = out.layers.size();
-  return out;
-}
-
-Vec2 PaneGrid::corner(std::size_t pane) const {
-  return {static_cast<double>(pane % columns) * (pane_width + gap),
-          static_cast<double>(pane / columns) * (pane_height + band + gap)};
-}
-
-PaneGrid lay_out(std::size_t panes, double width, double height, double proportions, double unit) {
-  PaneGrid best;
-  double largest = -std::numeric_limits<double>::infinity();
-  for (std::size_t columns = 1; columns <= panes; ++columns) {
-    PaneGrid grid{
-        .columns = columns, .rows = (panes + columns - 1) / columns, .gap = kGap * unit, .band = kBand * unit};
-    const auto share = [&](double side, std::size_t parts) {
-      return (side - static_cast<double>(parts - 1) * grid.gap) / static_cast<double>(parts);
-    };
-    grid.pane_width = share(width, grid.columns);
-    grid.pane_height = share(height, grid.rows) - grid.band;
-    // The width of the box in a pane. Rows without an empty place win where it is the same.
-    const double size = std::min(grid.pane_width, grid.pane_height / std::max(proportions, 1e-6));
-    if (size > largest) {
-      largest = size;
-      best = grid;
-    }
-  }
-  return best;
-}
-
-PaperDrawing layout_pane_labels(const Comparison& comparison, const PaneGrid& grid, const MeasureText& measure,
-                                const std::optional<Rgb>& background) {
-  const PaperColors colors = paper_colors(background);
-  PaperDrawing out;
-  for (std::size_t i = 0; i < comparison.panes.size(); ++i) {
-    const Vec2 corner = grid.corner(i);
-    const Vec2 across{grid.pane_width, 0.0};
-    const Vec2 down{0.0, grid.pane_height};
-    out.strokes.push_back(
-        {{corner, corner + across, corner + across + down, corner + down, corner}, kPaneFrame, colors.frame});
-    const std::string& label = comparison.panes[i].label;
-    const double natural = measure(label, kLetters, Face::plain);
-    const double size =
-        natural > grid.pane_width ? std::max(kSmallest, kLetters * grid.pane_width / natural) : kLetters;
-    const double width = measure(label, size, Face::plain);
-    out.lines.push_back({.x = corner.x + 0.5 * (grid.pane_width - width),
-                         .top = corner.y + grid.pane_height + 0.5 * (grid.band - size),
-                         .size = size,
-                         .face = Face::plain,
-                         .color = colors.ink,
-                         .text = label});
-    out.width = std::max(out.width, corner.x + grid.pane_width);
-    out.height = std::max(out.height, corner.y + grid.pane_height + grid.band);
-  }
   return out;
 }
 

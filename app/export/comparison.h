@@ -9,7 +9,7 @@
 //     Comparison comparison = compare(std::move(requests));
 //     run_computation(*comparison.data, {.layers = comparison.demand, ..., .variants = comparison.variants});
 //     share_color_ranges(comparison, mirror);
-//     const PaneGrid grid = lay_out(comparison.panes.size(), 1600.0, 1200.0, aspect, 1.0);
+//     const auto drawn = draw_pane_figure(request, comparison, sources);
 //
 // Cost: that of the computations; differences O(instances). Threads: any, with a comparison of its own.
 #pragma once
@@ -21,7 +21,6 @@
 
 #include "app/export/computation.h"
 #include "app/export/shown_layers.h"
-#include "app/picture/paper_drawing.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/draw/layer_mirror.h"
@@ -73,28 +72,5 @@ void share_color_ranges(Comparison& comparison, const LayerMirror& mirror);
 /// What some pane draws in a layer and another pane that shows the layer does not, as layers of their own, which are
 /// added to the marks of the panes; `extent` is of all that is drawn. The patch is for the scene and the mirror.
 FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, double extent);
-
-/// Where panes lie on a page; all have the same size. Lengths as those of the page.
-struct PaneGrid {
-  std::size_t columns = 1;
-  std::size_t rows = 1;
-  double pane_width = 0.0;
-  double pane_height = 0.0;
-  double gap = 0.0;   ///< between neighbours
-  double band = 0.0;  ///< below each pane, for its label
-  /// The upper left corner of a pane.
-  Vec2 corner(std::size_t pane) const;
-};
-
-/// The columns with which a box of the given proportions (height by width) is drawn largest; `unit` is the length of a
-/// logical pixel. Sides of panes may come out too small, or negative.
-PaneGrid lay_out(std::size_t panes, double width, double height, double proportions, double unit);
-
-/// Width of the line around a pane, in logical pixels.
-inline constexpr double kPaneFrame = 0.75;
-
-/// The labels below the panes, and a line around each, on a page in logical pixels.
-PaperDrawing layout_pane_labels(const Comparison& comparison, const PaneGrid& grid, const MeasureText& measure,
-                                const std::optional<Rgb>& background);
 
 }  // namespace mes

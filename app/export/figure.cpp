@@ -16,6 +16,15 @@
 #include "render/figure/raster.h"
 
 namespace mes {
+
+figure::Page resized(const figure::Page& natural, const PageSize& size) {
+  figure::Page page = natural;
+  page.width = size.width;
+  page.height = size.height.value_or(natural.height * size.width / natural.width);
+  page.units_per_point *= std::max(natural.width / page.width, natural.height / page.height);
+  return page;
+}
+
 namespace {
 
 /// A box to fill the page with, or all but a margin of it.
@@ -48,15 +57,6 @@ FigureRequest below(FigureRequest request, double band) {
   if (!request.page && !std::holds_alternative<figure::Page>(request.part))
     request.pixels[1] -= static_cast<int>(std::lround(band / figure::kPointsPerPixel));
   return request;
-}
-
-/// All of the natural page on one of another size, in its middle.
-figure::Page resized(const figure::Page& natural, const PageSize& size) {
-  figure::Page page = natural;
-  page.width = size.width;
-  page.height = size.height.value_or(natural.height * size.width / natural.width);
-  page.units_per_point *= std::max(natural.width / page.width, natural.height / page.height);
-  return page;
 }
 
 figure::Page page_for(const FigureRequest& request, const FigureSource& source) {

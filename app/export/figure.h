@@ -64,6 +64,9 @@ inline constexpr std::size_t kLargeFigure = 20'000'000;
 /// The layer with the most shapes; null when none has any.
 const figure::FigureLayer* largest_layer(const figure::Figure& figure);
 
+/// All of the natural page on one of another size, in its middle.
+figure::Page resized(const figure::Page& natural, const PageSize& size);
+
 struct DrawnFigure {
   figure::Figure figure;
   std::vector<std::string> remarks;  ///< what was left out, one sentence each

@@ -5,6 +5,8 @@
 #include <new>
 
 #include "app/export/computation.h"
+#include "app/export/pane_figure.h"
+#include "app/picture/pane_sheet.h"
 #include "app/store/background_loader.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/atomic_file.h"
@@ -29,6 +31,17 @@ std::optional<Rgb> paper_of(FigurePaper paper, const std::optional<Rgb>& canvas)
   return std::nullopt;
 }
 
+/// Of what is on the page, all panes in their rows or the main one alone.
+double canvas_width(const FigureSubject& subject, bool has_panes) {
+  if (!has_panes) return subject.canvas_width;
+  const std::size_t columns = usual_columns(subject.panes.size());
+  return lay_out_panes_of(subject.canvas_width, 0.0, subject.panes.size(), columns, 1.0).extent().x;
+}
+
+bool shows_panes(const FigureSubject& subject, const FigureSettings& settings) {
+  return settings.all_panes && !subject.panes.empty();
+}
+
 FigureRequest request_of(const FigureSubject& subject, const FigureSettings& settings,
                          const std::vector<std::string>& rasterized) {
   FigureRequest out{.shown = subject.shown, .part = Everything{}, .image = subject.image};
@@ -45,15 +58,37 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.with_annotations = settings.with_annotations;
   out.shown.background = paper_of(settings.paper, subject.shown.background);
   out.shown.scale =
-      settings.as_on_screen ? page.width / (figure::kPointsPerPixel * subject.canvas_width) : settings.line_scale;
+      settings.as_on_screen
+          ? page.width / (figure::kPointsPerPixel * canvas_width(subject, shows_panes(subject, settings)))
+          : settings.line_scale;
   const figure::Format* const format = figure::format_for(settings.extension);
   if (format != nullptr && format->has_images) out.rasterized = rasterized;
   out.dots_per_inch = settings.dots_per_inch;
   return out;
 }
 
-FigurePreview::Layer counted(const figure::FigureLayer& layer) {
-  return {layer.id, layer.title, figure::shape_count(layer), layer.image.has_value()};
+/// What belongs to the same layer in several panes is one.
+std::vector<FigurePreview::Layer> counted(const figure::Figure& figure, std::span<const Pane> panes) {
+  std::vector<FigurePreview::Layer> out;
+  for (const figure::FigureLayer& layer : figure.layers) {
+    if (layer.id == kPaneLabels) continue;  // of no layer that could be a picture
+    FigurePreview::Layer one{layer.id, layer.title, figure::shape_count(layer), layer.image.has_value()};
+    for (const Pane& pane : panes) {
+      const std::string id = id_prefix_of(pane);
+      if (!one.id.starts_with(id)) continue;
+      one.id.erase(0, id.size());
+      one.title.erase(0, title_prefix_of(pane).size());
+      break;
+    }
+    const auto known = std::ranges::find(out, one.id, &FigurePreview::Layer::id);
+    if (known == out.end()) {
+      out.push_back(std::move(one));
+      continue;
+    }
+    known->shapes += one.shapes;
+    known->is_picture = known->is_picture || one.is_picture;
+  }
+  return out;
 }
 
 }  // namespace
@@ -61,13 +96,25 @@ FigurePreview::Layer counted(const figure::FigureLayer& layer) {
 /// Everything that a figure is made of, whatever its settings.
 struct FigureDesk::Contents {
   FigureSubject subject;
-  PlacedAnnotations annotations;
   LayerMirror mirror;
-  Document document;
-  Box2 bounds;
+  Comparison comparison;  // of one pane, or of several with the marks of their differences
+  ComputationResult result;
+  std::vector<Box2> bounds;  // of the documents of the panes
   std::optional<render::Image> traced;
   std::vector<std::string> remarks;
   std::optional<std::string> session;  // packed; none: it is too long
+
+  /// What a pane is drawn from; of references into this.
+  FigureSource source_of(std::size_t pane) const {
+    const Document& document = comparison.document_of(comparison.panes[pane], result);
+    return {.mirror = mirror,
+            .samples = comparison.panes[pane].data->positions,
+            .bounds = bounds[pane],
+            .maps = subject.maps,
+            .traced = traced ? &*traced : nullptr,
+            .annotations = place(document),
+            .document = document};
+  }
 };
 
 FigureDesk::FigureDesk(std::function<void()> wake)
@@ -76,6 +123,7 @@ FigureDesk::FigureDesk(std::function<void()> wake)
 void FigureDesk::begin(FigureSubject subject) {
   end();
   is_open_ = true;
+  has_panes_ = !subject.panes.empty();
   computing_.begin([subject = std::move(subject)](const std::stop_token& stop) { return compute(subject, stop); });
 }
 
@@ -97,14 +145,29 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
   auto out = std::make_shared<Contents>();
   out->subject = subject;
   out->session = packed_session(subject.session);
-  auto result = run_computation(subject.data, {.layers = subject.shown.layers,
-                                               .settings = subject.settings,
-                                               .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },
-                                               .stop = stop});
+  std::vector<PaneRequest> panes = subject.panes;
+  if (panes.empty())
+    panes.push_back({{}, subject.shown, subject.settings, std::make_shared<const SampleData>(subject.data)});
+  out->comparison = compare(std::move(panes));
+  Comparison& comparison = out->comparison;
+  auto result =
+      run_computation(*comparison.data, {.layers = comparison.demand,
+                                         .settings = comparison.settings,
+                                         .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },
+                                         .variants = comparison.variants,
+                                         .stop = stop});
   if (!result) return std::unexpected(result.error());
-  out->bounds = result->document.bounding_box();
-  out->annotations = place(result->document);
-  out->document = std::move(result->document);
+  out->result = std::move(*result);
+  for (const Pane& pane : comparison.panes)
+    out->bounds.push_back(comparison.document_of(pane, out->result).bounding_box());
+  if (!subject.panes.empty()) {
+    share_color_ranges(comparison, out->mirror);
+    Box2 all;
+    for (const Box2& box : out->bounds)
+      if (!box.is_empty()) all.add(box);
+    out->mirror.apply(
+        mark_differences(comparison, out->mirror, all.is_empty() ? 0.0 : std::max(all.width(), all.height())));
+  }
   const bool is_traced = std::ranges::find(subject.shown.layers, find_layer("image")) != subject.shown.layers.end();
   if (is_traced && !subject.image.file.empty()) {
     if (auto image = read_background(subject.image.file))
@@ -117,16 +180,21 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
   return no_memory();
 }
 
+Expected<DrawnFigure> FigureDesk::draw_figure_of(const Contents& contents, const Wanted& wanted) {
+  const FigureSettings& settings = wanted.settings;
+  const FigureRequest request = request_of(contents.subject, settings, wanted.rasterized);
+  if (!shows_panes(contents.subject, settings)) return draw_figure(request, contents.source_of(0));
+  Comparison comparison = contents.comparison;
+  std::vector<FigureSource> sources;
+  for (std::size_t i = 0; i < comparison.panes.size(); ++i) {
+    if (!settings.with_differences) comparison.panes[i].marks.clear();
+    sources.push_back(contents.source_of(i));
+  }
+  return draw_pane_figure(request, comparison, sources);
+}
+
 FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wanted) try {
-  const FigureSubject& subject = contents.subject;
-  const FigureRequest request = request_of(subject, wanted.settings, wanted.rasterized);
-  auto drawn = draw_figure(request, {.mirror = contents.mirror,
-                                     .samples = subject.data.positions,
-                                     .bounds = contents.bounds,
-                                     .maps = subject.maps,
-                                     .traced = contents.traced ? &*contents.traced : nullptr,
-                                     .annotations = contents.annotations,
-                                     .document = contents.document});
+  auto drawn = draw_figure_of(contents, wanted);
   if (!drawn) return {wanted, std::unexpected(drawn.error())};
   FigurePreview preview{.image = {},
                         .width = drawn->figure.width,
@@ -140,7 +208,7 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
     preview.remarks.push_back("the picture to trace is left out: " + std::string(format->name) + " files hold none");
     for (figure::FigureLayer& layer : drawn->figure.layers) layer.image.reset();
   }
-  for (const figure::FigureLayer& layer : drawn->figure.layers) preview.layers.push_back(counted(layer));
+  preview.layers = counted(drawn->figure, contents.comparison.panes);
   if (wanted.settings.with_source && format != nullptr && format->carries_session) {
     if (contents.session)
       drawn->figure.session = *contents.session;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/export/comparison.h"
 #include "app/export/figure.h"
 #include "app/model/figure_settings.h"
 #include "app/system/background_job.h"
@@ -29,10 +30,13 @@ struct FigureSubject {
   BackgroundImage image;
   std::vector<render::ColorMap> maps;
   figure::Page view;          ///< what the window shows; of its width and height only the proportion counts
-  double canvas_width = 0.0;  ///< of the view, in logical pixels of the window
+  double canvas_width = 0.0;  ///< of the view, the main pane, in logical pixels of the window
   std::optional<PaperPlace> legend_at{};     ///< where the legend was dragged to
   std::optional<PaperPlace> scale_bar_at{};  ///< and the scale bar
   Session session{};                         ///< that the file carries, where the settings say so
+  /// All panes that the window shows, the main one first, with layers by their numbers in the main computation; empty:
+  /// there is only that one.
+  std::vector<PaneRequest> panes{};
 };
 
 /// A figure as its settings have it. Plain data.
@@ -70,6 +74,8 @@ class FigureDesk {
   /// Gives up everything but a file that is being saved.
   void end();
   bool is_open() const { return is_open_; }
+  /// The subject has several panes.
+  bool has_panes() const { return has_panes_; }
 
   /// What the figure is to be; `rasterized` are ids of layers, `preview_px` the longest side of the preview.
   void want(const FigureSettings& settings, const std::vector<std::string>& rasterized, int preview_px);
@@ -115,6 +121,7 @@ class FigureDesk {
   };
   static Expected<std::shared_ptr<const Contents>> compute(const FigureSubject& subject, const std::stop_token& stop);
   static Drawn draw(const Contents& contents, const Wanted& wanted);
+  static Expected<DrawnFigure> draw_figure_of(const Contents& contents, const Wanted& wanted);
   void begin_drawing();
   void begin_writing();
   void begin_saving();
@@ -124,6 +131,7 @@ class FigureDesk {
   bool take_written();
 
   bool is_open_ = false;
+  bool has_panes_ = false;
   Wanted wanted_;
   std::shared_ptr<const Contents> contents_;
   Wanted shown_;

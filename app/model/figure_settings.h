@@ -37,8 +37,10 @@ struct FigureSettings {
   ScaleMarks marks{};
   std::string title{};  ///< above the drawing, as annotations are written; of this run of the program alone
   bool with_annotations = true;
-  bool with_source = true;       ///< the file carries the document, where the format can
-  double dots_per_inch = 300.0;  ///< of layers that become pictures
+  bool all_panes = true;          ///< where the window shows several
+  bool with_differences = false;  ///< marked: what only some of the panes have
+  bool with_source = true;        ///< the file carries the document, where the format can
+  double dots_per_inch = 300.0;   ///< of layers that become pictures
   friend bool operator==(const FigureSettings&, const FigureSettings&) = default;
 };
 

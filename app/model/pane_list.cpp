@@ -30,21 +30,23 @@ std::optional<ComputationSettings> own_settings(const PaneChoice& choice, const 
 ShownPanes::Layers visible_in(const LayerConfiguration& configuration, const LayerStack& layers) {
   LayerStack stack = layers;
   stack.set_configuration(configuration);
-  ShownPanes::Layers out;
-  for (const LayerIndex layer : stack.visible_layers()) out.emplace_back(layer, stack.style(layer));
-  return out;
+  return visible_layers(stack);
 }
 
 ShownPanes::Layers layers_of(const PaneChoice& choice, const LayerStack& layers) {
   if (const FamilyKind* const family = std::get_if<FamilyKind>(&choice))
     return visible_in(in_family(layers.configuration(), *family), layers);
   if (const Bundle* const bundle = std::get_if<Bundle>(&choice)) return visible_in(bundle->layers, layers);
+  return visible_layers(layers);
+}
+
+}  // namespace
+
+ShownPanes::Layers visible_layers(const LayerStack& layers) {
   ShownPanes::Layers out;
   for (const LayerIndex layer : layers.visible_layers()) out.emplace_back(layer, layers.style(layer));
   return out;
 }
-
-}  // namespace
 
 std::string words_of(const PaneChoice& choice) {
   return std::visit(Overloaded{[](Precision precision) {
@@ -84,6 +86,21 @@ void PaneList::close_all() {
   ++revision_;
 }
 
+std::vector<std::string> words_of(const PaneList& list, const MainPane& main) {
+  std::vector<std::string> out;
+  if (list.is_empty()) return {{}};
+  out.push_back(
+      std::visit(Overloaded{[&](Precision) { return words_of(main.settings.precision); },
+                            [&](const ParameterChoice& other) {
+                              return words_of(ParameterChoice{other.parameter, main.settings[other.parameter]});
+                            },
+                            [&](FamilyKind) { return words_of(main.family); },
+                            [&](const Bundle&) { return main.bundle.empty() ? "Layers of the list" : main.bundle; }},
+                 list.panes().front()));
+  for (const PaneChoice& choice : list.panes()) out.push_back(words_of(choice));
+  return out;
+}
+
 PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings) {
   for (const Precision precision : {Precision::exact, Precision::naive, Precision::fast, Precision::exact_roots}) {
     const bool is_used = precision == settings.precision ||
@@ -109,6 +126,7 @@ ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const Com
       out.demand.push_back(layer);
     }
     out.panes.push_back(std::move(shown));
+    out.variant.push_back(variant);
   }
   std::ranges::sort(out.demand);
   const auto [first, last] = std::ranges::unique(out.demand);

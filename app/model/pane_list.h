@@ -25,6 +25,7 @@
 #include "app/model/layer_stack.h"
 #include "core/document/bundle.h"
 #include "core/document/computation_settings.h"
+#include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
 
 namespace mes {
@@ -62,6 +63,15 @@ class PaneList {
   std::uint64_t revision_ = 0;
 };
 
+/// What the main pane shows, as far as panes beside it can differ.
+struct MainPane {
+  const ComputationSettings& settings;
+  FamilyKind family{};
+  std::string bundle{};  ///< that is shown as it was saved; empty: none
+};
+/// What each pane is about, the main one first: of that, what the first of the list has otherwise.
+std::vector<std::string> words_of(const PaneList& list, const MainPane& main);
+
 /// A choice that the list does not have yet: a number type that is not in use.
 PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings);
 
@@ -69,9 +79,12 @@ PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings
 struct ShownPanes {
   using Layers = std::vector<std::pair<LayerIndex, LayerStyle>>;  ///< bottom first
   std::vector<VariantRequest> variants;
-  std::vector<Layers> panes;       ///< beside the main one
-  std::vector<LayerIndex> demand;  ///< of all panes, the main one too
+  std::vector<Layers> panes;          ///< beside the main one
+  std::vector<VariantIndex> variant;  ///< of each of these
+  std::vector<LayerIndex> demand;     ///< of all panes, the main one too
 };
+/// Those of the main pane.
+ShownPanes::Layers visible_layers(const LayerStack& layers);
 ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings);
 
 }  // namespace mes

@@ -83,6 +83,7 @@ RecordSettings record_from_json(const json& object) {
   out.fps = number_in(object, "fps", 1.0, 120.0, out.fps);
   out.real_time = flag_in(object, "real_time", out.real_time);
   out.with_source = flag_in(object, "with_source", out.with_source);
+  out.all_panes = flag_in(object, "all_panes", out.all_panes);
   out.folder = text_in(object, "folder");
   // What fits each range may still not go together.
   if (!check(out)) {
@@ -103,6 +104,7 @@ json to_json(const RecordSettings& record) {
           {"fps", record.fps},
           {"real_time", record.real_time},
           {"with_source", record.with_source},
+          {"all_panes", record.all_panes},
           {"folder", record.folder}};
 }
 
@@ -129,6 +131,8 @@ FigureSettings figure_from_json(const json& object) {
   out.with_legend = flag_in(object, "with_legend", out.with_legend);
   out.with_key = flag_in(object, "with_key", out.with_key);
   out.with_annotations = flag_in(object, "with_annotations", out.with_annotations);
+  out.all_panes = flag_in(object, "all_panes", out.all_panes);
+  out.with_differences = flag_in(object, "with_differences", out.with_differences);
   out.marks.bar = flag_in(object, "with_scale_bar", out.marks.bar);
   out.marks.axes = flag_in(object, "with_axes", out.marks.axes);
   out.marks.grid = flag_in(object, "with_grid", out.marks.grid);
@@ -149,6 +153,8 @@ json to_json(const FigureSettings& figure) {
           {"with_legend", figure.with_legend},
           {"with_key", figure.with_key},
           {"with_annotations", figure.with_annotations},
+          {"all_panes", figure.all_panes},
+          {"with_differences", figure.with_differences},
           {"with_scale_bar", figure.marks.bar},
           {"with_axes", figure.marks.axes},
           {"with_grid", figure.marks.grid},

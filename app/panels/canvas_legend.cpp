@@ -11,7 +11,7 @@ namespace mes {
 
 std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
                                        const Box2& room) const {
-  std::vector<LegendEntry> entries = picture.legend(layers, scope);
+  std::vector<LegendEntry> entries = picture.legend(visible_layers(layers), scope);
   if (entries.empty()) return std::nullopt;
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
   const PaperDrawing legend =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "app/model/statistics_text.h"
@@ -52,9 +53,9 @@ void go_on(const Gui& gui, const std::string& label) {
 }
 
 /// One of several words; `chosen` is its place.
-template <class Choice, std::size_t N>
-void choice(const Gui& gui, const std::array<std::pair<const char*, const char*>, N>& words, Choice& chosen) {
-  for (std::size_t i = 0; i < N; ++i) {
+template <class Choice>
+void choice(const Gui& gui, std::span<const std::pair<const char*, const char*>> words, Choice& chosen) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
     if (i != 0) go_on(gui, words[i].first);
     if (choice_button(words[i].first, static_cast<std::size_t>(chosen) == i)) chosen = static_cast<Choice>(i);
     tooltip(gui, words[i].second);
@@ -173,12 +174,35 @@ void FigureDialog::draw_size(const Gui& gui) const {
   tooltip(gui, "The height follows from the width");
 }
 
+// Nothing while the window shows one alone.
+void FigureDialog::draw_panes(const Gui& gui) const {
+  if (!uses_->desk.has_panes()) return;
+  FigureSettings& settings = uses_->settings;
+  title(gui, "Panes");
+  if (choice_button("All", settings.all_panes)) settings.all_panes = true;
+  tooltip(gui, "All panes of the window at one scale, each with its letter");
+  ImGui::SameLine();
+  if (choice_button("Main one", !settings.all_panes)) settings.all_panes = false;
+  tooltip(gui, "The first pane alone");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!settings.all_panes);
+  ImGui::Checkbox("Differences", &settings.with_differences);
+  ImGui::EndDisabled();
+  tooltip(gui, "Mark what only some of the panes have");
+}
+
 void FigureDialog::draw_look(const Gui& gui) const {
   FigureSettings& settings = uses_->settings;
+  draw_panes(gui);
   title(gui, "Show");
-  choice(gui, kExtents, settings.extent);
+  // Panes have one size, so none is cut to what it draws.
+  const bool is_sheet = uses_->desk.has_panes() && settings.all_panes;
+  FigureExtent extent = is_sheet && settings.extent == FigureExtent::ink ? FigureExtent::view : settings.extent;
+  const FigureExtent before = extent;
+  choice<FigureExtent>(gui, std::span(kExtents).first(is_sheet ? 2 : kExtents.size()), extent);
+  if (extent != before) settings.extent = extent;
   title(gui, "Paper");
-  choice(gui, kPapers, settings.paper);
+  choice<FigurePaper>(gui, kPapers, settings.paper);
   title(gui, "Lines");
   if (choice_button("As on screen", settings.as_on_screen)) settings.as_on_screen = true;
   tooltip(gui, "Lines and points are to the page as they are to the canvas");

@@ -38,6 +38,7 @@ class FigureDialog final : public Dialog {
  private:
   void draw_settings(const Gui& gui) const;
   void draw_size(const Gui& gui) const;
+  void draw_panes(const Gui& gui) const;
   void draw_look(const Gui& gui) const;
   void draw_layers(const Gui& gui);
   void draw_facts(const Gui& gui);

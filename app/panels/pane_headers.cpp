@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/model/parameter_words.h"
+#include "app/picture/pane_sheet.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
 
@@ -33,22 +34,6 @@ void PaneHeaders::draw(const PanePlaces& places) const {
   }
 }
 
-// What the first pane beside the main one shows otherwise.
-std::string PaneHeaders::words_of_main() const {
-  const PaneChoice& other = panes.panes().front();
-  if (std::holds_alternative<Precision>(other)) return words_of(settings.precision);
-  if (const auto* const parameter = std::get_if<ParameterChoice>(&other))
-    return words_of(ParameterChoice{parameter->parameter, settings[parameter->parameter]});
-  if (std::holds_alternative<FamilyKind>(other)) return words_of(family);
-  const auto current = bundles.current();
-  return current && !bundles.is_changed() ? bundles.bundles()[*current].name : "Layers of the list";
-}
-
-std::string PaneHeaders::label(std::size_t pane) const {
-  return fmt::format("({}) {}", static_cast<char>('a' + pane),
-                     pane == 0 ? words_of_main() : words_of(panes.panes()[pane - 1]));
-}
-
 void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
   const float unit = gui.unit();
   const ImVec2 corner = on_screen(place.left, place.top + place.height, pixel_ratio);
@@ -59,7 +44,7 @@ void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const float room = std::max(40 * unit, static_cast<float>(place.width / pixel_ratio) - 6 * kMargin * unit);
-  const std::string text = elided(label(pane), room);
+  const std::string text = elided(pane_label(pane, words[pane]), room);
   if (pane == 0) {
     ImGui::TextUnformatted(text.c_str());
     tooltip(gui, "The main pane: what the layers, the number type and the parameters say");

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/actions/action_bindings.h"
 #include "app/model/pane_list.h"
@@ -19,15 +20,13 @@ struct PaneHeaders {
   PaneList& panes;
   const BundleDesk& bundles;
   const ComputationSettings& settings;
-  FamilyKind family;
-  double pixel_ratio = 1.0;  ///< framebuffer pixels per unit of screen coordinates
+  const std::vector<std::string>& words;  ///< of each pane, the main one first
+  double pixel_ratio = 1.0;               ///< framebuffer pixels per unit of screen coordinates
 
   /// Nothing while there is only the main pane.
   void draw(const PanePlaces& places) const;
 
  private:
-  std::string label(std::size_t pane) const;
-  std::string words_of_main() const;
   void draw_header(std::size_t pane, const PanePlace& place) const;
   void draw_menu(std::size_t pane) const;
   void draw_value(std::size_t pane) const;

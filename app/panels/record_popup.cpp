@@ -90,6 +90,15 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
   tooltip(gui, "Colour behind the drawing");
 }
 
+void draw_panes(const Gui& gui, RecordSettings& record, float column) {
+  title("Panes", column);
+  if (choice_button("All", record.all_panes)) record.all_panes = true;
+  tooltip(gui, "Snapshots and copied pictures show all panes, each with its letter; frames show the main one");
+  ImGui::SameLine();
+  if (choice_button("Main one", !record.all_panes)) record.all_panes = false;
+  tooltip(gui, "The first pane alone");
+}
+
 void draw_contents(const RecordPopup& popup) {
   const Gui& gui = popup.gui;
   const float unit = gui.unit();
@@ -106,6 +115,7 @@ void draw_contents(const RecordPopup& popup) {
   draw_size(gui, record, column);
   draw_supersampling(gui, record, column);
   draw_background(popup, record, column);
+  draw_panes(gui, record, column);
   ImGui::EndDisabled();
   title("Pan and zoom", column);
   if (choice_button("At rest", !record.each_motion)) record.each_motion = false;

@@ -202,13 +202,6 @@ std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const
   return out;
 }
 
-ShownPanes::Layers Picture::shown_layers(const LayerStack& layers, const std::optional<Rgb>& background,
-                                         double units_per_px) const {
-  ShownPanes::Layers out;
-  for (const LayerIndex layer : layers.visible_layers()) out.emplace_back(layer, layers.style(layer));
-  return as_drawn(std::move(out), background, units_per_px);
-}
-
 ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                                      double units_per_px) const {
   for (auto& [layer, style] : layers) {
@@ -269,18 +262,17 @@ void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& edi
                  {camera.visible(), camera.units_per_pixel() * content_scale}, letters_ ? &*letters_ : nullptr);
 }
 
-Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
-                                const Editor& editor, const render::CaptureOptions& options) {
+Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera,
+                                const ShownPanes::Layers& layers, const Editor& editor,
+                                const render::CaptureOptions& options) {
   const double units = camera.units_per_pixel() * options.content_scale;
-  std::vector<render::LayerView> views = views_of(shown_layers(layers, options.background, units), 1);
+  std::vector<render::LayerView> views = views_of(as_drawn(layers, options.background, units), 1);
   add_texts(views, editor, camera, options.content_scale);
   return capture.draw(scene_, camera, views, options);
 }
 
-std::vector<LegendEntry> Picture::legend(const LayerStack& layers, LegendScope scope) const {
-  std::vector<render::LayerView> views;
-  for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-  return legend_of(scene_, views, scope);
+std::vector<LegendEntry> Picture::legend(const ShownPanes::Layers& layers, LegendScope scope) const {
+  return legend_of(scene_, views_of(layers, 1), scope);
 }
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
@@ -289,9 +281,11 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   mark_selection(editor);
   measure_spacing(editor);
   const double units_per_px = camera.units_per_pixel() * content_scale;
-  ShownState now{
-      camera,  content_scale, patches_, background_revision_, marked_, shown_layers(layers, canvas_, units_per_px),
-      is_kept, places,        {}};
+  ShownState now{camera,   content_scale,
+                 patches_, background_revision_,
+                 marked_,  as_drawn(visible_layers(layers), canvas_, units_per_px),
+                 is_kept,  places,
+                 {}};
   if (!places.is_empty())
     for (const ShownPanes::Layers& pane : panes) now.panes.push_back(as_drawn(pane, canvas_, units_per_px));
   const bool is_same = now == shown_;

@@ -66,12 +66,13 @@ class Picture {
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
             bool is_kept, const PanePlaces& places = {}, std::span<const ShownPanes::Layers> panes = {});
 
-  /// Captures the present layers in full detail, with the marks of the selection as last drawn, without panels.
-  Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const LayerStack& layers,
-                         const Editor& editor, const render::CaptureOptions& options);
+  /// Captures layers as they are now, in full detail, with the marks of the selection as last drawn, without panels.
+  Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera,
+                         const ShownPanes::Layers& layers, const Editor& editor,
+                         const render::CaptureOptions& options);
   render::GlDevice& device() { return device_; }
-  /// The legend of the visible layers.
-  std::vector<LegendEntry> legend(const LayerStack& layers, LegendScope scope) const;
+  /// The legend of these layers.
+  std::vector<LegendEntry> legend(const ShownPanes::Layers& layers, LegendScope scope) const;
 
   /// True if the picture at rest can be painted in more detail: it needs another `draw` soon.
   bool is_refining() const { return detail_.is_refining() || is_coarse_; }
@@ -121,8 +122,6 @@ class Picture {
   };
   void check(const FramePatch& patch);
   /// A logical pixel is so many units of the document wide.
-  ShownPanes::Layers shown_layers(const LayerStack& layers, const std::optional<Rgb>& background,
-                                  double units_per_px) const;
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                               double units_per_px) const;
   void choose_views(const ShownState& shown, const Editor& editor);

@@ -2,7 +2,9 @@
 #include "app/recording/record_desk.h"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -20,17 +22,11 @@ std::string counted_frames(std::size_t n) {
   return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
 }
 
-Expected<std::vector<std::byte>> png_of(const render::RawImage& raw, const PictureOverlay& overlay,
-                                        const std::string& session = {}) {
-  render::Image image = render::to_image(raw);
-  overlay.paint(image);
-  return render::encode_png(image, render::kPngSmall, session);
-}
-
 /// A session that is too long for a picture is left out.
-Expected<fs::path> write_picture(const render::RawImage& raw, const PictureOverlay& overlay, const fs::path& folder,
+Expected<fs::path> write_picture(const render::Image& image, const fs::path& folder,
                                  const std::optional<Session>& session) {
-  const auto png = png_of(raw, overlay, session ? packed_session(*session).value_or("") : std::string());
+  const auto png =
+      render::encode_png(image, render::kPngSmall, session ? packed_session(*session).value_or("") : std::string());
   if (!png) return std::unexpected(png.error());
   const auto file = claim_file(folder, "mesecina", "png");
   if (!file) return std::unexpected(file.error());
@@ -127,8 +123,9 @@ void RecordDesk::snapshot(const RecordSettings& settings) {
   }
 }
 
-void RecordDesk::copy() {
+void RecordDesk::copy(bool all_panes) {
   snapshot_ = RecordSettings{};
+  snapshot_->all_panes = all_panes;
   is_copy_ = true;
 }
 
@@ -170,6 +167,79 @@ void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
   ++frames_;
 }
 
+render::Image RecordDesk::Captured::picture() const {
+  std::vector<render::Image> images;
+  for (const Part& part : parts) {
+    images.push_back(render::to_image(part.raw));
+    part.overlay.paint(images.back());
+  }
+  return sheet && fonts ? sheet->with(images, *fonts) : std::move(images.front());
+}
+
+void RecordDesk::ask_snapshot(const Drawn& drawn) {
+  if (snapshot_->all_panes && !drawn.panes.places.is_empty() && fonts_) return ask_sheet(drawn);
+  if (auto overlay = ask(drawn, *snapshot_, drawn.panels)) asked_.push_back(asked_snapshot(std::move(*overlay)));
+}
+
+namespace {
+
+/// As the panes lie in the window, or on a picture of the size that is asked for.
+PaneSheet sheet_for(const PanePlaces& panes, double content_scale, const RecordSettings& settings) {
+  const PanePlace& main = panes.places().front();
+  const std::size_t count = panes.places().size();
+  const auto columns = static_cast<std::size_t>(std::ranges::count(panes.places(), main.top, &PanePlace::top));
+  PaneSheet out{.scale = content_scale,
+                .grid = lay_out_panes_of(main.width, main.height, count, columns, content_scale)};
+  const Vec2 natural = out.grid.extent();
+  out.width = static_cast<int>(std::ceil(natural.x));
+  out.height = static_cast<int>(std::ceil(natural.y));
+  if (settings.width == 0) return out;
+  out.width = settings.width;
+  out.height = settings.height;
+  out.scale *= std::min(out.width / natural.x, out.height / natural.y);
+  out.grid = lay_out(count, out.width, out.height, static_cast<double>(main.height) / main.width, out.scale);
+  return out;
+}
+
+}  // namespace
+
+void RecordDesk::ask_sheet(const Drawn& drawn) {
+  const PanePlace& main = drawn.panes.places.places().front();
+  auto captured = std::make_shared<Captured>();
+  captured->fonts = fonts_;
+  PaneSheet& sheet = captured->sheet.emplace(sheet_for(drawn.panes.places, drawn.content_scale, *snapshot_));
+  if (sheet.pane_width() < 1 || sheet.pane_height() < 1)
+    return messages_.problem("No snapshot: the picture is too small for its panes");
+  const Rgb background = snapshot_->background.value_or(picture_.canvas());
+  sheet.background = snapshot_->transparent ? std::nullopt : std::optional(background);
+  sheet.labels = drawn.panes.labels;
+  const FrameView view = frame_view(drawn.camera, {main.left, main.top, main.width, main.height}, drawn.content_scale,
+                                    {.width = sheet.pane_width(), .height = sheet.pane_height()});
+  std::vector<ShownPanes::Layers> panes(drawn.panes.beside.begin(), drawn.panes.beside.end());
+  panes.insert(panes.begin(), visible_layers(drawn.layers));
+  const bool is_explained_once = are_alike(panes);
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    ScaleMarks marks = drawn.state.marks;
+    marks.bar = marks.bar && i == 0;
+    const LegendScope legend = i == 0 || !is_explained_once ? drawn.state.legend : LegendScope::none;
+    PictureOverlay overlay =
+        picture_overlay_of({picture_.legend(panes[i], legend),
+                            i == 0 ? drawn.state.caption : std::string(),
+                            marks,
+                            drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
+                            {},
+                            drawn.state.legend_at},
+                           fonts_, {view.camera, view.content_scale, sheet.background});
+    const render::CaptureOptions options{.background = sheet.background,
+                                         .content_scale = view.content_scale,
+                                         .supersampling = snapshot_->supersampling};
+    if (const auto done = picture_.capture(capture_, view.camera, panes[i], drawn.editor, options); !done)
+      return messages_.problem(done.error().message());
+    asked_.push_back(asked_snapshot(std::move(overlay)));
+    asked_.back().sheet = captured;
+  }
+}
+
 std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings,
                                               const Insets& panels) {
   const WindowPart part = part_between(panels, drawn.camera.width(), drawn.camera.height());
@@ -177,7 +247,7 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
   const Rgb background = settings.background.value_or(picture_.canvas());
   const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
   PictureOverlay overlay =
-      picture_overlay_of({picture_.legend(drawn.layers, drawn.state.legend),
+      picture_overlay_of({picture_.legend(visible_layers(drawn.layers), drawn.state.legend),
                           drawn.state.caption,
                           drawn.state.marks,
                           drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
@@ -193,7 +263,8 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
   }
   const render::CaptureOptions options{
       .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
-  if (const auto done = picture_.capture(capture_, view.camera, drawn.layers, drawn.editor, options); !done) {
+  if (const auto done = picture_.capture(capture_, view.camera, visible_layers(drawn.layers), drawn.editor, options);
+      !done) {
     messages_.problem(done.error().message());
     return std::nullopt;
   }
@@ -202,7 +273,7 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
 
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
-    if (auto overlay = ask(drawn, *snapshot_, drawn.panels)) asked_.push_back(asked_snapshot(std::move(*overlay)));
+    ask_snapshot(drawn);
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
@@ -234,12 +305,17 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
 void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
+  if (asked.use == Use::frame) {
+    if (writer_) writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
+    return;
+  }
+  auto captured = asked.sheet ? std::move(asked.sheet) : std::make_shared<Captured>();
+  captured->parts.push_back({std::move(raw), std::move(asked.overlay)});
+  if (!captured->is_whole()) return;
   if (asked.use == Use::snapshot)
-    write_snapshot(std::move(raw), std::move(asked));
-  else if (asked.use == Use::copy)
-    write_copy(std::move(raw), std::move(asked.overlay));
-  else if (writer_)
-    writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
+    write_snapshot(std::move(captured), std::move(asked));
+  else
+    write_copy(std::move(captured));
 }
 
 RecordDesk::Asked RecordDesk::asked_snapshot(PictureOverlay overlay) const {
@@ -248,22 +324,20 @@ RecordDesk::Asked RecordDesk::asked_snapshot(PictureOverlay overlay) const {
   return out;
 }
 
-void RecordDesk::write_snapshot(render::RawImage raw, Asked asked) {
+void RecordDesk::write_snapshot(std::shared_ptr<const Captured> captured, Asked asked) {
   if (asked.folder.empty()) {
     messages_.problem("No snapshot: the home folder is not known; choose a folder for pictures");
     return;
   }
   if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
-  written_snapshot_.begin(
-      [raw = std::make_shared<render::RawImage>(std::move(raw)), asked = std::move(asked)](const std::stop_token&) {
-        return write_picture(*raw, asked.overlay, asked.folder, asked.session);
-      });
+  written_snapshot_.begin([captured = std::move(captured), asked = std::move(asked)](const std::stop_token&) {
+    return write_picture(captured->picture(), asked.folder, asked.session);
+  });
 }
 
-void RecordDesk::write_copy(render::RawImage raw, PictureOverlay overlay) {
-  written_copy_.begin([raw = std::make_shared<render::RawImage>(std::move(raw)),
-                       overlay = std::move(overlay)](const std::stop_token& stop) -> Expected<void> {
-    const auto png = png_of(*raw, overlay);
+void RecordDesk::write_copy(std::shared_ptr<const Captured> captured) {
+  written_copy_.begin([captured = std::move(captured)](const std::stop_token& stop) -> Expected<void> {
+    const auto png = render::encode_png(captured->picture(), render::kPngSmall, {});
     if (!png) return std::unexpected(png.error());
     return copy_png(*png, stop);
   });

@@ -13,6 +13,7 @@
 
 #include "app/model/messages.h"
 #include "app/model/record_settings.h"
+#include "app/picture/pane_sheet.h"
 #include "app/picture/picture.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/recorder.h"
@@ -52,7 +53,7 @@ class RecordDesk {
   /// One picture into the folder for pictures, as soon as what is shown is complete.
   void snapshot(const RecordSettings& settings);
   /// The same picture, with everything else as usual, to the clipboard.
-  void copy();
+  void copy(bool all_panes);
 
   /// What is on screen is going to be a picture that is kept.
   bool wants_exact_picture() const { return is_recording() || snapshot_.has_value(); }
@@ -62,10 +63,17 @@ class RecordDesk {
   /// A view that glides by itself has to wait, or some of its steps would get no frame.
   bool holds_motion(const ShownState& now) const;
 
+  /// What is shown beside the main pane.
+  struct DrawnPanes {
+    const PanePlaces& places;  ///< empty: there is only that one
+    std::span<const ShownPanes::Layers> beside;
+    std::vector<std::string> labels;  ///< of all, as on the sheet
+  };
   struct Drawn {
     const render::Camera& camera;
     Insets panels{};
     const LayerStack& layers;
+    DrawnPanes panes;
     const Editor& editor;
     double content_scale = 1.0;
     ShownState state{};
@@ -102,12 +110,25 @@ class RecordDesk {
   };
   /// Where a captured picture goes: a frame, or a snapshot.
   enum class Use : std::uint8_t { frame, snapshot, copy };
+  /// Pictures as they arrive: one, or one a pane of a sheet.
+  struct Captured {
+    struct Part {
+      render::RawImage raw;
+      PictureOverlay overlay;
+    };
+    std::vector<Part> parts;
+    std::optional<PaneSheet> sheet;
+    std::shared_ptr<const PaperFonts> fonts;
+    bool is_whole() const { return !sheet || parts.size() == sheet->labels.size(); }
+    render::Image picture() const;
+  };
   struct Asked {
     Use use = Use::frame;
     FrameInfo info{};
     PictureOverlay overlay{};
-    std::filesystem::path folder{};    ///< of a snapshot
-    std::optional<Session> session{};  ///< that it carries
+    std::filesystem::path folder{};     ///< of a snapshot
+    std::optional<Session> session{};   ///< that it carries
+    std::shared_ptr<Captured> sheet{};  ///< that it is a part of
   };
   bool has_room() const;
   bool is_frame_due(const Drawn& drawn) const;
@@ -115,10 +136,13 @@ class RecordDesk {
   void frame_asked(const Drawn& drawn, PictureOverlay overlay);
   /// What to paint on the picture asked for; nothing: it cannot be had.
   std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
+  void ask_snapshot(const Drawn& drawn);
+  /// One picture of each pane.
+  void ask_sheet(const Drawn& drawn);
   void hand_on(render::RawImage raw);
   Asked asked_snapshot(PictureOverlay overlay) const;
-  void write_snapshot(render::RawImage raw, Asked asked);
-  void write_copy(render::RawImage raw, PictureOverlay overlay);
+  void write_snapshot(std::shared_ptr<const Captured> captured, Asked asked);
+  void write_copy(std::shared_ptr<const Captured> captured);
   Use use_of_snapshot() const { return is_copy_ ? Use::copy : Use::snapshot; }
   bool take_results();
   void tell_end(const Finished& done);

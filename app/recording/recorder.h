@@ -36,6 +36,7 @@ struct ShownState {
   std::uint64_t selection = 0;
   std::uint64_t layers = 0;
   LayerIndex solo = kNoLayer;
+  std::uint64_t panes = 0;
   ComputationSettings settings{};
   render::Camera view{};
   LegendScope legend = LegendScope::none;

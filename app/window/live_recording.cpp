@@ -29,7 +29,7 @@ LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std
 void LiveRecording::bind(ActionBindings& actions) {
   const RecordSettings& settings = uses_.settings.record;
   actions.bind(ActionId::snapshot, {[this, &settings] { desk_.snapshot(settings); }});
-  actions.bind(ActionId::copy_picture, {[this] { desk_.copy(); }});
+  actions.bind(ActionId::copy_picture, {[this, &settings] { desk_.copy(settings.all_panes); }});
   actions.bind(ActionId::record, {[this, &settings] {
                                     const auto size = uses_.screen.window->framebuffer_size();
                                     if (desk_.is_recording())
@@ -45,17 +45,13 @@ void LiveRecording::bind(ActionBindings& actions) {
 }
 
 ShownState LiveRecording::shown_state() const {
-  return {uses_.work.document().revision(),
-          uses_.work.editor().selection().revision(),
-          uses_.work.layers().revision(),
-          uses_.work.layers().soloed(),
-          uses_.work.computation().settings(),
-          uses_.board.view().camera(),
-          legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
-          uses_.settings.legend_at,
-          uses_.settings.marks,
-          uses_.settings.show_annotations,
-          uses_.lesson.is_running() ? uses_.lesson.caption() : uses_.demo.caption()};
+  return {
+      uses_.work.document().revision(), uses_.work.editor().selection().revision(),
+      uses_.work.layers().revision(),   uses_.work.layers().soloed(),
+      uses_.work.panes().revision(),    uses_.work.computation().settings(),
+      uses_.board.view().camera(),      legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
+      uses_.settings.legend_at,         uses_.settings.marks,
+      uses_.settings.show_annotations,  uses_.lesson.is_running() ? uses_.lesson.caption() : uses_.demo.caption()};
 }
 
 AtRest LiveRecording::at_rest() const {
@@ -72,11 +68,19 @@ void LiveRecording::note_if_complete(bool is_reading) {
   desk_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);
 }
 
+std::vector<std::string> LiveRecording::labels_of_panes() const {
+  if (uses_.board.canvas().panes().is_empty()) return {};
+  std::vector<std::string> out = uses_.work.words_of_panes();
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = pane_label(i, out[i]);
+  return out;
+}
+
 RecordDesk::Drawn LiveRecording::drawn() const {
   const ViewMotion& view = uses_.board.view();
   return {view.camera(),
           view.insets(),
           uses_.work.layers(),
+          {uses_.board.canvas().panes(), uses_.work.shown_panes().panes, labels_of_panes()},
           uses_.work.editor(),
           uses_.screen.gui.drawing_scale(),
           shown_state(),

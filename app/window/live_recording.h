@@ -46,6 +46,7 @@ class LiveRecording {
  private:
   ShownState shown_state() const;
   AtRest at_rest() const;
+  std::vector<std::string> labels_of_panes() const;
   RecordDesk::Drawn drawn() const;
 
   Uses uses_;

@@ -324,12 +324,13 @@ void Panels::divide(Sides& sides) {
   if (places.is_empty()) return;
   const PanePlace& main = places.places().front();
   const auto on_screen = [ratio](int pixels) { return static_cast<float>(pixels / ratio); };
+  const std::vector<std::string> words = uses_.work.words_of_panes();
   PaneHeaders{uses_.screen.gui,
               uses_.actions,
               uses_.work.panes(),
               uses_.work.bundles(),
               uses_.work.computation().settings(),
-              uses_.work.family(),
+              words,
               ratio}
       .draw(places);
   sides = {on_screen(main.left), on_screen(main.top), on_screen(size.width - main.left - main.width),

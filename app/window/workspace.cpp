@@ -102,6 +102,18 @@ bool Workspace::follow_layers(bool picture_is_lost) {
   return demand_.follow(engine_, wanted(), picture_is_lost);
 }
 
+std::vector<std::string> Workspace::words_of_panes() const {
+  const auto current = bundles_.current();
+  const bool is_bundle = current && !bundles_.is_changed();
+  return words_of(panes_,
+                  {computation_.settings(), family(), is_bundle ? bundles_.bundles()[*current].name : std::string()});
+}
+
+const ComputationSettings& Workspace::settings_of_pane(std::size_t pane) const {
+  const VariantIndex variant = shown_panes().variant[pane];
+  return variant == kMainVariant ? computation_.settings() : shown_panes().variants[variant - 1].settings;
+}
+
 bool Workspace::is_complete() const {
   const EngineStatus status = engine_.status();
   return !status.busy && !status.cancelled && demand_.is_told(wanted());

@@ -54,6 +54,10 @@ class Workspace {
   PaneList& panes() { return panes_; }
   const PaneList& panes() const { return panes_; }
   const ShownPanes& shown_panes() const { return demand_.shown(); }
+  /// What each pane is about, the main one first.
+  std::vector<std::string> words_of_panes() const;
+  /// The settings of a pane beside the main one, as it is shown.
+  const ComputationSettings& settings_of_pane(std::size_t pane) const;
 
   /// Undo and redo, selection, evolution, computation, bundles.
   void bind(ActionBindings& actions, Settings& settings);

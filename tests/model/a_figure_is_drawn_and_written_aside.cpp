@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <numbers>
+#include <string>
 
 #include "app/export/figure_desk.h"
 #include "core/draw/layer_descriptor.h"
@@ -191,4 +193,114 @@ TEST_CASE("what is given up leaves nothing behind, and the next one is another")
   test.desk.begin(subject_of(circle(7)));
   test.until_written();
   CHECK(test.desk.preview()->layers[1].shapes == 7);
+}
+
+namespace {
+
+/// The same samples, the first of them somewhere else.
+std::shared_ptr<const SampleData> with_first_at(SampleData data, Vec2 place) {
+  data.positions.front() = place;
+  return std::make_shared<const SampleData>(std::move(data));
+}
+
+FigureSubject subject_of_panes(int n) {
+  FigureSubject out = subject_of(circle(n));
+  out.shown.layers = {find_layer("points")};
+  const auto data = std::make_shared<const SampleData>(out.data);
+  out.panes = {{"here", out.shown, out.settings, data},
+               {"there", out.shown, out.settings, with_first_at(out.data, {10.0, 20.0})}};
+  return out;
+}
+
+/// The text of a group, up to the next one.
+std::string group_of(const std::string& svg, const std::string& id) {
+  const std::size_t begin = svg.find("<g id=\"" + id + "\"");
+  if (begin == std::string::npos) return {};
+  return svg.substr(begin, svg.find("inkscape:groupmode", svg.find('>', begin)) - begin);
+}
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t out = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++out;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a figure of panes has all of them beside each other, or the main one as it is alone") {
+  Desk test;
+  const FigureSettings settings{.extension = ".svg", .width_mm = 254.0, .with_source = false};
+  test.desk.begin(subject_of_panes(60));
+  CHECK(test.desk.has_panes());
+  test.desk.want(settings, {}, 400);
+  test.until_written();
+  REQUIRE(test.desk.bytes() != nullptr);
+  const FigurePreview& preview = *test.desk.preview();
+  // As wide as two canvases of 800 pixels with 16 between them; each as high as the canvas, with a label of 30.
+  CHECK(preview.width == Approx(720.0));
+  CHECK(preview.height == Approx(720.0 * 630.0 / 1616.0));
+  REQUIRE(preview.layers.size() == 1);
+  CHECK(preview.layers[0].id == "points");
+  CHECK(preview.layers[0].title == "Points");
+  CHECK(preview.layers[0].shapes == 120);
+  const std::string all = *test.desk.bytes();
+  CHECK(occurrences(group_of(all, "pane-a-points"), "<circle") == 60);
+  CHECK(occurrences(group_of(all, "pane-b-points"), "<circle") == 60);
+  CHECK(occurrences(all, ">(a) here</text>") == 1);
+  CHECK(occurrences(all, ">(b) there</text>") == 1);
+
+  FigureSettings main = settings;
+  main.all_panes = false;
+  test.desk.want(main, {}, 400);
+  test.until_written();
+  const std::string one = *test.desk.bytes();
+  FigureSubject alone = subject_of_panes(60);
+  alone.panes.clear();
+  test.desk.begin(std::move(alone));
+  CHECK_FALSE(test.desk.has_panes());
+  test.desk.want(settings, {}, 400);
+  test.until_written();
+  CHECK(*test.desk.bytes() == one);
+}
+
+TEST_CASE("what only some of the panes have is marked where that is wanted") {
+  Desk test;
+  test.desk.begin(subject_of_panes(60));
+  FigureSettings settings{.extension = ".svg", .width_mm = 254.0, .with_source = false};
+  test.desk.want(settings, {}, 100);
+  test.until_written();
+  CHECK(test.desk.bytes()->find("only-here") == std::string::npos);
+  settings.with_differences = true;
+  test.desk.want(settings, {}, 100);
+  test.until_written();
+  for (const std::string pane : {"pane-a-", "pane-b-"})
+    CHECK(occurrences(group_of(*test.desk.bytes(), pane + "points-only-here"), "<circle") == 1);
+}
+
+TEST_CASE("a layer of all panes becomes a picture in each of them") {
+  Desk test;
+  test.desk.begin(subject_of_panes(60));
+  test.desk.want({.extension = ".svg", .with_source = false}, {"points"}, 100);
+  test.until_written();
+  REQUIRE(test.desk.preview()->layers.size() == 1);
+  CHECK(test.desk.preview()->layers[0].is_picture);
+  CHECK(occurrences(*test.desk.bytes(), "<image") == 2);
+}
+
+TEST_CASE("panes that a page has no room for are refused, and panes of nothing are empty") {
+  Desk test;
+  test.desk.begin(subject_of_panes(60));
+  test.desk.want({.extension = ".svg", .width_mm = 5.0}, {}, 100);
+  test.until_written();
+  REQUIRE(test.desk.problem());
+  CHECK(test.desk.problem()->code == ErrorCode::usage);
+  CHECK(test.desk.problem()->text == "the picture is too small for 2 panes");
+  FigureSubject nothing = subject_of(circle(0));
+  const auto data = std::make_shared<const SampleData>();
+  nothing.panes = {{"a", nothing.shown, nothing.settings, data}, {"b", nothing.shown, nothing.settings, data}};
+  test.desk.begin(std::move(nothing));
+  test.desk.want({.extension = ".pdf", .extent = FigureExtent::everything, .with_differences = true}, {}, 100);
+  test.until_written();
+  CHECK_FALSE(test.desk.problem());
+  CHECK(test.desk.bytes() != nullptr);
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Panes beside the main one: what they ask the engine for, where they lie, and the pointer in them.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "app/canvas/canvas.h"
 #include "app/model/engine_demand.h"
 #include "app/model/pane_list.h"
 #include "app/model/pane_places.h"
+#include "app/picture/pane_sheet.h"
+#include "app/store/sample_shapes.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/variant.h"
 
@@ -214,4 +217,43 @@ TEST_CASE("whichever pane the pointer is in, tools meet the plane as in the main
   bench.canvas.set_panes({});
   bench.canvas.move({502, 150}, {});
   CHECK(bench.canvas.pointer_px() == Vec2{502, 150});
+}
+
+TEST_CASE("each pane is called by what it shows, the main one by what the first beside it has otherwise") {
+  ComputationSettings settings;
+  settings[Parameter::a_scale] = 1.25;
+  const MainPane main{settings, FamilyKind::polar, "Crust"};
+  PaneList list;
+  list.add(Precision::exact);
+  CHECK(words_of(list, main) == std::vector<std::string>{words_of(settings.precision), "Exact"});
+  list.change(0, ParameterChoice{Parameter::a_scale, 1.5});
+  list.add(FamilyKind::inner);
+  CHECK(words_of(list, main) ==
+        std::vector<std::string>{"Inner balls: scale 1.25", "Inner balls: scale 1.5", words_of(FamilyKind::inner)});
+  list.close(0);
+  CHECK(words_of(list, main).front() == words_of(FamilyKind::polar));
+  list.change(0, Bundle{.name = "Axis"});
+  CHECK(words_of(list, main) == std::vector<std::string>{"Crust", "Axis"});
+  CHECK(words_of(list, {settings, FamilyKind::polar, {}}).front() == "Layers of the list");
+}
+
+TEST_CASE("a sheet has each picture in its place, with nothing between them") {
+  const auto fonts = PaperFonts::read(find_assets({}));
+  REQUIRE(fonts);
+  PaneSheet sheet{.scale = 2.0, .background = Rgb{255, 255, 255}, .grid = lay_out_panes_of(40, 30, 3, 2, 2.0)};
+  CHECK(sheet.grid.rows == 2);
+  CHECK(sheet.grid.extent() == Vec2{40 + 32 + 40, 2 * (30 + 60) + 32});
+  sheet.width = 112;
+  sheet.height = 212;
+  sheet.labels = {"", "", ""};
+  std::vector<render::Image> pictures;
+  for (const std::uint8_t shade : std::array<std::uint8_t, 3>{50, 100, 150})
+    pictures.push_back({40, 30, std::vector<std::uint8_t>(4 * 40 * 30, shade)});
+  const render::Image image = sheet.with(pictures, *fonts);
+  const auto at = [&](int x, int y) { return image.rgba[image.offset(x, y)]; };
+  CHECK(at(20, 15) == 50);
+  CHECK(at(72 + 20, 15) == 100);
+  CHECK(at(20, 122 + 15) == 150);
+  CHECK(at(56, 15) == 255);
+  CHECK(at(72 + 20, 122 + 15) == 255);
 }

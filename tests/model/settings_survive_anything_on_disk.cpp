@@ -51,7 +51,8 @@ TEST_CASE("what is saved is loaded") {
                      .transparent = true,
                      .background = Rgb{255, 0, 9},
                      .fps = 24.0,
-                     .real_time = true};
+                     .real_time = true,
+                     .all_panes = false};
   remember_file(settings, "/tmp/a.poff");
   remember_file(settings, "/tmp/b.poff");
   remember_file(settings, "/tmp/a.poff");

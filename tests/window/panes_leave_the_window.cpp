@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Snapshots and figures of the window show all panes, or the main one.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> snapshots(const TemporaryFolder& folder) {
+  std::vector<fs::path> out;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder / "mesecina", error))
+    if (entry.path().extension() == ".png" && fs::file_size(entry.path(), error) > 0) out.push_back(entry.path());
+  return out;
+}
+
+bool is_ink(Color color) {
+  return color.r < 100 && color.g < 100 && color.b < 100;
+}
+
+/// Dark pixels in a part of a picture.
+int ink_in(const Screenshot& picture, const PixelBox& box) {
+  int out = 0;
+  for (int y = box.top; y < box.bottom; ++y)
+    for (int x = box.left; x < box.right; ++x) out += is_ink(picture.at(x, y)) ? 1 : 0;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a snapshot and a figure of two panes show both, each with its letter") {
+  DrivenProgram window;
+  const TemporaryFolder& folder = window.folder;
+  std::ofstream(folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+  window.start("house.poff", {{"HOME", folder.path().string()}});
+  static_cast<void>(window.drawn());
+  window.press("Tab");
+  window.press("F6");
+  window.press("f");
+  static_cast<void>(window.screen.settled());
+  window.press("F3");
+  REQUIRE(eventually([&] { return snapshots(folder).size() == 1; }));
+  Screenshot picture{0, 0, {}};
+  REQUIRE(eventually([&] {
+    picture = read_picture(snapshots(folder).front());
+    return !picture.is_empty();
+  }));
+  // Two panes of 639 pixels, 16 between them, and labels of 30 below.
+  REQUIRE(picture.width() == 2 * 639 + 16);
+  REQUIRE(picture.height() > 700);
+  const int height = picture.height() - 30;
+  const int left = ink_in(picture, {5, 5, 634, height - 5});
+  CHECK(left > 50);
+  // The exact crust of these is the rounded one.
+  CHECK(ink_in(picture, {655 + 5, 5, 655 + 634, height - 5}) == left);
+  CHECK(ink_in(picture, {642, 0, 653, height}) == 0);
+  CHECK(ink_in(picture, {200, height + 3, 440, picture.height()}) > 20);
+  CHECK(ink_in(picture, {855, height + 3, 1095, picture.height()}) > 20);
+
+  window.press("ctrl+e");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  CHECK(eventually([&] { return bytes_of(folder / "house.pdf").starts_with("%PDF-1.5"); }));
+  const std::string words = output_of("pdftotext '" + (folder / "house.pdf").string() + "' -");
+  CHECK(words.find("(a) Fast") != std::string::npos);
+  CHECK(words.find("(b) Exact") != std::string::npos);
+
+  window.press("shift+F6");
+  static_cast<void>(window.screen.settled());
+  window.press("F3");
+  REQUIRE(eventually([&] { return snapshots(folder).size() == 2; }));
+  CHECK(eventually([&] {
+    for (const fs::path& file : snapshots(folder))
+      if (read_picture(file).width() == 1280) return true;
+    return false;
+  }));
+}
