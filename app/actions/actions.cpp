@@ -140,9 +140,9 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::put_marks_back, "put-marks-back", "Put legend and scale bar back",
      "Give the legend and the scale bar, where they were dragged, their own places again"},
     {Id::add_pane, "add-pane", "Add a pane",
-     "Show the same view once more beside it, with another number type, parameter, family of balls or bundle; four "
-     "at "
-     "most",
+     "Show the same view once more beside it, with another number type, parameter, family of balls, bundle or "
+     "version "
+     "of the document; four at most",
      "F6"},
     {Id::close_panes, "close-panes", "Close panes", "Show the main pane alone again", "Shift+F6"},
     {Id::toggle_evolution, "toggle-evolution", "Evolution",

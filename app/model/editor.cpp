@@ -308,6 +308,12 @@ std::optional<Document> Editor::resume_evolution() {
   return before;
 }
 
+Document Editor::before_last_edit() const {
+  Document before = document_;
+  for (const DocumentDelta& back : history_.way_before_last_edit()) before.apply(back);
+  return before;
+}
+
 void Editor::cancel_gesture() {
   if (!in_gesture()) return;
   const std::size_t before = history_.position();

@@ -147,6 +147,13 @@ class Editor {
   void cancel_gesture();
   bool in_gesture() const { return history_.in_gesture(); }
 
+  /// The document before the last edit, a gesture under way included; the present one when there is none. O(n).
+  Document before_last_edit() const;
+  /// Its revision.
+  std::uint64_t revision_before_last_edit() const {
+    return history_.revision_before_last_edit().value_or(document_.revision());
+  }
+
   bool can_undo() const { return history_.can_undo(); }
   bool can_redo() const { return history_.can_redo(); }
   std::string undo_name() const { return history_.undo_name(); }

@@ -17,20 +17,28 @@ bool EngineDemand::waits_for_room(Engine& engine, const State& now) {
 EngineDemand::Asked EngineDemand::asked_of(const Wanted& wanted) {
   const bool has_panes = !wanted.panes.is_empty();
   return {wanted.layers.demand_revision(), wanted.panes.revision(),
-          has_panes ? std::optional(wanted.settings) : std::nullopt};
+          has_panes ? std::optional(wanted.settings) : std::nullopt,
+          has_panes ? std::optional(wanted.evolution) : std::nullopt};
 }
 
-bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_lost) {
+bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents) {
   const std::uint64_t demand = wanted.layers.demand_revision() + wanted.panes.revision();
   if (picture_is_lost && waits_for_room(engine, {demand, wanted.document_revision})) return false;
   const bool is_news = !is_told(wanted) || asks_for_nothing_;
   if (is_news || (!wanted.panes.is_empty() && styled_ != wanted.layers.revision()))
-    shown_ = shown_panes(wanted.panes, wanted.layers, wanted.settings);
+    shown_ = shown_panes(wanted.panes, wanted.layers, wanted.settings, wanted.evolution);
   styled_ = wanted.layers.revision();
+  VariantStep beside;
+  if (documents != nullptr) {
+    documents->follow(shown_.versions);
+    beside.deltas = documents->take_deltas();
+  }
+  if (is_news) beside.variants = shown_.variants;
+  if (is_news || !beside.deltas.empty())
+    engine.post({.deltas = {}, .settings = wanted.settings, .demand = shown_.demand, .beside = std::move(beside)});
   if (!is_news) return false;
   asks_for_nothing_ = false;
   seen_ = asked_of(wanted);
-  engine.post({.deltas = {}, .settings = wanted.settings, .demand = shown_.demand, .beside = {shown_.variants, {}}});
   return true;
 }
 

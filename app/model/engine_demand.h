@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/model/layer_stack.h"
+#include "app/model/pane_documents.h"
 #include "app/model/pane_list.h"
 #include "core/engine/engine.h"
 
@@ -23,20 +24,22 @@ class EngineDemand {
     const PaneList& panes;
     const ComputationSettings& settings;
     std::uint64_t document_revision = 0;
+    PaneEvolution evolution{};
   };
-  /// Once a frame. True when the engine was asked for other layers.
-  bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost);
+  /// Once a frame. True when the engine was asked for other layers. What is new in the documents of panes goes to it too.
+  bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents = nullptr);
   /// The engine has been asked for what is visible now.
   bool is_told(const Wanted& wanted) const { return seen_ == asked_of(wanted); }
   /// What the panes beside the main one show, as the engine was asked last and styles are now.
   const ShownPanes& shown() const { return shown_; }
 
  private:
-  /// What the demand depends on. Settings only count while panes differ from them.
+  /// What the demand depends on. Settings and evolution only count while there are panes.
   struct Asked {
     std::uint64_t layers = 0;
     std::uint64_t panes = 0;
     std::optional<ComputationSettings> settings;
+    std::optional<PaneEvolution> evolution;
     friend bool operator==(const Asked&, const Asked&) = default;
   };
   using State = std::pair<std::uint64_t, std::uint64_t>;

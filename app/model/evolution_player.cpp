@@ -22,6 +22,16 @@ std::uint64_t EvolutionPlayer::position() const {
   return editor_.document().revision() == shown_revision_ ? shown_ : 0;
 }
 
+EvolutionState EvolutionPlayer::beginning() const {
+  return position() == 0 ? state_of(editor_.document()) : beginning_;
+}
+
+double EvolutionPlayer::first_value() const {
+  const ParameterMove* move = evolution().moved_parameter();
+  if (move == nullptr) return 0.0;
+  return position() == 0 ? settings_.value(move->parameter) : moved_.before;
+}
+
 std::optional<double> EvolutionPlayer::parameter_value() const {
   const ParameterMove* move = evolution().moved_parameter();
   return move == nullptr ? std::nullopt : std::optional(settings_.value(move->parameter));

@@ -56,6 +56,13 @@ class EvolutionPlayer {
 
   /// State that the document, or the parameter, is in.
   std::uint64_t position() const;
+  /// State 0: of the document, and the revision that the document had in it. O(n).
+  EvolutionState beginning() const;
+  std::uint64_t beginning_revision() const {
+    return position() == 0 ? editor_.document().revision() : beginning_revision_;
+  }
+  /// State 0 of the parameter moved; 0 where samples move.
+  double first_value() const;
   /// Of the parameter moved; nothing where samples move.
   std::optional<double> parameter_value() const;
   /// State that is being computed, or else `position`.

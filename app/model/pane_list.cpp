@@ -17,13 +17,26 @@ struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 
-/// The settings of a pane; nothing where it has those of the main one.
-std::optional<ComputationSettings> own_settings(const PaneChoice& choice, const ComputationSettings& main) {
+/// The settings of a pane.
+ComputationSettings settings_of(const PaneChoice& choice, const ComputationSettings& main,
+                                const PaneEvolution& evolution) {
   ComputationSettings out = main;
   if (const Precision* const precision = std::get_if<Precision>(&choice)) out.precision = *precision;
   if (const auto* const parameter = std::get_if<ParameterChoice>(&choice))
     out[parameter->parameter] = parameter->value;
-  return out == main ? std::nullopt : std::optional(out);
+  const ParameterMove* const move = evolutions()[evolution.choice.evolution].moved_parameter();
+  if (const auto* const evolved = std::get_if<EvolvedChoice>(&choice); evolved != nullptr && move != nullptr)
+    out[move->parameter] =
+        moved_value(*move, evolution.first, evolved->step, evolution.choice.values).value_or(main[move->parameter]);
+  return out;
+}
+
+/// The version of the document that a pane shows; nothing: that of the main one.
+std::optional<VersionChoice> version_of(const PaneChoice& choice, const PaneEvolution& evolution) {
+  if (const auto* const before = std::get_if<BeforeLastEdit>(&choice)) return *before;
+  const auto* const evolved = std::get_if<EvolvedChoice>(&choice);
+  const bool moves_samples = evolutions()[evolution.choice.evolution].moved_parameter() == nullptr;
+  return evolved != nullptr && moves_samples ? std::optional<VersionChoice>(*evolved) : std::nullopt;
 }
 
 /// The visible layers of a configuration, as a stack that has it shows them.
@@ -57,7 +70,9 @@ std::string words_of(const PaneChoice& choice) {
                                                     parameter.value);
                                },
                                [](FamilyKind family) { return std::string(title_of(group_of(family))); },
-                               [](const Bundle& bundle) { return bundle.name; }},
+                               [](const Bundle& bundle) { return bundle.name; },
+                               [](const EvolvedChoice& evolved) { return fmt::format("Step {}", evolved.step); },
+                               [](const BeforeLastEdit&) { return std::string("Before the last edit"); }},
                     choice);
 }
 
@@ -95,7 +110,9 @@ std::vector<std::string> words_of(const PaneList& list, const MainPane& main) {
                               return words_of(ParameterChoice{other.parameter, main.settings[other.parameter]});
                             },
                             [&](FamilyKind) { return words_of(main.family); },
-                            [&](const Bundle&) { return main.bundle.empty() ? "Layers of the list" : main.bundle; }},
+                            [&](const Bundle&) { return main.bundle.empty() ? "Layers of the list" : main.bundle; },
+                            [&](const EvolvedChoice&) { return words_of(EvolvedChoice{main.step}); },
+                            [](const BeforeLastEdit&) { return std::string("Now"); }},
                  list.panes().front()));
   for (const PaneChoice& choice : list.panes()) out.push_back(words_of(choice));
   return out;
@@ -110,19 +127,27 @@ PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings
   return settings.precision;
 }
 
-ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings) {
+ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings,
+                       const PaneEvolution& evolution) {
   ShownPanes out;
   out.demand = layers.visible_layers();
   for (const PaneChoice& choice : list.panes()) {
     VariantIndex variant = kMainVariant;
-    if (const auto own = own_settings(choice, settings)) {
-      const auto found = std::ranges::find(out.variants, *own, &VariantRequest::settings);
-      variant = static_cast<VariantIndex>(found - out.variants.begin()) + 1;
-      if (found == out.variants.end()) out.variants.push_back({.settings = *own, .has_document = false});
+    const ComputationSettings own = settings_of(choice, settings, evolution);
+    const std::optional<VersionChoice> version = version_of(choice, evolution);
+    if (own != settings || version) {
+      std::size_t found = 0;
+      while (found < out.variants.size() && (out.variants[found].settings != own || out.versions[found] != version))
+        ++found;
+      variant = static_cast<VariantIndex>(found) + 1;
+      if (found == out.variants.size()) {
+        out.variants.push_back({.settings = own, .has_document = version.has_value()});
+        out.versions.push_back(version);
+      }
     }
     ShownPanes::Layers shown = layers_of(choice, layers);
     for (auto& [layer, style] : shown) {
-      layer = layer_in(variant, false, layer);
+      layer = layer_in(variant, version.has_value(), layer);
       out.demand.push_back(layer);
     }
     out.panes.push_back(std::move(shown));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Panes beside the main one, each of which shows the document otherwise: with another number type, another value of a
-// parameter, the union of other balls, or a bundle.
+// parameter, the union of other balls, a bundle, in a state of an evolution, or as it was before the last edit.
 //
 // All panes show one view: the same part of the plane, at the same scale. What they show is computed by the one engine
 // as variants (core/draw/variant.h), so an edit shows in all at once, and what they share is computed once.
@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,6 +28,7 @@
 #include "core/document/computation_settings.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
+#include "core/evolutions/evolution.h"
 
 namespace mes {
 
@@ -36,10 +38,23 @@ struct ParameterChoice {
   friend bool operator==(const ParameterChoice&, const ParameterChoice&) = default;
 };
 
-/// What a pane shows otherwise than the main one.
-using PaneChoice = std::variant<Precision, ParameterChoice, FamilyKind, Bundle>;
+/// State `step` of the evolution of the window.
+struct EvolvedChoice {
+  std::uint64_t step = 0;
+  friend bool operator==(const EvolvedChoice&, const EvolvedChoice&) = default;
+};
+/// A gesture under way is the last edit.
+struct BeforeLastEdit {
+  friend bool operator==(const BeforeLastEdit&, const BeforeLastEdit&) = default;
+};
+/// A document of its own.
+using VersionChoice = std::variant<EvolvedChoice, BeforeLastEdit>;
 
-/// As in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle.
+/// What a pane shows otherwise than the main one.
+using PaneChoice = std::variant<Precision, ParameterChoice, FamilyKind, Bundle, EvolvedChoice, BeforeLastEdit>;
+
+/// As in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle, "Step 10", "Before the
+/// last edit".
 std::string words_of(const PaneChoice& choice);
 
 /// What grows with each change is `revision`.
@@ -67,7 +82,8 @@ class PaneList {
 struct MainPane {
   const ComputationSettings& settings;
   FamilyKind family{};
-  std::string bundle{};  ///< that is shown as it was saved; empty: none
+  std::string bundle{};    ///< that is shown as it was saved; empty: none
+  std::uint64_t step = 0;  ///< of the evolution, that the document is in
 };
 /// What each pane is about, the main one first: of that, what the first of the list has otherwise.
 std::vector<std::string> words_of(const PaneList& list, const MainPane& main);
@@ -75,16 +91,26 @@ std::vector<std::string> words_of(const PaneList& list, const MainPane& main);
 /// A choice that the list does not have yet: a number type that is not in use.
 PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings);
 
+/// The evolution of the window.
+struct PaneEvolution {
+  EvolutionChoice choice{};
+  double first = 0.0;  ///< in state 0, of the parameter that it moves, if it moves one
+  friend bool operator==(const PaneEvolution&, const PaneEvolution&) = default;
+};
+
 /// What the list comes to, with layers by their numbers in all variants.
 struct ShownPanes {
   using Layers = std::vector<std::pair<LayerIndex, LayerStyle>>;  ///< bottom first
   std::vector<VariantRequest> variants;
-  std::vector<Layers> panes;          ///< beside the main one
-  std::vector<VariantIndex> variant;  ///< of each of these
-  std::vector<LayerIndex> demand;     ///< of all panes, the main one too
+  std::vector<std::optional<VersionChoice>> versions;  ///< of the variants that have documents of their own
+  std::vector<Layers> panes;                           ///< beside the main one
+  std::vector<VariantIndex> variant;                   ///< of each of these
+  std::vector<LayerIndex> demand;                      ///< of all panes, the main one too
 };
 /// Those of the main pane.
 ShownPanes::Layers visible_layers(const LayerStack& layers);
-ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings);
+/// A state in which a parameter would leave its range is shown as the main pane is.
+ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings,
+                       const PaneEvolution& evolution = {});
 
 }  // namespace mes

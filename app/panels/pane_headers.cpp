@@ -52,6 +52,7 @@ void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
     if (ImGui::SmallButton(text.c_str())) ImGui::OpenPopup("pane");
     tooltip(gui, "Choose what this pane shows otherwise than the main one");
     draw_value(pane - 1);
+    draw_step(pane - 1);
     if (begin_popup(gui, "pane")) {
       draw_menu(pane - 1);
       ImGui::EndPopup();
@@ -71,6 +72,17 @@ void PaneHeaders::draw_value(std::size_t pane) const {
   if (slider(gui, "##value", value, descriptor.low, descriptor.high,
              {.is_logarithmic = is_wide, .is_whole = descriptor.is_whole, .width = 230 * gui.unit()}))
     panes.change(pane, ParameterChoice{chosen->parameter, value});
+}
+
+// A slider for the state of the evolution.
+void PaneHeaders::draw_step(std::size_t pane) const {
+  const auto* const chosen = std::get_if<EvolvedChoice>(&panes.panes()[pane]);
+  if (chosen == nullptr) return;
+  auto step = static_cast<double>(chosen->step);
+  const auto end = static_cast<double>(std::max(evolution.end(), chosen->step));
+  if (slider(gui, "##step", step, 0.0, end, {.is_whole = true, .width = 230 * gui.unit()}))
+    panes.change(pane, EvolvedChoice{static_cast<std::uint64_t>(step)});
+  tooltip(gui, "Step of the evolution \"" + std::string(evolution.descriptor().name) + "\"");
 }
 
 void PaneHeaders::draw_menu(std::size_t pane) const {
@@ -101,6 +113,15 @@ void PaneHeaders::draw_menu(std::size_t pane) const {
   }
   if (ImGui::BeginMenu("Bundle", !bundles.bundles().empty())) {
     for (const Bundle& bundle : bundles.bundles()) item(bundle.name, bundle, bundle.description);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Document")) {
+    item(words_of(BeforeLastEdit{}), BeforeLastEdit{}, "The document as it was before the last step of undo");
+    const bool is_evolved = std::holds_alternative<EvolvedChoice>(now);
+    for (const std::uint64_t step : {0U, 1U, 10U, 50U, 100U})
+      item(fmt::format("{}, step {}", evolution.descriptor().name, step), EvolvedChoice{step},
+           "This state of the evolution that is chosen in the window, of the document as it is");
+    if (is_evolved) ImGui::TextDisabled("Other steps: the slider beside the menu");
     ImGui::EndMenu();
   }
   ImGui::Separator();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
+#include "app/model/evolution_player.h"
 #include "app/model/pane_list.h"
 #include "app/model/pane_places.h"
 #include "app/store/bundle_desk.h"
@@ -21,7 +22,8 @@ struct PaneHeaders {
   const BundleDesk& bundles;
   const ComputationSettings& settings;
   const std::vector<std::string>& words;  ///< of each pane, the main one first
-  double pixel_ratio = 1.0;               ///< framebuffer pixels per unit of screen coordinates
+  const EvolutionPlayer& evolution;
+  double pixel_ratio = 1.0;  ///< framebuffer pixels per unit of screen coordinates
 
   /// Nothing while there is only the main pane.
   void draw(const PanePlaces& places) const;
@@ -30,6 +32,7 @@ struct PaneHeaders {
   void draw_header(std::size_t pane, const PanePlace& place) const;
   void draw_menu(std::size_t pane) const;
   void draw_value(std::size_t pane) const;
+  void draw_step(std::size_t pane) const;
 };
 
 }  // namespace mes

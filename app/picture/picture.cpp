@@ -224,12 +224,15 @@ render::Camera camera_of_panes(const render::Camera& window, const PanePlaces& p
 
 }  // namespace
 
-void Picture::choose_views(const ShownState& shown, const Editor& editor) {
+void Picture::choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes) {
+  const render::Camera camera = camera_of_panes(shown.camera, shown.places);
   views_.clear();
   views_.push_back(views_of(shown.layers, 1));
-  for (const ShownPanes::Layers& pane : shown.panes) views_.push_back(views_of(pane, 1));
-  const render::Camera camera = camera_of_panes(shown.camera, shown.places);
-  for (std::vector<render::LayerView>& views : views_) add_texts(views, editor, camera, shown.content_scale);
+  add_texts(views_.back(), editor, nullptr, camera, shown.content_scale);
+  for (std::size_t i = 0; i < shown.panes.size(); ++i) {
+    views_.push_back(views_of(shown.panes[i], 1));
+    add_texts(views_.back(), editor, panes[i].version, camera, shown.content_scale);
+  }
 }
 
 void Picture::paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options) {
@@ -244,6 +247,7 @@ void Picture::paint(const ShownState& shown, std::uint32_t every, const render::
       where.left = places[i].left;
       where.bottom = shown.camera.height() - places[i].top - places[i].height;
     }
+    where.overlays = where.overlays && (i == 0 || !shown.versions[i - 1]);
     scene_.draw(camera, views_[i], where);
     is_coarse_ = is_coarse_ || scene_.is_coarse();
   }
@@ -256,18 +260,18 @@ std::vector<render::LayerView> Picture::views_of(const ShownPanes::Layers& layer
 }
 
 // Texts are of the document, and go before what the engine has still to compute.
-void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& editor, const render::Camera& camera,
-                        double content_scale) const {
-  mes::add_texts(views, {editor.document(), &editor.index()},
+void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
+                        const render::Camera& camera, double content_scale) const {
+  mes::add_texts(views, version != nullptr ? TextSource{*version} : TextSource{editor.document(), &editor.index()},
                  {camera.visible(), camera.units_per_pixel() * content_scale}, letters_ ? &*letters_ : nullptr);
 }
 
-Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera,
-                                const ShownPanes::Layers& layers, const Editor& editor,
-                                const render::CaptureOptions& options) {
+Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
+                                const Editor& editor, render::CaptureOptions options) {
   const double units = camera.units_per_pixel() * options.content_scale;
-  std::vector<render::LayerView> views = views_of(as_drawn(layers, options.background, units), 1);
-  add_texts(views, editor, camera, options.content_scale);
+  std::vector<render::LayerView> views = views_of(as_drawn(pane.layers, options.background, units), 1);
+  add_texts(views, editor, pane.version, camera, options.content_scale);
+  options.overlays = options.overlays && pane.version == nullptr;
   return capture.draw(scene_, camera, views, options);
 }
 
@@ -276,7 +280,7 @@ std::vector<LegendEntry> Picture::legend(const ShownPanes::Layers& layers, Legen
 }
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
-                   bool is_kept, const PanePlaces& places, std::span<const ShownPanes::Layers> panes) {
+                   bool is_kept, const PanePlaces& places, std::span<const Pane> panes) {
   draw_moved(editor);
   mark_selection(editor);
   measure_spacing(editor);
@@ -285,9 +289,13 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
                  patches_, background_revision_,
                  marked_,  as_drawn(visible_layers(layers), canvas_, units_per_px),
                  is_kept,  places,
-                 {}};
-  if (!places.is_empty())
-    for (const ShownPanes::Layers& pane : panes) now.panes.push_back(as_drawn(pane, canvas_, units_per_px));
+                 {},       {}};
+  if (!places.is_empty()) {
+    for (const Pane& pane : panes) {
+      now.panes.push_back(as_drawn(pane.layers, canvas_, units_per_px));
+      now.versions.push_back(pane.version != nullptr ? std::optional(pane.version->revision()) : std::nullopt);
+    }
+  }
   const bool is_same = now == shown_;
   if (is_same && !is_refining()) {
     kept_.show(camera.width(), camera.height());
@@ -302,7 +310,7 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
                               : is_same   ? detail_.every()
                                           : detail_.begin_changed(largest_painted_layer(camera, layers));
   const auto start = std::chrono::steady_clock::now();
-  if (!is_same) choose_views(now, editor);
+  if (!is_same) choose_views(now, editor, panes);
   device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
   paint(now, every, {.content_scale = content_scale, .preview = preview});
   // Only then is it known what it cost. Nothing else is left to do in this frame.

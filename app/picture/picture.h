@@ -61,15 +61,20 @@ class Picture {
   /// Draws the canvas, which fills the window. Very many instances are only a preview (`render::Preview`) unless the
   /// picture is kept in a file, and a coarse one while the view moves.
   ///
+  /// A pane beside the main one.
+  struct Pane {
+    const ShownPanes::Layers& layers;
+    const Document* version =
+        nullptr;  ///< that it shows; null: that of the main pane, with the marks of its selection
+  };
   /// With places of several panes, the main one shows the layers, and those beside it, in their order, what `panes` has
   /// for each.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
-            bool is_kept, const PanePlaces& places = {}, std::span<const ShownPanes::Layers> panes = {});
+            bool is_kept, const PanePlaces& places = {}, std::span<const Pane> panes = {});
 
   /// Captures layers as they are now, in full detail, with the marks of the selection as last drawn, without panels.
-  Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera,
-                         const ShownPanes::Layers& layers, const Editor& editor,
-                         const render::CaptureOptions& options);
+  Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
+                         const Editor& editor, render::CaptureOptions options);
   render::GlDevice& device() { return device_; }
   /// The legend of these layers.
   std::vector<LegendEntry> legend(const ShownPanes::Layers& layers, LegendScope scope) const;
@@ -118,17 +123,18 @@ class Picture {
     bool is_kept = false;
     PanePlaces places;
     std::vector<ShownPanes::Layers> panes;
+    std::vector<std::optional<std::uint64_t>> versions;  // revisions of the documents of panes that have their own
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
   /// A logical pixel is so many units of the document wide.
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                               double units_per_px) const;
-  void choose_views(const ShownState& shown, const Editor& editor);
+  void choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes);
   void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
-  void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const render::Camera& camera,
-                 double content_scale) const;
+  void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
+                 const render::Camera& camera, double content_scale) const;
   void measure_spacing(const Editor& editor);
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);

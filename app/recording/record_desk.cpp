@@ -215,15 +215,20 @@ void RecordDesk::ask_sheet(const Drawn& drawn) {
   sheet.labels = drawn.panes.labels;
   const FrameView view = frame_view(drawn.camera, {main.left, main.top, main.width, main.height}, drawn.content_scale,
                                     {.width = sheet.pane_width(), .height = sheet.pane_height()});
-  std::vector<ShownPanes::Layers> panes(drawn.panes.beside.begin(), drawn.panes.beside.end());
-  panes.insert(panes.begin(), visible_layers(drawn.layers));
-  const bool is_explained_once = are_alike(panes);
+  const ShownPanes::Layers main_layers = visible_layers(drawn.layers);
+  std::vector<Picture::Pane> panes{{main_layers}};
+  std::vector<ShownPanes::Layers> layers{main_layers};
+  for (const Picture::Pane& pane : drawn.panes.beside) {
+    panes.push_back(pane);
+    layers.push_back(pane.layers);
+  }
+  const bool is_explained_once = are_alike(layers);
   for (std::size_t i = 0; i < panes.size(); ++i) {
     ScaleMarks marks = drawn.state.marks;
     marks.bar = marks.bar && i == 0;
     const LegendScope legend = i == 0 || !is_explained_once ? drawn.state.legend : LegendScope::none;
     PictureOverlay overlay =
-        picture_overlay_of({picture_.legend(panes[i], legend),
+        picture_overlay_of({picture_.legend(layers[i], legend),
                             i == 0 ? drawn.state.caption : std::string(),
                             marks,
                             drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
@@ -263,8 +268,8 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
   }
   const render::CaptureOptions options{
       .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
-  if (const auto done = picture_.capture(capture_, view.camera, visible_layers(drawn.layers), drawn.editor, options);
-      !done) {
+  const ShownPanes::Layers layers = visible_layers(drawn.layers);
+  if (const auto done = picture_.capture(capture_, view.camera, {layers}, drawn.editor, options); !done) {
     messages_.problem(done.error().message());
     return std::nullopt;
   }

@@ -66,7 +66,7 @@ class RecordDesk {
   /// What is shown beside the main pane.
   struct DrawnPanes {
     const PanePlaces& places;  ///< empty: there is only that one
-    std::span<const ShownPanes::Layers> beside;
+    std::vector<Picture::Pane> beside{};
     std::vector<std::string> labels;  ///< of all, as on the sheet
   };
   struct Drawn {

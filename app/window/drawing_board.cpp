@@ -157,10 +157,20 @@ void DrawingBoard::draw(const Frame& frame) {
   const std::uint32_t share = picture_.every();
   screen_.times.begin_drawing();
   picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept,
-                canvas_.panes(), work_.shown_panes().panes);
+                canvas_.panes(), panes_beside());
   screen_.times.end_drawing();
   // The status bar shows the share, and was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
+}
+
+std::vector<Picture::Pane> DrawingBoard::panes_beside() const {
+  std::vector<Picture::Pane> out;
+  const ShownPanes& shown = work_.shown_panes();
+  for (std::size_t i = 0; i < shown.panes.size(); ++i) {
+    const Document& document = work_.document_of_pane(i);
+    out.push_back({shown.panes[i], &document != &work_.document() ? &document : nullptr});
+  }
+  return out;
 }
 
 void DrawingBoard::draw_pointer(const Frame& frame) {

@@ -43,6 +43,8 @@ class DrawingBoard {
 
   /// Nothing moves the view, and nothing is going to.
   bool is_at_rest() const;
+  /// What is shown beside the main pane.
+  std::vector<Picture::Pane> panes_beside() const;
   /// Takes what the engine has finished.
   void take_results();
   /// Another document was read: what it lacks is said anew.

@@ -77,6 +77,7 @@ std::vector<PaneRequest> FigureFlow::panes_of(const FigureSubject& subject) cons
   const ShownPanes& shown = work.shown_panes();
   for (std::size_t i = 0; i < shown.panes.size(); ++i) {
     PaneRequest pane{words[i + 1], subject.shown, work.settings_of_pane(i), data};
+    if (auto own = work.data_of_pane(i)) pane.data = std::move(own);
     pane.shown.layers.clear();
     for (const auto& [layer, style] : shown.panes[i]) {
       pane.shown.layers.push_back(plain_layer(layer));

@@ -80,7 +80,7 @@ RecordDesk::Drawn LiveRecording::drawn() const {
   return {view.camera(),
           view.insets(),
           uses_.work.layers(),
-          {uses_.board.canvas().panes(), uses_.work.shown_panes().panes, labels_of_panes()},
+          {uses_.board.canvas().panes(), uses_.board.panes_beside(), labels_of_panes()},
           uses_.work.editor(),
           uses_.screen.gui.drawing_scale(),
           shown_state(),

@@ -331,6 +331,7 @@ void Panels::divide(Sides& sides) {
               uses_.work.bundles(),
               uses_.work.computation().settings(),
               words,
+              uses_.work.evolution(),
               ratio}
       .draw(places);
   sides = {on_screen(main.left), on_screen(main.top), on_screen(size.width - main.left - main.width),

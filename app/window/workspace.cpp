@@ -18,7 +18,8 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       evolution_(editor_,
                  {[this](Parameter parameter) { return computation_.settings()[parameter]; },
                   [this](Parameter parameter, double value) { computation_.set(parameter, value); }},
-                 wake) {
+                 wake),
+      pane_documents_(editor_, evolution_, wake) {
   if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);
 }
 
@@ -93,20 +94,22 @@ void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
   evolution_.follow(shown_document == document().revision() && !engine_.status().busy, now);
   if (evolution_.take_restart()) messages_.remark("Evolution restarted from here: the samples were edited");
   if (const auto problem = evolution_.take_problem()) messages_.problem(problem->message());
+  if (const auto problem = pane_documents_.take_problem())
+    messages_.problem("A pane cannot show its version of the document: " + problem->message());
 }
 
 bool Workspace::follow_layers(bool picture_is_lost) {
   first_ball_.follow(editor_, layers_);
   follow_family();
   bundles_.follow_layers();
-  return demand_.follow(engine_, wanted(), picture_is_lost);
+  return demand_.follow(engine_, wanted(), picture_is_lost, &pane_documents_);
 }
 
 std::vector<std::string> Workspace::words_of_panes() const {
   const auto current = bundles_.current();
   const bool is_bundle = current && !bundles_.is_changed();
-  return words_of(panes_,
-                  {computation_.settings(), family(), is_bundle ? bundles_.bundles()[*current].name : std::string()});
+  return words_of(panes_, {computation_.settings(), family(),
+                           is_bundle ? bundles_.bundles()[*current].name : std::string(), evolution_.position()});
 }
 
 const ComputationSettings& Workspace::settings_of_pane(std::size_t pane) const {
@@ -114,9 +117,18 @@ const ComputationSettings& Workspace::settings_of_pane(std::size_t pane) const {
   return variant == kMainVariant ? computation_.settings() : shown_panes().variants[variant - 1].settings;
 }
 
+const Document& Workspace::document_of_pane(std::size_t pane) const {
+  const Document* const own = pane_documents_.document_of(shown_panes().variant[pane]);
+  return own != nullptr ? *own : document();
+}
+
+std::shared_ptr<const SampleData> Workspace::data_of_pane(std::size_t pane) const {
+  return pane_documents_.data_of(shown_panes().variant[pane]);
+}
+
 bool Workspace::is_complete() const {
   const EngineStatus status = engine_.status();
-  return !status.busy && !status.cancelled && demand_.is_told(wanted());
+  return !status.busy && !status.cancelled && demand_.is_told(wanted()) && pane_documents_.is_complete();
 }
 
 }  // namespace mes

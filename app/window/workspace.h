@@ -58,6 +58,10 @@ class Workspace {
   std::vector<std::string> words_of_panes() const;
   /// The settings of a pane beside the main one, as it is shown.
   const ComputationSettings& settings_of_pane(std::size_t pane) const;
+  /// The document of such a pane.
+  const Document& document_of_pane(std::size_t pane) const;
+  /// The same as data where it is a version of its own; null: it is the document of the main pane.
+  std::shared_ptr<const SampleData> data_of_pane(std::size_t pane) const;
 
   /// Undo and redo, selection, evolution, computation, bundles.
   void bind(ActionBindings& actions, Settings& settings);
@@ -87,7 +91,13 @@ class Workspace {
   void bind_evolution(ActionBindings& actions, Settings& settings);
   void bind_computation(ActionBindings& actions);
   void bind_bundles(ActionBindings& actions);
-  EngineDemand::Wanted wanted() const { return {layers_, panes_, computation_.settings(), document().revision()}; }
+  EngineDemand::Wanted wanted() const {
+    return {layers_,
+            panes_,
+            computation_.settings(),
+            document().revision(),
+            {evolution_.choice(), evolution_.first_value()}};
+  }
   void report(const Expected<void>& done);
   void show_family();
   void follow_family();
@@ -103,6 +113,7 @@ class Workspace {
   CurveSelector curve_selector_;
   EvolutionPlayer evolution_;
   PaneList panes_;
+  PaneDocuments pane_documents_;
   EngineDemand demand_;
   FirstBall first_ball_;
   FamilyChoice family_;

@@ -181,6 +181,24 @@ std::vector<DocumentDelta> History::back_of_last_edit() const {
   return edit ? back_of(steps_[*edit]) : std::vector<DocumentDelta>();
 }
 
+// While a gesture is open, the last step is room for it.
+const History::Step* History::newest_edit() const {
+  if (gesture_open_ && gesture_.is_edit()) return &gesture_;
+  for (std::size_t i = position_; i-- > 0;)
+    if (steps_[i].is_edit()) return &steps_[i];
+  return nullptr;
+}
+
+std::vector<DocumentDelta> History::way_before_last_edit() const {
+  const Step* const edit = newest_edit();
+  return edit != nullptr ? back_of(*edit) : std::vector<DocumentDelta>();
+}
+
+std::optional<std::uint64_t> History::revision_before_last_edit() const {
+  const Step* const edit = newest_edit();
+  return edit != nullptr ? std::optional(edit->deltas.front().from_revision) : std::nullopt;
+}
+
 void History::step_back() {
   if (can_undo()) --position_;
 }

@@ -85,6 +85,10 @@ class History {
   bool raise_edit();
   /// What `raise_edit` and `undo` would give.
   std::vector<DocumentDelta> back_of_last_edit() const;
+  /// What leads to the document before the last edit, a gesture under way included; empty: there is none.
+  std::vector<DocumentDelta> way_before_last_edit() const;
+  /// The revision of that document.
+  std::optional<std::uint64_t> revision_before_last_edit() const;
   /// What `undo` (`redo`) would give.
   std::vector<DocumentDelta> deltas_of_undo() const { return can_undo() ? back_of(steps_[position_ - 1]) : Deltas(); }
   std::vector<DocumentDelta> deltas_of_redo() const { return can_redo() ? steps_[position_].deltas : Deltas(); }
@@ -117,6 +121,7 @@ class History {
   bool can_extend(const DocumentDelta& delta, const std::string& name) const;
   std::deque<Step>::iterator undone() { return steps_.begin() + static_cast<std::ptrdiff_t>(position_); }
   std::optional<std::size_t> last_edit() const;
+  const Step* newest_edit() const;
   static bool are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later);
   static bool merge_moves(DocumentDelta& earlier, const DocumentDelta& later);
 

@@ -2,16 +2,21 @@
 // Panes beside the main one: what they ask the engine for, where they lie, and the pointer in them.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <catch2/catch.hpp>
 
 #include "app/canvas/canvas.h"
+#include "app/export/computation.h"
 #include "app/model/engine_demand.h"
+#include "app/model/pane_documents.h"
 #include "app/model/pane_list.h"
 #include "app/model/pane_places.h"
 #include "app/picture/pane_sheet.h"
 #include "app/store/sample_shapes.h"
+#include "core/base/rng.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/variant.h"
+#include "core/evolutions/evolution_states.h"
 
 using namespace mes;
 
@@ -256,4 +261,206 @@ TEST_CASE("a sheet has each picture in its place, with nothing between them") {
   CHECK(at(20, 122 + 15) == 150);
   CHECK(at(56, 15) == 255);
   CHECK(at(72 + 20, 122 + 15) == 255);
+}
+
+namespace {
+
+/// A window's parts that show panes with documents of their own.
+struct Versions {
+  struct Bell {
+    std::atomic<int> rings = 0;
+    void ring() {
+      ++rings;
+      rings.notify_all();
+    }
+  };
+  Bell bell;
+  Engine engine{{}};
+  Editor editor{[this](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); }};
+  ComputationSettings settings;
+  EvolutionPlayer evolution{editor,
+                            {[this](Parameter parameter) { return settings[parameter]; },
+                             [this](Parameter parameter, double value) { settings[parameter] = value; }},
+                            [this] { bell.ring(); }};
+  LayerStack layers = stack_of({"points", "medial-axis", "curve"});
+  PaneList list;
+  PaneDocuments documents{editor, evolution, [this] { bell.ring(); }};
+  EngineDemand demand;
+  LayerMirror mirror;
+
+  Versions() {
+    SampleData data;
+    for (int i = 0; i < 60; ++i)
+      data.positions.push_back({std::cos(0.105 * i) + 0.02 * (i % 3), 0.7 * std::sin(0.105 * i)});
+    data.balls = {{{3.0, 0.0}, 0.5}};
+    REQUIRE(editor.load(data));
+  }
+  EngineDemand::Wanted wanted() const {
+    return {layers, list, settings, editor.document().revision(), {evolution.choice(), evolution.first_value()}};
+  }
+  /// As the window does, frame by frame, until all panes show what they are to.
+  void settle() {
+    for (;;) {
+      const int seen = bell.rings;
+      evolution.follow(true, 0.0);
+      demand.follow(engine, wanted(), false, &documents);
+      if (documents.is_complete() && !evolution.is_waiting()) break;
+      bell.rings.wait(seen);
+    }
+    CHECK_FALSE(documents.take_problem());
+    for (VariantIndex variant = 1; variant <= demand.shown().variants.size(); ++variant) {
+      const Document* const own = documents.document_of(variant);
+      if (own == nullptr) continue;
+      // In the order of the version, which numbers the samples.
+      CHECK(data_of(*own).positions == documents.data_of(variant)->positions);
+      CHECK(data_of(*own).balls == documents.data_of(variant)->balls);
+    }
+    while (auto patch = engine.sync()) {
+      mirror.apply(*patch);
+      engine.recycle(std::move(patch));
+    }
+  }
+  std::vector<LayerDigest> digests(VariantIndex variant) const {
+    std::vector<LayerDigest> out;
+    for (const std::string_view id : {"points", "medial-axis", "curve"})
+      out.push_back(mirror.digest(layer_in(variant, variant != kMainVariant, find_layer(id))));
+    return out;
+  }
+};
+
+/// The layers of a document, computed afresh.
+std::vector<LayerDigest> digests_of(const SampleData& data) {
+  LayerMirror mirror;
+  const std::vector<LayerIndex> layers{find_layer("points"), find_layer("medial-axis"), find_layer("curve")};
+  REQUIRE(run_computation(
+      data, {.layers = layers, .settings = {}, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }}));
+  std::vector<LayerDigest> out;
+  for (const LayerIndex layer : layers) out.push_back(mirror.digest(layer));
+  return out;
+}
+
+SampleData without_order(SampleData data) {
+  data.contours.clear();
+  return data;
+}
+
+SampleData evolved(const Document& document, const EvolutionChoice& choice, std::uint64_t steps) {
+  JobControl job;
+  EvolutionStates states(state_of(document), choice);
+  SampleData out = without_order(data_of(document));
+  out.positions = (*states.at(steps, job))->positions;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a pane shows the document before the last edit, after each edit, undo and redo") {
+  Versions window;
+  window.list.add(BeforeLastEdit{});
+  window.settle();
+  // Nothing was edited yet.
+  CHECK(window.digests(1) == window.digests(0));
+  Rng random(7);
+  std::vector<SampleData> states{data_of(window.editor.document())};
+  const auto done = [&](const Expected<void>& result) { REQUIRE(result); };
+  for (int round = 0; round < 60; ++round) {
+    const Document& document = window.editor.document();
+    const std::vector<SampleSlot> slots = document.slots_in_input_order();
+    const auto id_of = [&](std::size_t i) { return document.id(slots[i]); };
+    const std::uint64_t kind = random.below(8);
+    const SampleData before = data_of(document);
+    bool is_edit = true;
+    if (kind < 3) {
+      const std::pair<SampleId, Vec2> target{id_of(random.below(slots.size())),
+                                             {random.uniform() * 2.0 - 1.0, random.uniform()}};
+      window.editor.begin_gesture("Move");
+      done(window.editor.move({{target}}, "Move"));
+      window.settle();
+      CHECK(window.digests(1) == digests_of(before));
+      done(window.editor.move(std::vector{std::pair{target.first, Vec2{0.25, 0.125}}}, "Move"));
+      window.editor.end_gesture();
+    } else if (kind == 3) {
+      REQUIRE(window.editor.insert(std::vector<Vec2>{{random.uniform(), random.uniform()}}, "Insert"));
+    } else if (kind == 4) {
+      done(window.editor.remove(std::vector{id_of(random.below(slots.size()))}, "Remove"));
+    } else if (kind == 5) {
+      REQUIRE(window.editor.insert_balls(std::vector<Disk>{{{random.uniform(), 2.0}, 0.25}}, "Ball"));
+    } else if (kind == 6 && states.size() > 1) {
+      window.editor.undo();
+      states.pop_back();
+      is_edit = false;
+    } else if (kind == 7 && window.editor.can_redo()) {
+      window.editor.redo();
+    } else {
+      is_edit = false;
+    }
+    if (is_edit) states.push_back(data_of(window.editor.document()));
+    window.settle();
+    INFO("round " << round << ", kind " << kind);
+    CHECK(window.digests(0) == digests_of(states.back()));
+    CHECK(window.digests(1) == digests_of(states[states.size() - std::min<std::size_t>(2, states.size())]));
+  }
+}
+
+TEST_CASE("panes show states of the evolution, of the document as it is") {
+  Versions window;
+  window.list.add(EvolvedChoice{3});
+  window.list.add(EvolvedChoice{0});
+  window.list.add(EvolvedChoice{12});
+  const auto check = [&](const Document& beginning) {
+    window.settle();
+    const EvolutionChoice& choice = window.evolution.choice();
+    CHECK(window.digests(1) == digests_of(evolved(beginning, choice, 3)));
+    CHECK(window.digests(2) == digests_of(evolved(beginning, choice, 0)));
+    CHECK(window.digests(3) == digests_of(evolved(beginning, choice, 12)));
+  };
+  check(window.editor.document());
+  CHECK(window.digests(1) != window.digests(0));
+  CHECK(window.digests(2) == window.digests(0));
+  const SampleId first = window.editor.document().id(SampleSlot(0));
+  REQUIRE(window.editor.move(std::vector{std::pair{first, Vec2{1.3, 0.1}}}, "Move"));
+  check(window.editor.document());
+  REQUIRE(window.editor.remove(std::vector{first}, "Remove"));
+  check(window.editor.document());
+  // While the document itself is in a later state, the others stay what they are.
+  const Document beginning = window.editor.document();
+  window.evolution.step_to(12);
+  check(beginning);
+  CHECK(window.digests(3) == window.digests(0));
+  CHECK(words_of(window.list, {window.settings, FamilyKind::inner, {}, window.evolution.position()}).front() ==
+        "Step 12");
+  // Another evolution, which adds samples.
+  window.evolution.choose(*find_evolution("subdivide"));
+  window.list.change(2, EvolvedChoice{2});
+  window.settle();
+  CHECK(window.digests(3) == digests_of(evolved(window.editor.document(), window.evolution.choice(), 2)));
+  REQUIRE(window.documents.data_of(3));
+  CHECK(window.documents.data_of(3)->positions.size() > window.editor.document().sample_count());
+  // What is closed is not computed any more.
+  window.list.close_all();
+  window.settle();
+  CHECK(window.documents.document_of(3) == nullptr);
+}
+
+TEST_CASE("where an evolution moves a parameter, panes share the document") {
+  Versions window;
+  const auto scaling = std::ranges::find_if(
+      evolutions(), [](const Evolution& evolution) { return evolution.moved_parameter() != nullptr; });
+  REQUIRE(scaling != evolutions().end());
+  const auto index = static_cast<EvolutionIndex>(scaling - evolutions().begin());
+  window.evolution.choose(index);
+  window.list.add(EvolvedChoice{5});
+  window.list.add(EvolvedChoice{1'000'000'000});
+  const PaneEvolution evolution{window.evolution.choice(), window.evolution.first_value()};
+  const ShownPanes shown = shown_panes(window.list, window.layers, window.settings, evolution);
+  const ParameterMove& move = *scaling->moved_parameter();
+  REQUIRE(shown.variants.size() >= 1);
+  CHECK_FALSE(shown.variants[0].has_document);
+  CHECK(shown.variants[0].settings[move.parameter] ==
+        moved_value(move, evolution.first, 5, evolution.choice.values).value());
+  // Beyond the range of the parameter it is the main pane.
+  CHECK(shown.variant[1] == kMainVariant);
+  // The states do not follow the slider.
+  window.evolution.step_to(5);
+  CHECK(window.evolution.first_value() == evolution.first);
 }

@@ -84,3 +84,42 @@ TEST_CASE("a snapshot and a figure of two panes show both, each with its letter"
     return false;
   }));
 }
+
+TEST_CASE("a pane shows the document before the last edit") {
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  std::ofstream(window.folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+  window.start("house.poff");
+  static_cast<void>(window.drawn());
+  window.press("Tab");
+  window.press("F6");
+  window.press("f");
+  static_cast<void>(screen.settled());
+  // Two panes of 639 pixels with a gap of 2; the roof is at the margin of 50 in both.
+  constexpr int kMiddle = 319;
+  constexpr int kBeside = 641;
+  const auto has_roofs_at = [&](int here, int there) {
+    const Screenshot shot = screen.shoot();
+    return shot.is_dark(kMiddle, here) && shot.is_dark(kBeside + kMiddle, there) &&
+           (here == there || (!shot.is_dark(kMiddle, there) && !shot.is_dark(kBeside + kMiddle, here)));
+  };
+  REQUIRE(eventually([&] { return has_roofs_at(50, 50); }));
+  screen.click({690, 780});
+  static_cast<void>(screen.settled());
+  screen.click({730, 735});  // "Document"
+  static_cast<void>(screen.settled());
+  screen.click({895, 682});  // "Before the last edit"
+  const auto move_roof = [&](int from, int to) {
+    screen.xdotool("mousemove " + std::to_string(kMiddle) + " " + std::to_string(from + 40));
+    screen.drag({kMiddle, from}, {kMiddle, to}, 10);
+    screen.xdotool("mouseup 1");
+    window.press("Escape");
+    screen.xdotool("mousemove 3 3");
+  };
+  move_roof(50, 150);
+  CHECK(eventually([&] { return has_roofs_at(150, 50); }));
+  move_roof(150, 100);
+  CHECK(eventually([&] { return has_roofs_at(100, 150); }));
+  window.press("ctrl+z");
+  CHECK(eventually([&] { return has_roofs_at(150, 50); }));
+}
