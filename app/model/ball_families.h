@@ -10,10 +10,10 @@
 
 #include "app/model/layer_stack.h"
 #include "core/document/document.h"
+#include "core/document/pane_choice.h"
 
 namespace mes {
 
-enum class FamilyKind : std::uint8_t { inner, polar, own };
 inline constexpr std::array kBallFamilies{FamilyKind::inner, FamilyKind::polar, FamilyKind::own};
 
 LayerGroup group_of(FamilyKind family);

@@ -101,6 +101,13 @@ void PaneList::close_all() {
   ++revision_;
 }
 
+void PaneList::set(std::vector<PaneChoice> panes) {
+  panes.resize(std::min(panes.size(), kMost));
+  if (panes_ == panes) return;
+  panes_ = std::move(panes);
+  ++revision_;
+}
+
 std::vector<std::string> words_of(const PaneList& list, const MainPane& main) {
   std::vector<std::string> out;
   if (list.is_empty()) return {{}};

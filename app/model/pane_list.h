@@ -24,34 +24,13 @@
 
 #include "app/model/ball_families.h"
 #include "app/model/layer_stack.h"
-#include "core/document/bundle.h"
 #include "core/document/computation_settings.h"
+#include "core/document/pane_choice.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
-
-struct ParameterChoice {
-  Parameter parameter{};
-  double value = 0.0;  ///< within the range of the parameter
-  friend bool operator==(const ParameterChoice&, const ParameterChoice&) = default;
-};
-
-/// State `step` of the evolution of the window.
-struct EvolvedChoice {
-  std::uint64_t step = 0;
-  friend bool operator==(const EvolvedChoice&, const EvolvedChoice&) = default;
-};
-/// A gesture under way is the last edit.
-struct BeforeLastEdit {
-  friend bool operator==(const BeforeLastEdit&, const BeforeLastEdit&) = default;
-};
-/// A document of its own.
-using VersionChoice = std::variant<EvolvedChoice, BeforeLastEdit>;
-
-/// What a pane shows otherwise than the main one.
-using PaneChoice = std::variant<Precision, ParameterChoice, FamilyKind, Bundle, EvolvedChoice, BeforeLastEdit>;
 
 /// As in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle, "Step 10", "Before the
 /// last edit".
@@ -60,7 +39,7 @@ std::string words_of(const PaneChoice& choice);
 /// What grows with each change is `revision`.
 class PaneList {
  public:
-  static constexpr std::size_t kMost = 3;  ///< beside the main one
+  static constexpr std::size_t kMost = kMostPanesBeside;
 
   bool is_empty() const { return panes_.empty(); }
   bool is_full() const { return panes_.size() == kMost; }
@@ -72,6 +51,8 @@ class PaneList {
   void change(std::size_t pane, PaneChoice choice);
   void close(std::size_t pane);
   void close_all();
+  /// Shows these; those beyond `kMost` are left out.
+  void set(std::vector<PaneChoice> panes);
 
  private:
   std::vector<PaneChoice> panes_;

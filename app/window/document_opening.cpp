@@ -15,13 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-SessionEvolution evolution_now(const EvolutionPlayer& player) {
-  SessionEvolution out{std::string(player.descriptor().id), player.choice().seed, player.position(), {}};
-  for (const ParameterDescriptor& parameter : evolution_parameters())
-    out.parameters.emplace_back(parameter.id, player.choice().values[parameter.id]);
-  return out;
-}
-
 // What this version does not know is left at its default.
 EvolutionChoice choice_of(const SessionEvolution& evolution) {
   EvolutionChoice out{.evolution = find_evolution(evolution.id).value_or(0), .seed = evolution.seed};
@@ -139,9 +132,10 @@ Session DocumentFlow::session_now() const {
           .entries = timeline.entries(),
           .layers = uses_.work.layers().configuration(),
           .settings = uses_.work.computation().settings(),
-          .evolution = evolution_now(uses_.work.evolution()),
+          .evolution = uses_.work.evolution_now(),
           .view = uses_.board.view().free_box(),
-          .lesson = timeline.lesson()};
+          .lesson = timeline.lesson(),
+          .panes = uses_.work.panes_now()};
 }
 
 void DocumentFlow::show_as_in(const Session& session) {
@@ -152,6 +146,7 @@ void DocumentFlow::show_as_in(const Session& session) {
   uses_.work.computation().set(session.settings);
   const bool is_known = find_evolution(session.evolution.id).has_value();
   uses_.work.evolution().resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
+  uses_.work.panes().set(session.panes);
   if (!session.view.is_empty()) uses_.board.fitter().set_target(session.view);
   editor.take_layers_as_noted();
   if (files_.has_session_file()) editor.set_saved_layers(layers.configuration());

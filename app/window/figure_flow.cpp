@@ -6,7 +6,6 @@
 #include <new>
 #include <utility>
 
-#include "app/export/carried.h"
 #include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
 #include "core/draw/layer_descriptor.h"
@@ -59,8 +58,7 @@ FigureSubject FigureFlow::subject() const {
                     .canvas_width = seen.camera.width() / scale,
                     .legend_at = uses_.settings.legend_at,
                     .scale_bar_at = uses_.settings.marks.bar_at};
-  out.session = session_for_picture(uses_.title(), out.data, uses_.work.layers().configuration(), out.settings,
-                                    uses_.board.view().free_box());
+  out.session = uses_.work.session_for_picture(uses_.title(), uses_.board.view().free_box());
   const LayerStack& layers = uses_.work.layers();
   out.shown.layers = layers.visible_layers();
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) out.shown.styles.push_back(layers.style(layer));

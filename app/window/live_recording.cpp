@@ -4,8 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "app/export/carried.h"
-
 namespace mes {
 namespace {
 
@@ -19,11 +17,7 @@ std::shared_ptr<const PaperFonts> fonts_of_pictures(const std::filesystem::path&
 
 LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake)
     : uses_(uses), desk_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {
-  desk_.set_source([this] {
-    const Workspace& work = uses_.work;
-    return session_for_picture({}, data_of(work.document()), work.layers().configuration(),
-                               work.computation().settings(), uses_.board.view().free_box());
-  });
+  desk_.set_source([this] { return uses_.work.session_for_picture({}, uses_.board.view().free_box()); });
 }
 
 void LiveRecording::bind(ActionBindings& actions) {

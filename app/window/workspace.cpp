@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
+#include "app/export/carried.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -110,6 +111,25 @@ std::vector<std::string> Workspace::words_of_panes() const {
   const bool is_bundle = current && !bundles_.is_changed();
   return words_of(panes_, {computation_.settings(), family(),
                            is_bundle ? bundles_.bundles()[*current].name : std::string(), evolution_.position()});
+}
+
+SessionEvolution Workspace::evolution_now() const {
+  SessionEvolution out{std::string(evolution_.descriptor().id), evolution_.choice().seed, evolution_.position(), {}};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    out.parameters.emplace_back(parameter.id, evolution_.choice().values[parameter.id]);
+  return out;
+}
+
+// Without the history, the document is in state 0.
+Session Workspace::session_for_picture(std::string title, const Box2& view) const {
+  Session out = mes::session_for_picture(std::move(title), data_of(document()), layers_.configuration(),
+                                         computation_.settings(), view);
+  if (!panes_.is_empty()) {
+    out.panes = panes_now();
+    out.evolution = evolution_now();
+    out.evolution.step = 0;
+  }
+  return out;
 }
 
 const ComputationSettings& Workspace::settings_of_pane(std::size_t pane) const {

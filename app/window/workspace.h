@@ -22,6 +22,7 @@
 #include "app/model/settings.h"
 #include "app/store/bundle_desk.h"
 #include "core/engine/engine.h"
+#include "core/io/session.h"
 
 namespace mes {
 
@@ -56,6 +57,11 @@ class Workspace {
   const ShownPanes& shown_panes() const { return demand_.shown(); }
   /// What each pane is about, the main one first.
   std::vector<std::string> words_of_panes() const;
+  /// As sessions have them.
+  std::vector<PaneChoice> panes_now() const { return {panes_.panes().begin(), panes_.panes().end()}; }
+  SessionEvolution evolution_now() const;
+  /// What a picture carries: the document as it is, without its history.
+  Session session_for_picture(std::string title, const Box2& view) const;
   /// The settings of a pane beside the main one, as it is shown.
   const ComputationSettings& settings_of_pane(std::size_t pane) const;
   /// The document of such a pane.

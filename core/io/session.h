@@ -26,6 +26,7 @@
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/document/lesson.h"
+#include "core/document/pane_choice.h"
 #include "core/document/timeline.h"
 
 namespace mes {
@@ -49,8 +50,9 @@ struct Session {
   LayerConfiguration layers{};  ///< now; no layers: as at the start of the program
   ComputationSettings settings{};
   SessionEvolution evolution{};
-  Box2 view{};      ///< what is to be seen, document units; empty: everything
-  Lesson lesson{};  ///< made of the entries; no steps: none
+  Box2 view{};                      ///< what is to be seen, document units; empty: everything
+  Lesson lesson{};                  ///< made of the entries; no steps: none
+  std::vector<PaneChoice> panes{};  ///< beside the main one; `kMostPanesBeside` at most
 };
 
 std::string write_session(const Session& session);

@@ -11,6 +11,7 @@
 #include "core/document/layer_fold.h"
 #include "core/io/json_annotations.h"
 #include "core/io/json_layers.h"
+#include "core/io/json_panes.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
 #include "core/io/session.h"
@@ -440,8 +441,9 @@ bool is_of_a_later_version(JsonView schema) {
 enum class Timelines : std::uint8_t { within, following };
 
 Session session_from(JsonView object, Timelines where) {
-  const auto [what, schema, title, data, layers, settings, evolution, view, lesson, timeline] = object.pick<10>(
-      {"mesecina", "schema", "title", "data", "layers", "settings", "evolution", "view", "lesson", "timeline"});
+  const auto [what, schema, title, data, layers, settings, evolution, view, panes, lesson, timeline] =
+      object.pick<11>({"mesecina", "schema", "title", "data", "layers", "settings", "evolution", "view", "panes",
+                       "lesson", "timeline"});
   if (text_from(what, "mesecina", "session") != "session") complain("session", "this is not one");
   if (is_of_a_later_version(schema))
     complain("session", "written by a later version of the program, which this one does not understand");
@@ -452,6 +454,11 @@ Session session_from(JsonView object, Timelines where) {
   if (settings) out.settings = settings_from(settings);
   if (evolution) out.evolution = evolution_from(evolution);
   if (view) out.view = view_from(view);
+  if (panes) {
+    auto read = panes_from(panes);
+    if (!read) throw Nonsense{std::move(read.error().text), read.error().at};
+    out.panes = std::move(*read);
+  }
   std::vector<WrittenPosition> positions = read_lesson(lesson, out.lesson);
   if (where == Timelines::following)
     for (const WrittenPosition& position : std::exchange(positions, {})) *position.to = position.entries;

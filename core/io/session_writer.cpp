@@ -7,6 +7,7 @@
 
 #include "core/io/json_annotations.h"
 #include "core/io/json_layers.h"
+#include "core/io/json_panes.h"
 #include "core/io/session.h"
 
 namespace mes {
@@ -155,6 +156,7 @@ json head_of(const Session& session) {
               {"settings", to_json(session.settings)}};
   if (!session.evolution.id.empty()) out["evolution"] = to_json(session.evolution);
   if (!session.view.is_empty()) out["view"] = to_json(session.view);
+  if (!session.panes.empty()) out["panes"] = to_json(session.panes);
   return out;
 }
 

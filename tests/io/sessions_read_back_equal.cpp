@@ -65,6 +65,8 @@ Session sample_session() {
                       .view = session.view,
                       .seconds = 0.1},
                      {.caption = "Back", .position = 4, .settings = ComputationSettings{}}}};
+  session.panes = {ParameterChoice{Parameter::a_scale, 1.1}, Bundle{"Two \"lines\"", session.layers},
+                   EvolvedChoice{kMostPaneStep}};
   return session;
 }
 
@@ -72,7 +74,7 @@ bool equal(const Session& a, const Session& b) {
   return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
          a.data->balls == b.data->balls && a.data->annotations == b.data->annotations && a.entries == b.entries &&
          a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view &&
-         a.lesson == b.lesson;
+         a.lesson == b.lesson && a.panes == b.panes;
 }
 
 }  // namespace
@@ -154,6 +156,65 @@ TEST_CASE("a lesson that makes no sense is refused with line and column") {
            {many + "]}", "1001 steps, more than 1000", 19}}) {
     const auto refused = read_session(with(each.lesson), "a.json");
     INFO(each.lesson.substr(0, 100));
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::bad_input);
+    CHECK_THAT(refused.error().text, Catch::Contains(each.says));
+    CHECK(refused.error().line == 2);
+    CHECK(refused.error().column == each.column);
+  }
+}
+
+TEST_CASE("every kind of pane reads back, and those of a later version are left out") {
+  const std::vector<PaneChoice> kinds{Precision::naive,    ParameterChoice{Parameter::p_scale, 0.9},
+                                      FamilyKind::polar,   FamilyKind::own,
+                                      Bundle{.name = "a"}, EvolvedChoice{0},
+                                      BeforeLastEdit{}};
+  for (const PaneChoice& kind : kinds) {
+    Session session;
+    session.panes = {kind};
+    const auto read = read_session(write_session(session), "a.json");
+    REQUIRE(read);
+    CHECK(read->panes == session.panes);
+  }
+  const auto panes_of = [](const std::string& panes) {
+    const auto read = read_session(R"({"mesecina":"session","schema":1,"panes":)" + panes + "}", "a.json");
+    REQUIRE(read);
+    return read->panes;
+  };
+  CHECK(panes_of("[]").empty());
+  CHECK(panes_of(R"([{"hologram":1},{"precision":"quantum"},{"step":3,"scent":"rose"}])") ==
+        std::vector<PaneChoice>{EvolvedChoice{3}});
+  CHECK(panes_of(R"([{"parameter":"warp","value":1},{"family":"cubes"}])").empty());
+  const double most = descriptor_of(Parameter::a_scale).high;
+  CHECK(panes_of(R"([{"parameter":"a-scale","value":1e9}])") ==
+        std::vector<PaneChoice>{ParameterChoice{Parameter::a_scale, most}});
+  // A session without any is the text that it was before there were panes.
+  CHECK(write_session({}).find("panes") == std::string::npos);
+}
+
+TEST_CASE("panes that make no sense are refused with line and column") {
+  struct Case {
+    std::string panes;
+    const char* says;
+    std::uint64_t column;
+  };
+  for (const Case& each : std::initializer_list<Case>{
+           {"7", "panes: not a list", 9},
+           {"{}", "panes: not a list", 9},
+           {"[{},{},{},{}]", "panes: 4, more than 3", 9},
+           {"[{},4]", "pane 2: not an object", 13},
+           {R"([{"precision":4}])", "pane 1: \"precision\" is not a short text", 23},
+           {R"([{"precision":")" + std::string(1001, 'a') + R"("}])", "\"precision\" is not a short text", 23},
+           {R"([{"parameter":"a-scale","value":"1"}])", "pane 1: \"value\" is not a number", 41},
+           {R"([{"parameter":"a-scale"}])", "pane 1: \"value\" is not a number", 10},
+           {R"([{"family":1}])", "pane 1: \"family\" is not a short text", 20},
+           {R"([{"bundle":1}])", "pane 1: \"bundle\" is not an object", 20},
+           {R"([{"bundle":{"name":"a","layers":7}}])", "pane 1: ", 20},
+           {R"([{"step":-1}])", "pane 1: \"step\" is not a whole number of at most 1000000", 18},
+           {R"([{"step":1000001}])", "pane 1: \"step\" is not a whole number of at most 1000000", 18}}) {
+    const auto refused =
+        read_session("{\"mesecina\":\"session\",\"schema\":1,\n\"panes\":" + each.panes + "}", "a.json");
+    INFO(each.panes.substr(0, 100));
     REQUIRE_FALSE(refused);
     CHECK(refused.error().code == ErrorCode::bad_input);
     CHECK_THAT(refused.error().text, Catch::Contains(each.says));

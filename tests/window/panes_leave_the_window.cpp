@@ -122,4 +122,15 @@ TEST_CASE("a pane shows the document before the last edit") {
   CHECK(eventually([&] { return has_roofs_at(100, 150); }));
   window.press("ctrl+z");
   CHECK(eventually([&] { return has_roofs_at(150, 50); }));
+
+  // Where it was, so that the view that is fitted again is this one.
+  move_roof(150, 50);
+  REQUIRE(eventually([&] { return has_roofs_at(50, 150); }));
+  // The panes are in the session, and come back with it.
+  window.save_as("panes.json");
+  window.start("panes.json");
+  static_cast<void>(window.drawn());
+  window.press("Tab");
+  window.press("f");
+  CHECK(eventually([&] { return has_roofs_at(50, 150); }));
 }

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/json_panes.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/io/json_layers.h"
+
+namespace mes {
+namespace {
+
+using nlohmann::json;
+
+// In the order of `FamilyKind`.
+constexpr std::array<std::string_view, 3> kFamilies{"inner", "polar", "own"};
+constexpr std::size_t kLongestName = 1000;
+
+json pane_to_json(Precision precision) {
+  return {{"precision", id_of(precision)}};
+}
+json pane_to_json(const ParameterChoice& choice) {
+  return {{"parameter", descriptor_of(choice.parameter).id}, {"value", choice.value}};
+}
+json pane_to_json(FamilyKind family) {
+  return {{"family", kFamilies[static_cast<std::size_t>(family)]}};
+}
+json pane_to_json(const Bundle& bundle) {
+  json object = to_json(bundle.layers);
+  object["name"] = bundle.name;
+  return {{"bundle", std::move(object)}};
+}
+json pane_to_json(const EvolvedChoice& evolved) {
+  return {{"step", evolved.step}};
+}
+json pane_to_json(const BeforeLastEdit& /*choice*/) {
+  return {{"before_last_edit", true}};
+}
+
+/// One pane of a list; nothing: it is of a kind that is not known. Throws `PaneFault`.
+class PaneReader {
+ public:
+  explicit PaneReader(std::size_t number) : where_(fmt::format("pane {}", number)) {}
+
+  std::optional<PaneChoice> read(JsonView pane) const {
+    if (!pane.is_object()) fail("not an object", pane);
+    const auto [precision, parameter, value, family, bundle, step, before] =
+        pane.pick<7>({"precision", "parameter", "value", "family", "bundle", "step", "before_last_edit"});
+    if (precision) return precision_of(precision);
+    if (parameter) return parameter_of(parameter, value ? value : pane);
+    if (family) return family_of(family);
+    if (bundle) return bundle_of(bundle);
+    if (step) return step_of(step);
+    if (before) return BeforeLastEdit{};
+    return std::nullopt;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& text, JsonView at) const { throw PaneFault{where_ + ": " + text, at}; }
+  std::string text_of(JsonView value, const char* key) const {
+    if (!value.is_text() || value.text_length() > kLongestName)
+      fail(fmt::format("\"{}\" is not a short text", key), value);
+    return value.text();
+  }
+
+  std::optional<PaneChoice> precision_of(JsonView value) const {
+    const std::string id = text_of(value, "precision");
+    for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors)
+      if (descriptor.id == id) return descriptor.precision;
+    return std::nullopt;
+  }
+  std::optional<PaneChoice> parameter_of(JsonView name, JsonView value) const {
+    const std::string id = text_of(name, "parameter");
+    if (!value.is_number()) fail("\"value\" is not a number", value);
+    for (std::size_t i = 0; i < kParameters; ++i) {
+      const ParameterDescriptor& descriptor = parameter_descriptors()[i];
+      if (descriptor.id != id) continue;
+      const double number = std::clamp(value.number(), descriptor.low, descriptor.high);
+      return ParameterChoice{static_cast<Parameter>(i), descriptor.is_whole ? std::round(number) : number};
+    }
+    return std::nullopt;
+  }
+  std::optional<PaneChoice> family_of(JsonView value) const {
+    const std::string id = text_of(value, "family");
+    const auto found = std::ranges::find(kFamilies, id);
+    if (found == kFamilies.end()) return std::nullopt;
+    return static_cast<FamilyKind>(found - kFamilies.begin());
+  }
+  std::optional<PaneChoice> bundle_of(JsonView object) const {
+    if (!object.is_object()) fail("\"bundle\" is not an object", object);
+    Bundle out{.name = text_of(object.find("name"), "name")};
+    auto layers = layer_configuration_from(object);
+    if (!layers) fail(layers.error().text, object);
+    out.layers = std::move(*layers);
+    return out;
+  }
+  std::optional<PaneChoice> step_of(JsonView value) const {
+    const auto step = value.is_number() ? value.count() : std::nullopt;
+    if (!step || *step > kMostPaneStep)
+      fail(fmt::format("\"step\" is not a whole number of at most {}", kMostPaneStep), value);
+    return EvolvedChoice{*step};
+  }
+
+  std::string where_;
+};
+
+}  // namespace
+
+json to_json(std::span<const PaneChoice> panes) {
+  json out = json::array();
+  for (const PaneChoice& pane : panes)
+    out.push_back(std::visit([](const auto& choice) { return pane_to_json(choice); }, pane));
+  return out;
+}
+
+std::expected<std::vector<PaneChoice>, PaneFault> panes_from(JsonView list) try {
+  if (!list.is_list()) return std::unexpected(PaneFault{"panes: not a list", list});
+  if (list.size() > kMostPanesBeside)
+    return std::unexpected(PaneFault{fmt::format("panes: {}, more than {}", list.size(), kMostPanesBeside), list});
+  std::vector<PaneChoice> out;
+  std::size_t number = 0;
+  for (const JsonView pane : list.elements())
+    if (auto choice = PaneReader(++number).read(pane)) out.push_back(std::move(*choice));
+  return out;
+} catch (const PaneFault& fault) {
+  return std::unexpected(fault);
+}
+
+}  // namespace mes
