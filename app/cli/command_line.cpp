@@ -182,6 +182,9 @@ void add_film(CLI::App& command, FilmRequest& film) {
   command.add_option("--size", film.size, "Width and height in pixels, WxH")->capture_default_str();
   command.add_option("--fps", film.fps, "Pictures a second, 1 to 120")->capture_default_str();
   add_explanations(command, film);
+  command.add_flag("!--no-source", film.with_source,
+                   "Leave the session out of manifest.json: with it the manifest can be given\n"
+                   "as FILE");
   add_title(command, film.title);
   command.add_option("--shard", film.shard,
                      "I/N: only every Nth picture, beginning with the Ith, under the same names");
@@ -345,7 +348,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   lesson->add_option("--background", to.lesson.background, "RRGGBB, or transparent (none)")->capture_default_str();
   add_explanations(*lesson, to.lesson);
   lesson->add_flag("!--no-source", to.lesson.with_source,
-                   "Leave the session out of the PDF: with it the PDF can be given as LESSON");
+                   "Leave the session out of the PDF, and of manifest.json of the frames: with it\n"
+                   "the PDF can be given as LESSON");
   add_force(*lesson, to.lesson.force);
   lesson->footer("Without an output: one line a step, with its number, how long it is to be shown, and its name.");
 

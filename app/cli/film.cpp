@@ -10,6 +10,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
+#include "app/export/carried.h"
 #include "app/model/player.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/picture_overlay.h"
@@ -20,6 +21,7 @@
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
+#include "core/io/carried_session.h"
 #include "core/io/temporary.h"
 #include "core/io/text_numbers.h"
 #include "render/egl_context.h"
@@ -183,6 +185,13 @@ Expected<void> check(const FilmRequest& request) {
   return request.video.empty() ? Expected<void>() : check_video(request.video);
 }
 
+void carry(FrameWriter& writer, const Session& session) {
+  if (auto packed = packed_session(session_for_lesson(session)))
+    writer.carry(std::move(*packed));
+  else
+    say("the frames carry no session: it would be too long");
+}
+
 Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request) {
   const auto film = understand(request);
   if (!film) return std::unexpected(film.error());
@@ -205,6 +214,7 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
   if (film->shard.count > 1)
     options.manifest = fmt::format("manifest-{}-of-{}.json", film->shard.index, film->shard.count);
   FrameWriter writer({folder, {film->size.width, film->size.height, film->fps}}, options);
+  if (request.with_source && !request.frames.empty()) carry(writer, session);
   Progress progress;
   std::uint64_t frame = 0;
   std::uint64_t total = 0;

@@ -8,6 +8,10 @@
 #include "core/base/error.h"
 #include "core/io/session.h"
 
+namespace mes {
+class FrameWriter;
+}
+
 namespace mes::cli {
 
 struct FilmRequest {
@@ -19,8 +23,9 @@ struct FilmRequest {
   bool with_key = false;
   ScaleMarks marks{};
   bool with_annotations = true;
-  std::string title;  ///< above the drawing; empty: none
-  std::string shard;  ///< "3/16": every 16th frame beginning with the 3rd; empty: all
+  bool with_source = true;  ///< the manifest of the frames holds the session
+  std::string title;        ///< above the drawing; empty: none
+  std::string shard;        ///< "3/16": every 16th frame beginning with the 3rd; empty: all
 };
 
 /// Words that make no sense, and a video that cannot be made or written, before any work is done.
@@ -28,5 +33,8 @@ Expected<void> check(const FilmRequest& request);
 
 /// Error: `cannot_write` also when the folder has such frames already. `name` stands for the session in messages.
 Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request);
+
+/// The manifest of the frames holds the session, without the folders of its author. Says when it is too long for that.
+void carry(FrameWriter& writer, const Session& session);
 
 }  // namespace mes::cli

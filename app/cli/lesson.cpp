@@ -179,10 +179,11 @@ Expected<void> prepare_frames(const std::filesystem::path& folder) {
 
 /// A picture a step, each with the time at which its step begins.
 Expected<void> write_frames(const std::filesystem::path& folder, const Session& session,
-                            const std::vector<std::size_t>& steps, const Pixels& pixels) {
+                            const std::vector<std::size_t>& steps, const Pixels& pixels, bool with_source) {
   auto printer = LessonPrinter::make(session, pixels.look);
   if (!printer) return std::unexpected(printer.error());
   FrameWriter writer({folder, {pixels.size.width, pixels.size.height}});
+  if (with_source) carry(writer, session);
   Progress progress;
   double begin = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -211,7 +212,9 @@ Expected<void> write_film(const LessonRequest& request, const Session& session, 
   }
   const std::filesystem::path folder = temporary ? temporary->path() : std::filesystem::path(request.frames);
   if (auto ready = prepare_frames(folder); !ready) return ready;
-  if (auto done = write_frames(folder, session, steps, pixels); !done || request.video.empty()) return done;
+  if (auto done = write_frames(folder, session, steps, pixels, request.with_source && !temporary);
+      !done || request.video.empty())
+    return done;
   Progress progress;
   progress.show("making the video", 1.0);
   return make_video(folder, kFramesASecond, request.video, {},

@@ -23,7 +23,7 @@ struct RecordSettings {
   bool each_motion = false;         ///< a frame of each step of a pan or zoom, not only where it ends
   double fps = 30.0;                ///< of the video, [1, 120]
   bool real_time = false;           ///< each frame of the video is seen as long as it was when recorded
-  bool with_source = true;          ///< snapshots carry the document
+  bool with_source = true;          ///< snapshots carry the document, takes the session
   bool all_panes = true;            ///< snapshots and copies show all panes, where there are several
   std::string folder{};             ///< where takes and snapshots go; empty: `takes_folder`
   friend bool operator==(const RecordSettings&, const RecordSettings&) = default;

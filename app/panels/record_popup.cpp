@@ -128,10 +128,10 @@ void draw_contents(const RecordPopup& popup) {
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
   tooltip(gui, "Snapshots go here, and each recording to a new folder in it");
   title("Source", column);
-  ImGui::Checkbox("Document in snapshots", &record.with_source);
+  ImGui::Checkbox("Document in snapshots and takes", &record.with_source);
   tooltip(gui,
-          "A snapshot holds samples, balls, view and layers, without the history: opened here again, it is the "
-          "document");
+          "A snapshot holds samples, balls, view and layers, without the history; the manifest of a recording holds "
+          "the session, with its history. Opened here again, it is the document");
   ImGui::EndDisabled();
   title("Pace of video", column);
   if (choice_button("Steady", !record.real_time)) record.real_time = false;

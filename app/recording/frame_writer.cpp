@@ -106,7 +106,7 @@ void FrameWriter::write_on() {
 
 Manifest FrameWriter::manifest() const {
   const auto end = std::ranges::find(is_written_, false) - is_written_.begin();
-  return {take_.format, false, {}, {infos_.begin(), infos_.begin() + end}};
+  return {take_.format, false, {}, {infos_.begin(), infos_.begin() + end}, session_};
 }
 
 void FrameWriter::write_manifest_now_and_then(std::unique_lock<std::mutex>& lock) {
@@ -120,6 +120,11 @@ void FrameWriter::write_manifest_now_and_then(std::unique_lock<std::mutex>& lock
   is_writing_manifest_ = false;
   manifest_time_ = std::chrono::steady_clock::now();
   if (!done) fail(std::move(done.error()));
+}
+
+void FrameWriter::carry(std::string session) {
+  const std::lock_guard lock(mutex_);
+  session_ = std::move(session);
 }
 
 Expected<void> FrameWriter::finish() {

@@ -66,6 +66,8 @@ class FrameWriter {
   bool has_room(std::size_t frames, std::size_t bytes) const;
   /// False once there is a problem or the take is finished.
   bool push(Frame frame);
+  /// The manifest holds this session from now on (`packed_session`).
+  void carry(std::string session);
   /// Waits until all is written. The problem, if there is one.
   Expected<void> finish();
 
@@ -99,6 +101,7 @@ class FrameWriter {
   std::vector<FrameInfo> infos_;
   std::vector<bool> is_written_;
   std::size_t written_ = 0;
+  std::string session_;
   std::optional<Error> problem_;
   bool is_ending_ = false;
   bool is_finished_ = false;

@@ -95,7 +95,11 @@ void RecordDesk::stop() {
   recorder_.reset();
   // Of two takes in quick succession the first is waited for.
   if (const auto done = finished_.finish()) tell_end(*done);
-  finished_.begin([writer = std::shared_ptr<FrameWriter>(std::move(writer_))](const std::stop_token&) {
+  std::optional<Session> session;
+  if (settings_.with_source && take_source_) session = take_source_();
+  finished_.begin([writer = std::shared_ptr<FrameWriter>(std::move(writer_)),
+                   session = std::move(session)](const std::stop_token&) {
+    if (session) writer->carry(packed_session(*session).value_or(""));
     Finished out{writer->take().folder, 0, writer->finish()};
     out.frames = writer->written();
     if (out.frames == 0) {

@@ -43,6 +43,8 @@ class RecordDesk {
 
   /// What a snapshot carries (core/io/carried_session.h) comes from here; without it snapshots carry nothing.
   void set_source(std::function<Session()> source) { source_ = std::move(source); }
+  /// The same of what the manifest of a take holds when it ends.
+  void set_take_source(std::function<Session()> source) { take_source_ = std::move(source); }
   bool is_recording() const { return writer_ != nullptr; }
   /// Of a window this large, with these panels at its sides.
   void start(const RecordSettings& settings, int width, int height, const Insets& panels, const ShownState& now);
@@ -154,6 +156,7 @@ class RecordDesk {
   std::shared_ptr<const PaperFonts> fonts_;  // none: no legend, no caption
   std::function<void()> wake_;
   std::function<Session()> source_;
+  std::function<Session()> take_source_;
   render::FrameCapture capture_;
   std::deque<Asked> asked_;
   std::optional<ShownState> complete_{};

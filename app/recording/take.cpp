@@ -11,6 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "core/base/base64.h"
+#include "core/base/carried_session.h"
+#include "core/io/carried_session.h"
 #include "core/io/read_file.h"
 
 namespace mes {
@@ -141,7 +144,10 @@ std::string manifest_text(const Manifest& manifest) {
                  {"complete", manifest.complete},
                  {"frames", std::move(frames)}};
   if (!manifest.problem.empty()) object["problem"] = manifest.problem;
-  return object.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
+  if (!manifest.session.empty()) object[std::string(kCarriedSession)] = base64(manifest.session);
+  // What it is comes first, where it is looked for.
+  return std::string(kManifestBeginning) + object.dump(1, ' ', false, json::error_handler_t::replace).substr(1) +
+         '\n';
 }
 
 Expected<Manifest> read_take(const fs::path& folder) {

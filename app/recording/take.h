@@ -58,10 +58,12 @@ struct Manifest {
   bool complete = false;            ///< the recording ended in order
   std::string problem{};            ///< why it did not, if that is known
   std::vector<FrameInfo> frames{};  ///< frame 1 first
+  std::string session{};            ///< `packed_session` of what made them; empty: none
 };
 
 inline constexpr const char* kManifestName = "manifest.json";
 
+/// JSON; with a session it can be read as a document (core/io/carried_session.h).
 std::string manifest_text(const Manifest& manifest);
 
 /// Frames 1, 2, ... as far as their files are there. Without a manifest the format is all zero.

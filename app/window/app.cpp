@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "app/export/carried.h"
 #include "app/model/memory_problem.h"
 #include "app/window/selection_actions.h"
 
@@ -40,6 +41,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
               recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
   bind_actions();
+  recording_.desk().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
                                [this] { screen_.clock.settle(); });
 }

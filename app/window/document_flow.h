@@ -72,6 +72,8 @@ class DocumentFlow {
   bool is_left() const { return is_left_; }
   /// The program ends, with or without having been asked to.
   void end();
+  /// The document with its history, and all that it is looked at with.
+  Session session_now() const;
 
  private:
   void bind_files(ActionBindings& actions);
@@ -90,7 +92,6 @@ class DocumentFlow {
   void take_read_file();
   void say_opened(const FileDesk::Outcome& outcome);
   void show_as_in(const Session& session);
-  Session session_now() const;
   void offer_left_work();
   void recover(LeftWork work);
 

@@ -6,6 +6,7 @@
 //   SVG   an element `mesecina-session` of `metadata`, base64
 //   Ipe   the data of the first layer, which Ipe keeps without looking at it: this name, a colon, base64
 //   PDF   an embedded file, whose stream's dictionary has a key of this name and the value true
+//   JSON  of recorded frames: a key of this name, base64
 #pragma once
 
 #include <cstddef>

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/base64.h"
 #include "core/base/carried_session.h"
 #include "core/base/zlib.h"
 #include "core/io/read_file.h"
@@ -61,32 +62,6 @@ Expected<std::optional<std::string>> in_png(std::string_view bytes, const std::s
   return std::nullopt;
 }
 
-/// -1 for other characters.
-int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  return c == '+' ? 62 : (c == '/' ? 63 : -1);
-}
-
-/// RFC 4648; white space is skipped, and what follows the last digit is not looked at.
-std::string from_base64(std::string_view text) {
-  std::string out;
-  out.reserve(text.size() / 4 * 3);
-  std::uint32_t bits = 0;
-  unsigned count = 0;
-  for (const char c : text) {
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-    const int digit = base64_digit(c);
-    if (digit < 0) break;
-    bits = bits << 6U | static_cast<std::uint32_t>(digit);
-    if ((count += 6U) < 8U) continue;
-    count -= 8U;
-    out += static_cast<char>(bits >> count & 0xffU);
-  }
-  return out;
-}
-
 /// The content of an element, or the value of an attribute. In a text the name would stand without its bracket, or
 /// without its quotation mark.
 Expected<std::optional<std::string>> in_xml(std::string_view bytes, const std::string& file) {
@@ -114,6 +89,17 @@ Expected<std::optional<std::string>> in_pdf(std::string_view bytes, const std::s
   return expanded(bytes.substr(begin + kStream.size()), file);
 }
 
+/// The value of a key; in a text its quotation marks would be escaped.
+Expected<std::optional<std::string>> in_manifest(std::string_view bytes, const std::string& file) {
+  const std::string key = '"' + std::string(kCarriedSession) + '"';
+  const std::size_t at = bytes.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::size_t begin = bytes.find('"', at + key.size());
+  const std::size_t end = begin == std::string_view::npos ? begin : bytes.find('"', begin + 1);
+  if (end == std::string_view::npos) return damaged("the file is cut", file);
+  return expanded(from_base64(bytes.substr(begin + 1, end - begin - 1)), file);
+}
+
 bool is_xml(std::string_view bytes) {
   bytes = without_bom(bytes);
   const std::size_t at = bytes.find_first_not_of(" \t\r\n");
@@ -128,8 +114,13 @@ std::optional<std::string> packed_session(const Session& session) {
   return zlib_compressed(text);
 }
 
+bool looks_like_manifest(std::string_view bytes) {
+  return bytes.starts_with(kManifestBeginning);
+}
+
 bool may_carry_session(std::string_view bytes) {
-  return bytes.starts_with(kPngBeginning) || bytes.starts_with(kPdfBeginning) || is_xml(bytes);
+  return bytes.starts_with(kPngBeginning) || bytes.starts_with(kPdfBeginning) || is_xml(bytes) ||
+         looks_like_manifest(bytes);
 }
 
 bool is_picture_with_session(const std::filesystem::path& file) {
@@ -146,6 +137,7 @@ Expected<std::optional<std::string>> carried_session(std::string_view bytes, con
   if (bytes.starts_with(kPngBeginning)) return in_png(bytes, file);
   if (bytes.starts_with(kPdfBeginning)) return in_pdf(bytes, file);
   if (is_xml(bytes)) return in_xml(bytes, file);
+  if (looks_like_manifest(bytes)) return in_manifest(bytes, file);
   return std::nullopt;
 }
 

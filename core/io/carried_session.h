@@ -19,7 +19,11 @@ std::optional<std::string> packed_session(const Session& session);
 /// What names of files end in that may carry a session, with the dot.
 inline constexpr std::array<std::string_view, 4> kCarrierExtensions{".png", ".svg", ".pdf", ".ipe"};
 
-/// Whether a file that begins so is of a kind that may carry a session: PNG, SVG, Ipe, PDF.
+/// How the manifest of recorded frames begins.
+inline constexpr std::string_view kManifestBeginning = "{\n \"mesecina\": \"take\",";
+bool looks_like_manifest(std::string_view bytes);
+
+/// Whether a file that begins so is of a kind that may carry a session: PNG, SVG, Ipe, PDF, a manifest of frames.
 bool may_carry_session(std::string_view bytes);
 
 /// Whether a PNG picture has a session where this program writes it, before the pixels: a look at the beginning of the

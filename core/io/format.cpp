@@ -90,6 +90,8 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
       if (!text) return std::unexpected(text.error());
       if (*text) return read_carried(**text, name);
     }
+    if (looks_like_manifest(bytes))
+      return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
     if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !looks_like_svg(bytes))
       return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +

@@ -169,6 +169,11 @@ TEST_CASE("a session that is cut, broken, foreign or too long is refused in one 
     for (std::size_t i = begin + 120; i < begin + 160; ++i) broken[i] = broken[i] == 'A' ? 'B' : 'A';
     check_refused(folder.write("broken." + format, broken).string(), "cut or broken");
   }
+  const std::string manifest = "{\n \"mesecina\": \"take\",\n \"" + std::string(mes::kCarriedSession) + "\"";
+  check_refused(folder.write("cut.json", manifest).string(), "the file is cut");
+  check_refused(folder.write("cut.json", manifest + ": \"eJw").string(), "the file is cut");
+  check_refused(folder.write("broken.json", manifest + ": \"eJwrrgQ\"}").string(), "cut or broken");
+  check_refused(folder.write("number.json", manifest + ": 7}").string(), "the file is cut");
   check_refused(folder.write("empty.svg", svg_with("")).string(), "cut or broken");
   check_refused(folder.write("text.svg", svg_with("hello")).string(), "cut or broken");
   const auto packed = [](const std::string& text) { return svg_with(in_base64(mes::zlib_compressed(text))); };

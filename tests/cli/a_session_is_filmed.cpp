@@ -54,6 +54,24 @@ TEST_CASE("each step of a session is a picture, the same in every run, and shard
   CHECK(pictures.size() >= 11);
   CHECK(names_in(folder / "parts").contains("manifest-2-of-3.json"));
 
+  // The manifest is the session, with its history; that of a part too.
+  const auto digests = [](const std::string& file) {
+    const RunResult played = run({"play", file});
+    INFO(played.err);
+    REQUIRE(played.exit_code == 0);
+    return played.out;
+  };
+  CHECK(digests((folder / "whole" / "manifest.json").string()) == digests(kSession));
+  CHECK(digests((folder / "parts" / "manifest-2-of-3.json").string()) == digests(kSession));
+  REQUIRE(film("bare", {"--no-source"}).exit_code == 0);
+  const std::string bare = (folder / "bare" / "manifest.json").string();
+  CHECK(contents_of(bare).find("mesecina-session") == std::string::npos);
+  const RunResult none = run({"compute", bare});
+  CHECK(none.exit_code == 3);
+  CHECK(none.err == "mesecina: " + bare +
+                        ":1:1: this is a manifest of frames that carries no session, not a text of "
+                        "samples\n");
+
   const RunResult refused = film("whole");
   CHECK(refused.exit_code == 4);
   CHECK(refused.err.find("frames already") != std::string::npos);

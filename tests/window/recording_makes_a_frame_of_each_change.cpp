@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "app/recording/take.h"
+#include "core/io/format.h"
+#include "core/io/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 
@@ -100,6 +102,16 @@ TEST_CASE("there are as many frames as changes, each complete") {
   CHECK(read->frames[0].what == "Spray");
   CHECK(read->frames[1 + kMoves].what == "Undo");
   CHECK(read->frames[1 + kMoves + 1].what == "Redo");
+  // The manifest is the session that made them: what was done is in it.
+  const auto source = read_sample_file(studio.take() / kManifestName);
+  REQUIRE(source);
+  CHECK(source->is_carried);
+  REQUIRE(source->session);
+  CHECK(source->data.positions.size() > 300);
+  std::size_t undone = 0;
+  for (std::size_t i = 0; i < source->session->entries.size(); ++i)
+    undone += std::holds_alternative<Undone>(source->session->entries[i]) ? 1U : 0U;
+  CHECK(undone == 1);
   // The state after redoing is the one before undoing, and so is its picture.
   CHECK(read->frames[kMoves].document == read->frames[kMoves + 2].document);
   const auto frame = [&](std::size_t number) { return read_picture(studio.take() / frame_name(number)); };

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/base64.h"
 #include "core/base/color.h"
 #include "render/figure/figure.h"
 
@@ -83,23 +84,6 @@ inline std::vector<TexText> tex_texts(std::span<const Text> texts) {
     else if (!text.text.empty())
       out.push_back({text, std::string(text.is_bold ? "\\bfseries" : "") + (text.is_italic ? "\\itshape" : ""),
                      escaped_tex(text.text)});
-  }
-  return out;
-}
-
-/// RFC 4648, without line breaks.
-inline std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const auto byte = [bytes](std::size_t k) -> std::uint32_t { return static_cast<std::uint8_t>(bytes[k]); };
-    const std::uint32_t word = byte(i) << 16U | (left > 1 ? byte(i + 1) << 8U : 0U) | (left > 2 ? byte(i + 2) : 0U);
-    out += kDigits[word >> 18U];
-    out += kDigits[word >> 12U & 63U];
-    out += left > 1 ? kDigits[word >> 6U & 63U] : '=';
-    out += left > 2 ? kDigits[word & 63U] : '=';
   }
   return out;
 }
