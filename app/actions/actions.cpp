@@ -145,6 +145,8 @@ constexpr auto kViewRows = std::to_array<Row>({
      "of the document; four at most",
      "F6"},
     {Id::close_panes, "close-panes", "Close panes", "Show the main pane alone again", "Shift+F6"},
+    {Id::toggle_differences, "toggle-differences", "Mark differences", "Mark in each pane what not all of them have",
+     "Ctrl+F6"},
     {Id::toggle_evolution, "toggle-evolution", "Evolution",
      "Show or hide the slider of evolutions: smooth, subdivide and others, step by step", "E"},
     {Id::toggle_theme, "toggle-theme", "Dark theme",

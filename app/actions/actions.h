@@ -78,6 +78,7 @@ enum class ActionId : std::uint8_t {
   put_marks_back,
   add_pane,
   close_panes,
+  toggle_differences,
   toggle_evolution,
   toggle_theme,
   projector_mode,

@@ -185,6 +185,7 @@ Settings from_json(const json& object) {
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_key = flag_in(object, "show_key", out.show_key);
   out.show_annotations = flag_in(object, "show_annotations", out.show_annotations);
+  out.show_differences = flag_in(object, "show_differences", out.show_differences);
   out.legend_at = place_in(object, "legend_at");
   out.marks.bar = flag_in(object, "show_scale_bar", out.marks.bar);
   out.marks.bar_at = place_in(object, "scale_bar_at");
@@ -274,6 +275,7 @@ json to_json(const Settings& settings) {
           {"show_legend", settings.show_legend},
           {"show_key", settings.show_key},
           {"show_annotations", settings.show_annotations},
+          {"show_differences", settings.show_differences},
           {"legend_at", to_json(settings.legend_at)},
           {"show_scale_bar", settings.marks.bar},
           {"scale_bar_at", to_json(settings.marks.bar_at)},

@@ -43,6 +43,7 @@ struct Settings {
   bool show_legend = true;                    ///< of the colour maps in use
   bool show_key = false;                      ///< of all visible layers
   bool show_annotations = true;
+  bool show_differences = false;        ///< of panes: what only some of them have is marked
   std::optional<PaperPlace> legend_at;  ///< where it was dragged to
   ScaleMarks marks{};                   ///< scale bar, axes and grid
   SnapSettings snap{};

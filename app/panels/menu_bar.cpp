@@ -165,7 +165,8 @@ void view_menu(const MenuBar& menu) {
   }
   for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(menu, id);
   if (ImGui::BeginMenu("Canvas")) {
-    for (const ActionId id : {ActionId::add_pane, ActionId::close_panes}) action_item(menu, id);
+    for (const ActionId id : {ActionId::add_pane, ActionId::close_panes, ActionId::toggle_differences})
+      action_item(menu, id);
     ImGui::Separator();
     canvas_menu(menu);
     ImGui::EndMenu();

@@ -118,6 +118,16 @@ void Picture::clear_background() {
   ++background_revision_;
 }
 
+void Picture::set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks) {
+  for (const std::vector<render::LayerView>& pane : marks_)
+    for (const render::LayerView& view : pane) scene_.forget(view.layer);
+  marks_ = std::move(marks);
+  ++patches_;
+  if (patch.layer_count == 0) return;
+  patch.frame = scene_.frame();
+  if (!apply(patch)) marks_.clear();
+}
+
 void Picture::forget_all_but(std::span<const LayerIndex> demand) {
   for (const LayerIndex layer : held_)
     if (std::ranges::find(demand, layer) == demand.end()) scene_.forget(layer);
@@ -224,14 +234,20 @@ render::Camera camera_of_panes(const render::Camera& window, const PanePlaces& p
 
 }  // namespace
 
+void Picture::add_marks(std::vector<render::LayerView>& views, std::size_t pane) const {
+  if (pane < marks_.size()) views.insert(views.end(), marks_[pane].begin(), marks_[pane].end());
+}
+
 void Picture::choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes) {
   const render::Camera camera = camera_of_panes(shown.camera, shown.places);
   views_.clear();
   views_.push_back(views_of(shown.layers, 1));
   add_texts(views_.back(), editor, nullptr, camera, shown.content_scale);
+  if (!shown.places.is_empty()) add_marks(views_.back(), 0);
   for (std::size_t i = 0; i < shown.panes.size(); ++i) {
     views_.push_back(views_of(shown.panes[i], 1));
     add_texts(views_.back(), editor, panes[i].version, camera, shown.content_scale);
+    add_marks(views_.back(), i + 1);
   }
 }
 
@@ -267,10 +283,11 @@ void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& edi
 }
 
 Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
-                                const Editor& editor, render::CaptureOptions options) {
+                                const Editor& editor, render::CaptureOptions options, bool is_beside) {
   const double units = camera.units_per_pixel() * options.content_scale;
   std::vector<render::LayerView> views = views_of(as_drawn(pane.layers, options.background, units), 1);
   add_texts(views, editor, pane.version, camera, options.content_scale);
+  if (is_beside) add_marks(views, pane.number);
   options.overlays = options.overlays && pane.version == nullptr;
   return capture.draw(scene_, camera, views, options);
 }

@@ -65,16 +65,20 @@ class Picture {
   struct Pane {
     const ShownPanes::Layers& layers;
     const Document* version =
-        nullptr;  ///< that it shows; null: that of the main pane, with the marks of its selection
+        nullptr;             ///< that it shows; null: that of the main pane, with the marks of its selection
+    std::size_t number = 0;  ///< among all panes; 0: the main one
   };
+  /// Marks above the layers of each pane, the main one first, as layers of the patch, in place of those before.
+  void set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks);
   /// With places of several panes, the main one shows the layers, and those beside it, in their order, what `panes` has
   /// for each.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
             bool is_kept, const PanePlaces& places = {}, std::span<const Pane> panes = {});
 
   /// Captures layers as they are now, in full detail, with the marks of the selection as last drawn, without panels.
+  /// `is_beside`: it is one of several.
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
-                         const Editor& editor, render::CaptureOptions options);
+                         const Editor& editor, render::CaptureOptions options, bool is_beside = false);
   render::GlDevice& device() { return device_; }
   /// The legend of these layers.
   std::vector<LegendEntry> legend(const ShownPanes::Layers& layers, LegendScope scope) const;
@@ -130,6 +134,7 @@ class Picture {
   /// A logical pixel is so many units of the document wide.
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                               double units_per_px) const;
+  void add_marks(std::vector<render::LayerView>& views, std::size_t pane) const;
   void choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes);
   void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
@@ -170,6 +175,7 @@ class Picture {
   ShownState shown_;
   std::vector<std::vector<render::LayerView>>
       views_;  // of each pane of `shown_`, the main one first, with their texts
+  std::vector<std::vector<render::LayerView>> marks_;  // of each pane
   std::optional<render::Font> letters_;
   bool is_coarse_ = false;
   Detail detail_;

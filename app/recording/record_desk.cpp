@@ -242,7 +242,7 @@ void RecordDesk::ask_sheet(const Drawn& drawn) {
     const render::CaptureOptions options{.background = sheet.background,
                                          .content_scale = view.content_scale,
                                          .supersampling = snapshot_->supersampling};
-    if (const auto done = picture_.capture(capture_, view.camera, panes[i], drawn.editor, options); !done)
+    if (const auto done = picture_.capture(capture_, view.camera, panes[i], drawn.editor, options, true); !done)
       return messages_.problem(done.error().message());
     asked_.push_back(asked_snapshot(std::move(overlay)));
     asked_.back().sheet = captured;

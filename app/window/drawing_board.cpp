@@ -35,7 +35,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     &snapper_},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
-      traced_(work.editor(), work.layers(), picture_, messages, std::move(wake)) {
+      traced_(work.editor(), work.layers(), picture_, messages, wake),
+      differences_(std::move(wake)) {
   LoadedColorMaps maps = load_color_maps(assets, user_color_map_folder());
   picture_.set_color_maps(std::move(maps.maps));
   // Captions and annotations of pictures use the same ones (LiveRecording).
@@ -139,6 +140,32 @@ void DrawingBoard::dim_outdated() {
 void DrawingBoard::follow() {
   if (work_.follow_layers(picture_.is_lost())) picture_.forget_all_but(work_.shown_panes().demand);
   if (traced_.follow(view().free_box())) screen_.clock.settle();
+  follow_differences();
+}
+
+bool DrawingBoard::shows_differences() const {
+  return settings_.show_differences && !work_.panes().is_empty();
+}
+
+std::optional<DifferenceMarks::State> DrawingBoard::compared_state() const {
+  if (!shows_differences()) return std::nullopt;
+  return DifferenceMarks::State{work_.document().revision(),
+                                work_.editor().revision_before_last_edit(),
+                                work_.evolution().beginning_revision(),
+                                work_.layers().revision(),
+                                work_.panes().revision(),
+                                work_.computation().settings(),
+                                {work_.evolution().choice(), work_.evolution().first_value()}};
+}
+
+void DrawingBoard::follow_differences() {
+  const bool is_complete = work_.is_complete();
+  differences_.follow(
+      is_complete ? compared_state() : std::nullopt, shows_differences(),
+      [this] { return work_.pane_requests(std::make_shared<const SampleData>(data_of(work_.document()))); },
+      picture_);
+  if (const auto problem = differences_.take_problem())
+    messages_.problem("The panes cannot be compared: " + problem->message());
 }
 
 void DrawingBoard::fit(Vec2 legend) {
@@ -168,7 +195,7 @@ std::vector<Picture::Pane> DrawingBoard::panes_beside() const {
   const ShownPanes& shown = work_.shown_panes();
   for (std::size_t i = 0; i < shown.panes.size(); ++i) {
     const Document& document = work_.document_of_pane(i);
-    out.push_back({shown.panes[i], &document != &work_.document() ? &document : nullptr});
+    out.push_back({shown.panes[i], &document != &work_.document() ? &document : nullptr, i + 1});
   }
   return out;
 }

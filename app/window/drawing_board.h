@@ -14,6 +14,7 @@
 #include "app/picture/annotation_drawing.h"
 #include "app/picture/picture.h"
 #include "app/ui/screen.h"
+#include "app/window/difference_marks.h"
 #include "app/window/traced_picture.h"
 #include "app/window/workspace.h"
 
@@ -45,6 +46,8 @@ class DrawingBoard {
   bool is_at_rest() const;
   /// What is shown beside the main pane.
   std::vector<Picture::Pane> panes_beside() const;
+  /// What only some of the panes have is marked, where it is to be.
+  bool has_differences() const { return differences_.is_complete(compared_state()); }
   /// Takes what the engine has finished.
   void take_results();
   /// Another document was read: what it lacks is said anew.
@@ -70,6 +73,9 @@ class DrawingBoard {
   void nudge(Vec2 px);
   void fit_selection();
   void watch_memory();
+  bool shows_differences() const;
+  std::optional<DifferenceMarks::State> compared_state() const;
+  void follow_differences();
   void dim_outdated();
   void draw_pointer(const Frame& frame);
   bool shows_annotations() const;
@@ -91,6 +97,7 @@ class DrawingBoard {
   Canvas canvas_;
   ViewFitter fitter_;
   TracedPicture traced_;
+  DifferenceMarks differences_;
   MemoryWatch memory_;
   AnnotationDrawing annotations_;  // as they were drawn last
 };

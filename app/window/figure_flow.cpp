@@ -9,7 +9,6 @@
 #include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
 #include "core/draw/layer_descriptor.h"
-#include "core/draw/variant.h"
 #include "core/io/atomic_file.h"
 
 namespace mes {
@@ -63,26 +62,8 @@ FigureSubject FigureFlow::subject() const {
   out.shown.layers = layers.visible_layers();
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) out.shown.styles.push_back(layers.style(layer));
   out.shown.background = uses_.board.picture().canvas();
-  if (!uses_.board.canvas().panes().is_empty()) out.panes = panes_of(out);
-  return out;
-}
-
-std::vector<PaneRequest> FigureFlow::panes_of(const FigureSubject& subject) const {
-  const Workspace& work = uses_.work;
-  const std::vector<std::string> words = work.words_of_panes();
-  const auto data = std::make_shared<const SampleData>(subject.data);
-  std::vector<PaneRequest> out{{words.front(), subject.shown, subject.settings, data}};
-  const ShownPanes& shown = work.shown_panes();
-  for (std::size_t i = 0; i < shown.panes.size(); ++i) {
-    PaneRequest pane{words[i + 1], subject.shown, work.settings_of_pane(i), data};
-    if (auto own = work.data_of_pane(i)) pane.data = std::move(own);
-    pane.shown.layers.clear();
-    for (const auto& [layer, style] : shown.panes[i]) {
-      pane.shown.layers.push_back(plain_layer(layer));
-      pane.shown.styles[plain_layer(layer)] = style;
-    }
-    out.push_back(std::move(pane));
-  }
+  if (!uses_.board.canvas().panes().is_empty())
+    out.panes = uses_.work.pane_requests(std::make_shared<const SampleData>(out.data));
   return out;
 }
 

@@ -59,8 +59,6 @@ class FigureFlow {
   std::string document_name() const;
   void ask_file();
   FigureSubject subject() const;
-  /// All that the window shows, the main one first.
-  std::vector<PaneRequest> panes_of(const FigureSubject& subject) const;
   /// Of the preview, made when it is asked for.
   ImTextureID texture();
   void forget_texture();

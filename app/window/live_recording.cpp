@@ -58,7 +58,7 @@ bool LiveRecording::holds_input() const {
 
 // A later request to the engine makes another state, or waits until this one is noted.
 void LiveRecording::note_if_complete(bool is_reading) {
-  const bool is_complete = uses_.work.is_complete() && !is_reading;
+  const bool is_complete = uses_.work.is_complete() && uses_.board.has_differences() && !is_reading;
   desk_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);
 }
 

@@ -99,6 +99,9 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_grid, settings.marks.grid);
   bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
   bind_toggle(ActionId::toggle_snap, settings.snap.is_on);
+  actions.bind(ActionId::toggle_differences, {[&settings] { settings.show_differences = !settings.show_differences; },
+                                              [&work = uses_.work] { return !work.panes().is_empty(); },
+                                              [&settings] { return settings.show_differences; }});
   actions.bind(ActionId::put_marks_back, {[&settings] {
                                             settings.legend_at.reset();
                                             settings.marks.bar_at.reset();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/export/carried.h"
+#include "core/draw/variant.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -128,6 +129,25 @@ Session Workspace::session_for_picture(std::string title, const Box2& view) cons
     out.panes = panes_now();
     out.evolution = evolution_now();
     out.evolution.step = 0;
+  }
+  return out;
+}
+
+std::vector<PaneRequest> Workspace::pane_requests(const std::shared_ptr<const SampleData>& data) const {
+  const std::vector<std::string> words = words_of_panes();
+  ShownLayers main{.layers = layers_.visible_layers()};
+  for (LayerIndex layer = 0; layer < layers_.size(); ++layer) main.styles.push_back(layers_.style(layer));
+  std::vector<PaneRequest> out{{words.front(), main, computation_.settings(), data}};
+  const ShownPanes& shown = shown_panes();
+  for (std::size_t i = 0; i < shown.panes.size() && i + 1 < words.size(); ++i) {
+    PaneRequest pane{words[i + 1], main, settings_of_pane(i), data};
+    if (auto own = data_of_pane(i)) pane.data = std::move(own);
+    pane.shown.layers.clear();
+    for (const auto& [layer, style] : shown.panes[i]) {
+      pane.shown.layers.push_back(plain_layer(layer));
+      pane.shown.styles[plain_layer(layer)] = style;
+    }
+    out.push_back(std::move(pane));
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/actions/action_bindings.h"
+#include "app/export/comparison.h"
 #include "app/model/annotation_desk.h"
 #include "app/model/ball_families.h"
 #include "app/model/computation_control.h"
@@ -62,6 +63,8 @@ class Workspace {
   SessionEvolution evolution_now() const;
   /// What a picture carries: the document as it is, without its history.
   Session session_for_picture(std::string title, const Box2& view) const;
+  /// All panes, the main one of these data first, as figures have them.
+  std::vector<PaneRequest> pane_requests(const std::shared_ptr<const SampleData>& data) const;
   /// The settings of a pane beside the main one, as it is shown.
   const ComputationSettings& settings_of_pane(std::size_t pane) const;
   /// The document of such a pane.

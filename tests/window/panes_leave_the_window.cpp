@@ -85,7 +85,7 @@ TEST_CASE("a snapshot and a figure of two panes show both, each with its letter"
   }));
 }
 
-TEST_CASE("a pane shows the document before the last edit") {
+TEST_CASE("a pane shows the document before the last edit, with the differences, and comes back with its session") {
   DrivenProgram window;
   const VirtualScreen& screen = window.screen;
   std::ofstream(window.folder / "house.poff") << "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
@@ -118,7 +118,18 @@ TEST_CASE("a pane shows the document before the last edit") {
   };
   move_roof(50, 150);
   CHECK(eventually([&] { return has_roofs_at(150, 50); }));
+  // What only one of them has is marked, also after the next edit.
+  const auto is_marked = [&](int x, int y) {
+    const Color color = screen.shoot().at(x, y);
+    return color.r > 200 && color.g < 60 && color.b > 100 && color.b < 180;
+  };
+  REQUIRE_FALSE(is_marked(kBeside + kMiddle, 50));
+  window.press("ctrl+F6");
+  CHECK(eventually([&] { return is_marked(kMiddle, 150) && is_marked(kBeside + kMiddle, 50); }));
   move_roof(150, 100);
+  CHECK(eventually([&] { return is_marked(kMiddle, 100) && is_marked(kBeside + kMiddle, 150); }));
+  CHECK_FALSE(is_marked(kBeside + kMiddle, 50));
+  window.press("ctrl+F6");
   CHECK(eventually([&] { return has_roofs_at(100, 150); }));
   window.press("ctrl+z");
   CHECK(eventually([&] { return has_roofs_at(150, 50); }));

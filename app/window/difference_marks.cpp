@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/difference_marks.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "app/export/computation.h"
+#include "core/draw/layer_descriptor.h"
+
+namespace mes {
+
+// The layers of marks are numbered after those of all panes that there can be.
+DifferenceMarks::Compared DifferenceMarks::compare_panes(std::vector<PaneRequest> requests, const State& state,
+                                                         const std::stop_token& stop) {
+  Compared out{.state = state, .patch = {}, .marks = {}, .problem = {}};
+  try {
+    Comparison comparison = compare(std::move(requests));
+    LayerMirror mirror;
+    const auto result =
+        run_computation(*comparison.data, {.layers = comparison.demand,
+                                           .settings = comparison.settings,
+                                           .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); },
+                                           .variants = comparison.variants,
+                                           .stop = stop});
+    if (!result) {
+      out.problem = result.error();
+      return out;
+    }
+    Box2 all;
+    for (const Pane& pane : comparison.panes)
+      if (const Box2 box = comparison.document_of(pane, *result).bounding_box(); !box.is_empty()) all.add(box);
+    out.patch = mark_differences(comparison, mirror, all.is_empty() ? 0.0 : std::max(all.width(), all.height()));
+    const auto layers = static_cast<LayerIndex>(layer_descriptors().size());
+    const auto first = static_cast<LayerIndex>(comparison.variants.size() + 1) * layers;
+    const LayerIndex free = (static_cast<LayerIndex>(PaneList::kMost) + 1) * layers;
+    for (LayerPatch& layer : out.patch.layers) layer.layer += free - first;
+    for (Pane& pane : comparison.panes) {
+      for (render::LayerView& view : pane.marks) view.layer += free - first;
+      out.marks.push_back(std::move(pane.marks));
+    }
+  } catch (const std::bad_alloc&) {
+    out.problem = Error{ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0};
+  }
+  return out;
+}
+
+void DifferenceMarks::follow(const std::optional<State>& state, bool later,
+                             const std::function<std::vector<PaneRequest>()>& panes, Picture& picture) {
+  if (auto compared = comparing_.poll()) {
+    is_comparing_ = false;
+    if (compared->problem) problem_ = compared->problem;
+    picture.set_marks(std::move(compared->patch), std::move(compared->marks));
+    marked_ = compared->state;
+  }
+  if (!state) {
+    if (later) return;
+    comparing_.give_up();
+    is_comparing_ = false;
+    if (std::exchange(marked_, std::nullopt)) picture.set_marks({}, {});
+    return;
+  }
+  if (is_comparing_ || marked_ == state) return;
+  is_comparing_ = true;
+  comparing_.begin([requests = panes(), state = *state](const std::stop_token& stop) {
+    return compare_panes(requests, state, stop);
+  });
+}
+
+}  // namespace mes
