@@ -28,9 +28,7 @@ bool has_family(LayerIndex layer) {
 }
 
 ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
-  LayerConfiguration layers;
-  for (const LayerIndex layer : shown.layers)
-    layers.layers.push_back({std::string(layer_descriptors()[layer].id), true, shown.styles[layer]});
+  const LayerConfiguration layers = configuration_of(shown);
   ShownLayers out = shown;
   out.layers.clear();
   for (const LayerConfiguration::Entry& entry : in_family(layers, family).layers) {
@@ -253,6 +251,36 @@ Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, cons
     }
     out.push_back(std::move(pane));
   }
+  return out;
+}
+
+std::vector<PaneChoice> panes_beside(const CompareRequest& compared) {
+  using Subject = CompareRequest::Subject;
+  std::vector<PaneChoice> out;
+  const bool begins_with_main = compared.subject != Subject::step || compared.steps.front() == 0;
+  for (std::size_t i = begins_with_main ? 1 : 0; i < compared.words.size() && out.size() < kMostPanesBeside; ++i) {
+    switch (compared.subject) {
+      case Subject::nothing: break;
+      case Subject::precision: out.emplace_back(compared.precisions[i]); break;
+      case Subject::parameter: out.emplace_back(ParameterChoice{compared.parameter, compared.values[i]}); break;
+      case Subject::family: out.emplace_back(compared.families[i]); break;
+      case Subject::bundle:
+        out.emplace_back(Bundle{compared.words[i], configuration_of(compared.bundles[i].shown), {}});
+        break;
+      case Subject::step:
+        if (compared.steps[i] <= kMostPaneStep) out.emplace_back(EvolvedChoice{compared.steps[i]});
+        break;
+    }
+  }
+  return out;
+}
+
+SessionEvolution evolution_beside(const CompareRequest& compared) {
+  if (compared.subject != CompareRequest::Subject::step) return {};
+  const EvolutionChoice& choice = compared.evolution;
+  SessionEvolution out{std::string(evolutions()[choice.evolution].descriptor.id), choice.seed, 0, {}};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    out.parameters.emplace_back(parameter.id, choice.values[parameter.id]);
   return out;
 }
 

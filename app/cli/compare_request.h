@@ -13,7 +13,9 @@
 #include "app/export/comparison.h"
 #include "app/model/ball_families.h"
 #include "core/base/error.h"
+#include "core/document/pane_choice.h"
 #include "core/evolutions/evolution.h"
+#include "core/io/session.h"
 
 namespace mes::cli {
 
@@ -42,5 +44,11 @@ Expected<CompareRequest> understand_comparison(const RenderRequest& request, std
 Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, const PictureRequest& picture,
                                             const ComputationSettings& settings,
                                             const std::shared_ptr<const SampleData>& data);
+
+/// What a session says of the comparison: panes beside the main one, which is the first one, or the document itself
+/// where that is not among the steps; as many as a session can have.
+std::vector<PaneChoice> panes_beside(const CompareRequest& compared);
+/// The evolution whose states they show; none for other comparisons.
+SessionEvolution evolution_beside(const CompareRequest& compared);
 
 }  // namespace mes::cli

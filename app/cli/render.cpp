@@ -41,17 +41,21 @@ Expected<std::optional<render::Image>> read_traced(PictureRequest& picture, cons
 
 /// What the picture carries; empty for nothing.
 std::string session_of(const RenderRequest& request, const PictureRequest& picture, const LoadedFile& input,
-                       const ComputationSettings& settings) {
+                       const ComputationSettings& settings, const CompareRequest& compared,
+                       const Comparison& comparison) {
   const bool can_carry = picture.format == nullptr || picture.format->carries_session;
   if (!request.with_source || !can_carry) return {};
-  LayerConfiguration layers{.layers = {}, .image = picture.image};
-  for (const LayerIndex layer : picture.shown.layers)
-    layers.layers.push_back({std::string(layer_descriptors()[layer].id), true, picture.shown.styles[layer]});
+  const bool is_of_first = compared.subject != CompareRequest::Subject::step;
+  LayerConfiguration layers = configuration_of(is_of_first ? comparison.panes.front().shown : picture.shown);
+  layers.image = picture.image;
   // A picture of a picture is called what that was.
   std::string title =
       input.session ? input.session->title : std::filesystem::path(request.source.file).filename().string();
-  auto packed = packed_session(
-      session_for_picture(std::move(title), input.data, std::move(layers), settings, picture.view.value_or(Box2{})));
+  Session session = session_for_picture(std::move(title), input.data, std::move(layers),
+                                        is_of_first ? comparison.settings : settings, picture.view.value_or(Box2{}));
+  session.panes = panes_beside(compared);
+  session.evolution = evolution_beside(compared);
+  auto packed = packed_session(session);
   if (!packed) say("the picture carries no source: it would be too long");
   return std::move(packed).value_or("");
 }
@@ -109,7 +113,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   if (!result) return std::unexpected(result.error());
 
   const Box2 bounds = result->document.bounding_box();
-  std::string session = session_of(request, *picture, *input, *settings);
+  std::string session = session_of(request, *picture, *input, *settings, *compared, comparison);
   const FigureSource source{.mirror = mirror,
                             .samples = input->data.positions,
                             .bounds = bounds,

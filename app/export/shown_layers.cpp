@@ -95,4 +95,11 @@ double typical_spacing(std::vector<Vec2> samples) {
   return *middle;
 }
 
+LayerConfiguration configuration_of(const ShownLayers& shown) {
+  LayerConfiguration out;
+  for (const LayerIndex layer : shown.layers)
+    out.layers.push_back({std::string(layer_descriptors()[layer].id), true, shown.styles[layer]});
+  return out;
+}
+
 }  // namespace mes

@@ -8,6 +8,7 @@
 
 #include "core/base/box2.h"
 #include "core/base/color.h"
+#include "core/document/layer_configuration.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/layer_style.h"
 #include "render/scene.h"
@@ -23,6 +24,9 @@ struct ShownLayers {
   std::optional<Rgb> background{};   ///< none: transparent
   double scale = 1.0;                ///< factor for line widths and point sizes
 };
+
+/// The layers of one variant with their styles, as sessions have them.
+LayerConfiguration configuration_of(const ShownLayers& shown);
 
 /// The layers with their styles; but samples that stand closer than their dots are wide get smaller dots, so that they
 /// are seen one by one where the size allows, and the curve under them. `units_per_pixel` is in units of the document

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/io/format.h"
+#include "core/io/session.h"
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/golden_image.h"
@@ -192,4 +194,47 @@ TEST_CASE("what cannot be compared is a usage error, and nothing is written") {
     CHECK(std::ranges::count(result.err, '\n') == 1);
     CHECK_FALSE(std::filesystem::exists(file));
   }
+}
+
+TEST_CASE("a picture of panes carries them, as the window would show them") {
+  using namespace mes;
+  const TemporaryFolder folder;
+  const auto session_of = [&](std::vector<std::string> arguments) {
+    const std::string file = (folder / "carrier.svg").string();
+    arguments.insert(arguments.begin(), kDude);
+    arguments.insert(arguments.end(), {"--force", "-o", file});
+    drawn(arguments);
+    const auto read = read_sample_file(file);
+    REQUIRE(read);
+    REQUIRE(read->session);
+    return *read->session;
+  };
+  const Session precisions = session_of({"--compare", "precision=naive,exact,fast"});
+  CHECK(precisions.settings.precision == Precision::naive);
+  CHECK(precisions.panes == std::vector<PaneChoice>{Precision::exact, Precision::fast});
+  const Session scales =
+      session_of({"--layers", "points,a-union-boundary", "--compare", "a-scale=1.5,1,1.1,1.2,1.3,1.4"});
+  CHECK(scales.settings[Parameter::a_scale] == 1.5);
+  CHECK(scales.panes == std::vector<PaneChoice>{ParameterChoice{Parameter::a_scale, 1.0},
+                                                ParameterChoice{Parameter::a_scale, 1.1},
+                                                ParameterChoice{Parameter::a_scale, 1.2}});
+  const Session families = session_of({"--layers", "points,a-union-boundary", "--compare", "family=p,a"});
+  CHECK(families.panes == std::vector<PaneChoice>{FamilyKind::inner});
+  REQUIRE(families.layers.layers.size() == 2);
+  CHECK(families.layers.layers[1].layer == "p-union-boundary");
+  const Session bundles = session_of({"--compare", "bundle=Samples,Crust"});
+  REQUIRE(bundles.panes.size() == 1);
+  CHECK(std::get<Bundle>(bundles.panes[0]).name == "Crust");
+  const Session steps = session_of({"--compare", "step=0,3", "--evolution", "noise:noise-factor=0.2,seed=5"});
+  CHECK(steps.panes == std::vector<PaneChoice>{EvolvedChoice{3}});
+  CHECK(steps.evolution.id == "noise");
+  CHECK(steps.evolution.seed == 5);
+  const Session later = session_of({"--compare", "step=2,3", "--evolution", "smooth"});
+  CHECK(later.panes == std::vector<PaneChoice>{EvolvedChoice{2}, EvolvedChoice{3}});
+  // Where a parameter is moved, steps are counted from what it was.
+  const Session scaled =
+      session_of({"--layers", "points,a-union-boundary", "--compare", "step=2,5", "--evolution", "a-growing"});
+  CHECK(scaled.settings == ComputationSettings{});
+  CHECK(scaled.panes == std::vector<PaneChoice>{EvolvedChoice{2}, EvolvedChoice{5}});
+  CHECK(session_of({}).panes.empty());
 }
