@@ -1,54 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/picture_file.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
-#include <limits>
-#include <memory>
+#include <iterator>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "core/base/lower_case.h"
-#include "render/picture_guard.h"
-
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#define STBI_FAILURE_USERMSG
-#define STBI_MAX_DIMENSIONS 32768
-#define STBI_MALLOC(size) allocate_zeros(size)
-#define STBI_REALLOC(block, size) std::realloc(block, size)
-#define STBI_FREE(block) std::free(block)
-
-namespace {
-
-/// stb_image 2.27 decodes with the Huffman tables of a JPEG whether or not the file has defined them. Zeros are a table
-/// in which each code is the symbol 0; uninitialized memory is one whose symbols lie outside it.
-void* allocate_zeros(std::size_t bytes) {
-  return std::calloc(1, bytes);
-}
-
-}  // namespace
-
-// A macro of ours that ends in a call lets the compiler take the old casts of the library for ours.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#include <stb_image.h>
-#pragma GCC diagnostic pop
 
 namespace mes::render {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 28U;
-
-struct FreePixels {
-  void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
-};
 
 std::unexpected<Error> fail(std::string text, const std::string& name, ErrorCode code = ErrorCode::bad_input) {
   return std::unexpected(Error{code, std::move(text), name});
@@ -81,30 +47,9 @@ Image halved(const Image& image) {
 }  // namespace
 
 Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name, std::size_t most_pixels) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
-  if (!is_safe_to_decode(bytes)) return fail("the picture is broken: it announces more than it can hold", name);
-  const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const auto size = static_cast<int>(bytes.size());
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
-    return fail("this is not a PNG or JPEG picture", name);
-  const std::string extent = fmt::format("{}x{}", width, height);
-  if (width < 1 || height < 1 || width > kLongestPictureSide || height > kLongestPictureSide ||
-      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most_pixels)
-    return fail("a picture of " + extent + " pixels is too large to trace", name);
-  try {
-    const std::unique_ptr<stbi_uc, FreePixels> pixels(
-        stbi_load_from_memory(data, size, &width, &height, &channels, 4));
-    if (!pixels) return fail(std::string("the picture is broken: ") + stbi_failure_reason(), name);
-    Image image{.width = width, .height = height, .rgba = {}};
-    const std::size_t count = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    image.rgba.assign(pixels.get(), pixels.get() + count);
-    return image;
-  } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory for a picture of " + extent + " pixels", name, ErrorCode::out_of_memory);
-  }
+  auto pixels = decode_pixels(bytes, name, 4, most_pixels);
+  if (!pixels) return std::unexpected(std::move(pixels.error()));
+  return Image{.width = pixels->width, .height = pixels->height, .rgba = std::move(pixels->values)};
 }
 
 Expected<Image> read_picture(const std::filesystem::path& file) {
@@ -128,7 +73,7 @@ Expected<Image> read_picture(const std::filesystem::path& file) {
 
 bool is_picture_file(const std::filesystem::path& file) {
   const std::string extension = lower_case_extension(file);
-  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+  return std::ranges::find(kPictureExtensions, extension) != std::end(kPictureExtensions);
 }
 
 Image reduced(Image image, int limit) {

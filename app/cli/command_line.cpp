@@ -93,10 +93,24 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out;
 }
 
+/// How a picture becomes samples.
+void add_trace(CLI::App& command, TraceOptions& trace) {
+  command.add_option("--threshold", trace.threshold,
+                     "Of a picture (PNG, JPEG, BMP, PGM): what is traced parts from the rest between the\n"
+                     "grey values N and N + 1, from 0 to 254; default: found by Otsu's method");
+  command.add_option("--specks", trace.specks,
+                     "Of a picture: outlines and holes around less than so many square pixels are left out;\n"
+                     "default: 16, or a ten-thousandth of the picture if that is more");
+  command.add_option("--figure-side", trace.figure,
+                     "Of a picture: trace what is dark or what is light; default: what there is less of along\n"
+                     "its edge");
+}
+
 void add_source(CLI::App& command, Source& source) {
   command.add_option("FILE", source.file, "Samples to read, or - for standard input")->required();
   command.add_option("--from", source.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
+  add_trace(command, source.trace);
   command.add_option("--precision", source.precision,
                      "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
   command
@@ -357,6 +371,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   evolve->add_option("FILE", to.evolve.file, "Samples to read, or - for standard input")->required();
   evolve->add_option("--from", to.evolve.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
+  add_trace(*evolve, to.evolve.trace);
   evolve->add_option("--evolution", to.evolve.evolution, "Evolution id (mesecina list evolutions)")->required();
   evolve->add_option("--steps", to.evolve.steps, "How many steps")->required();
   evolve->add_option("--seed", to.evolve.seed, "Of the random numbers, where an evolution draws any")

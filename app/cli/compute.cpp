@@ -69,7 +69,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   const auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from);
+  const auto input = read_input(request.source.file, request.source.from, request.source.trace);
   if (!input) return std::unexpected(input.error());
 
   LayerMirror mirror;

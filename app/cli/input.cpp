@@ -3,12 +3,51 @@
 
 #include <unistd.h>
 
+#include <utility>
+
 #include "app/cli/messages.h"
+#include "core/io/text_numbers.h"
 
 namespace mes::cli {
 
-Expected<LoadedFile> read_input(const std::string& file, const std::string& format) {
-  auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format) : read_sample_file(file, format);
+namespace {
+
+std::unexpected<Error> usage_error(std::string text) {
+  return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
+}
+
+Expected<TraceRequest> understand(const TraceOptions& options) {
+  TraceRequest out;
+  if (!options.threshold.empty()) {
+    const auto value = parse_count(options.threshold);
+    if (!value || *value > 254)
+      return usage_error("--threshold expects a grey value from 0 to 254, not " + in_quotes(options.threshold));
+    out.threshold = static_cast<int>(*value);
+  }
+  if (!options.specks.empty()) {
+    const auto value = parse_number(options.specks);
+    if (!value || *value < 0.0)
+      return usage_error("--specks expects a number of square pixels, not " + in_quotes(options.specks));
+    out.specks = *value;
+  }
+  if (options.figure == "dark") out.figure = FigureSide::dark;
+  if (options.figure == "light") out.figure = FigureSide::light;
+  if (!options.figure.empty() && out.figure == FigureSide::found)
+    return usage_error("--figure-side expects dark or light, not " + in_quotes(options.figure));
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> figure_sides() {
+  return {"dark", "light"};
+}
+
+Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const TraceOptions& options) {
+  const auto trace = understand(options);
+  if (!trace) return std::unexpected(trace.error());
+  auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *trace)
+                            : read_sample_file(file, format, {}, *trace);
   if (!loaded) return loaded;
   for (const std::string& warning : loaded->warnings) say(warning);
   return loaded;

@@ -3,13 +3,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "app/cli/requests.h"
 #include "core/base/error.h"
 #include "core/io/format.h"
 
 namespace mes::cli {
 
-/// Reads a file, or standard input when its name is "-". What is odd but bearable in it is said on stderr.
-Expected<LoadedFile> read_input(const std::string& file, const std::string& format);
+/// Reads a file, or standard input when its name is "-". What is odd but bearable in it is said on stderr. Error: also
+/// `usage` for a way of tracing that makes no sense, before anything is read, and for one of what is no picture.
+Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const TraceOptions& trace = {});
+
+/// The values of `--figure-side`.
+std::vector<std::string> figure_sides();
 
 }  // namespace mes::cli

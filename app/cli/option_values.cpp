@@ -6,6 +6,7 @@
 
 #include "app/cli/compare_request.h"
 #include "app/cli/completions.h"
+#include "app/cli/input.h"
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/export/page_size.h"
@@ -81,7 +82,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 36> kValues{{
+constexpr std::array<OptionValue, 39> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -93,6 +94,9 @@ constexpr std::array<OptionValue, 36> kValues{{
     {"--from", "FORMAT", ValueKind::choice, formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
     {"--to", "FORMAT", ValueKind::choice, picture_format_names},
+    {"--threshold", "N"},
+    {"--specks", "AREA"},
+    {"--figure-side", "SIDE", ValueKind::choice, figure_sides},
     {"--precision", "TYPE", ValueKind::choice, precisions},
     {"--set", "NAME=VALUE", ValueKind::choice, parameters},
     {"--layers", "IDS", ValueKind::choices, layers},

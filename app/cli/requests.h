@@ -16,10 +16,18 @@
 
 namespace mes::cli {
 
+/// What of a picture is traced; empty: what is found out.
+struct TraceOptions {
+  std::string threshold;
+  std::string specks;
+  std::string figure;  ///< "dark" or "light"
+};
+
 /// Common to everything that reads samples and computes.
 struct Source {
   std::string file;
   std::string from;                   ///< id of the input format; empty = find out
+  TraceOptions trace{};
   std::string precision;              ///< empty: fast, or in a picture what a session has
   std::vector<std::string> settings;  ///< NAME=VALUE
 };
@@ -109,6 +117,7 @@ Expected<void> run_lesson(const LessonRequest& request, Interruption& interrupti
 struct EvolveRequest {
   std::string file;
   std::string from;
+  TraceOptions trace{};
   std::string evolution;
   std::string steps;
   std::string seed = "1";

@@ -13,6 +13,7 @@
 #include "core/io/read_file.h"
 #include "core/io/svg_drawing.h"
 #include "core/io/text_numbers.h"
+#include "core/raster/picture_decoder.h"
 
 namespace mes {
 namespace {
@@ -82,18 +83,27 @@ Expected<LoadedFile> read_carried(std::string_view text, const std::string& name
   return file;
 }
 
+Expected<LoadedFile> untraceable(const std::string& name) {
+  return std::unexpected(Error{ErrorCode::usage, "only pictures are traced, and this is none", name});
+}
+
+/// What is readable though it is no text, or XML.
+bool is_drawing_or_picture(std::string_view bytes) {
+  return looks_like_svg(bytes) || looks_like_picture(bytes);
+}
+
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
-                                const fs::path* path) {
+                                const TraceRequest& trace, const fs::path* path) {
   try {
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());
-      if (*text) return read_carried(**text, name);
+      if (*text) return trace.is_default() ? read_carried(**text, name) : untraceable(name);
     }
     if (looks_like_manifest(bytes))
       return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
-    if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !looks_like_svg(bytes))
+    if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !is_drawing_or_picture(bytes))
       return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +
                            ", not a text of samples",
                        name, 1, 1);
@@ -101,7 +111,8 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
       return bad_input("the file is empty", name, 1, 1);
     const auto format = choose_format(bytes, name, wanted);
     if (!format) return std::unexpected(format.error());
-    auto file = (*format)->read(bytes, name);
+    if (!trace.is_default() && (*format)->read_traced == nullptr) return untraceable(name);
+    auto file = trace.is_default() ? (*format)->read(bytes, name) : (*format)->read_traced(bytes, name, trace);
     if (!file) return file;
     file->format = (*format)->descriptor.id;
     if (path != nullptr && (*format)->read_companions != nullptr) (*format)->read_companions(*path, *file);
@@ -116,7 +127,8 @@ ReadOptions what_may_be_read(std::stop_token stop) {
   constexpr std::size_t kLargestPicture = std::size_t{1} << 30U;
   return {.is_enough =
               [](std::string_view bytes) {
-                return !foreign_kind(bytes).empty() && (!may_carry_session(bytes) || bytes.size() > kLargestPicture);
+                const bool may_be_read = may_carry_session(bytes) || looks_like_picture(bytes);
+                return !foreign_kind(bytes).empty() && (!may_be_read || bytes.size() > kLargestPicture);
               },
           .stop = std::move(stop)};
 }
@@ -132,23 +144,26 @@ std::span<const FormatDescriptor> format_descriptors() {
   return descriptors;
 }
 
-Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, const std::stop_token& stop) {
+Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, const std::stop_token& stop,
+                                      const TraceRequest& trace) {
   const auto bytes = read_whole(path, what_may_be_read(stop));
   if (!bytes) return std::unexpected(bytes.error());
-  auto file = read_bytes(*bytes, path.string(), format, &path);
+  auto file = read_bytes(*bytes, path.string(), format, trace, &path);
   std::error_code error;
   if (file && fs::is_regular_file(path, error)) file->sources.push_back({path, fingerprint_of(*bytes)});
   return file;
 }
 
-Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format) {
+Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format,
+                                        const TraceRequest& trace) {
   const auto bytes = read_whole(descriptor, name, what_may_be_read({}));
   if (!bytes) return std::unexpected(bytes.error());
-  return read_bytes(*bytes, name, format, nullptr);
+  return read_bytes(*bytes, name, format, trace, nullptr);
 }
 
-Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format) {
-  return read_bytes(bytes, name, format, nullptr);
+Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format,
+                                       const TraceRequest& trace) {
+  return read_bytes(bytes, name, format, trace, nullptr);
 }
 
 }  // namespace mes

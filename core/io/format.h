@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/document/commands.h"
 #include "core/io/file_fingerprint.h"
+#include "core/raster/trace_request.h"
 
 namespace mes {
 
@@ -42,16 +43,20 @@ std::span<const FormatDescriptor> format_descriptors();
 
 /// Reads a file; the format is found by content first, extension second, unless `format` names one. A picture or a
 /// figure that carries a session is read as that session. A `.contours` file beside a POFF file is read too, if it is a
-/// regular file. Never allocates by what a header promises. A pipe is waited for until a stop is requested (error
-/// `cancelled`). Error: `bad_input` with file, line, column.
+/// regular file. A picture is traced as `trace` says, which no other format may be. Never allocates by what a header
+/// promises. A pipe is waited for until a stop is requested (error
+/// `cancelled`). Error: `bad_input` with file, line, column; `usage` for a wish that does not fit
+/// the file.
 Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {},
-                                      const std::stop_token& stop = {});
+                                      const std::stop_token& stop = {}, const TraceRequest& trace = {});
 
 /// The same for bytes in memory; `name` stands for the file in messages.
-Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {});
+Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {},
+                                       const TraceRequest& trace = {});
 
 /// The same from an open file descriptor, e.g. standard input, read to its end and left open.
-Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format = {});
+Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format = {},
+                                        const TraceRequest& trace = {});
 
 /// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
 std::string write_poff(const Document& document);

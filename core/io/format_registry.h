@@ -26,6 +26,9 @@ struct Format {
   Match (*match)(std::string_view bytes);
   /// Everything but `LoadedFile::format`. `name` stands for the file in messages.
   Expected<LoadedFile> (*read)(std::string_view bytes, const std::string& name);
+  /// Of pictures: what `read` does, with a choice of what to trace; null for all others.
+  Expected<LoadedFile> (*read_traced)(std::string_view bytes, const std::string& name,
+                                      const TraceRequest& request) = nullptr;
   /// Reads what lies beside the file in files of its own; may be null. Only warns, never fails.
   void (*read_companions)(const std::filesystem::path& path, LoadedFile& file) = nullptr;
 };

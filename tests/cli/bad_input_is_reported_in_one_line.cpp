@@ -46,7 +46,8 @@ TEST_CASE("files that are missing, folders and pictures are refused") {
   require_one_line(run({"compute", folder.path().string()}), 3,
                    "mesecina: " + folder.path().string() + ": cannot be read: Is a directory");
   const std::string picture = folder.write("p.csv", "\x89PNG\r\n\x1a\n").string();
-  require_one_line(run({"compute", picture}), 3, "mesecina: " + picture + ":1:1: this is a PNG picture");
+  require_one_line(run({"compute", picture}), 3,
+                   "mesecina: " + picture + ": this is not a PNG, JPEG, BMP or PGM picture");
 }
 
 TEST_CASE("a file of bundles is not a file of samples, and is recognised") {

@@ -27,6 +27,7 @@
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"
 #include "core/layers/parts/helpers.h"
+#include "core/raster/trace.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 
 using namespace mes;
@@ -381,4 +382,22 @@ TEST_CASE("curves are sampled, and maps are read, as their headers show") {
   REQUIRE(island->data.contours.size() == 1);
   CHECK(island->data.contours.front().closed);
   CHECK(island->data.positions.size() == 3);
+}
+
+TEST_CASE("pictures are traced as their headers show") {
+  GrayImage image{20, 20, std::vector<std::uint8_t>(400, 0)};
+  for (int y = 5; y < 15; ++y)
+    for (int x = 5; x < 15; ++x) image.values[static_cast<std::size_t>(20 * y + x)] = 255;
+  {
+    // core/raster/contours.h
+    const auto contours = contours_of(image, {.level = Level{127}, .is_figure_light = true});
+    REQUIRE(contours.kept.size() == 1);
+    CHECK(contours.kept[0].area == Approx(100.0 - 4 * 0.125));
+  }
+  std::size_t used = 0;
+  const auto use = [&](const CurveSet& curves) { used += curves.curves.size(); };
+  // core/raster/trace.h
+  const auto tracing = trace(image, {});
+  if (tracing) use(tracing->curves);
+  CHECK(used == 1);
 }

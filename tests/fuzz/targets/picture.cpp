@@ -1,16 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PNG and JPEG files to trace.
+// PNG, JPEG, BMP and PGM files, to be traced by hand and by the program.
+#include <algorithm>
 #include <span>
 
+#include "core/raster/trace.h"
 #include "render/picture_file.h"
 #include "render/png.h"
 #include "tests/fuzz/reader_checks.h"
 
+namespace mes::fuzz {
+namespace {
+
+// Pictures may be large by right, which takes time; a few bytes that announce one say nothing new.
+constexpr std::size_t kMostPixels = std::size_t{1} << 18U;
+
+/// Outlines end where they begin, and lie in the picture up to what smoothing moves them.
+void check_tracing(const GrayImage& image, const TraceRequest& request) {
+  const auto tracing = trace(image, request);
+  if (!tracing) {
+    require_message(tracing.error().text);
+    return;
+  }
+  require_message(remark_of(*tracing));
+  require(!tracing->curves.curves.empty(), "a tracing has an outline");
+  for (const PlaneCurve& curve : tracing->curves.curves) {
+    require(curve.is_closed(), "outlines are closed");
+    curve.for_each_piece([&](const Piece& piece) {
+      const Vec2 p = piece.to();
+      require(p.x >= -1.0 && p.y >= -1.0 && p.x <= image.width + 1.0 && p.y <= image.height + 1.0,
+              "outlines lie in the picture");
+    });
+  }
+}
+
+void check_traced(std::span<const std::byte> bytes) {
+  auto pixels = decode_pixels(bytes, "a.png", 0, kMostPixels);
+  if (!pixels) return;
+  const GrayImage image = gray_of(*std::move(pixels));
+  check_tracing(image, {});
+  const auto last = std::to_integer<int>(bytes.back());
+  check_tracing(image, {.threshold = std::min(last, 254), .specks = 1.0});
+}
+
+}  // namespace
+}  // namespace mes::fuzz
+
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace mes::fuzz;
-  // Pictures may be large by right, which takes time; a few bytes that announce one say nothing new.
-  constexpr std::size_t kMostPixels = std::size_t{1} << 18U;
-  const auto picture = mes::render::decode_picture(std::as_bytes(std::span(data, size)), "a.png", kMostPixels);
+  const auto bytes = std::as_bytes(std::span(data, size));
+  const auto picture = mes::render::decode_picture(bytes, "a.png", kMostPixels);
   require_little_memory(size + 40 * kMostPixels, 1);
   if (!picture) {
     require_error(picture.error(), text_of(data, size));
@@ -26,5 +64,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const mes::render::Image small = mes::render::reduced(*picture, 16);
   require(small.width > 0 && small.height > 0 && small.width <= 16 && small.height <= 16,
           "a reduced picture is within its limit");
+  check_traced(bytes);
   return 0;
 }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PNG, JPEG, BMP, PGM and PPM: samples of the outlines of what a picture shows. A picture of this program that carries a
+// session is that session instead (core/io/carried_session.h).
+#include <span>
+
+#include "core/io/curve_samples.h"
+#include "core/io/format_registry.h"
+#include "core/io/text_numbers.h"
+#include "core/raster/picture_decoder.h"
+#include "core/raster/trace.h"
+
+namespace mes {
+namespace {
+
+Match match(std::string_view bytes) {
+  return looks_like_picture(bytes) ? Match::surely : Match::no;
+}
+
+Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name, const TraceRequest& request) {
+  auto pixels = decode_pixels(std::as_bytes(std::span(bytes)), name);
+  if (!pixels) return std::unexpected(std::move(pixels.error()));
+  const auto tracing = trace(gray_of(*std::move(pixels)), request);
+  if (!tracing) return std::unexpected(Error{tracing.error().code, tracing.error().text, name});
+  auto file = load_samples(tracing->curves, sampling_of_tracing(), name);
+  if (file) file->warnings.push_back(name + ": " + remark_of(*tracing));
+  return file;
+}
+
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
+  return read_traced(bytes, name, {});
+}
+
+}  // namespace
+
+Format picture_format() {
+  return {.descriptor = {.id = "picture",
+                         .name = "Silhouette or photograph: PNG, JPEG, BMP, PGM",
+                         .extensions = {std::begin(kPictureExtensions), std::end(kPictureExtensions)},
+                         .can_read = true},
+          .match = match,
+          .read = read,
+          .read_traced = read_traced};
+}
+
+}  // namespace mes

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/raster/picture_decoder.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "core/raster/picture_guard.h"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_PNM
+#define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG
+#define STBI_MAX_DIMENSIONS 32768
+#define STBI_MALLOC(size) allocate_zeros(size)
+#define STBI_REALLOC(block, size) std::realloc(block, size)
+#define STBI_FREE(block) std::free(block)
+
+namespace {
+
+/// stb_image 2.27 decodes with the Huffman tables of a JPEG whether or not the file has defined them. Zeros are a table
+/// in which each code is the symbol 0; uninitialized memory is one whose symbols lie outside it. Nor does it look
+/// whether a PGM has all its pixels.
+void* allocate_zeros(std::size_t bytes) {
+  return std::calloc(1, bytes);
+}
+
+}  // namespace
+
+// A macro of ours that ends in a call lets the compiler take the old casts of the library for ours.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace mes {
+namespace {
+
+struct FreePixels {
+  void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+std::unexpected<Error> fail(std::string text, const std::string& name, ErrorCode code = ErrorCode::bad_input) {
+  return std::unexpected(Error{code, std::move(text), name});
+}
+
+/// a b / 255, rounded, for values up to 255.
+unsigned product(unsigned a, unsigned b) {
+  return (a * b + 127) / 255;
+}
+
+/// Weights of Rec. 709 in parts of 256, rounded so that white stays white.
+unsigned luma(const std::uint8_t* rgb) {
+  return (54U * rgb[0] + 183U * rgb[1] + 19U * rgb[2] + 128U) / 256U;
+}
+
+bool is_silhouette_in_alpha(const Pixels& pixels) {
+  const auto each = static_cast<std::size_t>(pixels.channels);
+  std::size_t clear = 0;
+  for (std::size_t i = each - 1; i < pixels.values.size(); i += each) clear += pixels.values[i] < 128 ? 1U : 0U;
+  return 100 * clear >= pixels.values.size() / each;
+}
+
+}  // namespace
+
+bool looks_like_picture(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  constexpr std::array kBeginnings{"\x89PNG\r\n\x1a\n"sv, "\xFF\xD8\xFF"sv};
+  for (const std::string_view beginning : kBeginnings)
+    if (bytes.starts_with(beginning)) return true;
+  const auto is_blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
+  if ((bytes.starts_with("P5") || bytes.starts_with("P6")) && bytes.size() > 2) return is_blank(bytes[2]);
+  // "BM", a size of four bytes, four that are zero, and the place of the pixels, which is below 65536.
+  return bytes.size() >= 14 && bytes.starts_with("BM") && bytes.substr(6, 4) == "\0\0\0\0"sv &&
+         bytes.substr(12, 2) == "\0\0"sv;
+}
+
+Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels,
+                               std::size_t most_pixels) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
+  if (const std::string_view hazard = decoding_hazard(bytes); !hazard.empty())
+    return fail("the picture is broken: " + std::string(hazard), name);
+  const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const auto size = static_cast<int>(bytes.size());
+  Pixels out;
+  int found = 0;
+  if (stbi_info_from_memory(data, size, &out.width, &out.height, &found) == 0)
+    return fail("this is not a PNG, JPEG, BMP or PGM picture", name);
+  if (out.height < 0 && out.height > std::numeric_limits<int>::min())
+    out.height = -out.height;  // BMP, rows from the top
+  const std::string extent = fmt::format("{}x{}", out.width, out.height);
+  if (out.width < 1 || out.height < 1 || out.width > kLongestPictureSide || out.height > kLongestPictureSide ||
+      static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) > most_pixels)
+    return fail("a picture of " + extent + " pixels is too large to trace", name);
+  try {
+    const std::unique_ptr<stbi_uc, FreePixels> pixels(
+        stbi_load_from_memory(data, size, &out.width, &out.height, &found, channels));
+    if (!pixels) return fail(std::string("the picture is broken: ") + stbi_failure_reason(), name);
+    out.channels = channels == 0 ? found : channels;
+    const std::size_t count = static_cast<std::size_t>(out.channels) * static_cast<std::size_t>(out.width) *
+                              static_cast<std::size_t>(out.height);
+    out.values.assign(pixels.get(), pixels.get() + count);
+    return out;
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory for a picture of " + extent + " pixels", name, ErrorCode::out_of_memory);
+  }
+}
+
+GrayImage gray_of(Pixels pixels) {
+  GrayImage out{pixels.width, pixels.height, {}};
+  if (pixels.channels == 1) {
+    out.values = std::move(pixels.values);
+    return out;
+  }
+  const auto each = static_cast<std::size_t>(pixels.channels);
+  const bool has_color = pixels.channels >= 3;
+  const bool has_alpha = pixels.channels % 2 == 0;
+  const bool is_alpha = has_alpha && is_silhouette_in_alpha(pixels);
+  out.values.resize(pixels.values.size() / each);
+  for (std::size_t i = 0; i < out.values.size(); ++i) {
+    const std::uint8_t* const pixel = &pixels.values[each * i];
+    const unsigned alpha = has_alpha ? pixel[each - 1] : 255U;
+    unsigned value = alpha;
+    if (!is_alpha) {
+      const unsigned lightness = has_color ? luma(pixel) : pixel[0];
+      value = alpha == 255U ? lightness : product(lightness, alpha) + (255U - alpha);
+    }
+    out.values[i] = static_cast<std::uint8_t>(std::min(value, 255U));
+  }
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/raster/trace.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "core/raster/internal/smoothing.h"
+
+namespace mes {
+namespace {
+
+// In pixels. A gentle slope shows as steps that are tens of pixels long.
+constexpr double kWidestScale = 32.0;
+// Of the points of all contours, so many between values of the two sides make a picture of two values.
+constexpr double kShareOfSharp = 0.6;
+
+std::unexpected<Error> refused(ErrorCode code, std::string text) {
+  return std::unexpected(Error{code, std::move(text)});
+}
+
+std::string counted(std::size_t count, std::string_view one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+struct Sides {
+  std::size_t dark = 0;  // pixels
+  std::size_t light = 0;
+  double dark_mean = 0.0;
+  double light_mean = 255.0;
+};
+
+Sides sides_of(const Histogram& histogram, Level level) {
+  Sides out;
+  double dark = 0.0;
+  double light = 0.0;
+  for (std::size_t value = 0; value < histogram.size(); ++value) {
+    const double sum = static_cast<double>(value) * static_cast<double>(histogram[value]);
+    const bool is_dark = value <= static_cast<std::size_t>(level.below);
+    (is_dark ? out.dark : out.light) += histogram[value];
+    (is_dark ? dark : light) += sum;
+  }
+  if (out.dark != 0) out.dark_mean = dark / static_cast<double>(out.dark);
+  if (out.light != 0) out.light_mean = light / static_cast<double>(out.light);
+  return out;
+}
+
+/// A threshold that was asked for, or the best.
+Expected<Level> chosen_level(const Histogram& histogram, const TraceRequest& request) {
+  if (request.threshold) {
+    if (*request.threshold < 0 || *request.threshold > 254)
+      return refused(ErrorCode::usage, "a threshold is a grey value from 0 to 254");
+    return Level{*request.threshold};
+  }
+  if (const auto level = otsu_level(histogram)) return *level;
+  const auto only = std::ranges::find_if(histogram, [](std::size_t count) { return count != 0; });
+  return refused(ErrorCode::bad_input,
+                 fmt::format("no figure stands out: every pixel has the grey value {}", only - histogram.begin()));
+}
+
+PlaneCurve closed_curve(const std::vector<Vec2>& points) {
+  PlaneCurve out(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) out.line_to(points[i]);
+  out.close();
+  return out;
+}
+
+bool is_two_valued(const PixelContours& contours) {
+  std::size_t sharp = 0;
+  std::size_t all = 0;
+  for (const PixelContour& contour : contours.kept) {
+    sharp += contour.sharp;
+    all += contour.points.size();
+  }
+  return static_cast<double>(sharp) > kShareOfSharp * static_cast<double>(all);
+}
+
+}  // namespace
+
+Histogram histogram_of(const GrayImage& image) {
+  // Most of a silhouette is runs of one value. Elsewhere two tables, since equal neighbours would wait for each other.
+  constexpr std::size_t kRun = 8;
+  constexpr std::uint64_t kEach = 0x0101010101010101;
+  Histogram out{};
+  Histogram other{};
+  const std::uint8_t* at = image.values.data();
+  const std::uint8_t* const end = at + image.values.size();
+  for (; end - at >= static_cast<std::ptrdiff_t>(kRun); at += kRun) {
+    std::uint64_t run = 0;
+    std::memcpy(&run, at, kRun);
+    if (run == kEach * *at) {
+      out[*at] += kRun;
+    } else {
+      for (std::size_t i = 0; i < kRun; i += 2) {
+        ++out[at[i]];
+        ++other[at[i + 1]];
+      }
+    }
+  }
+  for (; at != end; ++at) ++out[*at];
+  for (std::size_t value = 0; value < out.size(); ++value) out[value] += other[value];
+  return out;
+}
+
+std::optional<Level> otsu_level(const Histogram& histogram) {
+  std::int64_t all = 0;
+  std::int64_t sum = 0;
+  for (std::size_t value = 0; value < histogram.size(); ++value) {
+    all += static_cast<std::int64_t>(histogram[value]);
+    sum += static_cast<std::int64_t>(value * histogram[value]);
+  }
+  std::int64_t below = 0;
+  std::int64_t sum_below = 0;
+  double best = 0.0;
+  int first = -1;
+  int last = -1;
+  for (int level = 0; level < 255; ++level) {
+    const auto count = static_cast<std::int64_t>(histogram[static_cast<std::size_t>(level)]);
+    below += count;
+    sum_below += level * count;
+    if (below == 0 || below == all) continue;
+    const auto difference = static_cast<double>(std::abs(sum * below - sum_below * all));
+    const double variance = difference / static_cast<double>(below) * (difference / static_cast<double>(all - below));
+    if (variance > best) {
+      best = variance;
+      first = level;
+    }
+    if (variance == best) last = level;
+  }
+  if (first < 0) return std::nullopt;
+  return Level{(first + last) / 2};
+}
+
+double default_specks(const GrayImage& image) {
+  constexpr double kLeast = 16.0;
+  constexpr double kShare = 1e-4;
+  return std::max(kLeast, kShare * static_cast<double>(image.width) * image.height);
+}
+
+bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
+  if (side != FigureSide::found) return side == FigureSide::light;
+  std::int64_t excess = 0;  // of light pixels over dark ones
+  const auto count = [&](int x, int y) { excess += image.at(x, y) > level.below ? 1 : -1; };
+  for (int x = 0; x < image.width; ++x) {
+    count(x, 0);
+    count(x, image.height - 1);
+  }
+  for (int y = 1; y + 1 < image.height; ++y) {
+    count(0, y);
+    count(image.width - 1, y);
+  }
+  if (excess != 0) return excess < 0;
+  const Sides sides = sides_of(histogram_of(image), level);
+  return sides.light < sides.dark;
+}
+
+Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request) {
+  const Histogram histogram = histogram_of(image);
+  const auto level = chosen_level(histogram, request);
+  if (!level) return std::unexpected(level.error());
+  const Sides sides = sides_of(histogram, *level);
+  Tracing out{.level = *level,
+              .is_figure_light = is_figure_light(image, *level, request.figure),
+              .speck_size = request.specks.value_or(default_specks(image))};
+  const PixelContours contours = contours_of(image, {.level = *level,
+                                                     .is_figure_light = out.is_figure_light,
+                                                     .least_area = out.speck_size,
+                                                     .dark = sides.dark_mean,
+                                                     .light = sides.light_mean});
+  out.specks = contours.specks;
+  out.pinholes = contours.pinholes;
+  const std::string side =
+      fmt::format("{} than {:.1f} of 255", out.is_figure_light ? "lighter" : "darker", level->value());
+  if (contours.kept.empty() && contours.specks == 0)
+    return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
+  if (contours.kept.empty())
+    return refused(ErrorCode::bad_input,
+                   fmt::format("no figure stands out: what is {} is specks, the largest of {:.4g} square pixels",
+                               side, contours.largest_speck));
+  out.is_two_valued = is_two_valued(contours);
+  const SmoothingLimits limits{out.is_two_valued ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};
+  for (const PixelContour& contour : contours.kept)
+    out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits)));
+  return out;
+}
+
+SamplingRequest sampling_of_tracing() {
+  constexpr std::size_t kSamples = 400;
+  constexpr std::size_t kLeastEach = 8;
+  return {.rule = SamplingRule::adaptive, .count = kSamples, .least_each = kLeastEach};
+}
+
+std::string remark_of(const Tracing& tracing) {
+  std::string out = fmt::format("traced what is {} than {:.1f} of 255",
+                                tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
+  if (tracing.specks + tracing.pinholes == 0) return out;
+  out += "; left out: ";
+  if (tracing.specks != 0) out += counted(tracing.specks, "speck");
+  if (tracing.specks != 0 && tracing.pinholes != 0) out += " and ";
+  if (tracing.pinholes != 0) out += counted(tracing.pinholes, "hole");
+  return out + fmt::format(" of less than {:.4g} square pixels", tracing.speck_size);
+}
+
+}  // namespace mes

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a silhouette or a photograph to curves: the outlines of what is lighter or darker than a threshold.
+//
+// Smallest use:
+//     const auto tracing = trace(image, {});
+//     if (tracing) use(tracing->curves);
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/curves/curve.h"
+#include "core/curves/sampling.h"
+#include "core/raster/contours.h"
+#include "core/raster/gray_image.h"
+#include "core/raster/trace_request.h"
+
+namespace mes {
+
+/// One outline or hole a curve, polygons of sides of about a pixel.
+struct Tracing {
+  CurveSet curves{};
+  Level level{};
+  bool is_figure_light = false;
+  double speck_size = 0.0;     ///< square pixels
+  std::size_t specks = 0;      ///< figures left out
+  std::size_t pinholes = 0;    ///< holes left out
+  bool is_two_valued = false;  ///< hardly any value along the outlines is in between
+};
+
+/// Pixels by value.
+using Histogram = std::array<std::size_t, 256>;
+Histogram histogram_of(const GrayImage& image);
+
+/// The level between two classes of values whose means differ most, in proportion to their sizes: the maximum of the
+/// variance between them (Otsu 1979), decided in integers but for one quotient; the middle where several are equal.
+/// Nothing if all pixels have the same value. Exchanging light and dark gives the level exchanged.
+std::optional<Level> otsu_level(const Histogram& histogram);
+
+/// Sixteen square pixels, or the ten-thousandth part of a picture that is larger.
+double default_specks(const GrayImage& image);
+
+/// Which side is the figure at a level.
+bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
+
+/// Outlines are smoothed: each point moves by at most `kMostSmoothing` pixels, and by at most `kMostSoftSmoothing` where
+/// edges have values in between, which say where within a pixel the outline is. Cost: O(pixels); any thread. Error:
+/// `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a threshold out of range.
+Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request);
+inline constexpr double kMostSmoothing = 0.95;
+inline constexpr double kMostSoftSmoothing = 0.2;
+
+/// What a tracing is sampled by when it is opened: about 400 samples, at least eight on each curve, more where parts of it
+/// are near to each other.
+SamplingRequest sampling_of_tracing();
+
+/// "traced what is darker than 127.5 of 255; left out: 12 specks and 3 holes of less than 26 square pixels".
+std::string remark_of(const Tracing& tracing);
+
+}  // namespace mes

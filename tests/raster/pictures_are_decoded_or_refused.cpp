@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// BMP, PGM and PPM, written here byte by byte; PNG and JPEG are in tests/render. What a decoder would take at its word
+// is refused before.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "core/raster/picture_decoder.h"
+
+using namespace mes;
+
+namespace {
+
+Expected<Pixels> decoded(const std::string& bytes, int channels = 0) {
+  return decode_pixels(std::as_bytes(std::span(bytes)), "a", channels);
+}
+
+std::string refusal(const std::string& bytes) {
+  const auto pixels = decoded(bytes);
+  REQUIRE_FALSE(pixels.has_value());
+  return pixels.error().message();
+}
+
+std::string number(std::uint32_t value, int bytes) {
+  std::string out;
+  for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> (8 * i) & 0xFFU);
+  return out;
+}
+
+/// The two headers of a BMP, of `colors` in its palette.
+std::string bmp(std::uint32_t width, std::uint32_t height, std::uint32_t bits, std::uint32_t colors) {
+  return "BM" + number(0, 8) + number(54 + 4 * colors, 4) + number(40, 4) + number(width, 4) + number(height, 4) +
+         number(1, 2) + number(bits, 2) + number(0, 24);
+}
+
+const std::string kTooMuch = "a: the picture is broken: it announces more than it can hold";
+
+}  // namespace
+
+TEST_CASE("PGM and PPM are read with comments between their numbers") {
+  const auto gray =
+      decoded("P5 # a comment\n3\t2\n# and another\n255\n" + std::string("\x00\x01\x02\x7f\x80\xff", 6));
+  REQUIRE(gray.has_value());
+  CHECK(gray->width == 3);
+  CHECK(gray->height == 2);
+  CHECK(gray->channels == 1);
+  CHECK(gray->values == std::vector<std::uint8_t>{0, 1, 2, 127, 128, 255});
+  const auto color = decoded("P6 1 1 255 abc");
+  REQUIRE(color.has_value());
+  CHECK(color->values == std::vector<std::uint8_t>{'a', 'b', 'c'});
+  CHECK(looks_like_picture("P5\n1 1 255 x"));
+  CHECK_FALSE(looks_like_picture("P5x"));
+  CHECK_FALSE(looks_like_picture("POFF\n1 0 0\n"));
+}
+
+TEST_CASE("PGM and PPM that lack what they announce are refused") {
+  CHECK(refusal("P5 2 2 255 abc") == kTooMuch);
+  CHECK(refusal("P6 1 1 255 ab") == kTooMuch);
+  CHECK(refusal("P5 30000 30000 255 a") == kTooMuch);
+  CHECK(refusal("P5 1 1 65535 ab") == "a: the picture is broken: values of 16 bits in PGM and PPM are not read");
+  for (const char* header : {"P5", "P5 ", "P5 a", "P5 1 1", "P5 1 1 0 a", "P5 99999999999 1 255 a", "P5 -1 1 255 a"})
+    CHECK(refusal(header) == "a: the picture is broken: its header is not that of a PGM or PPM");
+  CHECK(refusal("P5 0 0 255 ").starts_with("a: "));
+}
+
+TEST_CASE("BMP is read from below and from above") {
+  const std::string rows = std::string("\x01\x02\x03\x00", 4) + std::string("\xff\xff\xff\x00", 4);
+  const auto from_below = decoded(bmp(1, 2, 24, 0) + rows);
+  REQUIRE(from_below.has_value());
+  CHECK(from_below->values == std::vector<std::uint8_t>{255, 255, 255, 3, 2, 1});
+  const auto from_above = decoded(bmp(1, static_cast<std::uint32_t>(-2), 24, 0) + rows);
+  REQUIRE(from_above.has_value());
+  CHECK(from_above->height == 2);
+  CHECK(from_above->values == std::vector<std::uint8_t>{3, 2, 1, 255, 255, 255});
+  // Two colours, a bit a pixel.
+  const auto bits = decoded(bmp(3, 1, 1, 2) + std::string("\x00\x00\x00\x00\xff\xff\xff\x00", 8) +
+                            std::string("\xa0\x00\x00\x00", 4));
+  REQUIRE(bits.has_value());
+  CHECK(gray_of(*bits).values == std::vector<std::uint8_t>{255, 0, 255});
+}
+
+TEST_CASE("BMP with less than it announces is refused") {
+  const std::string palette("\x00\x00\x00\x00\xff\xff\xff\x00", 8);
+  CHECK(refusal(bmp(3, 2, 8, 2) + palette + std::string(7, '\0')) == kTooMuch);
+  CHECK(decoded(bmp(3, 2, 8, 2) + palette + std::string(8, '\0')).has_value());
+  CHECK(refusal(bmp(3, 2, 8, 2) + palette + std::string(8, '\2')) ==
+        "a: the picture is broken: it has colours that its palette lacks");
+  CHECK(refusal(bmp(1, 1, 24, 0).substr(0, 30)).starts_with("a: "));
+  CHECK(refusal(bmp(30000, 30000, 24, 0)) == kTooMuch);
+  CHECK(refusal(bmp(1, 0x80000000U, 24, 0) + std::string(8, '\0')).starts_with("a: "));
+}
+
+TEST_CASE("a picture becomes grey by its alpha where that is a silhouette, and by its lightness on white elsewhere") {
+  Pixels pixels{2, 1, 4, {255, 0, 0, 255, 0, 0, 0, 0}};
+  CHECK(gray_of(pixels).values == std::vector<std::uint8_t>{255, 0});
+  pixels.values[7] = 128;
+  CHECK(gray_of(pixels).values == std::vector<std::uint8_t>{54, 127});
+  CHECK(gray_of({2, 1, 3, {255, 255, 255, 0, 255, 0}}).values == std::vector<std::uint8_t>{255, 182});
+  CHECK(gray_of({2, 1, 2, {9, 255, 9, 10}}).values == std::vector<std::uint8_t>{255, 10});
+  CHECK(gray_of({2, 1, 1, {9, 200}}).values == std::vector<std::uint8_t>{9, 200});
+}
