@@ -51,6 +51,7 @@ void register_recording(RatioTable& table);
 void register_figures(RatioTable& table);
 void register_unions(RatioTable& table);
 void register_evolving(RatioTable& table);
+void register_tracing(RatioTable& table);
 void register_panes(RatioTable& table);
 
 }  // namespace mes::bench
