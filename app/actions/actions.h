@@ -20,6 +20,7 @@ enum class ActionId : std::uint8_t {
   save,
   save_as,
   trace_picture,
+  picture_to_samples,
   snapshot,
   copy_picture,
   record,

@@ -11,6 +11,7 @@
 #include "app/panels/command_palette.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/help.h"
+#include "app/panels/trace_dialog.h"
 #include "app/ui/file_browser.h"
 
 namespace mes {
@@ -22,6 +23,7 @@ class Dialogs {
   AskRecover recover;
   AskConflict conflict;
   FigureDialog figure;
+  TraceDialog trace;
   FileBrowser browser;
   HelpPage help;
   CommandPalette palette;
@@ -33,7 +35,7 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 7> all_{&figure, &unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 8> all_{&figure, &trace, &unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

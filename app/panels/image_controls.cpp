@@ -36,7 +36,7 @@ void ImageControls::draw() const {
   if (image.file.empty()) {
     ImGui::TextUnformatted("No picture to trace is open");
     choose("Choose a picture...");
-    tooltip(gui, "PNG or JPEG; it can also be dropped on the window");
+    tooltip(gui, "PNG, JPEG, BMP or PGM; it can also be dropped on the window");
     return;
   }
   const float unit = gui.unit();

@@ -58,6 +58,7 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::save);
   action_item(menu, ActionId::save_as);
   ImGui::Separator();
+  action_item(menu, ActionId::picture_to_samples);
   action_item(menu, ActionId::trace_picture);
   action_item(menu, ActionId::export_figure);
   geometry_menu(menu);

@@ -2,14 +2,30 @@
 #include "app/window/document_flow.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/model/demo.h"
+#include "core/io/carried_session.h"
 #include "core/io/format.h"
+#include "core/raster/picture_decoder.h"
+#include "render/picture_file.h"
 
 namespace mes {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> picture_extensions() {
+  return {std::begin(kPictureExtensions), std::end(kPictureExtensions)};
+}
+
+}  // namespace
+
+bool is_picture_to_trace(const fs::path& file) {
+  return render::is_picture_file(file) && !is_picture_with_session(file);
+}
 
 DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::function<void()>& wake)
     : uses_(uses),
@@ -26,7 +42,8 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
           uses_.work, uses_.messages, [this] { return session_now(); }, wake),
       figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
                 [this] { return files_.title(); }, [this] { return browse_folder(); }},
-               wake) {}
+               wake),
+      tracing_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages}, wake) {}
 
 void DocumentFlow::bind(ActionBindings& actions) {
   bind_files(actions);
@@ -44,6 +61,10 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::open, {[this] {
                  with_saved_work([this] {
                    const auto open_one = [this](const fs::path& file) {
+                     if (is_picture_to_trace(file)) {
+                       tracing_.open(file);
+                       return;
+                     }
                      const std::vector<fs::path> files = without_bundles({file.string()});
                      if (files.empty()) return;
                      traced_with_next_.clear();
@@ -55,8 +76,9 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::trace_picture, {[this] {
                  uses_.dialogs.browser.ask_open(
                      browse_folder(), remembering([this](const fs::path& file) { uses_.board.traced().trace(file); }),
-                     {.heading = "Picture underneath", .extensions = {".png", ".jpg", ".jpeg"}});
+                     {.heading = "Picture underneath", .extensions = picture_extensions()});
                }});
+  actions.bind(ActionId::picture_to_samples, {[this] { ask_trace(); }});
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
@@ -67,6 +89,11 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                 },
                 [this] { return can_present(); }, [this] { return uses_.lesson.is_running(); }});
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
+}
+
+void DocumentFlow::ask_trace() {
+  uses_.dialogs.browser.ask_open(browse_folder(), remembering([this](const fs::path& file) { tracing_.open(file); }),
+                                 {.heading = "Trace a picture", .extensions = picture_extensions()});
 }
 
 void DocumentFlow::bind_bundles(ActionBindings& actions) {
@@ -162,6 +189,7 @@ void DocumentFlow::take_results() {
   take_read_file();
   take_saved();
   figures_.take_results();
+  tracing_.take_results();
   offer_left_work();
 }
 

@@ -19,9 +19,13 @@
 #include "app/window/drawing_board.h"
 #include "app/window/figure_flow.h"
 #include "app/window/lesson_run.h"
+#include "app/window/trace_flow.h"
 #include "app/window/work_keeper.h"
 
 namespace mes {
+
+/// A picture by its name that carries no session.
+bool is_picture_to_trace(const std::filesystem::path& file);
 
 /// What it guarantees:
 ///  1. It never waits for a file being read or written.
@@ -46,14 +50,16 @@ class DocumentFlow {
   FileDesk& files() { return files_; }
   FigureFlow& figures() { return figures_; }
   const FigureFlow& figures() const { return figures_; }
+  const TraceFlow& tracing() const { return tracing_; }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }
   std::span<const ShippedLesson> lessons() const { return lessons_; }
   void bind(ActionBindings& actions);
 
-  /// At the start of the program; without files it is the first built-in shape.
-  void open_first(const std::vector<std::string>& files);
-  /// Documents, bundles, and at most one picture to trace in what the others bring.
+  /// At the start of the program; without documents it is the first built-in shape, perhaps with a picture to trace.
+  void open_first(std::vector<std::string> files);
+  /// Documents, bundles, and at most one picture, which lies underneath what the others bring. A picture alone is asked
+  /// about: it becomes samples, or lies underneath what is there.
   void open(std::vector<std::string> files);
   void open_shape(const SampleShape& shape);
   /// Opens it, and presents it when it is there.
@@ -88,6 +94,7 @@ class DocumentFlow {
 
   // document_opening.cpp
   void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
+  void ask_trace();
   std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
   void take_read_file();
   void say_opened(const FileDesk::Outcome& outcome);
@@ -114,6 +121,7 @@ class DocumentFlow {
   FileDesk files_;
   WorkKeeper keeper_;
   FigureFlow figures_;
+  TraceFlow tracing_;
   std::function<void()> after_save_;        // what waits for a save, under a new name perhaps
   std::filesystem::path traced_with_next_;  // when what is being read is there
   bool presents_next_ = false;              // what is being read

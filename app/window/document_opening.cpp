@@ -6,8 +6,6 @@
 
 #include "app/window/document_flow.h"
 #include "core/io/bundle_file.h"
-#include "core/io/carried_session.h"
-#include "render/picture_file.h"
 
 namespace mes {
 
@@ -24,31 +22,40 @@ EvolutionChoice choice_of(const SessionEvolution& evolution) {
   return out;
 }
 
+/// Takes the pictures out. Of several the last is on top; the others would not be seen.
+std::string take_picture(std::vector<std::string>& files) {
+  const auto first = std::stable_partition(files.begin(), files.end(),
+                                           [](const std::string& file) { return !is_picture_to_trace(file); });
+  std::string picture = first == files.end() ? std::string() : files.back();
+  files.erase(first, files.end());
+  return picture;
+}
+
 }  // namespace
 
-void DocumentFlow::open_first(const std::vector<std::string>& files) {
-  if (const std::vector<fs::path> documents = without_bundles(files); !documents.empty())
+void DocumentFlow::open_first(std::vector<std::string> files) {
+  const std::string picture = take_picture(files);
+  if (const std::vector<fs::path> documents = without_bundles(files); !documents.empty()) {
     files_.open(documents);
-  else if (!shapes_.empty())
+    traced_with_next_ = picture;
+    return;
+  }
+  if (!shapes_.empty())
     files_.open_shape(shapes_.front().file, shapes_.front().name);
   else
     uses_.board.fitter().want(ViewFitter::How::at_once);
+  if (!picture.empty()) tracing_.open(picture);
 }
 
 void DocumentFlow::open(std::vector<std::string> files) {
-  // Of several pictures the last is on top; the others would not be seen.
-  const auto first_picture = std::stable_partition(files.begin(), files.end(), [](const std::string& file) {
-    return !render::is_picture_file(file) || is_picture_with_session(file);
-  });
-  const std::string picture = first_picture == files.end() ? std::string() : files.back();
-  files.erase(first_picture, files.end());
+  const std::string picture = take_picture(files);
   open_with_picture(files, picture);
 }
 
 void DocumentFlow::open_with_picture(const std::vector<std::string>& files, const fs::path& picture) {
   std::vector<fs::path> documents = without_bundles(files);
   if (documents.empty()) {
-    if (!picture.empty()) uses_.board.traced().trace(picture);
+    if (!picture.empty()) tracing_.open(picture);
     return;
   }
   with_saved_work([this, documents = std::move(documents), picture] {

@@ -99,3 +99,8 @@ TEST_CASE("a picture becomes grey by its alpha where that is a silhouette, and b
   CHECK(gray_of({2, 1, 2, {9, 255, 9, 10}}).values == std::vector<std::uint8_t>{255, 10});
   CHECK(gray_of({2, 1, 1, {9, 200}}).values == std::vector<std::uint8_t>{9, 200});
 }
+
+TEST_CASE("a picture is halved by the means of four pixels") {
+  const GrayImage image{3, 3, {0, 4, 8, 4, 8, 12, 100, 102, 7}};
+  CHECK(halved(image) == GrayImage{2, 2, {4, 10, 101, 7}});
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Trace a picture": what of it becomes samples, with the outlines as they will be.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "app/store/trace_desk.h"
+#include "app/ui/dialog.h"
+
+namespace mes {
+
+/// Threads: the window's.
+class TraceDialog final : public Dialog {
+ public:
+  /// All of them outlive the dialog.
+  struct Uses {
+    TraceDesk& desk;
+    std::function<ImTextureID()> texture;            ///< of the picture; null while there is none
+    std::function<void(const TraceRequest&)> trace;  ///< into samples
+    std::function<void()> lay_underneath;
+    std::function<void()> closed;  ///< without an answer
+  };
+  void set_uses(Uses uses) { uses_.emplace(std::move(uses)); }
+
+  void open();
+  /// After an answer.
+  void close() { is_open_ = false; }
+
+  bool is_open() const override { return is_open_; }
+  void cancel() override;
+  void draw(const Gui& gui) override;
+  /// Enter traces, unless a number is being typed.
+  void press(const KeyChord& chord) override;
+
+ private:
+  /// Takes what the picture suggests, once it is there.
+  void begin_choices();
+  TraceRequest request() const;
+  void draw_choices(const Gui& gui);
+  void draw_facts(const Gui& gui);
+  void draw_buttons(const Gui& gui);
+  void draw_preview(const Gui& gui);
+
+  std::optional<Uses> uses_;
+  bool is_open_ = false;
+  bool is_accepted_ = false;
+  std::uint64_t chosen_for_ = 0;  // number of the preview
+  double threshold_ = 127.0;
+  double specks_ = 16.0;
+  FigureSide side_ = FigureSide::found;
+};
+
+}  // namespace mes

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/trace_desk.h"
+
+#include <algorithm>
+#include <new>
+#include <span>
+#include <utility>
+
+#include "core/io/format.h"
+#include "core/io/read_file.h"
+#include "core/raster/picture_decoder.h"
+
+namespace mes {
+namespace {
+
+constexpr int kLongestSide = 1024;
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28U;
+
+Expected<TracePreview> read_preview(const std::filesystem::path& file, const std::stop_token& stop) try {
+  const auto bytes = read_regular_file(file, {.stop = stop, .most_bytes = kMostBytes});
+  if (!bytes) return std::unexpected(bytes.error());
+  auto pixels = decode_pixels(std::as_bytes(std::span(*bytes)), file.string());
+  if (!pixels) return std::unexpected(std::move(pixels.error()));
+  TracePreview out{.image = gray_of(*std::move(pixels))};
+  out.histogram = histogram_of(out.image);
+  out.level = otsu_level(out.histogram);
+  out.specks = default_specks(out.image);
+  while (std::max(out.image.width, out.image.height) > kLongestSide) {
+    out.image = halved(out.image);
+    out.reduction *= 2.0;
+  }
+  return out;
+} catch (const std::bad_alloc&) {
+  return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()});
+}
+
+Expected<TraceDesk::Samples> read_samples(const std::filesystem::path& file, const TraceRequest& request,
+                                          const std::stop_token& stop) {
+  auto loaded = read_sample_file(file, "picture", stop, request);
+  if (!loaded) return std::unexpected(std::move(loaded.error()));
+  TraceDesk::Samples out{.data = std::move(loaded->data)};
+  if (!loaded->warnings.empty()) out.remark = std::move(loaded->warnings.front());
+  return out;
+}
+
+}  // namespace
+
+void TraceDesk::begin(const std::filesystem::path& file) {
+  end();
+  file_ = file;
+  reading_.begin([file](const std::stop_token& stop) { return read_preview(file, stop); });
+}
+
+void TraceDesk::end() {
+  reading_.give_up();
+  tracing_.give_up();
+  preview_.reset();
+  traced_.reset();
+  outlines_ = {};
+}
+
+std::optional<Expected<void>> TraceDesk::poll_picture() {
+  auto read = reading_.poll();
+  if (!read) return std::nullopt;
+  if (!*read) return std::unexpected(read->error());
+  preview_ = std::move(**read);
+  traced_.reset();
+  ++number_;
+  return Expected<void>();
+}
+
+const Expected<Tracing>& TraceDesk::outlines(const TraceRequest& request) {
+  if (traced_ == request || !preview_) return outlines_;
+  traced_ = request;
+  TraceRequest reduced = request;
+  if (reduced.specks) *reduced.specks /= preview_->reduction * preview_->reduction;
+  outlines_ = mes::trace(preview_->image, reduced);
+  return outlines_;
+}
+
+void TraceDesk::trace(const TraceRequest& request) {
+  tracing_.begin([file = file_, request](const std::stop_token& stop) { return read_samples(file, request, stop); });
+}
+
+std::optional<Expected<TraceDesk::Samples>> TraceDesk::poll_samples() {
+  return tracing_.poll();
+}
+
+}  // namespace mes

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture on its way to samples: read, looked at with its outlines, traced.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/system/background_job.h"
+#include "core/base/error.h"
+#include "core/document/commands.h"
+#include "core/raster/trace.h"
+
+namespace mes {
+
+/// What can be shown of a picture while its threshold is chosen.
+struct TracePreview {
+  GrayImage image{};             ///< reduced to about a thousand pixels a side
+  double reduction = 1.0;        ///< pixels of the file along a side of one of these
+  Histogram histogram{};         ///< of the file
+  std::optional<Level> level{};  ///< the best; nothing: all pixels are alike
+  double specks = 0.0;           ///< square pixels of the file, as usual for its size
+};
+
+/// What it guarantees: it never waits for a file; outlines of the preview are computed at once, in milliseconds.
+///
+/// Smallest use:
+///     desk.begin("leaf.png");
+///     ... each frame: if (auto read = desk.poll_picture()) ...; if (desk.preview()) show(desk.outlines(request));
+///     desk.trace(request);
+///     ... each frame: if (auto traced = desk.poll_samples()) ...
+///
+/// Threads: the window's; `wake` is called from the reading ones.
+class TraceDesk {
+ public:
+  explicit TraceDesk(std::function<void()> wake) : reading_(wake), tracing_(std::move(wake)) {}
+
+  void begin(const std::filesystem::path& file);
+  /// Forgets the picture, and gives up what is under way.
+  void end();
+  bool is_busy() const { return reading_.is_under_way() || tracing_.is_under_way(); }
+  bool is_tracing() const { return tracing_.is_under_way(); }
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Whether the picture could be read, once; `preview` is there then.
+  std::optional<Expected<void>> poll_picture();
+  const TracePreview* preview() const { return preview_ ? &*preview_ : nullptr; }
+  /// A number that differs from that of every other picture.
+  std::uint64_t preview_number() const { return number_; }
+  /// Outlines in pixels of the preview. `request` is about the file, and says threshold and specks. Computed when it
+  /// differs from the last one.
+  const Expected<Tracing>& outlines(const TraceRequest& request);
+
+  void trace(const TraceRequest& request);
+  struct Samples {
+    SampleData data{};
+    std::string remark{};  ///< what was traced and left out
+  };
+  /// Once, when tracing has ended.
+  std::optional<Expected<Samples>> poll_samples();
+
+ private:
+  std::filesystem::path file_;
+  std::optional<TracePreview> preview_;
+  std::uint64_t number_ = 0;
+  std::optional<TraceRequest> traced_;
+  Expected<Tracing> outlines_;
+  BackgroundJob<Expected<TracePreview>> reading_;
+  BackgroundJob<Expected<Samples>> tracing_;
+};
+
+}  // namespace mes

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture comes into the window: it is asked about, and becomes samples or lies underneath.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "app/panels/dialogs.h"
+#include "app/store/trace_desk.h"
+#include "app/window/drawing_board.h"
+
+namespace mes {
+
+/// What it guarantees: it never waits for a picture being read or traced; tracing is one step of undo. Needs a current
+/// OpenGL context for its life. Threads: the window's; `wake` is called from others.
+class TraceFlow {
+ public:
+  struct Uses {
+    Workspace& work;
+    DrawingBoard& board;
+    Screen& screen;
+    Dialogs& dialogs;
+    Messages& messages;
+  };
+  TraceFlow(Uses uses, std::function<void()> wake);
+  ~TraceFlow() { forget_texture(); }
+  TraceFlow(const TraceFlow&) = delete;
+  TraceFlow& operator=(const TraceFlow&) = delete;
+
+  void open(const std::filesystem::path& file);
+  /// Once a turn, before the frame.
+  void take_results();
+  bool is_busy() const { return desk_.is_busy(); }
+
+ private:
+  void take_samples(Expected<TraceDesk::Samples> samples);
+  /// Of the preview, made when it is asked for.
+  ImTextureID texture();
+  void forget_texture();
+
+  Uses uses_;
+  TraceDesk desk_;
+  std::optional<render::TextureId> texture_;
+  std::uint64_t textured_ = 0;  // number of the preview in it
+};
+
+}  // namespace mes

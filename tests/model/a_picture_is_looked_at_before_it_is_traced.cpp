@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <semaphore>
+
+#include "app/store/trace_desk.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes;
+
+namespace {
+
+/// A dark disk of a quarter of the side, in a PGM of 1100 pixels a side, with a light hole.
+std::string disk(int side, bool has_hole) {
+  std::string out = "P5 " + std::to_string(side) + ' ' + std::to_string(side) + " 255\n";
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double away = std::hypot(x - 0.5 * side, y - 0.5 * side);
+      out += static_cast<char>(away > 0.25 * side || (has_hole && away < 0.1 * side) ? 200 : 50);
+    }
+  return out;
+}
+
+/// A desk, and the way to wait for what it reads.
+struct Waited {
+  std::counting_semaphore<> woken{0};
+  TraceDesk desk{[this] { woken.release(); }};
+
+  template <class Poll>
+  auto next(Poll poll) {
+    while (true) {
+      if (auto outcome = poll()) return std::move(*outcome);
+      woken.acquire();
+    }
+  }
+  Expected<void> picture() {
+    return next([this] { return desk.poll_picture(); });
+  }
+  Expected<TraceDesk::Samples> samples() {
+    return next([this] { return desk.poll_samples(); });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("outlines are those of a reduced picture, and samples those of the file") {
+  const test::TemporaryFolder folder;
+  Waited waited;
+  TraceDesk& desk = waited.desk;
+  desk.begin(folder.write("disk.pgm", disk(1100, true)));
+  CHECK(desk.is_busy());
+  REQUIRE(waited.picture().has_value());
+  CHECK_FALSE(desk.poll_picture().has_value());
+  const TracePreview* const preview = desk.preview();
+  REQUIRE(preview != nullptr);
+  CHECK(preview->image.width == 550);
+  CHECK(preview->reduction == 2.0);
+  CHECK((preview->level == Level{124}));
+  CHECK(preview->specks == Approx(121.0));
+
+  TraceRequest request{.threshold = 124, .specks = preview->specks};
+  REQUIRE(desk.outlines(request).has_value());
+  CHECK(desk.outlines(request)->curves.curves.size() == 2);
+  // The hole has an area of some 38,000 square pixels of the file.
+  request.specks = 45000.0;
+  REQUIRE(desk.outlines(request).has_value());
+  CHECK(desk.outlines(request)->curves.curves.size() == 1);
+  CHECK(desk.outlines(request)->pinholes == 1);
+  request.threshold = 220;
+  CHECK_FALSE(desk.outlines(request).has_value());
+  request.threshold = 124;
+  CHECK(desk.outlines(request).has_value());
+
+  desk.trace(request);
+  CHECK(desk.is_tracing());
+  const auto samples = waited.samples();
+  REQUIRE(samples.has_value());
+  CHECK(samples->data.contours.size() == 1);
+  CHECK(samples->data.positions.size() >= 400);
+  for (const Vec2 p : samples->data.positions) CHECK(std::abs(distance(p, {550.5, 549.5}) - 275.0) < 0.5);
+  CHECK_THAT(samples->remark, Catch::Contains("traced what is darker than 124.5 of 255; left out: 1 hole"));
+  CHECK_FALSE(desk.is_busy());
+}
+
+TEST_CASE("a picture that cannot be read is an error, and the next one is read all the same") {
+  const test::TemporaryFolder folder;
+  Waited waited;
+  waited.desk.begin(folder / "missing.png");
+  const auto missing = waited.picture();
+  REQUIRE_FALSE(missing.has_value());
+  CHECK_THAT(missing.error().message(), Catch::Contains("missing.png: cannot be read"));
+  CHECK(waited.desk.preview() == nullptr);
+  waited.desk.begin(folder.write("text.png", "POFF 0 0 0\n"));
+  REQUIRE_FALSE(waited.picture().has_value());
+  // Of two in a row only the last comes.
+  waited.desk.begin(folder.write("first.pgm", disk(100, false)));
+  const auto number = waited.desk.preview_number();
+  waited.desk.begin(folder.write("second.pgm", disk(120, false)));
+  REQUIRE(waited.picture().has_value());
+  CHECK(waited.desk.preview()->image.width == 120);
+  CHECK(waited.desk.preview_number() == number + 1);
+  waited.desk.end();
+  CHECK(waited.desk.preview() == nullptr);
+}

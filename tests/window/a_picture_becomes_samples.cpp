@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A silhouette is opened, asked about, and traced with one key; that is one step of undo.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/io/format.h"
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+std::string disk() {
+  std::string out = "P5 200 200 255\n";
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) out += static_cast<char>(std::hypot(x - 99.5, y - 99.5) <= 80.0 ? 20 : 240);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a picture is traced into samples, in one step of undo") {
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  window.folder.write("disk.pgm", disk());
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.start("house.poff");
+  const Screenshot house = window.drawn();
+  // What lies behind a dialog is dimmed.
+  const auto is_dimmed = [&] { return !screen.shoot().is_white(90, 700); };
+  REQUIRE_FALSE(is_dimmed());
+  // The preview is a dark disk with its outline around it.
+  const auto is_outline = [](Color c) { return c.r > 200 && c.g < 120 && c.b < 80; };
+  const auto choose_disk = [&] {
+    window.press("ctrl+o");
+    REQUIRE(eventually(is_dimmed));
+    static_cast<void>(screen.settled());
+    screen.xdotool("type --delay 20 disk");
+    static_cast<void>(screen.settled());
+    window.press("Return");
+    REQUIRE(eventually([&] { return screen.shoot().count(is_outline) > 500; }));
+    static_cast<void>(screen.settled());
+  };
+  choose_disk();
+  window.press("Escape");
+  CHECK(eventually([&] { return window.shows(house); }));
+  choose_disk();
+  window.press("Return");
+  REQUIRE(eventually([&] { return !is_dimmed(); }));
+  const Screenshot traced = window.drawn();
+  REQUIRE_FALSE(window.shows(house));
+  // The view stays where the picture is, so the house is seen elsewhere.
+  window.press("ctrl+z");
+  static_cast<void>(window.other_than(traced));
+  window.press("ctrl+shift+z");
+  CHECK(eventually([&] { return window.shows(traced); }));
+
+  window.save_as("disk.poff");
+  const auto file = read_sample_file(window.folder / "disk.poff");
+  REQUIRE(file.has_value());
+  CHECK(file->data.contours.size() == 1);
+  REQUIRE(file->data.positions.size() >= 400);
+  for (const Vec2 p : file->data.positions) CHECK(std::abs(distance(p, {100.0, 100.0}) - 80.0) < 0.3);
+}
