@@ -13,6 +13,7 @@ set(rooms
   "core/raster: core/base core/curves"
   "core/document: core/base core/kernel core/draw"
   "core/io: core/base core/curves core/raster core/document"
+  "core/shapes: core/base core/curves core/document"
   "core/graph: core/base core/draw core/document"
   "core/structures/inputs: core/base core/document core/graph"
   "core/structures/triangulation: core/base core/kernel"

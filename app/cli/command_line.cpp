@@ -59,6 +59,7 @@ struct Arguments {
   DemoRequest demo;
   LessonRequest lesson;
   EvolveRequest evolve;
+  ShapeCommand shape;
   ListRequest list;
   ManualRequest manual;
   CompletionsRequest completions;
@@ -384,6 +385,27 @@ void describe_commands(CLI::App& app, Arguments& to) {
   evolve->add_option("-o,--output", to.evolve.output, "Write to this file instead of standard output");
   add_force(*evolve, to.evolve.force);
 
+  CLI::App* const shape =
+      app.add_subcommand("shape", "Samples of a shape with parameters, as POFF; of balls, as WPOFF");
+  shape->add_option("NAME", to.shape.name, "Shape id (mesecina list shapes)")->required();
+  shape
+      ->add_option("--set", to.shape.settings,
+                   "Set a parameter of the shape, KEY=VALUE (mesecina list shapes);\n"
+                   "may be repeated. Formulas know t, pi and the usual functions, as in\n"
+                   "--set \"r=1 + 0.3*cos(5*t)\"")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const samples =
+      shape->add_option("--samples", to.shape.samples,
+                        "How many samples, evenly along curves; default: some 400 of curves, more where parts\n"
+                        "are near to each other");
+  shape->add_option("--spacing", to.shape.spacing, "Between samples along curves, at most")->excludes(samples);
+  shape->add_option("--jitter", to.shape.jitter, "Move each sample by up to so many mean spacings")
+      ->capture_default_str();
+  shape->add_option("--seed", to.shape.seed, "Of random points and of the jitter")->capture_default_str();
+  shape->add_option("-o,--output", to.shape.output, "Write to this file instead of standard output");
+  add_force(*shape, to.shape.force);
+
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
   for (const std::string& thing : listed_things()) things += (things.empty() ? "" : "|") + thing;
@@ -400,7 +422,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command : {compute, exported, render, play, demo, lesson, evolve, list, manual, completions})
+  for (CLI::App* const command :
+       {compute, exported, render, play, demo, lesson, evolve, shape, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -434,6 +457,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "lesson") return run_lesson(arguments.lesson, interruption);
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
+  if (command.get_name() == "shape") return run_shape(arguments.shape, interruption);
   if (command.get_name() == "manual") return run_manual(arguments.manual, all_commands(), interruption);
   if (command.get_name() == "completions")
     return run_completions(arguments.completions, all_commands(), interruption);

@@ -21,6 +21,7 @@
 #include "core/graph/structure.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
+#include "core/shapes/shape.h"
 
 namespace mes::cli {
 namespace {
@@ -248,12 +249,44 @@ std::vector<Entry> lessons() {
   return out;
 }
 
+std::vector<Entry> shape_entries() {
+  std::vector<Entry> out;
+  for (const ShapeDescriptor& shape : shapes()) {
+    std::string text(shape.explanation);
+    Json parameters = Json::array();
+    std::string names;
+    for (const ParameterDescriptor& parameter : shape.parameters) {
+      parameters.push_back(entry_of(parameter, {}).json);
+      parameters.back().erase("evolutions");
+      names += (names.empty() ? "" : ", ") + std::string(parameter.id) + '=';
+      append_number(names, parameter.default_value);
+    }
+    Json formulas = Json::array();
+    for (const FormulaParameter& formula : shape.formulas) {
+      formulas.push_back(
+          {{"id", formula.id}, {"explanation", formula.explanation}, {"default", formula.default_text}});
+      names +=
+          (names.empty() ? "" : ", ") + std::string(formula.id) + "=\"" + std::string(formula.default_text) + '"';
+    }
+    if (!names.empty()) text += " (" + names + ')';
+    out.push_back({std::string(shape.id),
+                   text,
+                   {{"id", shape.id},
+                    {"name", shape.name},
+                    {"explanation", shape.explanation},
+                    {"parameters", parameters},
+                    {"formulas", formulas},
+                    {"points", shape.points}}});
+  }
+  return out;
+}
+
 struct Listing {
   std::string_view name;
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 10> kListings{{{"layers", layers},
+constexpr std::array<Listing, 11> kListings{{{"layers", layers},
                                              {"structures", structures},
                                              {"evolutions", evolution_entries},
                                              {"formats", formats},
@@ -262,7 +295,8 @@ constexpr std::array<Listing, 10> kListings{{{"layers", layers},
                                              {"actions", actions},
                                              {"bundles", bundles},
                                              {"color-maps", color_maps},
-                                             {"lessons", lessons}}};
+                                             {"lessons", lessons},
+                                             {"shapes", shape_entries}}};
 
 std::string table_of(const std::vector<Entry>& entries) {
   std::size_t width = 0;

@@ -25,6 +25,7 @@
 #include "core/io/format.h"
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"
+#include "core/shapes/shape.h"
 
 namespace mes::cli {
 namespace {
@@ -165,6 +166,31 @@ void write_evolutions(Markdown& page) {
                                evolution.is_random ? " Random: the seed decides." : ""));
     page.table(parameter_titles(), rows_of(parameters_of(i)));
   }
+}
+
+void write_shapes(Markdown& page) {
+  page.section("Shapes");
+  page.paragraph(
+      "What `mesecina shape NAME` makes, with its parameters and their defaults, set by `--set KEY=VALUE`. Curves "
+      "are\n"
+      "sampled by `--samples`, `--spacing`, or some 400 times; sets of points and balls have as many as `--samples`\n"
+      "says. Equal seeds give equal samples. Formulas know t, pi, e, + - * / ^, ?:, comparisons, and sin, cos, tan,\n"
+      "asin, acos, atan, sinh, cosh, tanh, exp, ln, log2, log10, sqrt, cbrt, abs, sign, rint, min, max, sum, avg.");
+  Rows rows;
+  for (const ShapeDescriptor& shape : shapes()) {
+    std::string parameters;
+    const auto add = [&](std::string_view id, const std::string& value) {
+      parameters += (parameters.empty() ? "" : ", ") + code(std::string(id) + '=' + value);
+    };
+    for (const ParameterDescriptor& parameter : shape.parameters) {
+      std::string value;
+      append_number(value, parameter.default_value);
+      add(parameter.id, value);
+    }
+    for (const FormulaParameter& formula : shape.formulas) add(formula.id, std::string(formula.default_text));
+    rows.push_back({plain(shape.name), code(shape.id), plain(shape.explanation), parameters});
+  }
+  page.table({"Shape", "Id", "What it is", "Parameters"}, rows);
 }
 
 void write_structures(Markdown& page) {
@@ -367,6 +393,7 @@ std::string manual_text(std::span<const CommandHelp> commands, const fs::path& a
   write_color_maps(page, assets);
   write_computation(page);
   write_evolutions(page);
+  write_shapes(page);
   write_structures(page);
   write_formats(page);
   write_annotations(page);

@@ -16,6 +16,7 @@
 #include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/format.h"
+#include "core/shapes/shape.h"
 
 namespace mes::cli {
 namespace {
@@ -61,6 +62,10 @@ std::vector<std::string> evolution_ids() {
   return out;
 }
 
+std::vector<std::string> shape_ids() {
+  return ids_of(shapes());
+}
+
 std::vector<std::string> page_sizes() {
   std::vector<std::string> out;
   for (const PagePreset& preset : page_presets()) out.emplace_back(preset.name);
@@ -82,7 +87,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 39> kValues{{
+constexpr std::array<OptionValue, 43> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -90,6 +95,7 @@ constexpr std::array<OptionValue, 39> kValues{{
     {"--html", "FILE", ValueKind::file},
     {"--vtt", "FILE", ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
+    {"NAME", {}, ValueKind::choice, shape_ids},
     {"SHELL", {}, ValueKind::choice, shell_names},
     {"--from", "FORMAT", ValueKind::choice, formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
@@ -122,6 +128,9 @@ constexpr std::array<OptionValue, 39> kValues{{
     {"--steps", "N"},
     {"--seed", "N"},
     {"--fps", "N"},
+    {"--samples", "N"},
+    {"--spacing", "D"},
+    {"--jitter", "J"},
 }};
 constexpr OptionValue kText{{}, "TEXT"};
 

@@ -127,6 +127,18 @@ struct EvolveRequest {
 };
 Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption);
 
+struct ShapeCommand {
+  std::string name;                   ///< id of a shape
+  std::vector<std::string> settings;  ///< KEY=VALUE, or KEY=FORMULA
+  std::string samples;
+  std::string spacing;
+  std::string jitter = "0";
+  std::string seed = "1";
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption);
+
 struct ListRequest {
   std::string what;
   bool as_json = false;

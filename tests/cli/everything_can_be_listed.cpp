@@ -11,8 +11,8 @@ using mes::test::RunResult;
 using Json = nlohmann::json;
 
 TEST_CASE("what is listed has a name of its own, as a table and as JSON") {
-  for (const char* what :
-       {"layers", "structures", "evolutions", "formats", "parameters", "precisions", "actions", "bundles"}) {
+  for (const char* what : {"layers", "structures", "evolutions", "formats", "parameters", "precisions", "actions",
+                           "bundles", "shapes"}) {
     INFO(what);
     const RunResult table = run({"list", what});
     CHECK(table.exit_code == 0);

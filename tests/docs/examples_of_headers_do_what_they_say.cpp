@@ -28,6 +28,8 @@
 #include "core/io/text_numbers.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
+#include "core/shapes/formula.h"
+#include "core/shapes/shape.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 
 using namespace mes;
@@ -400,4 +402,18 @@ TEST_CASE("pictures are traced as their headers show") {
   const auto tracing = trace(image, {});
   if (tracing) use(tracing->curves);
   CHECK(used == 1);
+}
+
+TEST_CASE("shapes are made as their headers show") {
+  // core/shapes/shape.h
+  const ShapeDescriptor* star = find_shape("star");
+  const auto data = make_shape(*star, {.values = values_of(*star), .sampling = {.samples = 300}});
+  REQUIRE(data);
+  CHECK(data->positions.size() == 300);
+  double used = 0.0;
+  const auto use = [&](double value) { used = value; };
+  // core/shapes/formula.h
+  auto radius = Formula::parse("1 + t/10", "r");
+  if (radius) use(radius->at(0.5));
+  CHECK(used == 1.05);
 }

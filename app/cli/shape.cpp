@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina shape`: samples or balls of a shape with parameters.
+#include <fmt/core.h>
+#include <algorithm>
+
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+#include "core/shapes/shape.h"
+
+namespace mes::cli {
+namespace {
+
+std::unexpected<Error> usage_error(std::string text) {
+  return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
+}
+
+Expected<const ShapeDescriptor*> select_shape(const std::string& id) {
+  if (const ShapeDescriptor* shape = find_shape(id); shape != nullptr) return shape;
+  std::vector<std::string_view> names;
+  for (const ShapeDescriptor& shape : shapes()) names.push_back(shape.id);
+  return usage_error("there is no shape " + in_quotes(id) + "; did you mean " + one_of(nearest_names(id, names)) +
+                     "? (mesecina list shapes)");
+}
+
+Expected<double> number(std::string_view option, const std::string& text) {
+  if (const auto value = parse_number(text)) return *value;
+  return usage_error(fmt::format("{} expects a number, not {}", option, in_quotes(text)));
+}
+
+/// Numbers and formulas by their names.
+Expected<ShapeValues> values_of(const ShapeDescriptor& shape, const std::vector<std::string>& settings) {
+  ShapeValues out = mes::values_of(shape);
+  for (const std::string& setting : settings) {
+    const std::string_view name = std::string_view(setting).substr(0, setting.find('='));
+    const auto formula = std::ranges::find(shape.formulas, name, &FormulaParameter::id);
+    if (formula != shape.formulas.end() && name.size() < setting.size()) {
+      out.formulas[static_cast<std::size_t>(formula - shape.formulas.begin())] = setting.substr(name.size() + 1);
+      continue;
+    }
+    if (std::ranges::find(shape.parameters, name, &ParameterDescriptor::id) == shape.parameters.end())
+      return usage_error(
+          fmt::format("--set: {} has no parameter {} (mesecina list shapes)", shape.id, in_quotes(name)));
+    const auto parsed = parse_setting(setting, shape.parameters);
+    if (!parsed) return std::unexpected(parsed.error());
+    out.numbers[parsed->first] = parsed->second;
+  }
+  return out;
+}
+
+Expected<ShapeSampling> sampling_of(const ShapeCommand& request) {
+  ShapeSampling out;
+  if (!request.samples.empty()) {
+    const auto samples = whole_number("--samples", request.samples);
+    if (!samples) return std::unexpected(samples.error());
+    out.samples = static_cast<std::size_t>(*samples);
+  }
+  if (!request.spacing.empty()) {
+    const auto spacing = number("--spacing", request.spacing);
+    if (!spacing) return std::unexpected(spacing.error());
+    out.spacing = *spacing;
+  }
+  const auto jitter = number("--jitter", request.jitter);
+  if (!jitter) return std::unexpected(jitter.error());
+  out.jitter = *jitter;
+  const auto seed = whole_number("--seed", request.seed);
+  if (!seed) return std::unexpected(seed.error());
+  out.seed = *seed;
+  return out;
+}
+
+}  // namespace
+
+Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption) {
+  const auto shape = select_shape(request.name);
+  if (!shape) return std::unexpected(shape.error());
+  const auto values = values_of(**shape, request.settings);
+  if (!values) return std::unexpected(values.error());
+  const auto sampling = sampling_of(request);
+  if (!sampling) return std::unexpected(sampling.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto data = make_shape(**shape, {*values, *sampling});
+  if (!data) return std::unexpected(data.error());
+  Document document;
+  const auto delta = replace_all(document, *data);
+  if (!delta) return std::unexpected(delta.error());
+  document.apply(*delta);
+  return write_output(request.output, data->balls.empty() ? write_poff(document) : write_wpoff(document),
+                      interruption, {{}, request.force});
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves of a function: spirals, epicycloids, superellipses, and what is typed.
+#include <array>
+#include <cmath>
+
+#include "core/shapes/formula.h"
+#include "core/shapes/internal/shape_parts.h"
+
+namespace mes {
+namespace {
+
+constexpr std::size_t kPieces = 2048;
+constexpr double kPiecesATurn = 512.0;
+
+Vec2 at_angle(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+Expected<MadeShape> of_function(const PointOf& at, double from, double to, std::size_t pieces, bool may_close) {
+  auto curve = curve_of_function(at, from, to, pieces, may_close);
+  if (!curve) return std::unexpected(curve.error());
+  return MadeShape{.curves = {{*std::move(curve)}, {}}};
+}
+
+/// Of Archimedes: turns lie at one distance from each other.
+Expected<MadeShape> spiral(const ShapeValues& values) {
+  const double inner = values.numbers[1];
+  const double gap = values.numbers[2];
+  return of_function([&](double t) { return at_angle(inner + gap * t, kTurn * t); }, 0.0, values.numbers[0],
+                     static_cast<std::size_t>(std::ceil(kPiecesATurn * values.numbers[0])), false);
+}
+
+/// A point of a circle that rolls around another, `cusps` times as large; `reach` of its radius from its centre.
+Expected<MadeShape> epicycloid(const ShapeValues& values) {
+  const double cusps = values.numbers[0];
+  const double radius = values.numbers[1];
+  const double reach = values.numbers[2];
+  return of_function(
+      [&](double t) {
+        return radius * ((cusps + 1.0) * at_angle(1.0, t) - reach * at_angle(1.0, (cusps + 1.0) * t));
+      },
+      0.0, kTurn, static_cast<std::size_t>(cusps * kPiecesATurn), true);
+}
+
+/// |x/a|^n + |y/b|^n = 1, by the angle, so that it is smooth for n above one.
+Expected<MadeShape> superellipse(const ShapeValues& values) {
+  const auto [a, b, power] = std::array{values.numbers[0], values.numbers[1], values.numbers[2]};
+  return of_function(
+      [=](double t) {
+        const double sum = std::pow(std::abs(std::cos(t) / a), power) + std::pow(std::abs(std::sin(t) / b), power);
+        return at_angle(std::pow(sum, -1.0 / power), t);
+      },
+      0.0, kTurn, kPieces, true);
+}
+
+Expected<MadeShape> curve(const ShapeValues& values) {
+  const auto x = Formula::parse(values.formulas[0], "x");
+  if (!x) return std::unexpected(x.error());
+  const auto y = Formula::parse(values.formulas[1], "y");
+  if (!y) return std::unexpected(y.error());
+  if (!(values.numbers[0] < values.numbers[1])) return impossible("from is less than to");
+  return of_function(
+      [&](double t) {
+        return Vec2{x->at(t), y->at(t)};
+      },
+      values.numbers[0], values.numbers[1], kPieces, true);
+}
+
+Expected<MadeShape> polar(const ShapeValues& values) {
+  const auto radius = Formula::parse(values.formulas[0], "r");
+  if (!radius) return std::unexpected(radius.error());
+  if (!(values.numbers[0] < values.numbers[1])) return impossible("from is less than to");
+  return of_function([&](double t) { return at_angle(radius->at(t), t); }, values.numbers[0], values.numbers[1],
+                     kPieces, true);
+}
+
+constexpr ParameterDescriptor length(std::string_view id, std::string_view explanation, double value) {
+  return {id, explanation, "", 1e-6, 1e6, value};
+}
+constexpr ParameterDescriptor kFrom{"from", "The first t", "", -1e6, 1e6, 0.0};
+constexpr ParameterDescriptor kTo{"to", "The last t", "", -1e6, 1e6, kTurn};
+
+}  // namespace
+
+std::vector<ShapeDescriptor> formula_shapes() {
+  return {
+      {"spiral",
+       "Spiral",
+       "a stroke whose turns lie at one distance from each other",
+       {{"turns", "How often it turns around", "", 0.1, 1000.0, 3.0},
+        length("inner", "Where it begins", 0.2),
+        length("gap", "Between its turns", 1.0)},
+       {},
+       0,
+       spiral},
+      {"epicycloid",
+       "Epicycloid",
+       "the path of a point of a wheel that rolls around another",
+       {{"cusps", "How many times as large the other wheel is", "", 1.0, 1000.0, 5.0, true},
+        length("radius", "Radius of the rolling wheel", 1.0),
+        {"reach", "Where the point is, from the centre (0) to the rim (1)", "", 0.0, 1.0, 0.7}},
+       {},
+       0,
+       epicycloid},
+      {"superellipse",
+       "Superellipse",
+       "|x/a|^n + |y/b|^n = 1, between an ellipse (n = 2) and a rectangle",
+       {length("a", "Half its width", 2.0),
+        length("b", "Half its height", 1.0),
+        {"n", "The power: 1 is a rhombus", "", 0.3, 50.0, 4.0}},
+       {},
+       0,
+       superellipse},
+      {"curve",
+       "Curve (x(t), y(t))",
+       "a curve by two formulas",
+       {kFrom, kTo},
+       {{"x", "x as a formula of t", "(2 + cos(3*t)) * cos(t)"},
+        {"y", "y as a formula of t", "(2 + cos(3*t)) * sin(t)"}},
+       0,
+       curve},
+      {"polar",
+       "Curve r(t)",
+       "a curve around the origin by a formula of the angle",
+       {kFrom, kTo},
+       {{"r", "The distance from the origin as a formula of t, in radians", "1 + 0.3*cos(5*t)"}},
+       0,
+       polar},
+  };
+}
+
+}  // namespace mes

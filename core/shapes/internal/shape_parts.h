@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the shapes are made of. Private to core/shapes.
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/shapes/shape.h"
+
+namespace mes {
+
+inline constexpr double kTurn = 2.0 * std::numbers::pi;
+
+std::unexpected<Error> impossible(std::string text);
+
+/// Counter-clockwise from the right; a hole goes the other way.
+PlaneCurve ellipse_curve(Vec2 center, double a, double b, bool is_hole = false);
+PlaneCurve polygon_curve(std::span<const Vec2> corners);
+
+/// The curve of a function of a parameter, of cubic pieces whose ends and tangents there are those of the function:
+/// within some 1e-9 of its size where it is smooth. A piece ends at each multiple of the range over `pieces`, where it
+/// may have corners. Closed where both ends are equal up to rounding and `may_close`. Error: `bad_input` where a value
+/// is no finite number.
+using PointOf = std::function<Vec2(double)>;
+Expected<PlaneCurve> curve_of_function(const PointOf& at, double from, double to, std::size_t pieces, bool may_close);
+
+// The families, each a file.
+std::vector<ShapeDescriptor> round_shapes();
+std::vector<ShapeDescriptor> cornered_shapes();
+std::vector<ShapeDescriptor> formula_shapes();
+std::vector<ShapeDescriptor> point_shapes();
+
+}  // namespace mes
