@@ -21,6 +21,7 @@ enum class ActionId : std::uint8_t {
   save_as,
   trace_picture,
   picture_to_samples,
+  make_shape,
   snapshot,
   copy_picture,
   record,

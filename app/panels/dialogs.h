@@ -11,6 +11,7 @@
 #include "app/panels/command_palette.h"
 #include "app/panels/figure_dialog.h"
 #include "app/panels/help.h"
+#include "app/panels/shape_dialog.h"
 #include "app/panels/trace_dialog.h"
 #include "app/ui/file_browser.h"
 
@@ -24,6 +25,7 @@ class Dialogs {
   AskConflict conflict;
   FigureDialog figure;
   TraceDialog trace;
+  ShapeDialog shape;
   FileBrowser browser;
   HelpPage help;
   CommandPalette palette;
@@ -35,7 +37,7 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 8> all_{&figure, &trace, &unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 9> all_{&figure, &trace, &shape, &unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

@@ -203,6 +203,8 @@ void evolution_menu(const MenuBar& menu) {
 }
 
 void shapes_menu(const MenuBar& menu) {
+  action_item(menu, ActionId::make_shape);
+  if (!menu.shapes.empty()) ImGui::Separator();
   for (const SampleShape& shape : menu.shapes) {
     if (ImGui::MenuItem(shape.name.c_str())) menu.open_shape(shape);
     tooltip(menu.gui, shape.description);
@@ -260,7 +262,7 @@ float MenuBar::draw() const {
     for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(*this, id);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Shapes", !shapes.empty())) {
+  if (ImGui::BeginMenu("Shapes")) {
     shapes_menu(*this);
     ImGui::EndMenu();
   }

@@ -79,6 +79,11 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                      {.heading = "Picture underneath", .extensions = picture_extensions()});
                }});
   actions.bind(ActionId::picture_to_samples, {[this] { ask_trace(); }});
+  actions.bind(ActionId::make_shape, {[this] {
+                 uses_.board.canvas().cancel_gesture();
+                 uses_.dialogs.shape.open();
+               }});
+  uses_.dialogs.shape.set_make([this](const SampleData& data, const std::string& name) { take_shape(data, name); });
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
@@ -89,6 +94,15 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                 },
                 [this] { return can_present(); }, [this] { return uses_.lesson.is_running(); }});
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
+}
+
+void DocumentFlow::take_shape(const SampleData& data, const std::string& name) {
+  if (const auto done = uses_.work.editor().replace(data, name); !done) {
+    report(done.error());
+    return;
+  }
+  uses_.messages.clear();
+  uses_.board.fitter().want(ViewFitter::How::glide);
 }
 
 void DocumentFlow::ask_trace() {

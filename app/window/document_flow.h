@@ -95,6 +95,8 @@ class DocumentFlow {
   // document_opening.cpp
   void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
   void ask_trace();
+  /// In the place of what there is, as one step of undo.
+  void take_shape(const SampleData& data, const std::string& name);
   std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
   void take_read_file();
   void say_opened(const FileDesk::Outcome& outcome);

@@ -37,6 +37,7 @@ struct ShapeValues {
   std::vector<std::string> formulas{};
   std::size_t samples = 0;  ///< of a set of points or balls: how many
   std::uint64_t seed = 1;
+  friend bool operator==(const ShapeValues&, const ShapeValues&) = default;
 };
 
 /// What a shape consists of before it is sampled.
@@ -69,11 +70,13 @@ struct ShapeSampling {
   std::optional<double> spacing{};  ///< along curves; of a set of points it makes no sense
   double jitter = 0.0;              ///< each sample is moved by up to so many mean spacings, in any direction
   std::uint64_t seed = 1;           ///< of jitter and of random points
+  friend bool operator==(const ShapeSampling&, const ShapeSampling&) = default;
 };
 
 struct ShapeRequest {
   ShapeValues values{};
   ShapeSampling sampling{};
+  friend bool operator==(const ShapeRequest&, const ShapeRequest&) = default;
 };
 
 inline constexpr std::size_t kMostShapeSamples = 10'000'000;

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/shape_dialog.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/slider.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+#include "core/base/box2.h"
+#include "core/base/disk.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+constexpr float kWidth = 1040.0F;  // logical pixels
+constexpr float kHeight = 600.0F;
+constexpr float kListWidth = 190.0F;
+constexpr float kSettingsWidth = 300.0F;
+constexpr const char* kId = "##shape";
+constexpr double kMostSamples = 20'000.0;  // more are for the command line
+constexpr double kMostSeed = 9999.0;
+
+/// Ranges of a slider: around the default where the parameter may be anything.
+struct SliderRange {
+  double low;
+  double high;
+  bool is_logarithmic;
+};
+SliderRange range_of(const ParameterDescriptor& parameter) {
+  constexpr double kWide = 1000.0;
+  constexpr double kFactor = 20.0;
+  const double value = parameter.default_value;
+  if (parameter.high - parameter.low < kWide) return {parameter.low, parameter.high, false};
+  if (parameter.is_whole && parameter.low >= 0.0)
+    return {parameter.low, std::max(4.0 * value, parameter.low + 2.0 * kFactor), false};
+  if (parameter.low > 0.0) return {value / kFactor, value * kFactor, true};
+  return {std::max(parameter.low, value - kFactor), std::min(parameter.high, value + kFactor), false};
+}
+
+Box2 extent_of(const SampleData& data) {
+  Box2 out;
+  for (const Vec2 p : data.positions) out.add(p);
+  for (const Disk& ball : data.balls) out.add(bounding_box_of(ball));
+  return out;
+}
+
+}  // namespace
+
+void ShapeDialog::open() {
+  is_open_ = true;
+  is_accepted_ = false;
+  if (values_.empty())
+    for (const ShapeDescriptor& shape : shapes()) values_.push_back(values_of(shape));
+}
+
+void ShapeDialog::press(const KeyChord& chord) {
+  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) is_accepted_ = true;
+}
+
+void ShapeDialog::draw_list(const Gui& gui) {
+  for (std::size_t i = 0; i < shapes().size(); ++i) {
+    const ShapeDescriptor& one = shapes()[i];
+    if (ImGui::Selectable(std::string(one.name).c_str(), i == chosen_)) chosen_ = i;
+    tooltip(gui, std::string(one.explanation));
+  }
+}
+
+void ShapeDialog::draw_parameters(const Gui& gui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ShapeValues& values = values_[chosen_];
+  ImGui::PushID(static_cast<int>(chosen_));
+  for (std::size_t i = 0; i < shape().formulas.size(); ++i) {
+    const FormulaParameter& formula = shape().formulas[i];
+    ImGui::TextUnformatted(std::string(formula.id).c_str());
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputText(fmt::format("##{}", formula.id).c_str(), &values.formulas[i]);
+    tooltip(gui, std::string(formula.explanation));
+  }
+  for (std::size_t i = 0; i < shape().parameters.size(); ++i) {
+    const ParameterDescriptor& parameter = shape().parameters[i];
+    const SliderRange range = range_of(parameter);
+    ImGui::TextUnformatted(std::string(parameter.id).c_str());
+    slider(gui, fmt::format("##{}", parameter.id).c_str(), values.numbers[i], range.low, range.high,
+           {.format = parameter.is_whole ? "%.0f" : "%.4g",
+            .is_logarithmic = range.is_logarithmic,
+            .is_whole = parameter.is_whole,
+            .width = width});
+    tooltip(gui, std::string(parameter.explanation));
+  }
+  ImGui::PopID();
+}
+
+void ShapeDialog::draw_sampling(const Gui& gui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::Checkbox("Number of samples", &has_samples_);
+  tooltip(gui, "Evenly along curves; otherwise some 400, more where parts are near to each other");
+  ImGui::BeginDisabled(!has_samples_);
+  slider(gui, "##samples", samples_, 3.0, kMostSamples,
+         {.format = "%.0f", .is_logarithmic = true, .is_whole = true, .width = width});
+  ImGui::EndDisabled();
+  ImGui::TextUnformatted("Jitter");
+  slider(gui, "##jitter", jitter_, 0.0, 1.0, {.format = "%.2f", .width = width});
+  tooltip(gui, "Each sample is moved by up to so many mean spacings, in any direction");
+  ImGui::TextUnformatted("Seed");
+  slider(gui, "##seed", seed_, 0.0, kMostSeed, {.format = "%.0f", .is_whole = true, .width = width});
+  tooltip(gui, "Of random points and of the jitter");
+}
+
+void ShapeDialog::follow() {
+  ShapeRequest request{.values = values_[chosen_],
+                       .sampling = {.jitter = jitter_, .seed = static_cast<std::uint64_t>(seed_)}};
+  if (has_samples_) request.sampling.samples = static_cast<std::size_t>(samples_);
+  if (made_of_ == chosen_ && made_for_ == request) return;
+  made_ = make_shape(shape(), request);
+  made_for_ = std::move(request);
+  made_of_ = chosen_;
+}
+
+void ShapeDialog::draw_facts(const Gui& gui) const {
+  if (!made_) return;
+  ImGui::PushTextWrapPos(0.0F);
+  if (*made_) {
+    const std::size_t balls = (*made_)->balls.size();
+    ImGui::TextDisabled("%s", balls != 0 ? fmt::format("{} balls", balls).c_str()
+                                         : fmt::format("{} samples", (*made_)->positions.size()).c_str());
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+    ImGui::TextUnformatted(made_->error().text.c_str());
+    ImGui::PopStyleColor();
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void ShapeDialog::draw_buttons(const Gui& gui) {
+  const bool is_possible = made_ && made_->has_value();
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
+  ImGui::BeginDisabled(!is_possible);
+  const bool is_clicked = default_button(gui, "Make", size, true);
+  ImGui::EndDisabled();
+  tooltip(gui, "The shape takes the place of the samples and balls that are there: one step of undo");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", size)) cancel();
+  if ((is_clicked || is_accepted_) && is_possible) {
+    is_open_ = false;
+    make_(**made_, std::string(shape().name));
+  }
+  is_accepted_ = false;
+}
+
+void ShapeDialog::draw_preview(const Gui& gui) const {
+  const float unit = gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, gui.colors().field, 4 * unit);
+  if (!made_ || !*made_) return;
+  const SampleData& data = **made_;
+  const Box2 extent = extent_of(data);
+  const float margin = 20 * unit;
+  const double least = 1e-300;
+  const double scale = std::min((room.x - 2 * margin) / std::max(extent.width(), least),
+                                (room.y - 2 * margin) / std::max(extent.height(), least));
+  const Vec2 center = extent.center();
+  const auto place = [&](Vec2 p) {
+    return ImVec2(at.x + 0.5F * room.x + static_cast<float>(scale * (p.x - center.x)),
+                  at.y + 0.5F * room.y - static_cast<float>(scale * (p.y - center.y)));
+  };
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  list.PushClipRect(at, {at.x + room.x, at.y + room.y}, true);
+  for (const Disk& ball : data.balls)
+    list.AddCircle(place(ball.center), static_cast<float>(scale * ball.radius), ink, 0, unit);
+  std::vector<ImVec2> points;
+  for (const SampleData::Contour& contour : data.contours) {
+    points.clear();
+    for (const std::uint32_t i : contour.points) points.push_back(place(data.positions[i]));
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                     contour.closed ? ImDrawFlags_Closed : ImDrawFlags_None, unit);
+  }
+  for (const Vec2 p : data.positions) list.AddCircleFilled(place(p), 1.8F * unit, ink, 8);
+  list.PopClipRect();
+}
+
+void ShapeDialog::draw(const Gui& gui) {
+  if (!is_open_ && !ImGui::IsPopupOpen(kId)) return;
+  const float unit = gui.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
+  ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
+  if (Gui::begin_dialog(kId, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+    ImGui::BeginChild("shapes", {std::min(kListWidth * unit, 0.25F * size.x), 0});
+    draw_list(gui);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 12 * unit);
+    ImGui::BeginChild("settings", {std::min(kSettingsWidth * unit, 0.35F * size.x), 0});
+    ImGui::PushFont(gui.bold());
+    ImGui::TextUnformatted(std::string(shape().name).c_str());
+    ImGui::PopFont();
+    ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
+    draw_parameters(gui);
+    ImGui::Dummy({1, 2 * unit});
+    draw_sampling(gui);
+    follow();
+    draw_facts(gui);
+    ImGui::EndChild();
+    draw_buttons(gui);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 16 * unit);
+    ImGui::BeginChild("preview");
+    draw_preview(gui);
+    ImGui::EndChild();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace mes
