@@ -21,8 +21,9 @@ namespace {
 constexpr std::size_t kMostCharacters = 1000;
 
 std::unexpected<Error> refused(const std::string& name, std::string text) {
+  // It repeats what was typed, which may be anything.
   std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+      text, [](char c) { return c < ' ' || c > '~'; }, '?');
   while (text.ends_with('.') || text.ends_with(' ')) text.pop_back();
   return std::unexpected(Error{ErrorCode::usage, fmt::format("the formula of {}: {}", name, text)});
 }

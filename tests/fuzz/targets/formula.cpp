@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Formulas as they are typed for shapes, and the curves around the origin that they give.
+#include "core/shapes/formula.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/shapes/shape.h"
+#include "tests/fuzz/reader_checks.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace mes::fuzz;
+  const std::string text(text_of(data, size));
+  const auto formula = mes::Formula::parse(text, "r");
+  const mes::ShapeDescriptor* const polar = mes::find_shape("polar");
+  require(polar != nullptr, "there are curves around the origin");
+  mes::ShapeRequest request{.values = mes::values_of(*polar), .sampling = {.samples = 20}};
+  request.values.formulas.front() = text;
+  const auto made = mes::make_shape(*polar, request);
+  if (!formula) {
+    require_message(formula.error().text);
+    require(formula.error().code == mes::ErrorCode::usage, "what is typed is to blame");
+    require(!made && made.error().text == formula.error().text, "a shape refuses it in the same words");
+    return 0;
+  }
+  for (const double t : {0.0, 0.5, -3.0, 1e6}) {
+    const double value = formula->at(t);
+    const double again = formula->at(t);
+    require(value == again || (value != value && again != again), "a formula has one value at one place");
+  }
+  if (!made) {
+    require_message(made.error().text);
+    return 0;
+  }
+  require(std::ranges::all_of(made->positions, [](mes::Vec2 p) { return mes::is_finite(p); }), "samples are finite");
+  return 0;
+}
