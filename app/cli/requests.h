@@ -26,7 +26,7 @@ struct TraceOptions {
 /// Common to everything that reads samples and computes.
 struct Source {
   std::string file;
-  std::string from;                   ///< id of the input format; empty = find out
+  std::string from;  ///< id of the input format; empty = find out
   TraceOptions trace{};
   std::string precision;              ///< empty: fast, or in a picture what a session has
   std::vector<std::string> settings;  ///< NAME=VALUE

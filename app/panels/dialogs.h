@@ -37,7 +37,8 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 9> all_{&figure, &trace, &shape, &unsaved, &recover, &conflict, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 9> all_{&figure,   &trace,   &shape, &unsaved, &recover,
+                              &conflict, &browser, &help,  &palette};  // topmost last
 };
 
 }  // namespace mes

@@ -148,7 +148,8 @@ TEST_CASE("what was written as PNG is read back, and broken bytes are an error o
       CHECK(read.error().message().find('\n') == std::string::npos);
     }
   }
-  CHECK(render::decode_picture({}, "a.png").error().message() == "a.png: this is not a PNG, JPEG, BMP or PGM picture");
+  CHECK(render::decode_picture({}, "a.png").error().message() ==
+        "a.png: this is not a PNG, JPEG, BMP or PGM picture");
   CHECK(render::read_picture("/nowhere/a.png").error().message() == "/nowhere/a.png: there is no such file");
   CHECK(render::read_picture("/dev/zero").error().message() == "/dev/zero: not a regular file");
   CHECK(render::is_picture_file("a.PNG"));

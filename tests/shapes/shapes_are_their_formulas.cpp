@@ -171,7 +171,8 @@ TEST_CASE("formulas know the usual functions, and say what they do not understan
   CHECK(Formula::parse("1 + 2*t^2", "r")->at(3.0) == 19.0);
   CHECK(Formula::parse("sin(pi/2) + ln(e)", "r")->at(0.0) == Approx(2.0));
   CHECK(Formula::parse("t > 1 ? 5 : 6", "r")->at(0.0) == 6.0);
-  for (const std::string& text : std::vector<std::string>{"", "  ", "1 +", "sin(", "foo(t)", "u", "1, 2", "t t", std::string(2000, '1')}) {
+  for (const std::string& text :
+       std::vector<std::string>{"", "  ", "1 +", "sin(", "foo(t)", "u", "1, 2", "t t", std::string(2000, '1')}) {
     INFO(text);
     const auto formula = Formula::parse(text, "r");
     REQUIRE_FALSE(formula.has_value());
