@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/edit/degenerate_places.h"
-#include "core/edit/formula.h"
+#include "core/formula/formula.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"

@@ -50,7 +50,7 @@ class SelectionDesk {
   Expected<void> align(Alignment where);
   Expected<void> distribute(Axis coordinate);
 
-  /// Formulas (core/edit/formula.h) of new coordinates and radii, for each place by itself. Empty ones leave what they
+  /// Formulas (core/formula/formula.h) of new coordinates and radii, for each place by itself. Empty ones leave what they
   /// are about. They may use x, y, r, which are those of the place (r of a sample is 0), i, its number from 0, n, how
   /// many there are, and cx, cy, the middle.
   struct EachFormula {

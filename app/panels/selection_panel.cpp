@@ -5,7 +5,7 @@
 
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
-#include "core/edit/formula.h"
+#include "core/formula/formula.h"
 #include "core/io/text_numbers.h"
 #include "imgui_stdlib.h"
 

@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// Every field takes an expression (core/edit/formula.h). Threads: the window's.
+/// Every field takes an expression (core/formula/formula.h). Threads: the window's.
 class SelectionPanel {
  public:
   SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionDesk& desk, Messages& messages)

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/shapes/formula.h"
+#include "core/shapes/internal/formula_in_t.h"
 #include "core/shapes/internal/shape_parts.h"
 
 namespace mes {
@@ -54,9 +54,9 @@ Expected<MadeShape> superellipse(const ShapeValues& values) {
 }
 
 Expected<MadeShape> curve(const ShapeValues& values) {
-  const auto x = Formula::parse(values.formulas[0], "x");
+  const auto x = FormulaInT::parse(values.formulas[0], "x");
   if (!x) return std::unexpected(x.error());
-  const auto y = Formula::parse(values.formulas[1], "y");
+  const auto y = FormulaInT::parse(values.formulas[1], "y");
   if (!y) return std::unexpected(y.error());
   if (!(values.numbers[0] < values.numbers[1])) return impossible("from is less than to");
   return of_function(
@@ -67,7 +67,7 @@ Expected<MadeShape> curve(const ShapeValues& values) {
 }
 
 Expected<MadeShape> polar(const ShapeValues& values) {
-  const auto radius = Formula::parse(values.formulas[0], "r");
+  const auto radius = FormulaInT::parse(values.formulas[0], "r");
   if (!radius) return std::unexpected(radius.error());
   if (!(values.numbers[0] < values.numbers[1])) return impossible("from is less than to");
   return of_function([&](double t) { return at_angle(radius->at(t), t); }, values.numbers[0], values.numbers[1],

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/rng.h"
-#include "core/shapes/formula.h"
+#include "core/shapes/internal/formula_in_t.h"
 #include "core/shapes/internal/shape_parts.h"
 
 namespace mes {
@@ -171,9 +171,9 @@ Expected<MadeShape> almost_collinear(const ShapeValues& values) {
 }
 
 Expected<MadeShape> balls_along_curve(const ShapeValues& values) {
-  std::vector<Formula> formulas;
+  std::vector<FormulaInT> formulas;
   for (std::size_t i = 0; i < 3; ++i) {
-    auto formula = Formula::parse(values.formulas[i], std::array{"x", "y", "radius"}[i]);
+    auto formula = FormulaInT::parse(values.formulas[i], std::array{"x", "y", "radius"}[i]);
     if (!formula) return std::unexpected(formula.error());
     formulas.push_back(*std::move(formula));
   }

@@ -16,7 +16,7 @@
 #include "core/document/layer_fold.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
-#include "core/edit/formula.h"
+#include "core/formula/formula.h"
 #include "core/engine/engine.h"
 #include "core/engine/graph.h"
 #include "core/evolutions/evolution_run.h"
@@ -28,7 +28,6 @@
 #include "core/io/text_numbers.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
-#include "core/shapes/formula.h"
 #include "core/shapes/shape.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 
@@ -352,7 +351,7 @@ TEST_CASE("core/io/json_view.h") {
   CHECK_FALSE(count_timeline("{"));
 }
 
-TEST_CASE("core/edit/formula.h") {
+TEST_CASE("core/formula/formula.h") {
   const auto formula = Formula::parse("2 * x + 1", {"x"});
   const double values[]{3.0};
   const double seven = formula->value(values);
@@ -410,10 +409,4 @@ TEST_CASE("shapes are made as their headers show") {
   const auto data = make_shape(*star, {.values = values_of(*star), .sampling = {.samples = 300}});
   REQUIRE(data);
   CHECK(data->positions.size() == 300);
-  double used = 0.0;
-  const auto use = [&](double value) { used = value; };
-  // core/shapes/formula.h
-  auto radius = Formula::parse("1 + t/10", "r");
-  if (radius) use(radius->at(0.5));
-  CHECK(used == 1.05);
 }

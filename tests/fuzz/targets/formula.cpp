@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Formulas as they are typed for shapes, and the curves around the origin that they give.
-#include "core/shapes/formula.h"
+#include "core/formula/formula.h"
 
 #include <algorithm>
 #include <string>
@@ -11,7 +11,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace mes::fuzz;
   const std::string text(text_of(data, size));
-  const auto formula = mes::Formula::parse(text, "r");
+  const auto formula = mes::Formula::parse(text, {"t"});
   const mes::ShapeDescriptor* const polar = mes::find_shape("polar");
   require(polar != nullptr, "there are curves around the origin");
   mes::ShapeRequest request{.values = mes::values_of(*polar), .sampling = {.samples = 20}};
@@ -19,13 +19,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto made = mes::make_shape(*polar, request);
   if (!formula) {
     require_message(formula.error().text);
-    require(formula.error().code == mes::ErrorCode::usage, "what is typed is to blame");
-    require(!made && made.error().text == formula.error().text, "a shape refuses it in the same words");
+    require(!made && made.error().code == mes::ErrorCode::usage, "what is typed is to blame");
+    require(made.error().text == "the formula of r: " + formula.error().text, "a shape refuses it in the same words");
     return 0;
   }
   for (const double t : {0.0, 0.5, -3.0, 1e6}) {
-    const double value = formula->at(t);
-    const double again = formula->at(t);
+    const double at[]{t};
+    const double value = formula->value(at);
+    const double again = formula->value(at);
     require(value == again || (value != value && again != again), "a formula has one value at one place");
   }
   if (!made) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/edit/formula.h"
+#include "core/formula/formula.h"
 
 #include <fmt/core.h>
 #include <muParser.h>
@@ -22,10 +22,16 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1000;
 
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
 Error error_of(const mu::Parser::exception_type& problem, std::string_view text) {
   // The position is past the end for what is missing, and unset for what has no place.
   const auto at = static_cast<std::size_t>(std::max(0, static_cast<int>(problem.GetPos())));
-  const std::string token = problem.GetToken();
+  const std::string token = printable(problem.GetToken());
   const std::size_t column = std::min(at, text.size()) + 1;
   switch (problem.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:

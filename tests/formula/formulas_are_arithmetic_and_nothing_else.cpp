@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/rng.h"
-#include "core/edit/formula.h"
+#include "core/formula/formula.h"
 
 using namespace mes;
 
