@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/kernel/enclosing_circle.h"
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mes {
+namespace {
+
+using Rational = CGAL::Exact_rational;
+
+struct RationalVector {
+  Rational x, y;
+};
+RationalVector between(Vec2 from, Vec2 to) {
+  return {Rational(to.x) - Rational(from.x), Rational(to.y) - Rational(from.y)};
+}
+Rational squared(const RationalVector& v) {
+  return v.x * v.x + v.y * v.y;
+}
+
+int order(const Rational& a, const Rational& b) {
+  return a < b ? -1 : (b < a ? 1 : 0);
+}
+
+/// Both sides of a comparison are of one sign and within 2^-47 of their true values, unless they come near the ends of
+/// the range of doubles.
+bool is_decided(double left, double right) {
+  const double size = std::max(left, right);
+  return size > 1e-250 && size < 1e300 && std::abs(left - right) > 0x1p-46 * size;
+}
+
+/// The corner at p has 90 degrees or more.
+bool is_wide(Vec2 p, Vec2 q, Vec2 r) {
+  const Vec2 u = q - p;
+  const Vec2 v = r - p;
+  const double value = dot(u, v);
+  const double size = std::abs(u.x * v.x) + std::abs(u.y * v.y);
+  // Differences, products and the sum round once each.
+  if (size > 1e-280 && size < 1e300 && std::abs(value) > 0x1p-49 * size) return value < 0.0;
+  const RationalVector exact_u = between(p, q);
+  const RationalVector exact_v = between(p, r);
+  return exact_u.x * exact_v.x + exact_u.y * exact_v.y <= 0;
+}
+
+}  // namespace
+
+bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c) {
+  return is_wide(a, b, c) || is_wide(b, c, a) || is_wide(c, a, b);
+}
+
+double half_longest_side(Vec2 a, Vec2 b, Vec2 c) {
+  return 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)});
+}
+
+int compare_half_distance(Vec2 a, Vec2 b, double r) {
+  if (r < 0.0) return 1;
+  const Vec2 u = b - a;
+  const double left = dot(u, u);
+  const double right = 4.0 * r * r;
+  if (is_decided(left, right)) return left < right ? -1 : 1;
+  return order(squared(between(a, b)), Rational(4) * Rational(r) * Rational(r));
+}
+
+int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
+  if (r < 0.0) return 1;
+  if (is_wide(a, b, c)) return compare_half_distance(b, c, r);
+  if (is_wide(b, c, a)) return compare_half_distance(c, a, r);
+  if (is_wide(c, a, b)) return compare_half_distance(a, b, r);
+  // All angles are below 90 degrees, so the largest is 60 degrees or more: seen from its corner, the determinant is not
+  // small against its terms.
+  std::array<Vec2, 3> corner{a, b, c};
+  const auto opposite = [&](std::size_t i) {
+    const Vec2 side = corner[(i + 2) % 3] - corner[(i + 1) % 3];
+    return dot(side, side);
+  };
+  std::size_t top = opposite(1) > opposite(0) ? 1 : 0;
+  if (opposite(2) > opposite(top)) top = 2;
+  const Vec2 u = corner[(top + 1) % 3] - corner[top];
+  const Vec2 v = corner[(top + 2) % 3] - corner[top];
+  const double uu = dot(u, u);
+  const double vv = dot(v, v);
+  const double area = cross(u, v);
+  // R^2 is |u|^2 |v|^2 |w|^2 / 4 area^2; each factor is taken relative to the others, lest products leave the range.
+  const double left = (uu / area) * (vv / area) * opposite(top);
+  const double right = 4.0 * r * r;
+  if (std::min(uu, vv) > 1e-250 && is_decided(left, right)) return left < right ? -1 : 1;
+  const RationalVector p = between(a, b);
+  const RationalVector q = between(a, c);
+  const Rational det = p.x * q.y - p.y * q.x;
+  return order(squared(p) * squared(q) * squared(between(b, c)), Rational(4) * det * det * Rational(r) * Rational(r));
+}
+
+}  // namespace mes

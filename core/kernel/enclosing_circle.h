@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smallest circles around two and three points: their radii in doubles, and exact comparisons with a limit.
+//
+// The smallest circle around a segment has it as a diameter. Around a triangle it is that of the longest side where the
+// angle opposite is 90 degrees or more, else the circumcircle, for which
+//     R = |ab| |bc| |ca| / 2 |det(b - a, c - a)|
+// So the order of the radius and r is the sign of a polynomial in the coordinates and r: of degree 2, or of degree 6.
+// It is evaluated in doubles with a bound of the error, and in rationals where that does not decide.
+#pragma once
+
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// Some corner of the triangle has 90 degrees or more; exact. Three different points.
+bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c);
+
+/// Half the longest side of a triangle.
+double half_longest_side(Vec2 a, Vec2 b, Vec2 c);
+
+/// Exact order of half the distance from a to b and `r`: -1, 0 or 1. `r` is finite.
+int compare_half_distance(Vec2 a, Vec2 b, double r);
+
+/// Exact order of the radius of the smallest circle that encloses three points, not collinear, and `r`: -1, 0 or 1.
+int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r);
+
+}  // namespace mes
