@@ -114,7 +114,7 @@ Expected<Precision> select_precision(const std::string& id) {
 
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
                                                        std::span<const ParameterDescriptor> parameters,
-                                                       std::string_view option) {
+                                                       std::string_view option, bool is_quiet) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || equals == 0)
     return usage_error(std::string(option) + " expects NAME=VALUE, not " + in_quotes(setting));
@@ -130,7 +130,17 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   if (!value) return usage_error(fmt::format("{} {}: {}", option, printable(name), describe(value.error(), text)));
   if (parameter.is_whole && *value != std::floor(*value))
     return usage_error(fmt::format("{} {}: {} is not a whole number", option, printable(name), in_quotes(text)));
-  if (*value < parameter.low || *value > parameter.high) {
+  const bool is_outside = *value < parameter.low || *value > parameter.high;
+  if (is_outside && parameter.is_limit) {
+    const double end = *value < parameter.low ? parameter.low : parameter.high;
+    std::string text_of_end;
+    append_number(text_of_end, end);
+    if (!is_quiet)
+      say(fmt::format("{} {}: {} is {} {}, which is taken instead", option, printable(name), in_quotes(text),
+                      *value < parameter.low ? "below" : "above", text_of_end));
+    return std::pair{index, end};
+  }
+  if (is_outside) {
     std::string range = fmt::format("{} {}: {} is not between ", option, printable(name), in_quotes(text));
     append_number(range, parameter.low);
     range += " and ";
@@ -154,14 +164,14 @@ Expected<std::uint64_t> whole_number(std::string_view what, const std::string& t
   return usage_error(fmt::format("{}: {} is not a whole number from 0 to 2^64 - 1", what, in_quotes(text)));
 }
 
-Expected<ComputationSettings> settings_of(const Source& source) {
+Expected<ComputationSettings> settings_of(const Source& source, bool is_quiet) {
   const auto precision =
       select_precision(source.precision.empty() ? std::string(id_of(Precision::fast)) : source.precision);
   if (!precision) return std::unexpected(precision.error());
   ComputationSettings settings;
   settings.precision = *precision;
   for (const std::string& setting : source.settings) {
-    const auto parsed = parse_setting(setting, parameter_descriptors());
+    const auto parsed = parse_setting(setting, parameter_descriptors(), "--set", is_quiet);
     if (!parsed) return std::unexpected(parsed.error());
     settings.values[parsed->first] = parsed->second;
   }

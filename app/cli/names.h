@@ -35,10 +35,10 @@ Expected<std::vector<LayerIndex>> select_layers(const std::string& ids);
 Expected<LayerIndex> select_layer(const std::string& id);
 
 /// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the option and the nearest parameters
-/// or the range.
+/// or the range. A limit beyond its range is taken to the end of it, which is said unless `is_quiet`.
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
                                                        std::span<const ParameterDescriptor> parameters,
-                                                       std::string_view option = "--set");
+                                                       std::string_view option = "--set", bool is_quiet = false);
 
 Expected<EvolutionIndex> select_evolution(const std::string& id);
 Expected<Precision> select_precision(const std::string& id);
@@ -46,7 +46,7 @@ Expected<Precision> select_precision(const std::string& id);
 /// From 0 to 2^64 - 1. Error: `usage`, with what was to be given.
 Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text);
 
-/// Number type and parameters as asked for. Error: `usage`, naming what there is.
-Expected<ComputationSettings> settings_of(const Source& source);
+/// Number type and parameters as asked for. Error: `usage`, naming what there is. Remarks are made unless `is_quiet`.
+Expected<ComputationSettings> settings_of(const Source& source, bool is_quiet = false);
 
 }  // namespace mes::cli

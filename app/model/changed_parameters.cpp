@@ -7,11 +7,14 @@
 #include <cstdlib>
 
 #include "app/model/parameter_words.h"
+#include "core/base/lower_case.h"
 
 namespace mes {
 
 std::string value_text(const ParameterDescriptor& descriptor, double value) {
   if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";
+  if (const auto choices = choices_of(descriptor); !choices.empty())
+    return lower_case(std::string(choices[static_cast<std::size_t>(value - descriptor.low)]));
   // As few digits as tell it from the default, which it may be very near.
   std::string out;
   for (int digits = 4; digits <= 17; ++digits) {
@@ -20,7 +23,7 @@ std::string value_text(const ParameterDescriptor& descriptor, double value) {
   }
   if (descriptor.id.ends_with("-scale")) return out + " \u00d7";
   if (descriptor.unit == "degrees") return out + "\u00b0";
-  return descriptor.unit.empty() ? out : out + ' ' + std::string(descriptor.unit);
+  return descriptor.unit.empty() || descriptor.is_length ? out : out + ' ' + std::string(descriptor.unit);
 }
 
 std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings) {

@@ -17,6 +17,9 @@ constexpr std::array<Words, 4> kSchemes{"Cubic B-spline", "Corner cutting (Chaik
                                         "Four-point, through every sample", "Midpoints"};
 constexpr std::array<Words, 2> kNoise{"Along the normal", "In every direction"};
 
+constexpr std::array<Words, 3> kAngleModes{"Each point by its own angle", "Edges by their largest angle",
+                                           "Edges by the mean of their ends"};
+
 struct Title {
   Words id;
   Words title;
@@ -24,6 +27,10 @@ struct Title {
 constexpr auto kTitles = std::to_array<Title>({{"medial-sampling-angle", "Angle of sampled balls"},
                                                {"union-shortcut", "Certified shortcut for unions"},
                                                {"pole-propagation", "Pole labels by propagation"},
+                                               {"lambda-limit", "Lambda: limit"},
+                                               {"angle-limit", "Object angle: limit"},
+                                               {"angle-mode", "Object angle of an edge"},
+                                               {"keep-topology", "Filters keep the topology"},
                                                {"smooth-mu", "Way to the middle"},
                                                {"smooth-back", "Way back"},
                                                {"smooth-keep-area", "Keep the area of loops"},
@@ -33,7 +40,8 @@ constexpr auto kTitles = std::to_array<Title>({{"medial-sampling-angle", "Angle 
                                                {"growing-step", "Step"},
                                                {"freeze-chains", "Keep the order of the beginning"}});
 constexpr auto kSpoken = std::to_array<Title>(
-    {{"subdivide-scheme", "What the curve through the samples becomes"},
+    {{"angle-mode", "What stands for an axis edge, along which the angle varies"},
+     {"subdivide-scheme", "What the curve through the samples becomes"},
      {"noise-isotropic", "Where a sample may move"},
      {"smooth-back",
       "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a little more than the way "
@@ -73,6 +81,7 @@ std::string title_of(const ParameterDescriptor& descriptor) {
 std::span<const std::string_view> choices_of(const ParameterDescriptor& descriptor) {
   if (descriptor.id == "subdivide-scheme") return kSchemes;
   if (descriptor.id == "noise-isotropic") return kNoise;
+  if (descriptor.id == "angle-mode") return kAngleModes;
   return {};
 }
 

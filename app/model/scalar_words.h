@@ -9,7 +9,8 @@ namespace mes {
 
 /// "lambda" is the symbol with its meaning; other scalars are words already.
 inline std::string spoken_scalar(std::string_view scalar) {
-  return scalar == "lambda" ? "\u03BB, half the distance of the two samples" : std::string(scalar);
+  return scalar == "lambda" ? "\u03BB, radius of the smallest circle around the nearest samples"
+                            : std::string(scalar);
 }
 
 }  // namespace mes

@@ -23,6 +23,10 @@ bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
 }
 
 std::string explanation(const ParameterDescriptor& descriptor) {
+  if (descriptor.is_length)
+    return fmt::format(
+        "{}\n\nA length in the unit of the document, {:.6g} by default. On the command line: --set {}=VALUE",
+        spoken_explanation(descriptor), descriptor.default_value, descriptor.id);
   return fmt::format("{}\n\n{:.6g} to {:.6g}{}{}, {:.6g} by default. On the command line: --set {}=VALUE",
                      spoken_explanation(descriptor), descriptor.low, descriptor.high,
                      descriptor.unit.empty() ? "" : " ", descriptor.unit, descriptor.default_value, descriptor.id);
@@ -38,6 +42,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
   if (begin_popup(gui_, "animate")) {
     if (ImGui::IsWindowAppearing() && !animation.is_running() && animation.parameter != parameter) {
       animation.aim(parameter, computation_.settings()[parameter]);
+      if (descriptor.is_length) animation.to = 0.5 * longest();
     }
     ImGui::PushFont(gui_.bold());
     ImGui::TextUnformatted(("Let it run: " + title_of(descriptor)).c_str());
@@ -75,6 +80,35 @@ void ParametersPanel::draw_animation(Parameter parameter) {
   ImGui::PopStyleVar();
 }
 
+double ParametersPanel::longest() const {
+  return 2.0 / picture_.scene().frame().scale;
+}
+
+void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& value) const {
+  if (const auto choices = choices_of(descriptor); !choices.empty()) {
+    const auto chosen = static_cast<std::size_t>(value);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (ImGui::BeginCombo("##choice", std::string(choices[chosen]).c_str())) {
+      for (std::size_t i = 0; i < choices.size(); ++i)
+        if (ImGui::Selectable(std::string(choices[i]).c_str(), i == chosen))
+          value = descriptor.low + static_cast<double>(i);
+      ImGui::EndCombo();
+    }
+  } else {
+    const std::string unit_text = descriptor.unit == "%"         ? std::string(" %%")
+                                  : descriptor.unit == "degrees" ? std::string("\u00b0")
+                                  : descriptor.is_length         ? std::string()
+                                                                 : ' ' + std::string(descriptor.unit);
+    const std::string format = (descriptor.is_whole ? "%.0f" : "%.5g") + unit_text;
+    slider(gui_, "##value", value, descriptor.low, descriptor.high,
+           {.format = format.c_str(),
+            .is_logarithmic = is_wide(descriptor),
+            .is_whole = descriptor.is_whole,
+            .end = descriptor.is_length ? longest() : 0.0});
+  }
+  tooltip(gui_, explanation(descriptor));
+}
+
 void ParametersPanel::draw_parameter(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
   const float unit = gui_.unit();
@@ -95,7 +129,7 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   }
   ImGui::SameLine(buttons_at);
   const bool runs = computation_.animation().is_running() && computation_.animation().parameter == parameter;
-  if (is_switch(descriptor)) {
+  if (is_switch(descriptor) || !choices_of(descriptor).empty()) {
     ImGui::Dummy({button, button});
   } else {
     if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain))
@@ -107,15 +141,7 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
     value = descriptor.default_value;
   tooltip(gui_, "Back to the default");
   draw_animation(parameter);
-  if (!is_switch(descriptor)) {
-    const std::string unit_text = descriptor.unit == "%"         ? std::string(" %%")
-                                  : descriptor.unit == "degrees" ? std::string("\u00b0")
-                                                                 : ' ' + std::string(descriptor.unit);
-    const std::string format = (descriptor.is_whole ? "%.0f" : "%.5g") + unit_text;
-    slider(gui_, "##value", value, descriptor.low, descriptor.high,
-           {.format = format.c_str(), .is_logarithmic = is_wide(descriptor), .is_whole = descriptor.is_whole});
-    tooltip(gui_, explanation(descriptor));
-  }
+  if (!is_switch(descriptor)) draw_value(descriptor, value);
   ImGui::PopID();
   if (settings != computation_.settings()) {
     if (runs) computation_.animation().stop();

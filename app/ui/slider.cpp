@@ -20,8 +20,17 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   ImGui::SetNextItemWidth(std::max(30 * unit, width - field - gap));
   const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
                                  (look.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  double shown = value;
-  if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &low, &high, "", flags)) value = shown;
+  if (look.end > 0.0) {
+    // The slider is the square root of the number.
+    constexpr double kLeast = 0.0;
+    constexpr double kMost = 1.0;
+    double root = std::sqrt(std::clamp(value / look.end, kLeast, kMost));
+    if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &root, &kLeast, &kMost, "", flags))
+      value = look.end * root * root;
+  } else {
+    double shown = value;
+    if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &low, &high, "", flags)) value = shown;
+  }
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(field);
   double typed = value;

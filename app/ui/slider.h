@@ -10,6 +10,7 @@ struct SliderLook {
   const char* format = "%.4g";  ///< of the number, with its unit
   bool is_logarithmic = false;
   bool is_whole = false;
+  double end = 0.0;    ///< above 0: of the slider, on which small numbers have more room; typed ones may be beyond
   float width = 0.0F;  ///< of slider and number together, in screen coordinates; 0: what is free
 };
 

@@ -62,8 +62,8 @@ Panels::Panels(const Uses& uses)
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
       details_panel_(uses.screen.gui, uses.actions, uses.settings.details,
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
-                     {uses.screen.gui, uses.work.computation()}, {uses.screen.gui, uses.messages},
-                     {uses.screen.gui, uses.actions, uses.lesson.desk()},
+                     {uses.screen.gui, uses.work.computation(), uses.board.picture()},
+                     {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
                      {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages}) {
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);

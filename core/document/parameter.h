@@ -16,9 +16,13 @@ enum class Parameter : std::uint8_t {
   medial_sampling_angle,
   a_scale,
   p_scale,
-  b_scale
+  b_scale,
+  lambda_limit,
+  angle_limit,
+  angle_mode,
+  keep_topology
 };
-inline constexpr std::size_t kParameters = 6;
+inline constexpr std::size_t kParameters = 10;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -29,6 +33,8 @@ struct ParameterDescriptor {
   double default_value = 0.0;
   bool is_whole = false;        ///< whole numbers only
   bool is_of_document = false;  ///< another document begins with the default; else it is the user's and stays
+  bool is_limit = false;        ///< of a filter: what lies beyond the range is taken to its end, not refused
+  bool is_length = false;       ///< in units of the document; `high` is no value to draw a scale for
 };
 
 inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{
@@ -47,7 +53,39 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
      {"p-scale", "The radii of the inner polar balls are multiplied by it, exactly, before their union is taken", "",
       0.01, 100.0, 1.0, false, true},
      {"b-scale", "The radii of your own balls are multiplied by it, exactly, before their union is taken", "", 0.01,
-      100.0, 1.0, false, true}}};
+      100.0, 1.0, false, true},
+     {.id = "lambda-limit",
+      .explanation =
+          "The lambda axis is where the smallest circle around the nearest samples has at least this radius",
+      .unit = "units",
+      .low = 0.0,
+      .high = 1e150,
+      .is_of_document = true,
+      .is_limit = true,
+      .is_length = true},
+     {.id = "angle-limit",
+      .explanation = "The angle axis is where half the angle between the nearest samples is at least this",
+      .unit = "degrees",
+      .low = 0.0,
+      .high = 90.0,
+      .is_of_document = true,
+      .is_limit = true},
+     {.id = "angle-mode",
+      .explanation = "0: the angle axis is cut at the places where the angle reaches the limit; 1: whole edges, by "
+                     "their largest angle; 2: by the mean of the angles at their ends",
+      .unit = "",
+      .low = 0.0,
+      .high = 2.0,
+      .is_whole = true},
+     {.id = "keep-topology",
+      .explanation =
+          "1: the lambda and the angle axis are pruned from their free ends inwards, so that components and "
+          "cycles stay; 0: all that is below the limit goes",
+      .unit = "",
+      .low = 0.0,
+      .high = 1.0,
+      .is_whole = true}}};
+static_assert(!kParameterDescriptors.back().id.empty(), "as many as there are names for");
 
 constexpr bool is_switch(const ParameterDescriptor& descriptor) {
   return descriptor.is_whole && descriptor.low == 0.0 && descriptor.high == 1.0;

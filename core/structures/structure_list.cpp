@@ -19,6 +19,8 @@
 #include "core/structures/crust/voronoi_vertices.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/delaunay/last_change.h"
+#include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/lambda_axis.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/scaled_user_balls.h"
 #include "core/structures/inputs/settings_source.h"
@@ -58,6 +60,8 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<Poles, Delaunay, VoronoiVertices>(set);
   add<MedialAxis, Delaunay, OneStepCrust, Labels, InnerBalls>(set);
   add<AxisNodes, Delaunay, InnerBalls, MedialAxis>(set);
+  add<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
+  add<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
   add<LastChange, Delaunay>(set);
   add<AxisCertificate, Delaunay, Labels, InnerBalls>(set);
   add<AUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisCertificate>(set);

@@ -85,6 +85,9 @@ class Script {
         settings_[Parameter::union_shortcut] = static_cast<double>(rng_.below(2));
         settings_[Parameter::a_scale] = rng_.below(2) == 0 ? 1.0 : 1.25;
         settings_[Parameter::b_scale] = rng_.below(2) == 0 ? 1.0 : 0.75;
+        settings_[Parameter::lambda_limit] = rng_.below(2) == 0 ? 0.0 : 5.0;
+        settings_[Parameter::angle_limit] = rng_.below(2) == 0 ? 0.0 : 40.0;
+        settings_[Parameter::keep_topology] = static_cast<double>(rng_.below(2));
         consumer_.graph.post_settings(settings_);
         break;
       case 10: consumer_.graph.set_want_statistics(rng_.below(2) == 0); break;

@@ -57,6 +57,10 @@ inline ComputationSettings read_settings(ByteSource& bytes) {
   out[Parameter::union_shortcut] = (choices & 1U) != 0 ? 0.0 : 1.0;
   out[Parameter::pole_propagation] = (choices & 2U) != 0 ? 1.0 : 0.0;
   out[Parameter::medial_sampling_angle] = (choices & 4U) != 0 ? 170.0 : 95.0;
+  out[Parameter::keep_topology] = (choices & 8U) != 0 ? 1.0 : 0.0;
+  out[Parameter::lambda_limit] = (choices & 16U) != 0 ? 0.5 : 0.0;
+  out[Parameter::angle_limit] = (choices & 32U) != 0 ? 45.0 : 0.0;
+  out[Parameter::angle_mode] = static_cast<double>((choices >> 6U) % 3U);
   for (const Parameter scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
     out[scale] = kScales[bytes.below(kScales.size())];
   return out;

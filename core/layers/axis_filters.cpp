@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What lambda and object angle leave of the one-step axis, with its disks and circles, and what they take away.
+#include <string_view>
+#include <vector>
+
+#include "core/layers/parts/helpers.h"
+#include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/lambda_axis.h"
+
+namespace mes {
+namespace {
+
+struct FilterLayer {
+  std::string_view id, name, tooltip;
+};
+struct FilterLayers {
+  std::string_view scalar;
+  FilterLayer axis, disks, circles, removed;
+};
+
+constexpr FilterLayers kLambda{
+    "lambda",
+    {"lambda-medial-axis", "Lambda medial axis",
+     "Axis edges whose two samples are at least twice lambda-limit apart, or what pruning leaves"},
+    {"lambda-medial-disks", "Lambda medial disks",
+     "Inner disks whose samples need an enclosing circle of radius lambda-limit or more"},
+    {"lambda-medial-circles", "Lambda medial circles",
+     "Inner circles whose samples need an enclosing circle of radius lambda-limit or more"},
+    {"removed-by-lambda", "Removed by lambda",
+     "The rest of the medial axis, which the lambda medial axis is without"}};
+constexpr FilterLayers kAngle{
+    "angle (degrees)",
+    {"angle-medial-axis", "Angle medial axis",
+     "Where the axis sees its two nearest samples under at least twice angle-limit, or what pruning leaves"},
+    {"angle-medial-disks", "Angle medial disks",
+     "Inner disks with two samples that the centre sees under at least twice angle-limit"},
+    {"angle-medial-circles", "Angle medial circles",
+     "Inner circles with two samples that the centre sees under at least twice angle-limit"},
+    {"removed-by-angle", "Removed by angle", "The rest of the medial axis, which the angle medial axis is without"}};
+
+LayerDescriptor descriptor_of(const FilterLayer& layer, std::string_view scalar, PrimitiveKind kind,
+                              LayerStyle style) {
+  return {.id = layer.id,
+          .name = layer.name,
+          .tooltip = layer.tooltip,
+          .group = LayerGroup::crust_axis,
+          .scalar = scalar,
+          .style = std::move(style),
+          .kinds = {kind}};
+}
+
+Layer kept_axis(const AxisFilter& filter, const FilterLayers& layers) {
+  const Delaunay& delaunay = filter.delaunay();
+  return make_layer(
+      descriptor_of(layers.axis, layers.scalar, PrimitiveKind::segment,
+                    {.color = palette::vermilion, .line_width_px = 2.5, .color_map = "cividis"}),
+      {&delaunay, &filter},
+      edges_part({PrimitiveKind::segment}, delaunay, filter.edge_changes(), [&](EdgeSlot edge, Instance& out) {
+        if (filter.is_kept(edge)) out.segment(filter.kept_end(edge, 0), filter.kept_end(edge, 1), filter.value(edge));
+      }));
+}
+
+Layer removed(const AxisFilter& filter, const FilterLayers& layers) {
+  const Delaunay& delaunay = filter.delaunay();
+  return make_layer(descriptor_of(layers.removed, layers.scalar, PrimitiveKind::segment,
+                                  {.color = palette::vermilion, .opacity = 0.35, .line_width_px = 1.0}),
+                    {&delaunay, &filter},
+                    table_part(
+                        {PrimitiveKind::segment}, [&] { return 2 * delaunay.edge_rows(); }, filter.removed_changes(),
+                        [&](AxisEndSlot row, Instance& out) {
+                          Vec2 a, b;
+                          if (filter.removed_piece(row, a, b))
+                            out.segment(a, b, filter.value(EdgeSlot(row.index() / 2)));
+                        },
+                        ElementType{ElementKind::axis_piece, &filter}));
+}
+
+template <class Draw>
+Layer kept_balls(const AxisFilter& filter, const FilterLayer& layer, std::string_view scalar, PrimitiveKind kind,
+                 LayerStyle style, Draw draw) {
+  const Delaunay& delaunay = filter.delaunay();
+  style.color = palette::orange;
+  style.color_map = "cividis";
+  return make_layer(
+      descriptor_of(layer, scalar, kind, std::move(style)), {&delaunay, &filter},
+      faces_part({kind}, delaunay, filter.node_changes(), [&filter, &delaunay, draw](FaceSlot face, Instance& out) {
+        if (filter.is_kept(face))
+          draw(out, delaunay.circumcenter(face), delaunay.circumradius(face), filter.value(face));
+      }));
+}
+
+Layer kept_disks(const AxisFilter& filter, const FilterLayers& layers) {
+  return kept_balls(filter, layers.disks, layers.scalar, PrimitiveKind::disk, {.opacity = 0.3},
+                    [](Instance& out, Vec2 c, double r, double value) { out.disk(c, r, value); });
+}
+Layer kept_circles(const AxisFilter& filter, const FilterLayers& layers) {
+  return kept_balls(filter, layers.circles, layers.scalar, PrimitiveKind::circle, {.opacity = 0.8},
+                    [](Instance& out, Vec2 c, double r, double value) { out.circle(c, r, value); });
+}
+
+/// `make(filter, layers)` for each filter.
+template <class Make>
+std::vector<Layer> for_each_filter(const StructureSet& set, Make make) {
+  std::vector<Layer> out;
+  out.push_back(make(set.get<LambdaAxis>(), kLambda));
+  out.push_back(make(set.get<AngleAxis>(), kAngle));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Layer> make_filtered_disk_layers(const StructureSet& set) {
+  return for_each_filter(set, kept_disks);
+}
+std::vector<Layer> make_filtered_circle_layers(const StructureSet& set) {
+  return for_each_filter(set, kept_circles);
+}
+std::vector<Layer> make_removed_axis_layers(const StructureSet& set) {
+  return for_each_filter(set, removed);
+}
+std::vector<Layer> make_filtered_axis_layers(const StructureSet& set) {
+  return for_each_filter(set, kept_axis);
+}
+
+}  // namespace mes

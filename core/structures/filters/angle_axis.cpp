@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/filters/angle_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace mes {
+
+AngleAxis::AngleAxis(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
+                     InnerBalls& balls, MedialAxis& axis)
+    : AxisFilter("angle-axis", settings, delaunay, crust, labels, balls, axis, Parameter::angle_limit) {}
+
+int AngleAxis::mode(const ComputationSettings& settings) const {
+  return static_cast<int>(settings[Parameter::angle_mode]);
+}
+
+double AngleAxis::value(EdgeSlot edge) const {
+  const EdgeAngles angles = edge_angles(crust_.corners(edge));
+  return angle_mode() == AngleMode::mean ? angles.mean() : angles.largest();
+}
+
+double AngleAxis::end_value(EdgeSlot edge, int end) const {
+  // The left face of the row is that of p.
+  return edge_angles(crust_.corners(edge)).end(end == 0);
+}
+
+// The two samples that are farthest apart: for each, the ones next to the opposite of it.
+double AngleAxis::group_value(FaceSlot node) const {
+  const Vec2 center = delaunay_.circumcenter(node);
+  std::vector<SiteSlot> sites;
+  balls_.vertices().append_sites(node, sites);
+  struct Place {
+    double turn;
+    Vec2 at;
+  };
+  std::vector<Place> around;
+  for (const SiteSlot site : sites) {
+    const Vec2 at = delaunay_.site_position(site);
+    around.push_back({std::atan2(at.y - center.y, at.x - center.x), at});
+  }
+  std::ranges::sort(around, [](const Place& a, const Place& b) {
+    return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.at, b.at);
+  });
+  double longest = 0.0;
+  double height = 0.0;
+  for (const Place& place : around) {
+    const double opposite = place.turn > 0.0 ? place.turn - std::numbers::pi : place.turn + std::numbers::pi;
+    const auto after = std::ranges::lower_bound(around, opposite, {}, &Place::turn) - around.begin();
+    const auto count = std::ssize(around);
+    for (const auto i : {(after + count - 1) % count, after % count}) {
+      const Vec2 other = around[static_cast<std::size_t>(i)].at;
+      const double chord = distance(place.at, other);
+      if (chord <= longest) continue;
+      longest = chord;
+      height = distance({0.5 * place.at.x + 0.5 * other.x, 0.5 * place.at.y + 0.5 * other.y}, center);
+    }
+  }
+  return std::atan2(0.5 * longest, height) * (180.0 / std::numbers::pi);
+}
+
+double AngleAxis::value(FaceSlot node) const {
+  double out = 0.0;
+  for_each_face_of(node, [&](FaceSlot face) {
+    const FaceRow& row = delaunay_.face(face);
+    for (int i = 0; i < 3; ++i)
+      out = std::max(out, folded(angle_at(delaunay_.site_position(row.v[i]), delaunay_.site_position(row.v[next3(i)]),
+                                          delaunay_.site_position(row.v[prev3(i)]))));
+  });
+  return balls_.group(node) == nullptr ? out : std::max(out, group_value(node));
+}
+
+bool AngleAxis::reaches(EdgeSlot edge) const {
+  return wish().limit <= 0.0 || value(edge) >= wish().limit;
+}
+
+bool AngleAxis::end_reaches(EdgeSlot edge, int end) const {
+  if (wish().limit <= 0.0 || angle_mode() != AngleMode::clip) return true;
+  return end_value(edge, end) >= wish().limit;
+}
+
+Vec2 AngleAxis::cut_place(EdgeSlot edge, int end) const {
+  const EdgeRow& row = delaunay_.edge(edge);
+  const Vec2 q = delaunay_.site_position(row.v[0]);
+  const Vec2 r = delaunay_.site_position(row.v[1]);
+  // The end lies on the side of its apex, or beyond the middle where the angle there is obtuse.
+  const EdgeAngles angles = edge_angles(crust_.corners(edge));
+  const bool is_left = (end == 0) == ((end == 0 ? angles.at_p : angles.at_s) <= 90.0);
+  return is_left ? place_of_angle(q, r, wish().limit) : place_of_angle(r, q, wish().limit);
+}
+
+bool AngleAxis::node_reaches(FaceSlot node) const {
+  return wish().limit <= 0.0 || value(node) >= wish().limit;
+}
+
+int AngleAxis::compare(EdgeSlot a, EdgeSlot b) const {
+  const double at_a = value(a);
+  const double at_b = value(b);
+  return at_a < at_b ? -1 : (at_b < at_a ? 1 : 0);
+}
+
+void AngleAxis::add_statistics(StatList& out) const {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const FaceSlot node : delaunay_.face_slots())
+    if (delaunay_.face(node).is_alive() && axis_.is_node(node)) largest = std::max(largest, value(node));
+  for (const EdgeSlot edge : delaunay_.edge_slots())
+    if (is_edge(edge)) largest = std::max(largest, value(edge));
+  out.push_back({"largest", largest});
+}
+
+}  // namespace mes

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Object angle: half the angle between the two nearest samples, seen from an axis point.
+#pragma once
+
+#include "core/structures/filters/axis_filter.h"
+#include "core/structures/filters/object_angle.h"
+
+namespace mes {
+
+/// What stands for an edge of the axis, along which the angle varies; the parameter `angle-mode`.
+enum class AngleMode : std::uint8_t {
+  clip,     ///< each point for itself: an edge is cut where the angle reaches the limit
+  largest,  ///< the largest angle on the edge decides about all of it
+  mean,     ///< the mean of the angles at its two ends does
+};
+
+/// The angle at a node is the largest half angle between two samples of its circle. Values are degrees in [0, 90],
+/// computed from differences of samples by `atan2`; they are compared as the doubles that they are.
+///
+/// Source: Dey and Zhao, "Approximate medial axis as a Voronoi subcomplex", 2002; Foskey, Lin and Manocha, "Efficient
+/// computation of a simplified medial axis", 2003 (the theta-simplified axis, which `clip` is).
+class AngleAxis final : public AxisFilter {
+ public:
+  AngleAxis(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
+            MedialAxis& axis);
+
+  double value(EdgeSlot edge) const override;
+  double value(FaceSlot node) const override;
+  std::string spoken(double value) const override;
+  AngleMode angle_mode() const { return static_cast<AngleMode>(wish().mode); }
+  /// At the end `EdgeRow::f[end]` of an edge.
+  double end_value(EdgeSlot edge, int end) const;
+
+ protected:
+  int mode(const ComputationSettings& settings) const override;
+  bool reaches(EdgeSlot edge) const override;
+  bool end_reaches(EdgeSlot edge, int end) const override;
+  Vec2 cut_place(EdgeSlot edge, int end) const override;
+  bool node_reaches(FaceSlot node) const override;
+  int compare(EdgeSlot a, EdgeSlot b) const override;
+  void add_statistics(StatList& out) const override;
+
+ private:
+  double group_value(FaceSlot node) const;
+};
+
+}  // namespace mes

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of the one-step axis on which a measure reaches a limit: what lambda and object angle have in common.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/filters/axis_pruning.h"
+#include "core/structures/inputs/settings_source.h"
+
+namespace mes {
+
+/// A piece at one end of an axis edge: row 2 e + i at the end `EdgeRow::f[i]` of edge e.
+using AxisEndSlot = Slot<struct AxisEndTag>;
+
+/// What it guarantees:
+///  1. *Raw* (parameter `keep-topology` off): an edge of positive length is kept where its measure reaches the limit, a
+///     node where its own does, or where a kept edge ends at it. So what is kept is closed.
+///  2. *Topology preserving*: of what the raw part leaves, only what can be pruned from the ends inwards is taken away
+///     (axis_pruning.h). For every limit there are as many components and cycles as in the whole axis.
+///  3. A measure that varies along an edge may *cut* it: the edge is kept up to a place between its ends. Where the
+///     topology is preserved only free ends are cut.
+///  4. Values are finite doubles, for all inputs. Whether a value reaches the limit is decided as the filter says.
+///
+/// Rows are those of the Delaunay edges and faces. Cost: rebuild O(n), an edit O(changed rows) where raw; O(n log n)
+/// each where the topology is preserved. A change of the limit alone is O(n) and tells which rows differ.
+class AxisFilter : public Structure {
+ public:
+  const Delaunay& delaunay() const { return delaunay_; }
+
+  bool is_kept(EdgeSlot edge) const { return (edge_flags_[edge] & kKept) != 0; }
+  /// A kept edge ends before its end `EdgeRow::f[end]`.
+  bool is_cut(EdgeSlot edge, int end) const { return (edge_flags_[edge] & kCut[end]) != 0; }
+  /// An edge of the axis of which something is missing.
+  bool is_removed(EdgeSlot edge) const;
+  /// The node, which is a face of `MedialAxis::is_node`.
+  bool is_kept(FaceSlot node) const { return node_flags_[node] != 0; }
+  /// Where what is kept of a kept edge ends: the node, or the cut.
+  Vec2 kept_end(EdgeSlot edge, int end) const;
+  /// Whether a removed piece lies in that row, and its ends.
+  bool removed_piece(AxisEndSlot row, Vec2& a, Vec2& b) const;
+
+  /// Of an edge of the axis: the largest value on it, except for an angle that is a mean.
+  virtual double value(EdgeSlot edge) const = 0;
+  /// Of a node of the axis.
+  virtual double value(FaceSlot node) const = 0;
+  /// The value as a sentence names it, e.g. "object angle 31.2 degrees".
+  virtual std::string spoken(double value) const = 0;
+
+  const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
+  const ChangeSet<FaceSlot>& node_changes() const { return node_changes_; }
+  const ChangeSet<AxisEndSlot>& removed_changes() const { return removed_changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override;
+  std::size_t touched() const override { return edge_changes_.size() + node_changes_.size(); }
+  StatList statistics() const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+  /// Why nothing is kept, as one sentence without a full stop; empty if something is.
+  std::string reason() const;
+
+ protected:
+  /// What the settings ask for.
+  struct Wish {
+    double limit = 0.0;
+    bool keeps_topology = false;
+    int mode = 0;  ///< of the measure; another one is another measure
+    friend bool operator==(const Wish&, const Wish&) = default;
+  };
+
+  AxisFilter(std::string_view id, SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
+             InnerBalls& balls, MedialAxis& axis, Parameter limit);
+
+  const Wish& wish() const { return wish_; }
+  virtual int mode(const ComputationSettings&) const { return 0; }
+  /// The value of an edge reaches the limit.
+  virtual bool reaches(EdgeSlot edge) const = 0;
+  /// The value at an end of an edge that reaches the limit does so, too.
+  virtual bool end_reaches(EdgeSlot, int /*end*/) const { return true; }
+  /// Where along the edge it begins to.
+  virtual Vec2 cut_place(EdgeSlot, int /*end*/) const { return {}; }
+  /// The node's own value reaches the limit, whatever the edges do.
+  virtual bool node_reaches(FaceSlot node) const = 0;
+  /// Order of the values of two edges: -1, 0 or 1.
+  virtual int compare(EdgeSlot a, EdgeSlot b) const = 0;
+  /// More counters, about all values.
+  virtual void add_statistics(StatList& out) const = 0;
+
+  bool is_edge(EdgeSlot edge) const {
+    return delaunay_.edge(edge).is_alive() && axis_.is_axis_edge(edge) && !axis_.is_zero_length(edge);
+  }
+  template <class Visit>
+  void for_each_face_of(FaceSlot node, Visit visit) const;
+
+  Delaunay& delaunay_;
+  OneStepCrust& crust_;
+  Labels& labels_;
+  InnerBalls& balls_;
+  MedialAxis& axis_;
+
+ private:
+  static constexpr std::uint8_t kKept = 1;
+  static constexpr std::uint8_t kCut[2] = {2, 4};
+  static constexpr std::uint8_t kIsolated = 2;  // of a node: kept, and no kept edge ends there
+
+  Wish wanted() const;
+  void prune(JobControl& job);
+  std::uint8_t flags_of(EdgeSlot edge) const;
+  void cut_free_ends(EdgeSlot edge);
+  std::uint8_t flags_of(FaceSlot face) const;
+  int kept_edges_at(FaceSlot node) const;
+  void note(EdgeSlot edge, bool was_alive);
+  void note_inputs();
+  void refresh_everything();
+  void finish_changes();
+
+  SettingsSource& settings_;
+  Parameter limit_;
+  Wish wish_;
+  AxisPruning pruning_;
+  Table<EdgeSlot, std::uint8_t> edge_flags_;
+  Table<FaceSlot, std::uint8_t> node_flags_;
+  ChangeRecorder<EdgeSlot> edge_recorder_;
+  ChangeRecorder<FaceSlot> node_recorder_;
+  ChangeSet<EdgeSlot> edge_changes_;
+  ChangeSet<FaceSlot> node_changes_;
+  ChangeSet<AxisEndSlot> removed_changes_;
+};
+
+template <class Visit>
+void AxisFilter::for_each_face_of(FaceSlot node, Visit visit) const {
+  if (const auto* group = balls_.group(node)) {
+    for (const FaceSlot face : *group) visit(face);
+  } else {
+    visit(node);
+  }
+}
+
+}  // namespace mes

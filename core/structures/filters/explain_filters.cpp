@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the filters of the axis know of the rows they share with `Delaunay`, and of the pieces they removed.
+#include <string>
+
+#include "core/graph/explain.h"
+#include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/lambda_axis.h"
+
+namespace mes {
+
+std::string LambdaAxis::spoken(double value) const {
+  return "lambda " + number_text(value);
+}
+
+std::string AngleAxis::spoken(double value) const {
+  return "object angle " + number_text(value) + " degrees";
+}
+
+void AxisFilter::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  if (kind == ElementKind::axis_piece) {
+    const EdgeSlot edge(row / 2);
+    if (is_removed(edge)) out.about(ElementKind::delaunay_edge, edge);
+    return;
+  }
+  ProvenanceShapes shapes;
+  if (kind == ElementKind::delaunay_edge && is_edge(EdgeSlot(row))) {
+    const EdgeSlot edge(row);
+    if (is_kept(edge)) shapes.segment(kept_end(edge, 0), kept_end(edge, 1));
+    const char* const part = !is_kept(edge) ? "removed" : (is_removed(edge) ? "kept in part" : "kept");
+    out.say(ProvenanceRole::product, spoken(value(edge)) + ": " + part, shapes);
+  }
+  const FaceSlot face(row);
+  if (kind != ElementKind::voronoi_vertex || !delaunay_.is_finite_face(face) || !balls_.is_ball(face)) return;
+  const FaceSlot node = balls_.ball(face);
+  if (is_kept(node)) shapes.point(delaunay_.circumcenter(node));
+  out.say(ProvenanceRole::product, spoken(value(node)) + (is_kept(node) ? ": kept" : ": removed"), shapes);
+}
+
+}  // namespace mes

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lambda: how far apart the samples are that an axis point is nearest to.
+#pragma once
+
+#include <array>
+
+#include "core/structures/filters/axis_filter.h"
+
+namespace mes {
+
+/// lambda(x) is the radius of the smallest circle that encloses the samples nearest to x. Along an edge of the axis these
+/// are two, so lambda is half their distance; at a node it is the circumradius where the centre lies among the samples
+/// of the circle, else half the largest distance between two of them.
+///
+/// What it guarantees, besides `AxisFilter`: which values reach the limit, and the order of edges, are decided
+/// exactly for the given doubles. A node's lambda is not below that of an edge at it.
+///
+/// Below the weak feature size of the shape, the smallest positive critical value of the distance to the curve, the
+/// lambda axis has the homotopy of the shape. `weak_feature_size` is the smallest critical value of the distance to the
+/// *samples* on the axis: half the length of a Delaunay edge that its dual crosses (a saddle), or the radius of a ball
+/// whose centre lies in its triangle (a maximum). It is an estimate from the samples.
+///
+/// Source: Chazal and Lieutier, "The lambda-medial axis", Graphical Models 67, 2005.
+class LambdaAxis final : public AxisFilter {
+ public:
+  LambdaAxis(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
+             MedialAxis& axis);
+
+  double value(EdgeSlot edge) const override;
+  double value(FaceSlot node) const override;
+  std::string spoken(double value) const override;
+  std::string_view kernel() const override { return "doubles with a proved bound, rationals"; }
+
+ protected:
+  bool reaches(EdgeSlot edge) const override;
+  bool node_reaches(FaceSlot node) const override;
+  int compare(EdgeSlot a, EdgeSlot b) const override;
+  void add_statistics(StatList& out) const override;
+
+ private:
+  std::array<Vec2, 3> corners(FaceSlot face) const;
+};
+
+}  // namespace mes
