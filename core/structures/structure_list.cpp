@@ -19,6 +19,7 @@
 #include "core/structures/crust/voronoi_vertices.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/delaunay/last_change.h"
+#include "core/structures/density/feature_size.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "core/structures/inputs/samples.h"
@@ -62,6 +63,7 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<AxisNodes, Delaunay, InnerBalls, MedialAxis>(set);
   add<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
   add<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
+  add<FeatureSize, Delaunay, OneStepCrust>(set);
   add<LastChange, Delaunay>(set);
   add<AxisCertificate, Delaunay, Labels, InnerBalls>(set);
   add<AUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisCertificate>(set);

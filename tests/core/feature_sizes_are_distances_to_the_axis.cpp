@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Feature sizes against all edges of the axis in a plain loop, against formulas, and after edits.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "core/base/box_tree.h"
+#include "core/base/rng.h"
+#include "core/structures/density/feature_size.h"
+#include "tests/support/shapes.h"
+#include "tests/support/shapes_degenerate.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+void show_density(Workbench& bench) {
+  bench.show({"feature-size", "sampling-epsilon", "all-medial-axis"});
+}
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double length2 = dot(d, d);
+  const double t = length2 > 0.0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
+  return distance(p, a + t * d);
+}
+
+/// To everything that the layer of the whole axis draws.
+double distance_to_drawn_axis(const Workbench& bench, Vec2 p) {
+  double out = std::numeric_limits<double>::infinity();
+  const auto segments = bench.instances("all-medial-axis", PrimitiveKind::segment);
+  for (std::size_t at = 0; at < segments.size(); at += stride_of(PrimitiveKind::segment))
+    out =
+        std::min(out, distance_to_segment(p, {segments[at], segments[at + 1]}, {segments[at + 2], segments[at + 3]}));
+  const auto rays = bench.instances("all-medial-axis", PrimitiveKind::ray);
+  for (std::size_t at = 0; at < rays.size(); at += stride_of(PrimitiveKind::ray)) {
+    const Vec2 from{rays[at], rays[at + 1]};
+    const Vec2 along{rays[at + 2], rays[at + 3]};
+    const double t = std::max(0.0, dot(p - from, along) / dot(along, along));
+    out = std::min(out, distance(p, from + t * along));
+  }
+  return out;
+}
+
+void check_sizes(const Workbench& bench, double tolerance) {
+  const auto& sizes = bench.get<FeatureSize>();
+  const auto& delaunay = bench.get<Delaunay>();
+  for (const SiteSlot site : delaunay.site_slots()) {
+    if (!delaunay.is_site(site)) continue;
+    const double expected = distance_to_drawn_axis(bench, delaunay.site_position(site));
+    REQUIRE(sizes.has_size(site) == std::isfinite(expected));
+    if (sizes.has_size(site)) REQUIRE(sizes.size(site) == Approx(expected).epsilon(tolerance));
+  }
+}
+
+void check_against_fresh(const Workbench& bench) {
+  std::vector<Vec2> reversed = bench.positions();
+  std::ranges::reverse(reversed);
+  Workbench fresh;
+  show_density(fresh);
+  fresh.replace(reversed);
+  for (const std::string_view layer : {"feature-size", "sampling-epsilon"}) {
+    INFO(layer);
+    REQUIRE(bench.mirror().digest(find_layer(layer)) == fresh.mirror().digest(find_layer(layer)));
+  }
+  REQUIRE(bench.count("feature-size", "samples") == fresh.count("feature-size", "samples"));
+}
+
+}  // namespace
+
+TEST_CASE("a tree of boxes leaves nothing out that is near, boxes without end included") {
+  Rng rng(1);
+  for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 100U, 3000U}) {
+    std::vector<Box2> boxes;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 low{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+      Box2 box{low, low + Vec2{0.05 * rng.uniform(), 0.05 * rng.uniform()}};
+      if (rng.below(40) == 0) box.high.x = std::numeric_limits<double>::infinity();
+      if (rng.below(40) == 0) box.low.y = -std::numeric_limits<double>::infinity();
+      if (rng.below(60) == 0) box.high.x = 1e12;
+      boxes.push_back(box);
+    }
+    BoxTree tree;
+    tree.build(boxes);
+    REQUIRE(tree.is_empty() == boxes.empty());
+    const auto distance_to = [&](std::uint32_t item, Vec2 p) {
+      const double dx = std::max({boxes[item].low.x - p.x, 0.0, p.x - boxes[item].high.x});
+      const double dy = std::max({boxes[item].low.y - p.y, 0.0, p.y - boxes[item].high.y});
+      return std::sqrt(dx * dx + dy * dy);
+    };
+    for (int round = 0; round < 200; ++round) {
+      const Vec2 p{rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)};
+      double expected = std::numeric_limits<double>::infinity();
+      for (std::uint32_t i = 0; i < count; ++i) expected = std::min(expected, distance_to(i, p));
+      double nearest = std::numeric_limits<double>::infinity();
+      std::size_t visits = 0;
+      tree.visit_near(p, nearest, [&](std::uint32_t item) {
+        ++visits;
+        nearest = std::min(nearest, distance_to(item, p));
+      });
+      REQUIRE(nearest == expected);
+      if (count == 3000) REQUIRE(visits < 1500);
+      std::size_t found = 0;
+      tree.visit_where([&](const Box2& box) { return box.contains(p); },
+                       [&](std::uint32_t item) { found += boxes[item].contains(p) ? 1U : 0U; });
+      REQUIRE(found == static_cast<std::size_t>(
+                           std::ranges::count_if(boxes, [&](const Box2& box) { return box.contains(p); })));
+    }
+  }
+}
+
+TEST_CASE("a size is the distance to the nearest point of the whole axis as it is drawn") {
+  Rng rng(2);
+  for (int round = 0; round < 6; ++round) {
+    std::vector<Vec2> samples;
+    for (int i = 0; i < 150; ++i) {
+      const double t = 2.0 * std::numbers::pi * rng.uniform();
+      const double r = 10.0 * (1.0 + 0.3 * std::cos(4.0 * t)) + (round % 2 == 0 ? 0.0 : rng.uniform());
+      samples.push_back(round == 5 ? Vec2{20.0 * rng.uniform(), 20.0 * rng.uniform()}
+                                   : Vec2{r * std::cos(t), r * std::sin(t)});
+    }
+    Workbench bench;
+    show_density(bench);
+    bench.replace(samples);
+    check_sizes(bench, 1e-9);
+  }
+  for (const DegenerateInput& input : degenerate_inputs()) {
+    INFO(input.name);
+    Workbench bench;
+    show_density(bench);
+    bench.replace(input.positions);
+    for (const std::string_view layer : {"feature-size", "sampling-epsilon"})
+      for (const PrimitiveKind kind : kAllPrimitiveKinds)
+        for (const double x : bench.instances(layer, kind)) REQUIRE(std::isfinite(x));
+  }
+}
+
+TEST_CASE("the sizes of an ellipse, an annulus and a stadium follow their formulas") {
+  const double a = 2.0;
+  const double end = (a * a - 1.0) / a;
+  Workbench bench;
+  show_density(bench);
+  bench.replace(ellipse(a, 1.0, 600, {0.3, 0.0, 1}).data.positions);
+  const auto points = [&bench] { return bench.instances("feature-size", PrimitiveKind::point); };
+  REQUIRE(points().size() == 600 * stride_of(PrimitiveKind::point));
+  for (std::size_t at = 0; at < points().size(); at += 3) {
+    const double x = std::abs(points()[at]);
+    const double y = std::abs(points()[at + 1]);
+    const double expected = x <= end ? y : std::hypot(x - end, y);
+    REQUIRE(points()[at + 2] == Approx(expected).margin(2e-3));
+  }
+  CHECK(bench.measure("feature-size", "size_min") == Approx(0.5).margin(2e-3));
+
+  // Outside, a convex curve has no axis; inside of the hole the nearest axis is its centre or the ring.
+  bench.replace(annulus(1.0, 2.0, 0.05, {0.3, 0.0, 1}).data.positions);
+  for (std::size_t at = 0; at < points().size(); at += 3) {
+    REQUIRE(points()[at + 2] == Approx(0.5).margin(5e-3));
+  }
+  bench.replace(stadium(2.0, 1.0, 0.1, {0.3, 0.0, 1}).data.positions);
+  for (std::size_t at = 0; at < points().size(); at += 3) REQUIRE(points()[at + 2] == Approx(1.0).margin(0.02));
+}
+
+TEST_CASE("samples of an epsilon have about that epsilon, and a missing one is seen at its place") {
+  for (const double epsilon : {0.1, 0.2}) {
+    Workbench bench;
+    show_density(bench);
+    const TestShape shape = ellipse_graded(2.0, 1.0, epsilon, {0.3, 0.0, 1});
+    bench.replace(shape.data.positions);
+    const double found = bench.measure("feature-size", "epsilon");
+    CHECK(found > 0.6 * epsilon);
+    CHECK(found < 1.3 * epsilon);
+    const std::vector<SampleId> ids = bench.ids();
+    const Vec2 gone = bench.positions()[ids.size() / 3];
+    bench.remove({ids[ids.size() / 3]});
+    CHECK(bench.measure("feature-size", "epsilon") > 1.5 * found);
+    const auto edges = bench.instances("sampling-epsilon", PrimitiveKind::segment);
+    std::size_t worst = 0;
+    for (std::size_t at = 0; at < edges.size(); at += 5)
+      if (edges[at + 4] > edges[worst + 4]) worst = at;
+    const Vec2 p{edges[worst], edges[worst + 1]};
+    const Vec2 q{edges[worst + 2], edges[worst + 3]};
+    CHECK(distance(gone, 0.5 * (p + q)) < 0.6 * distance(p, q));
+  }
+}
+
+TEST_CASE("after every edit sizes are those of a fresh computation") {
+  for (const bool lattice : {false, true}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      Rng rng(seed);
+      const auto place = [&] {
+        if (lattice) return Vec2{static_cast<double>(rng.below(7)), static_cast<double>(rng.below(7))};
+        const double t = 2.0 * std::numbers::pi * rng.uniform();
+        const double r = 4.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + (seed == 1 ? 0.0 : 0.3 * rng.uniform());
+        return Vec2{r * std::cos(t), r * std::sin(t)};
+      };
+      Workbench bench;
+      show_density(bench);
+      std::vector<Vec2> start;
+      for (int i = 0; i < (lattice ? 20 : 120); ++i) start.push_back(place());
+      bench.replace(start);
+      for (int step = 0; step < 250; ++step) {
+        INFO("lattice " << lattice << " seed " << seed << " step " << step);
+        const auto ids = bench.ids();
+        const auto some = [&] { return ids[rng.below(ids.size())]; };
+        switch (rng.below(6)) {
+          case 0: bench.insert({place()}); break;
+          case 1:
+            if (ids.size() > 3) bench.remove({some()});
+            break;
+          case 2:
+          case 3: bench.move(some(), place()); break;
+          case 4: bench.insert({place(), place(), place()}); break;
+          default:
+            if (bench.steps_done() > 1) bench.undo();
+        }
+        check_against_fresh(bench);
+      }
+    }
+  }
+}
+
+TEST_CASE("without an axis there is no size, and the statistics say why") {
+  for (const std::vector<Vec2>& samples :
+       {std::vector<Vec2>{}, {{1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {1, 0}, {2, 0}}, {{0, 0}, {1, 0}, {0.5, 0.9}}}) {
+    Workbench bench;
+    show_density(bench);
+    bench.replace(samples);
+    CHECK(bench.instances("feature-size", PrimitiveKind::point).empty());
+    CHECK(bench.instances("sampling-epsilon", PrimitiveKind::segment).empty());
+    CHECK(bench.count("feature-size", "samples") == 0);
+    const StatList stats = bench.get<FeatureSize>().statistics();
+    CHECK(stats.back().key == "nothing_because");
+  }
+}
