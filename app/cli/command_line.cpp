@@ -53,6 +53,8 @@ Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output imp
 struct Arguments {
   std::vector<std::string> files;
   ComputeRequest compute;
+  SweepRequest sweep;
+  BranchesRequest branches;
   ExportRequest exported;
   RenderRequest render;
   PlayRequest play;
@@ -226,6 +228,38 @@ void describe_commands(CLI::App& app, Arguments& to) {
                     "Add a digest to each layer: a function of what it draws, equal to that of `play`");
   compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
   add_force(*compute, to.compute.force);
+
+  CLI::App* const sweep =
+      app.add_subcommand("sweep", "Counts and measures while a parameter goes through its values, as CSV");
+  add_source(*sweep, to.sweep.source);
+  sweep
+      ->add_option("--parameter", to.sweep.parameter,
+                   "NAME=FROM..TO, as in lambda-limit=0..20 (mesecina list parameters)")
+      ->required();
+  sweep->add_option("--steps", to.sweep.steps, "How many steps from the first value to the last, both of them shown")
+      ->required();
+  sweep->add_option("--layers", to.sweep.layers,
+                    "Comma list of layer ids (mesecina list layers), or all;\n"
+                    "default: those visible at start");
+  sweep->add_option("-o,--output", to.sweep.output, "Write to this file instead of standard output");
+  add_force(*sweep, to.sweep.force);
+  sweep->footer(
+      "A line a value; the columns are the numbers that `compute` gives for these layers and their structures.");
+
+  CLI::App* const branches = app.add_subcommand("branches", "The branches of an axis with their measures, as CSV");
+  add_source(*branches, to.branches.source);
+  branches
+      ->add_option("--layer", to.branches.layer,
+                   "Which axis: medial-axis, lambda-medial-axis or angle-medial-axis, whose\n"
+                   "limits are parameters")
+      ->capture_default_str();
+  branches->add_option("-o,--output", to.branches.output, "Write to this file instead of standard output");
+  add_force(*branches, to.branches.force);
+  branches->footer(
+      "A line a branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop or a "
+      "point),\n"
+      "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
+      "layer's.");
 
   CLI::App* const exported = app.add_subcommand("export", "The geometry of layers, as text");
   add_source(*exported, to.exported.source);
@@ -423,7 +457,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
   for (CLI::App* const command :
-       {compute, exported, render, play, demo, lesson, evolve, shape, list, manual, completions})
+       {compute, sweep, branches, exported, render, play, demo, lesson, evolve, shape, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -451,6 +485,8 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
     return function(request, interruption);
   };
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
+  if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
+  if (command.get_name() == "branches") return run(arguments.branches, run_branches);
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
   if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);

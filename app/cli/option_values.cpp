@@ -56,6 +56,12 @@ std::vector<std::string> parameters() {
   return out;
 }
 
+std::vector<std::string> swept() {
+  std::vector<std::string> out = ids_of(parameter_descriptors());
+  for (std::string& name : out) name += '=';
+  return out;
+}
+
 std::vector<std::string> evolution_ids() {
   std::vector<std::string> out;
   for (EvolutionIndex i = 0; i < evolutions().size(); ++i) out.emplace_back(evolutions()[i].descriptor.id);
@@ -87,7 +93,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 43> kValues{{
+constexpr std::array<OptionValue, 44> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -105,6 +111,7 @@ constexpr std::array<OptionValue, 43> kValues{{
     {"--figure-side", "SIDE", ValueKind::choice, figure_sides},
     {"--precision", "TYPE", ValueKind::choice, precisions},
     {"--set", "NAME=VALUE", ValueKind::choice, parameters},
+    {"--parameter", "NAME=FROM..TO", ValueKind::choice, swept},
     {"--layers", "IDS", ValueKind::choices, layers},
     {"--layer", "ID", ValueKind::choice, layers},
     {"--evolution", "ID", ValueKind::choice, evolution_ids},

@@ -42,6 +42,24 @@ struct ComputeRequest {
 };
 Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption);
 
+struct SweepRequest {
+  Source source;
+  std::string parameter;  ///< NAME=FROM..TO
+  std::string steps;
+  std::string layers;
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_sweep(const SweepRequest& request, Interruption& interruption);
+
+struct BranchesRequest {
+  Source source;
+  std::string layer = "medial-axis";
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption);
+
 struct ExportRequest {
   Source source;
   std::string layer;

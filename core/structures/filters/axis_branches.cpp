@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/filters/axis_branches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/sum.h"
+
+namespace mes {
+namespace {
+
+/// An edge with a direction: from its end `EdgeRow::f[from]` to the other.
+struct Step {
+  EdgeSlot edge{};
+  int from = 0;
+};
+
+class Tracer {
+ public:
+  Tracer(const AxisFilter& filter, const InnerBalls& balls, const LambdaAxis& lambda, const AngleAxis& angle)
+      : filter_(filter),
+        balls_(balls),
+        lambda_(lambda),
+        angle_(angle),
+        delaunay_(filter.delaunay()),
+        is_done_(delaunay_.edge_rows(), 0) {}
+
+  std::vector<AxisBranch> run() {
+    // From every end of a branch first; what is left then is closed.
+    for (const EdgeSlot edge : delaunay_.edge_slots())
+      for (int end = 0; end < 2; ++end)
+        if (is_open(edge) && end_of({edge, end}).kind != BranchEndKind::none) trace({edge, end});
+    for (const EdgeSlot edge : delaunay_.edge_slots())
+      if (is_open(edge)) trace({edge, 0});
+    for (const FaceSlot node : delaunay_.face_slots())
+      if (delaunay_.is_finite_face(node) && filter_.is_kept(node) && kept_at(node).empty()) add_point(node);
+    return std::move(out_);
+  }
+
+ private:
+  bool is_open(EdgeSlot edge) const { return filter_.is_kept(edge) && is_done_[edge] == 0; }
+  FaceSlot node_of(const Step& step) const { return balls_.ball(delaunay_.edge(step.edge).f[step.from]); }
+
+  /// Kept edges that end at a node and are not cut before it, leading away from it.
+  std::vector<Step> kept_at(FaceSlot node) const {
+    std::vector<Step> out;
+    const auto add = [&](FaceSlot face) {
+      for (const EdgeSlot edge : delaunay_.face(face).e) {
+        if (edge == kNoSlot || !filter_.is_kept(edge)) continue;
+        const Step step{edge, delaunay_.edge(edge).f[0] == face ? 0 : 1};
+        if (!filter_.is_cut(edge, step.from)) out.push_back(step);
+      }
+    };
+    if (const auto* group = balls_.group(node))
+      std::ranges::for_each(*group, add);
+    else
+      add(node);
+    return out;
+  }
+
+  /// What the branch has where the step begins; `none` where it goes on.
+  AxisBranch::End end_of(const Step& step) const {
+    if (filter_.is_cut(step.edge, step.from)) return {filter_.kept_end(step.edge, step.from), BranchEndKind::cut};
+    const FaceSlot node = node_of(step);
+    const std::size_t degree = kept_at(node).size();
+    const auto kind =
+        degree == 1 ? BranchEndKind::leaf : (degree == 2 ? BranchEndKind::none : BranchEndKind::junction);
+    return {delaunay_.circumcenter(node), kind};
+  }
+
+  void trace(Step step) {
+    AxisBranch branch;
+    branch.from = end_of(step);
+    const EdgeSlot first = step.edge;
+    for (;;) {
+      is_done_[step.edge] = 1;
+      branch.edges.push_back(step.edge);
+      const Step back{step.edge, 1 - step.from};
+      branch.to = end_of(back);
+      if (branch.to.kind != BranchEndKind::none) break;
+      const std::vector<Step> ways = kept_at(node_of(back));
+      step = ways[0].edge == step.edge ? ways[1] : ways[0];
+      if (step.edge == first) break;
+    }
+    measure(branch);
+    if (branch.from.kind == BranchEndKind::none) begin_at_smallest_node(branch);
+    const bool is_backwards = branch.to.place != branch.from.place
+                                  ? lexicographically_less(branch.to.place, branch.from.place)
+                                  : branch.to.kind < branch.from.kind;
+    if (is_backwards) {
+      std::swap(branch.from, branch.to);
+      std::ranges::reverse(branch.edges);
+    }
+    out_.push_back(std::move(branch));
+  }
+
+  /// Of a closed branch, whose first edge is that of the smallest row.
+  void begin_at_smallest_node(AxisBranch& branch) const {
+    const auto shared = [&](std::size_t i) {
+      // The node between this edge and the one before it.
+      const EdgeSlot before = branch.edges[(i + branch.edges.size() - 1) % branch.edges.size()];
+      const FaceSlot first = node_of({branch.edges[i], 0});
+      const bool is_first = first == node_of({before, 0}) || first == node_of({before, 1});
+      return delaunay_.circumcenter(is_first ? first : node_of({branch.edges[i], 1}));
+    };
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < branch.edges.size(); ++i)
+      if (lexicographically_less(shared(i), shared(best))) best = i;
+    branch.from.place = branch.to.place = shared(best);
+    std::ranges::rotate(branch.edges, branch.edges.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+
+  void add_point(FaceSlot node) {
+    AxisBranch branch;
+    branch.from.place = branch.to.place = delaunay_.circumcenter(node);
+    branch.radius_least = branch.radius_mean = branch.radius_largest = delaunay_.circumradius(node);
+    branch.lambda = lambda_.value(node);
+    branch.angle = angle_.value(node);
+    out_.push_back(std::move(branch));
+  }
+
+  // The balls of an edge touch its two samples: at height t over their middle the radius is the root of h^2 + t^2. The
+  // heights are those of the ends, from the middle, so that nothing depends on which end comes first.
+  void measure(AxisBranch& branch) const {
+    Sum length;
+    Sum area;
+    branch.radius_least = std::numeric_limits<double>::infinity();
+    for (const EdgeSlot edge : branch.edges) {
+      const EdgeRow& row = delaunay_.edge(edge);
+      const Vec2 q = delaunay_.site_position(row.v[0]);
+      const Vec2 r = delaunay_.site_position(row.v[1]);
+      const double h = 0.5 * distance(q, r);
+      const Vec2 middle{0.5 * q.x + 0.5 * r.x, 0.5 * q.y + 0.5 * r.y};
+      const Vec2 up{-(r.y - q.y) / (2.0 * h), (r.x - q.x) / (2.0 * h)};
+      double t[2] = {dot(filter_.kept_end(edge, 0) - middle, up), dot(filter_.kept_end(edge, 1) - middle, up)};
+      if (t[0] > t[1]) std::swap(t[0], t[1]);
+      const double whole = filter_.is_removed(edge) ? t[1] - t[0] : delaunay_.dual_length(edge);
+      length.add(whole);
+      const double low = std::hypot(h, t[0]);
+      const double high = std::hypot(h, t[1]);
+      branch.radius_least = std::min({branch.radius_least, low, high, t[0] <= 0.0 && t[1] >= 0.0 ? h : high});
+      branch.radius_largest = std::max({branch.radius_largest, low, high});
+      const auto integral = [h](double at) { return 0.5 * (at * std::hypot(h, at) + h * h * std::asinh(at / h)); };
+      area.add(integral(t[1]) - integral(t[0]));
+      branch.lambda = std::max(branch.lambda, lambda_.value(edge));
+      branch.angle = std::max(branch.angle, angle_.value(edge));
+    }
+    branch.length = length.value();
+    branch.radius_mean = branch.length > 0.0 ? area.value() / branch.length : branch.radius_least;
+    branch.radius_mean = std::clamp(branch.radius_mean, branch.radius_least, branch.radius_largest);
+  }
+
+  const AxisFilter& filter_;
+  const InnerBalls& balls_;
+  const LambdaAxis& lambda_;
+  const AngleAxis& angle_;
+  const Delaunay& delaunay_;
+  Table<EdgeSlot, std::uint8_t> is_done_;
+  std::vector<AxisBranch> out_;
+};
+
+}  // namespace
+
+std::vector<AxisBranch> branches_of(const AxisFilter& filter, const InnerBalls& balls, const LambdaAxis& lambda,
+                                    const AngleAxis& angle) {
+  std::vector<AxisBranch> out = Tracer(filter, balls, lambda, angle).run();
+  std::ranges::sort(out, [](const AxisBranch& a, const AxisBranch& b) {
+    if (a.length != b.length) return a.length > b.length;
+    if (a.from.place != b.from.place) return lexicographically_less(a.from.place, b.from.place);
+    if (a.to.place != b.to.place) return lexicographically_less(a.to.place, b.to.place);
+    return a.radius_mean < b.radius_mean;
+  });
+  return out;
+}
+
+}  // namespace mes

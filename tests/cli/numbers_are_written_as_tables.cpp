@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/io/text_numbers.h"
+#include "run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using mes::test::contents_of;
+using mes::test::run;
+using mes::test::RunResult;
+using mes::test::TemporaryFolder;
+
+namespace {
+
+constexpr const char* kDude = "tests/data/earcut_dude.poff";
+
+using Table = std::vector<std::vector<std::string>>;
+
+Table table_of(const std::string& csv) {
+  Table out;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    out.emplace_back();
+    std::istringstream cells(line + ',');
+    for (std::string cell; std::getline(cells, cell, ',');) out.back().push_back(cell);
+  }
+  return out;
+}
+
+std::size_t column(const Table& table, const std::string& name) {
+  const auto found = std::ranges::find(table.front(), name);
+  INFO(name);
+  REQUIRE(found != table.front().end());
+  REQUIRE(std::ranges::count(table.front(), name) == 1);
+  return static_cast<std::size_t>(found - table.front().begin());
+}
+
+}  // namespace
+
+TEST_CASE("a swept parameter gives a line for each value, with the numbers of compute") {
+  const RunResult result = run({"sweep", kDude, "--parameter", "lambda-limit=0..12.5", "--steps", "5", "--layers",
+                                "lambda-medial-axis,medial-axis", "--set", "keep-topology=1"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+  const Table table = table_of(result.out);
+  REQUIRE(table.size() == 7);
+  for (const auto& line : table) CHECK(line.size() == table.front().size());
+  CHECK(table.front().front() == "lambda-limit");
+  CHECK(table[1][0] == "0");
+  CHECK(table[2][0] == "2.5");
+  CHECK(table[6][0] == "12.5");
+  const std::size_t length = column(table, "layers.lambda-medial-axis.length");
+  const std::size_t components = column(table, "structures.lambda-axis.components");
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    CHECK(table[i][components] == table[1][components]);
+    CHECK(table[i][column(table, "structures.medial-axis.length")] ==
+          table[1][column(table, "structures.medial-axis.length")]);
+    if (i > 1) CHECK(std::stod(table[i][length]) <= std::stod(table[i - 1][length]));
+    const RunResult alone = run({"compute", kDude, "--layers", "lambda-medial-axis", "--set", "keep-topology=1",
+                                 "--set", "lambda-limit=" + table[i][0]});
+    REQUIRE(alone.exit_code == 0);
+    const auto json = nlohmann::json::parse(alone.out);
+    CHECK(std::stod(table[i][length]) ==
+          Approx(json["layers"]["lambda-medial-axis"]["length"].get<double>()).epsilon(1e-12));
+    CHECK(std::stoll(table[i][column(table, "structures.lambda-axis.edges")]) ==
+          json["structures"]["lambda-axis"]["edges"].get<std::int64_t>());
+  }
+  CHECK(std::stod(table[6][length]) < std::stod(table[1][length]));
+}
+
+TEST_CASE("a swept parameter need not change anything, nor rise, and a file is written") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "x.csv").string();
+  const RunResult result =
+      run({"sweep", kDude, "--parameter", "a-scale=2..1", "--steps", "2", "--layers", "curve", "-o", file});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.out.empty());
+  const Table table = table_of(contents_of(file));
+  REQUIRE(table.size() == 4);
+  CHECK(table[1][0] == "2");
+  CHECK(table[2][0] == "1.5");
+  CHECK(table[3][0] == "1");
+  CHECK(std::equal(table[1].begin() + 1, table[1].end(), table[3].begin() + 1));
+}
+
+TEST_CASE("ranges and steps that cannot be are usage errors, and limits beyond their range are taken to its end") {
+  const auto fault = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"sweep", kDude, "--layers", "curve"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out.empty());
+    CHECK(std::ranges::count(result.err, '\n') == 1);
+    return result.err;
+  };
+  CHECK_THAT(fault({"--parameter", "lambda-limit", "--steps", "3"}), Catch::Contains("NAME=FROM..TO"));
+  CHECK_THAT(fault({"--parameter", "lambda-limit=3", "--steps", "3"}), Catch::Contains("NAME=FROM..TO"));
+  CHECK_THAT(fault({"--parameter", "lamda-limit=0..3", "--steps", "3"}),
+             Catch::Contains("did you mean lambda-limit"));
+  CHECK_THAT(fault({"--parameter", "a-scale=1..200", "--steps", "3"}), Catch::Contains("is not between"));
+  CHECK_THAT(fault({"--parameter", "a-scale=1..x", "--steps", "3"}), Catch::Contains("a-scale"));
+  CHECK_THAT(fault({"--parameter", "a-scale=1..2", "--steps", "0"}), Catch::Contains("--steps"));
+  CHECK_THAT(fault({"--parameter", "a-scale=1..2", "--steps", "1e9"}), Catch::Contains("--steps"));
+  CHECK_THAT(fault({"--parameter", "a-scale=1..2"}), Catch::Contains("--steps"));
+  CHECK_THAT(fault({"--steps", "2"}), Catch::Contains("--parameter"));
+
+  const RunResult clamped =
+      run({"sweep", kDude, "--layers", "angle-medial-axis", "--parameter", "angle-limit=80..120", "--steps", "1"});
+  CHECK(clamped.exit_code == 0);
+  CHECK_THAT(clamped.err, Catch::Contains("angle-limit") && Catch::Contains("above 90"));
+  CHECK(std::ranges::count(clamped.err, '\n') == 1);
+  CHECK(table_of(clamped.out).back().front() == "90");
+  const RunResult computed = run({"compute", kDude, "--layers", "lambda-medial-axis", "--set", "lambda-limit=-3"});
+  CHECK(computed.exit_code == 0);
+  CHECK(computed.err == "mesecina: --set lambda-limit: \"-3\" is below 0, which is taken instead\n");
+}
+
+TEST_CASE("samples without an axis are swept as well") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("two.xyz", "0 0\n1 1\n").string();
+  const RunResult result = run({"sweep", file, "--parameter", "lambda-limit=0..1", "--steps", "1", "--layers",
+                                "lambda-medial-axis,angle-medial-axis,feature-size"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  const Table table = table_of(result.out);
+  CHECK(table.size() == 3);
+  CHECK(table[1][column(table, "structures.lambda-axis.edges")] == "0");
+  CHECK(result.out.find("nan") == std::string::npos);
+  CHECK(result.out.find("inf") == std::string::npos);
+  CHECK_THAT(run({"compute", file, "--layers", "lambda-medial-axis"}).out, Catch::Contains("nothing_because"));
+}
+
+TEST_CASE("branches are a table whose lengths add up to the layer's") {
+  for (const std::vector<std::string>& of :
+       {std::vector<std::string>{"--layer", "medial-axis"},
+        {"--layer", "lambda-medial-axis", "--set", "lambda-limit=6"},
+        {"--layer", "angle-medial-axis", "--set", "angle-limit=40", "--set", "keep-topology=1"}}) {
+    std::vector<std::string> arguments{"branches", kDude};
+    arguments.insert(arguments.end(), of.begin(), of.end());
+    const RunResult result = run(arguments);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.empty());
+    const Table table = table_of(result.out);
+    REQUIRE(table.size() > 3);
+    double sum = 0.0;
+    double before = std::stod(table[1][column(table, "length")]);
+    for (std::size_t i = 1; i < table.size(); ++i) {
+      REQUIRE(table[i].size() == table.front().size());
+      CHECK(table[i][0] == std::to_string(i));
+      const double length = std::stod(table[i][column(table, "length")]);
+      CHECK(length <= before);
+      before = length;
+      sum += length;
+    }
+    arguments[0] = "compute";
+    arguments[2] = "--layers";
+    const RunResult computed = run(arguments);
+    REQUIRE(computed.exit_code == 0);
+    CHECK(sum == Approx(nlohmann::json::parse(computed.out)["layers"][of[1]]["length"].get<double>()).epsilon(1e-10));
+  }
+  const RunResult wrong = run({"branches", kDude, "--layer", "curve"});
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.err, Catch::Contains("angle-medial-axis"));
+  const TemporaryFolder folder;
+  const RunResult none = run({"branches", folder.write("two.xyz", "0 0\n1 1\n").string()});
+  CHECK(none.exit_code == 0);
+  CHECK(std::ranges::count(none.out, '\n') == 1);
+  CHECK_THAT(none.err, Catch::Contains("no branch: fewer than three samples"));
+}

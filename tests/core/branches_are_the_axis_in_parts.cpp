@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Branches of the axis: their lengths add up, their counts are those of the graph, their measures follow formulas.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/structures/filters/axis_branches.h"
+#include "tests/support/shapes.h"
+#include "tests/support/shapes_degenerate.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+std::vector<AxisBranch> branches(const Workbench& bench, bool of_angle = false) {
+  const auto& lambda = bench.get<LambdaAxis>();
+  const auto& angle = bench.get<AngleAxis>();
+  return branches_of(of_angle ? static_cast<const AxisFilter&>(angle) : lambda, bench.get<InnerBalls>(), lambda,
+                     angle);
+}
+
+ComputationSettings limits(double lambda, double angle, bool keep_topology) {
+  ComputationSettings out;
+  out[Parameter::lambda_limit] = lambda;
+  out[Parameter::angle_limit] = angle;
+  out[Parameter::keep_topology] = keep_topology ? 1.0 : 0.0;
+  return out;
+}
+
+void check_branches(const Workbench& bench, bool of_angle) {
+  const char* const structure = of_angle ? "angle-axis" : "lambda-axis";
+  double length = 0.0;
+  std::int64_t edges = 0;
+  std::int64_t ends = 0;
+  std::int64_t points = 0;
+  std::set<EdgeSlot> seen;
+  for (const AxisBranch& branch : branches(bench, of_angle)) {
+    length += branch.length;
+    edges += static_cast<std::int64_t>(branch.edges.size());
+    seen.insert(branch.edges.begin(), branch.edges.end());
+    points += branch.edges.empty() ? 1 : 0;
+    for (const BranchEndKind kind : {branch.from.kind, branch.to.kind})
+      ends += kind == BranchEndKind::leaf || kind == BranchEndKind::cut ? 1 : 0;
+    for (const double x :
+         {branch.from.place.x, branch.from.place.y, branch.to.place.x, branch.to.place.y, branch.length,
+          branch.radius_least, branch.radius_mean, branch.radius_largest, branch.lambda, branch.angle})
+      REQUIRE(std::isfinite(x));
+    REQUIRE(branch.radius_least <= branch.radius_mean);
+    REQUIRE(branch.radius_mean <= branch.radius_largest);
+    REQUIRE(branch.angle <= 90.0);
+    if (!branch.edges.empty()) REQUIRE(branch.lambda <= branch.radius_largest * (1.0 + 1e-9));
+  }
+  REQUIRE(length == Approx(bench.measure(structure, "length")).epsilon(1e-12).margin(1e-300));
+  REQUIRE(edges == bench.count(structure, "edges"));
+  REQUIRE(seen.size() == static_cast<std::size_t>(edges));
+  REQUIRE(ends == bench.count(structure, "leaves"));
+  REQUIRE(points == bench.count(structure, "isolated"));
+}
+
+}  // namespace
+
+TEST_CASE("branches hold each kept edge once, and as many ends and points as the statistics count") {
+  std::vector<std::vector<Vec2>> inputs;
+  for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
+  for (const DegenerateInput& input : degenerate_inputs()) inputs.push_back(input.positions);
+  Rng rng(3);
+  std::vector<Vec2> random;
+  for (int i = 0; i < 200; ++i) random.push_back({rng.uniform(), rng.uniform()});
+  inputs.push_back(random);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    Workbench bench;
+    bench.show({"lambda-medial-axis", "angle-medial-axis"});
+    bench.replace(inputs[i]);
+    const double largest = bench.get<LambdaAxis>().reason().empty() ? bench.measure("lambda-axis", "largest") : 1.0;
+    for (const double share : {0.0, 0.1, 0.5, 1.0}) {
+      for (const bool keep : {false, true}) {
+        INFO("input " << i << " share " << share << " topology " << keep);
+        bench.choose(limits(share * largest, 90.0 * share, keep));
+        check_branches(bench, false);
+        check_branches(bench, true);
+      }
+    }
+  }
+}
+
+TEST_CASE("a rounded rectangle has a core and four branches of the lengths and radii of the formula") {
+  Workbench bench;
+  bench.show({"lambda-medial-axis", "angle-medial-axis"});
+  bench.replace(rounded_rectangle(3.0, 2.0, 0.5, 0.05, {0.3, 0.0, 1}).data.positions);
+  // Hairs at the samples of the caps are shorter than anything else.
+  bench.choose(limits(0.3, 0.0, true));
+  std::vector<AxisBranch> found = branches(bench);
+  std::erase_if(found, [](const AxisBranch& branch) { return branch.length < 0.05; });
+  REQUIRE(found.size() == 5);
+  const double diagonal = std::sqrt(2.0) * 1.5;
+  for (const AxisBranch& branch : found) {
+    if (branch.from.kind == BranchEndKind::junction && branch.to.kind == BranchEndKind::junction) {
+      CHECK(branch.length == Approx(2.0).margin(0.1));
+      CHECK(branch.radius_mean == Approx(2.0).margin(0.02));
+      CHECK(branch.angle == Approx(90.0).margin(2.0));
+      CHECK(branch.lambda == Approx(2.0).margin(0.02));
+    } else {
+      CHECK(branch.length == Approx(diagonal).margin(0.15));
+      CHECK(branch.radius_least == Approx(0.5).margin(0.1));
+      CHECK(branch.radius_largest == Approx(2.0).margin(0.05));
+      CHECK(branch.radius_mean == Approx(1.25).margin(0.1));
+    }
+  }
+}
+
+TEST_CASE("an annulus is one closed branch, two circles are two points, and the table has no trace of history") {
+  Workbench bench;
+  bench.show({"lambda-medial-axis", "angle-medial-axis"});
+  bench.replace(annulus_aligned(1.0, 2.0, 16).data.positions);
+  std::vector<AxisBranch> found = branches(bench);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].edges.size() == static_cast<std::size_t>(bench.count("lambda-axis", "edges")));
+  CHECK(found[0].from.kind == BranchEndKind::none);
+  CHECK(found[0].from.place == found[0].to.place);
+  CHECK(found[0].radius_least == Approx(0.5).margin(0.1));
+
+  std::vector<Vec2> two = lattice_circle().positions;
+  for (const Vec2 p : lattice_circle().positions) two.push_back(p + Vec2{400, 30});
+  bench.replace(two);
+  found = branches(bench);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].length == 0.0);
+  CHECK(found[0].radius_mean == Approx(65.0));
+
+  Rng rng(5);
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 80; ++i) samples.push_back({rng.uniform(), rng.uniform()});
+  bench.replace(samples);
+  for (int i = 0; i < 30; ++i) bench.move(bench.ids()[rng.below(80)], {rng.uniform(), rng.uniform()});
+  Workbench fresh;
+  fresh.show({"lambda-medial-axis", "angle-medial-axis"});
+  std::vector<Vec2> reversed = bench.positions();
+  std::ranges::reverse(reversed);
+  fresh.replace(reversed);
+  const auto a = branches(bench);
+  const auto b = branches(fresh);
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].length == Approx(b[i].length).epsilon(1e-12));
+    CHECK(a[i].radius_mean == Approx(b[i].radius_mean).epsilon(1e-9));
+  }
+}
