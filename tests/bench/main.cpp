@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   mes::bench::register_unions(table);
   mes::bench::register_evolving(table);
   mes::bench::register_panes(table);
+  mes::bench::register_insight(table);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 

@@ -53,5 +53,6 @@ void register_unions(RatioTable& table);
 void register_evolving(RatioTable& table);
 void register_tracing(RatioTable& table);
 void register_panes(RatioTable& table);
+void register_insight(RatioTable& table);
 
 }  // namespace mes::bench

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filters of the axis and feature sizes: from scratch against the triangulation alone, and what they add to an edit.
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "tests/bench/ratios.h"
+#include "tests/bench/raw_delaunay.h"
+#include "tests/bench/setup.h"
+#include "tests/support/shapes_benchmark.h"
+
+namespace mes::bench {
+namespace {
+
+using Names = std::initializer_list<std::string_view>;
+
+ComputationSettings filtered(double lambda, double angle, bool keeps_topology) {
+  ComputationSettings out;
+  out[Parameter::lambda_limit] = lambda;
+  out[Parameter::angle_limit] = angle;
+  out[Parameter::keep_topology] = keeps_topology ? 1.0 : 0.0;
+  return out;
+}
+
+double time_of(const FramePatch& patch, Names structures) {
+  double ms = 0.0;
+  for (const NodeReport& node : patch.nodes)
+    for (const std::string_view name : structures)
+      if (node.structure == name) ms += node.update_ms;
+  return 1e3 * ms;
+}
+
+/// The time that some structures take of a run from scratch.
+void scratch(benchmark::State& state, RatioTable& table, const char* what, std::size_t n, Names layers,
+             Names structures, const ComputationSettings& settings, double goal) {
+  const std::vector<Vec2> points = test::rough_curve(n);
+  const Document document;
+  const auto delta = replace_with(document, points);
+  std::vector<double> ours;
+  std::vector<double> raw;
+  for (auto _ : state) {
+    {
+      RawDelaunay peer;
+      const double start = now_us();
+      peer.insert_range(points);
+      raw.push_back(now_us() - start);
+    }
+    Graph graph;
+    graph.set_demand(layers_named(layers));
+    graph.post_settings(settings);
+    graph.post(delta);
+    FramePatch patch;
+    JobControl job;
+    graph.run(patch, job);
+    ours.push_back(time_of(patch, structures));
+    state.SetIterationTime(1e-6 * ours.back());
+  }
+  table.add({what, n, median(ours), median(raw), goal, "insert(range)"});
+}
+
+/// One sample is moved along the curve, with and without a layer more.
+void edit(benchmark::State& state, RatioTable& table, const char* what, std::size_t n, std::string_view layer,
+          const ComputationSettings& settings, double goal) {
+  Document document;
+  const auto first = replace_with(document, test::benchmark_curve(n));
+  document.apply(*first);
+  struct Side {
+    Graph graph;
+    FramePatch patch;
+    std::vector<double> times;
+  };
+  Side with, without;
+  JobControl job;
+  with.graph.set_demand(
+      layers_named({"points", "delaunay", "voronoi", "curve", "medial-axis", "interior-voronoi-disks", layer}));
+  without.graph.set_demand(
+      layers_named({"points", "delaunay", "voronoi", "curve", "medial-axis", "interior-voronoi-disks"}));
+  for (Side* side : {&with, &without}) {
+    side->graph.post_settings(settings);
+    side->graph.post(first);
+    side->graph.run(side->patch, job);
+  }
+  Rng rng(7);
+  for (auto _ : state) {
+    const SampleSlot slot(1 + rng.below(n - 1));
+    const Vec2 p = document.position(slot);
+    const Vec2 to =
+        p + (0.25 * (rng.uniform() - 0.5)) * (document.position(SampleSlot(slot.index() - std::size_t{1})) - p);
+    const auto delta =
+        std::make_shared<const DocumentDelta>(*move_samples(document, std::vector{std::pair{document.id(slot), to}}));
+    document.apply(*delta);
+    for (Side* side : {&with, &without}) {
+      const double start = now_us();
+      side->graph.post(delta);
+      side->graph.run(side->patch, job);
+      side->times.push_back(now_us() - start);
+    }
+    state.SetIterationTime(1e-6 * with.times.back());
+  }
+  table.add({what, n, median(with.times), median(without.times), goal, "ours, without the layer"});
+}
+
+}  // namespace
+
+void register_insight(RatioTable& table) {
+  for (const std::size_t n : {std::size_t{10000}, std::size_t{100000}}) {
+    const bool is_large = n == 100000;
+    const std::string suffix = "/" + std::to_string(n);
+    const auto add_scratch = [&](const char* what, Names layers, Names structures,
+                                 const ComputationSettings& settings, double goal) {
+      benchmark::RegisterBenchmark((std::string("insight/") + what + suffix).c_str(),
+                                   [&table, what, n, layers, structures, settings, goal](benchmark::State& state) {
+                                     scratch(state, table, what, n, layers, structures, settings, goal);
+                                   })
+          ->UseManualTime()
+          ->Iterations(is_large ? 9 : 30)
+          ->Unit(benchmark::kMillisecond);
+    };
+    static const Names kMeasures{"lambda-medial-axis", "angle-medial-axis", "feature-size"};
+    static const Names kMeasuring{"lambda-axis", "angle-axis", "feature-size"};
+    static const Names kFiltersOnly{"lambda-medial-axis", "angle-medial-axis"};
+    static const Names kFiltering{"lambda-axis", "angle-axis"};
+    static const Names kLambda{"lambda-medial-axis"};
+    static const Names kPruning{"lambda-axis"};
+    add_scratch("lambda, angle, feature size", kMeasures, kMeasuring, filtered(1.0, 20.0, false),
+                is_large ? 0.6 : 0.0);
+    add_scratch("lambda and angle", kFiltersOnly, kFiltering, filtered(1.0, 20.0, false), 0.0);
+    add_scratch("lambda, pruned", kLambda, kPruning, filtered(1.0, 0.0, true), is_large ? 1.0 : 0.0);
+    const auto add_edit = [&](const char* what, std::string_view layer, const ComputationSettings& settings,
+                              double goal, std::int64_t iterations) {
+      benchmark::RegisterBenchmark((std::string("insight/") + what + suffix).c_str(),
+                                   [&table, what, n, layer, settings, goal](benchmark::State& state) {
+                                     edit(state, table, what, n, layer, settings, goal);
+                                   })
+          ->UseManualTime()
+          ->Iterations(iterations)
+          ->Unit(benchmark::kMicrosecond);
+    };
+    add_edit("move, lambda axis shown", "lambda-medial-axis", filtered(1.0, 0.0, false), is_large ? 1.5 : 0.0, 4000);
+    add_edit("move, angle axis shown", "angle-medial-axis", filtered(0.0, 20.0, false), 0.0, 4000);
+    add_edit("move, feature size shown", "feature-size", {}, 0.0, 2000);
+    add_edit("move, pruned lambda axis shown", "lambda-medial-axis", filtered(1.0, 0.0, true), 0.0, 30);
+  }
+}
+
+}  // namespace mes::bench
