@@ -26,8 +26,8 @@ namespace mes {
 /// Smallest use:
 ///     BoxTree tree;
 ///     tree.build(boxes);
-///     double nearest = infinity;
-///     tree.visit_near(p, nearest, [&](std::uint32_t item) { nearest = std::min(nearest, distance_to(item, p)); });
+///     double nearest = infinity;  // squared
+///     tree.visit_near(p, nearest, [&](std::uint32_t item) { nearest = std::min(nearest, squared_to(item, p)); });
 class BoxTree {
  public:
   void build(std::span<const Box2> boxes);
@@ -37,8 +37,8 @@ class BoxTree {
   }
   bool is_empty() const { return nodes_.empty(); }
 
-  /// Calls `visit(item)` for items whose box is not farther from `p` than `bound`, which `visit` may lower; near ones
-  /// tend to come first.
+  /// Calls `visit(item)` for items the square of whose box's distance from `p` is not above `bound`, which `visit` may
+  /// lower; near ones tend to come first.
   template <class Visit>
   void visit_near(Vec2 p, const double& bound, Visit visit) const;
   /// Calls `visit(item)` for all items below nodes whose boxes `may_hold` what is looked for.
@@ -53,13 +53,15 @@ class BoxTree {
     std::uint16_t count = 0;
     bool is_leaf = false;
   };
-  /// A lower bound of the distance, whatever rounding did.
-  static double distance_below(const Box2& box, Vec2 p) {
-    const double dx = std::max({box.low.x - p.x, 0.0, p.x - box.high.x});
-    const double dy = std::max({box.low.y - p.y, 0.0, p.y - box.high.y});
-    const double distance =
-        dx > dy ? std::max(dx, std::sqrt(dx * dx + dy * dy)) : std::max(dy, std::sqrt(dx * dx + dy * dy));
-    return distance - 0x1p-47 * (std::max(std::abs(p.x), std::abs(p.y)) + distance);
+  /// A lower bound of the squared distance, whatever rounding did; `slack` is that of the coordinates of p.
+  static double squared_below(const Box2& box, Vec2 p, double slack) {
+    const auto gap = [slack](double below, double above) {
+      const double outside = std::max({below, above, 0.0});
+      return std::max(0.0, outside - 0x1p-47 * outside - slack);
+    };
+    const double dx = gap(box.low.x - p.x, p.x - box.high.x);
+    const double dy = gap(box.low.y - p.y, p.y - box.high.y);
+    return dx * dx + dy * dy;
   }
 
   std::vector<std::uint32_t> items_;
@@ -134,16 +136,17 @@ inline void BoxTree::build(std::span<const Box2> boxes) {
 template <class Visit>
 void BoxTree::visit_near(Vec2 p, const double& bound, Visit visit) const {
   if (nodes_.empty()) return;
+  const double slack = 0x1p-47 * std::max(std::abs(p.x), std::abs(p.y));
   struct Waiting {
-    double distance;
+    double squared;
     std::uint32_t node;
   };
   std::array<Waiting, 64> stack;  // four children a level, sixteen levels
   std::size_t height = 0;
-  stack[height++] = {distance_below(nodes_.back().box, p), static_cast<std::uint32_t>(nodes_.size() - 1)};
+  stack[height++] = {squared_below(nodes_.back().box, p, slack), static_cast<std::uint32_t>(nodes_.size() - 1)};
   while (height != 0) {
     const Waiting next = stack[--height];
-    if (next.distance > bound) continue;
+    if (next.squared > bound) continue;
     const Node& node = nodes_[next.node];
     if (node.is_leaf) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(items_[i]);
@@ -151,11 +154,11 @@ void BoxTree::visit_near(Vec2 p, const double& bound, Visit visit) const {
     }
     const std::size_t begin = height;
     for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
-      const double distance = distance_below(nodes_[child].box, p);
-      if (!(distance <= bound)) continue;
+      const double squared = squared_below(nodes_[child].box, p, slack);
+      if (!(squared <= bound)) continue;
       std::size_t at = height++;
-      for (; at > begin && stack[at - 1].distance < distance; --at) stack[at] = stack[at - 1];
-      stack[at] = {distance, child};
+      for (; at > begin && stack[at - 1].squared < squared; --at) stack[at] = stack[at - 1];
+      stack[at] = {squared, child};
     }
   }
 }

@@ -199,6 +199,27 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
   }
 }
 
+TEST_CASE("a limit of angles is reached exactly where the angle as a double is") {
+  Rng rng(9);
+  for (int round = 0; round < 100'000; ++round) {
+    const bool is_lattice = round % 2 == 0;
+    const auto place = [&] {
+      return is_lattice ? Vec2{static_cast<double>(rng.below(5)), static_cast<double>(rng.below(5))}
+                        : Vec2{rng.uniform(), rng.uniform()};
+    };
+    const double unit = std::ldexp(1.0, static_cast<int>(rng.below(3)) * 490 - 490);
+    const Vec2 p = unit * place();
+    const Vec2 q = unit * place();
+    const Vec2 r = unit * place();
+    if (p == q || p == r) continue;
+    const double angle = folded(angle_at(p, q, r));
+    for (const double degrees : {45.0, 30.0, 90.0, angle, std::nextafter(angle, 0.0), std::nextafter(angle, 99.0)}) {
+      if (degrees < 0.0 || degrees > 90.0) continue;
+      REQUIRE(AngleLimit(degrees).is_reached_at(p, q, r) == (angle >= degrees));
+    }
+  }
+}
+
 TEST_CASE("a node with an acute triangle has its circumradius for lambda, an obtuse one half its longest side") {
   Workbench bench;
   show_filters(bench);

@@ -106,17 +106,15 @@ void FeatureSize::make_ball_tree() {
 
 FeatureSize::Found FeatureSize::search(Vec2 p, const AxisLine* guess) const {
   Found best{kInfinity, {}};
-  double bound = kInfinity;
   const auto look_at = [&](const AxisLine& line) {
     if (!is_current(line)) return;
     const double squared = line.squared_distance(p);
     if (!(squared < best.squared)) return;
     best = {squared, line.edge};
-    bound = std::sqrt(squared);
   };
   if (guess != nullptr) look_at(*guess);
   for (const AxisLine& line : recent_lines_) look_at(line);
-  line_tree_.visit_near(p, bound, [&](std::uint32_t item) { look_at(lines_[item]); });
+  line_tree_.visit_near(p, best.squared, [&](std::uint32_t item) { look_at(lines_[item]); });
   return best;
 }
 

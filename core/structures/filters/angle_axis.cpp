@@ -8,6 +8,19 @@
 #include <vector>
 
 namespace mes {
+namespace {
+
+/// The Voronoi edge crosses the edge of its two samples: no angle opposite is obtuse.
+bool crosses(const EdgeCorners& at) {
+  const double at_p = dot(at.q - at.p, at.r - at.p);
+  const double at_s = dot(at.r - *at.s, at.q - *at.s);
+  constexpr double kLeast = 1e-280;  // below, products may have lost their sign
+  if (std::min(std::abs(at_p), std::abs(at_s)) > kLeast) return at_p > 0.0 && at_s > 0.0;
+  const EdgeAngles angles = edge_angles(at);
+  return angles.at_p <= 90.0 && angles.at_s <= 90.0;
+}
+
+}  // namespace
 
 AngleAxis::AngleAxis(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
                      InnerBalls& balls, MedialAxis& axis)
@@ -72,13 +85,24 @@ double AngleAxis::value(FaceSlot node) const {
   return balls_.group(node) == nullptr ? out : std::max(out, group_value(node));
 }
 
+void AngleAxis::take(const Wish& wish) {
+  limit_ = AngleLimit(wish.limit);
+}
+
+// The largest angle on an edge is 90 degrees where it crosses the edge of its two samples, so that both corners opposite
+// are not obtuse; else it is at one of the ends.
 bool AngleAxis::reaches(EdgeSlot edge) const {
-  return wish().limit <= 0.0 || value(edge) >= wish().limit;
+  if (wish().limit <= 0.0) return true;
+  if (angle_mode() == AngleMode::mean) return value(edge) >= wish().limit;
+  const EdgeCorners at = crust_.corners(edge);
+  return limit_.is_reached_at(at.p, at.q, at.r) || limit_.is_reached_at(*at.s, at.r, at.q) || crosses(at);
 }
 
 bool AngleAxis::end_reaches(EdgeSlot edge, int end) const {
   if (wish().limit <= 0.0 || angle_mode() != AngleMode::clip) return true;
-  return end_value(edge, end) >= wish().limit;
+  const EdgeCorners at = crust_.corners(edge);
+  // The left face of the row is that of p.
+  return end == 0 ? limit_.is_reached_at(at.p, at.q, at.r) : limit_.is_reached_at(*at.s, at.r, at.q);
 }
 
 Vec2 AngleAxis::cut_place(EdgeSlot edge, int end) const {
@@ -92,7 +116,13 @@ Vec2 AngleAxis::cut_place(EdgeSlot edge, int end) const {
 }
 
 bool AngleAxis::node_reaches(FaceSlot node) const {
-  return wish().limit <= 0.0 || value(node) >= wish().limit;
+  if (wish().limit <= 0.0) return true;
+  if (balls_.group(node) != nullptr) return value(node) >= wish().limit;
+  const FaceRow& row = delaunay_.face(node);
+  const Vec2 a = delaunay_.site_position(row.v[0]);
+  const Vec2 b = delaunay_.site_position(row.v[1]);
+  const Vec2 c = delaunay_.site_position(row.v[2]);
+  return limit_.is_reached_at(a, b, c) || limit_.is_reached_at(b, c, a) || limit_.is_reached_at(c, a, b);
 }
 
 int AngleAxis::compare(EdgeSlot a, EdgeSlot b) const {

@@ -33,6 +33,7 @@ class AngleAxis final : public AxisFilter {
 
  protected:
   int mode(const ComputationSettings& settings) const override;
+  void take(const Wish& wish) override;
   bool reaches(EdgeSlot edge) const override;
   bool end_reaches(EdgeSlot edge, int end) const override;
   Vec2 cut_place(EdgeSlot edge, int end) const override;
@@ -42,6 +43,8 @@ class AngleAxis final : public AxisFilter {
 
  private:
   double group_value(FaceSlot node) const;
+
+  AngleLimit limit_{0.0};
 };
 
 }  // namespace mes

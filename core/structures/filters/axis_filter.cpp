@@ -159,6 +159,7 @@ void AxisFilter::refresh_everything() {
 void AxisFilter::rebuild(JobControl& job) {
   clear_changes();
   wish_ = wanted();
+  take(wish_);
   prune(job);
   refresh_everything();
 }
@@ -194,6 +195,7 @@ bool AxisFilter::update(JobControl& job) {
   const Wish before = wish_;
   wish_ = wanted();
   if (wish_.mode != before.mode) return false;
+  if (wish_ != before) take(wish_);
   const bool axis_changed = !labels_.edge_changes().is_empty() || !balls_.changes().is_empty();
   if (!axis_changed && wish_ == before) {
     clear_changes();

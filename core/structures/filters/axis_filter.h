@@ -77,6 +77,8 @@ class AxisFilter : public Structure {
 
   const Wish& wish() const { return wish_; }
   virtual int mode(const ComputationSettings&) const { return 0; }
+  /// Called when there is another wish, before anything is decided by it.
+  virtual void take(const Wish&) {}
   /// The value of an edge reaches the limit.
   virtual bool reaches(EdgeSlot edge) const = 0;
   /// The value at an end of an edge that reaches the limit does so, too.

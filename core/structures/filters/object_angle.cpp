@@ -5,6 +5,24 @@
 #include <numbers>
 
 namespace mes {
+
+AngleLimit::AngleLimit(double degrees)
+    : degrees_(degrees),
+      cosine_(std::cos(degrees * (std::numbers::pi / 180.0))),
+      sine_(std::sin(degrees * (std::numbers::pi / 180.0))) {}
+
+bool AngleLimit::is_reached_at(Vec2 p, Vec2 q, Vec2 r) const {
+  const Vec2 u = q - p;
+  const Vec2 v = r - p;
+  // The tangent of the folded angle is |det| / |dot|. Where rounding may decide, or products leave the range of
+  // doubles, the angle itself does.
+  const double opposite = std::abs(cross(u, v)) * cosine_;
+  const double adjacent = std::abs(dot(u, v)) * sine_;
+  const double size = length(u) * length(v);
+  if (size > 0x1p-800 && size < 0x1p800 && std::abs(opposite - adjacent) > 1e-12 * size) return opposite > adjacent;
+  return folded(angle_at(p, q, r)) >= degrees_;
+}
+
 EdgeAngles edge_angles(const EdgeCorners& corners) {
   return {angle_at(corners.p, corners.q, corners.r), angle_at(*corners.s, corners.r, corners.q)};
 }

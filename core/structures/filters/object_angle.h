@@ -18,6 +18,19 @@ constexpr double folded(double degrees) {
   return degrees > 90.0 ? 180.0 - degrees : degrees;
 }
 
+/// A limit of folded angles, as one decides by. `is_reached_at(p, q, r)` is `folded(angle_at(p, q, r)) >= degrees`,
+/// mostly without the arc tangent.
+class AngleLimit {
+ public:
+  explicit AngleLimit(double degrees);
+  bool is_reached_at(Vec2 p, Vec2 q, Vec2 r) const;
+
+ private:
+  double degrees_;
+  double cosine_;
+  double sine_;
+};
+
 /// Of the Voronoi edge between two triangles.
 struct EdgeAngles {
   double at_p = 0.0;  ///< of the triangle with the apex p, in [0, 180]
