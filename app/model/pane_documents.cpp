@@ -198,8 +198,12 @@ void PaneDocuments::take(Found found) {
 
 void PaneDocuments::show(VariantIndex variant, Version version) {
   Pane& pane = *panes_[variant - 1];
-  if (!change(pane, variant, version) && !post(pane, variant, replace_all(pane.document, drawn_part(*version.data))))
+  if (!change(pane, variant, version) &&
+      !post(pane, variant, replace_all(pane.document, drawn_part(*version.data)))) {
+    // A part of the way may be done, so what is there is no version any more; the next one is put in whole.
+    pane.version = {};
     return;
+  }
   pane.version = std::move(version);
 }
 

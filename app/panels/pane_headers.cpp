@@ -7,6 +7,7 @@
 
 #include "app/model/parameter_words.h"
 #include "app/picture/pane_sheet.h"
+#include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
 
@@ -68,6 +69,13 @@ void PaneHeaders::draw_value(std::size_t pane) const {
   if (chosen == nullptr) return;
   const ParameterDescriptor& descriptor = descriptor_of(chosen->parameter);
   double value = chosen->value;
+  if (descriptor.is_length) {
+    // Its range is that of all coordinates.
+    ImGui::SetNextItemWidth(230 * gui.unit());
+    if (number_field("##value", value, "%.6g"))
+      panes.change(pane, ParameterChoice{chosen->parameter, std::clamp(value, descriptor.low, descriptor.high)});
+    return;
+  }
   const bool is_wide = descriptor.low > 0.0 && descriptor.high / descriptor.low > 100.0;
   if (slider(gui, "##value", value, descriptor.low, descriptor.high,
              {.is_logarithmic = is_wide, .is_whole = descriptor.is_whole, .width = 230 * gui.unit()}))
@@ -79,7 +87,7 @@ void PaneHeaders::draw_step(std::size_t pane) const {
   const auto* const chosen = std::get_if<EvolvedChoice>(&panes.panes()[pane]);
   if (chosen == nullptr) return;
   auto step = static_cast<double>(chosen->step);
-  const auto end = static_cast<double>(std::max(evolution.end(), chosen->step));
+  const auto end = static_cast<double>(std::min(std::max(evolution.end(), chosen->step), kMostPaneStep));
   if (slider(gui, "##step", step, 0.0, end, {.is_whole = true, .width = 230 * gui.unit()}))
     panes.change(pane, EvolvedChoice{static_cast<std::uint64_t>(step)});
   tooltip(gui, "Step of the evolution \"" + std::string(evolution.descriptor().name) + "\"");

@@ -36,7 +36,7 @@ json pane_to_json(const Bundle& bundle) {
   return {{"bundle", std::move(object)}};
 }
 json pane_to_json(const EvolvedChoice& evolved) {
-  return {{"step", evolved.step}};
+  return {{"step", std::min(evolved.step, kMostPaneStep)}};
 }
 json pane_to_json(const BeforeLastEdit& /*choice*/) {
   return {{"before_last_edit", true}};
@@ -63,9 +63,12 @@ class PaneReader {
  private:
   [[noreturn]] void fail(const std::string& text, JsonView at) const { throw PaneFault{where_ + ": " + text, at}; }
   std::string text_of(JsonView value, const char* key) const {
-    if (!value.is_text() || value.text_length() > kLongestName)
+    // A letter takes six bytes at most where it is escaped.
+    if (!value.is_text() || value.text_length() > 6 * kLongestName)
       fail(fmt::format("\"{}\" is not a short text", key), value);
-    return value.text();
+    std::string out = value.text();
+    if (out.size() > kLongestName) fail(fmt::format("\"{}\" is not a short text", key), value);
+    return out;
   }
 
   std::optional<PaneChoice> precision_of(JsonView value) const {

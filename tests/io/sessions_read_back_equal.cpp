@@ -79,6 +79,16 @@ bool equal(const Session& a, const Session& b) {
 
 }  // namespace
 
+TEST_CASE("panes at the ends of their bounds do not cost the session") {
+  Session session = sample_session();
+  session.panes = {Bundle{std::string(1000, '"'), session.layers}, EvolvedChoice{kMostPaneStep + 1}};
+  const auto read = read_session(write_session(session), "a.json");
+  REQUIRE(read);
+  REQUIRE(read->panes.size() == 2);
+  CHECK(read->panes[0] == session.panes[0]);
+  CHECK(read->panes[1] == PaneChoice(EvolvedChoice{kMostPaneStep}));
+}
+
 TEST_CASE("a session reads back equal, and equal sessions are equal bytes") {
   const Session session = sample_session();
   const std::string text = write_session(session);
