@@ -244,7 +244,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   sweep->add_option("-o,--output", to.sweep.output, "Write to this file instead of standard output");
   add_force(*sweep, to.sweep.force);
   sweep->footer(
-      "A line a value; the columns are the numbers that `compute` gives for these layers and their structures.");
+      "One line for each value; the columns are the numbers that `compute` gives for these layers and their "
+      "structures.");
 
   CLI::App* const branches = app.add_subcommand("branches", "The branches of an axis with their measures, as CSV");
   add_source(*branches, to.branches.source);
@@ -256,7 +257,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   branches->add_option("-o,--output", to.branches.output, "Write to this file instead of standard output");
   add_force(*branches, to.branches.force);
   branches->footer(
-      "A line a branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop or a "
+      "One line for each branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop "
+      "or a "
       "point),\n"
       "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
       "layer's.");

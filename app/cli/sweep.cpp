@@ -25,7 +25,8 @@
 namespace mes::cli {
 namespace {
 
-/// The cells of one line under their names, which are the paths of these numbers in what `compute` writes; a number that is not there is an empty cell.
+/// The cells of one line under their names, which are the paths of these numbers in what `compute` writes; a number that
+/// is not there is an empty cell.
 using Cells = std::vector<std::pair<std::string, std::string>>;
 
 std::string cell_of(double value) {
@@ -86,7 +87,8 @@ Expected<Cells> cells_of(const FramePatch& patch, const LayerMirror& mirror, con
   return out;
 }
 
-/// Behind the value. The first line says what there is; a later one may lack some of it, or have more, which then has no column.
+/// Behind the value. The first line says what there is; a later one may lack some of it, or have more, which then has no
+/// column.
 void add_line(std::string& text, const std::vector<std::string>& columns, const Cells& cells) {
   for (const std::string& column : std::span(columns).subspan(1)) {
     const auto found = std::ranges::find(cells, column, &Cells::value_type::first);

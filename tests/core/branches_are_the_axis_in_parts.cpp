@@ -88,6 +88,25 @@ TEST_CASE("branches hold each kept edge once, and as many ends and points as the
   }
 }
 
+TEST_CASE("the largest lambda and angle of a branch may be those of a node") {
+  // The circle through four corners of a house: of an acute triangle lambda is the radius.
+  Workbench bench;
+  bench.show({"lambda-medial-axis", "angle-medial-axis"});
+  bench.replace({{0, 0}, {4, 0}, {4, 3}, {2, 5}, {0, 3}});
+  double lambda = 0.0;
+  double radius = 0.0;
+  for (const AxisBranch& branch : branches(bench)) {
+    lambda = std::max(lambda, branch.lambda);
+    radius = std::max(radius, branch.radius_largest);
+  }
+  CHECK(radius == 2.5);
+  CHECK(lambda == 2.5);
+  double largest = 0.0;
+  for (const FaceSlot face : bench.get<Delaunay>().face_slots())
+    if (bench.get<MedialAxis>().is_node(face)) largest = std::max(largest, bench.get<LambdaAxis>().value(face));
+  CHECK(lambda == largest);
+}
+
 TEST_CASE("a rounded rectangle has a core and four branches of the lengths and radii of the formula") {
   Workbench bench;
   bench.show({"lambda-medial-axis", "angle-medial-axis"});

@@ -26,7 +26,8 @@ inline constexpr double kDenseEpsilon = 0.25;
 ///  1. `size(site)` is the distance to the nearest point of that axis: all of its edges, with rays and lines.
 ///  2. `epsilon(edge)` of a crust edge is half its length over the smaller size of its ends. The largest of all is what
 ///     the samples achieve by this estimate.
-///  3. Numbers that are there are finite and above 0. Without an axis there are none.
+///  3. Numbers that are there are finite and above 0 as long as squares of sizes are normal doubles, which they are for
+///     sizes from 2^-511. Without an axis there are none.
 ///
 /// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically; an update O(changed edges times
 /// what their search meets), and now and then O(n log n), when much has changed since the trees were made.

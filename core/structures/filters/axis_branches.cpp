@@ -146,6 +146,12 @@ class Tracer {
       area.add(integral(t[1]) - integral(t[0]));
       branch.lambda = std::max(branch.lambda, lambda_.value(edge));
       branch.angle = std::max(branch.angle, angle_.value(edge));
+      for (const int end : {0, 1}) {
+        if (filter_.is_cut(edge, end)) continue;
+        const FaceSlot node = balls_.ball(row.f[end]);
+        branch.lambda = std::max(branch.lambda, lambda_.value(node));
+        branch.angle = std::max(branch.angle, angle_.value(node));
+      }
     }
     branch.length = length.value();
     branch.radius_mean = branch.length > 0.0 ? area.value() / branch.length : branch.radius_least;
@@ -170,7 +176,8 @@ std::vector<AxisBranch> branches_of(const AxisFilter& filter, const InnerBalls& 
     if (a.length != b.length) return a.length > b.length;
     if (a.from.place != b.from.place) return lexicographically_less(a.from.place, b.from.place);
     if (a.to.place != b.to.place) return lexicographically_less(a.to.place, b.to.place);
-    return a.radius_mean < b.radius_mean;
+    if (a.radius_mean != b.radius_mean) return a.radius_mean < b.radius_mean;
+    return std::pair(a.lambda, a.angle) < std::pair(b.lambda, b.angle);
   });
   return out;
 }

@@ -302,16 +302,12 @@ StatList AxisFilter::statistics() const {
 std::string AxisFilter::reason() const {
   if (delaunay_.dimension() < 2) return "fewer than three samples, or all of them on a line: there is no axis";
   bool has_nodes = false;
-  bool has_edges = false;
-  for (const FaceSlot node : delaunay_.face_slots())
-    has_nodes = has_nodes || (delaunay_.face(node).is_alive() && axis_.is_node(node));
-  if (!has_nodes) return "no triangle is inside: there is no axis";
-  for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    if (is_kept(edge)) return {};
-    has_edges = has_edges || is_edge(edge);
+  for (const FaceSlot node : delaunay_.face_slots()) {
+    if (!delaunay_.face(node).is_alive() || !axis_.is_node(node)) continue;
+    if (is_kept(node)) return {};
+    has_nodes = true;
   }
-  if (!has_edges) return "the axis consists of points, each the centre of a circle with all samples on it";
-  return "the limit is above every value";
+  return has_nodes ? "the limit is above every value" : "no triangle is inside: there is no axis";
 }
 
 }  // namespace mes
