@@ -45,13 +45,17 @@ DifferenceMarks::Compared DifferenceMarks::compare_panes(std::vector<PaneRequest
   return out;
 }
 
-void DifferenceMarks::follow(const std::optional<State>& state, bool later,
+void DifferenceMarks::follow(const std::optional<State>& state, bool later, std::uint64_t panes_revision,
                              const std::function<std::vector<PaneRequest>()>& panes, Picture& picture) {
   if (auto compared = comparing_.poll()) {
     is_comparing_ = false;
     if (compared->problem) problem_ = compared->problem;
     picture.set_marks(std::move(compared->patch), std::move(compared->marks));
     marked_ = compared->state;
+  }
+  if (marked_ && marked_->panes != panes_revision) {
+    picture.set_marks({}, {});
+    marked_.reset();
   }
   if (!state) {
     if (later) return;

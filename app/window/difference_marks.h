@@ -42,8 +42,9 @@ class DifferenceMarks {
   };
   /// `state`: what is shown, with all of it computed; none: nothing is to be marked. `later` says that a state is still
   /// being computed: what is marked stays.
-  void follow(const std::optional<State>& state, bool later, const std::function<std::vector<PaneRequest>()>& panes,
-              Picture& picture);
+  /// Marks are of the panes by their numbers: where these are others now (`panes_revision`), there are none.
+  void follow(const std::optional<State>& state, bool later, std::uint64_t panes_revision,
+              const std::function<std::vector<PaneRequest>()>& panes, Picture& picture);
   /// The marks are those of the state, or it has none.
   bool is_complete(const std::optional<State>& state) const { return state == marked_; }
   /// Why panes could not be compared, once.

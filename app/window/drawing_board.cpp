@@ -161,7 +161,7 @@ std::optional<DifferenceMarks::State> DrawingBoard::compared_state() const {
 void DrawingBoard::follow_differences() {
   const bool is_complete = work_.is_complete();
   differences_.follow(
-      is_complete ? compared_state() : std::nullopt, shows_differences(),
+      is_complete ? compared_state() : std::nullopt, shows_differences(), work_.panes().revision(),
       [this] { return work_.pane_requests(std::make_shared<const SampleData>(data_of(work_.document()))); },
       picture_);
   if (const auto problem = differences_.take_problem())
