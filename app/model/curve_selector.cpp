@@ -16,7 +16,10 @@ void CurveSelector::begin(Wish wish) {
     select(wish);
     return;
   }
-  wish_ = wish;
+  const bool is_awaited = job_.is_under_way() && wished_at_ == document.revision();
+  if (!is_awaited) wishes_.clear();
+  wishes_.push_back(wish);
+  if (is_awaited) return;
   wished_at_ = document.revision();
   const std::vector<SampleSlot> slots = document.slots_in_input_order();
   std::vector<Vec2> positions;
@@ -41,8 +44,9 @@ Expected<void> CurveSelector::follow() try {
   if (!found) return {};
   curve_ = *std::move(found);
   curve_of_ = wished_at_;
-  const auto wish = std::exchange(wish_, std::nullopt);
-  if (wish && curve_of_ == editor_.document().revision()) select(*wish);
+  const std::vector<Wish> wishes = std::exchange(wishes_, {});
+  if (curve_of_ != editor_.document().revision()) return {};
+  for (const Wish wish : wishes) select(wish);
   return {};
 } catch (const GeometryError& problem) {
   return std::unexpected(Error{ErrorCode::cannot_compute, problem.what()});

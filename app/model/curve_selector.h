@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,7 +51,7 @@ class CurveSelector {
 
   Editor& editor_;
   BackgroundJob<std::shared_ptr<const Curve>> job_;
-  std::optional<Wish> wish_;
+  std::vector<Wish> wishes_;
   std::uint64_t wished_at_ = 0;  // revision of the document
   std::shared_ptr<const Curve> curve_;
   std::uint64_t curve_of_ = ~std::uint64_t{0};

@@ -113,7 +113,7 @@ Expected<void> SelectionDesk::move_by(Vec2 step) {
 
 Expected<void> SelectionDesk::set_radius(double radius) {
   const Places all = places();
-  if (radius < 0.0) return std::unexpected(Error{ErrorCode::bad_input, "a radius is not below zero"});
+  if (radius < 0.0) return std::unexpected(Error{ErrorCode::bad_input, "a radius cannot be below zero"});
   return put(all, all.at, std::vector<double>(all.radius.size(), radius), "Set radius of");
 }
 
@@ -123,7 +123,7 @@ Expected<void> SelectionDesk::turn(double degrees) {
 }
 
 Expected<void> SelectionDesk::scale(double factor) {
-  if (!(factor > 0.0)) return std::unexpected(Error{ErrorCode::bad_input, "a factor of scale is above zero"});
+  if (!(factor > 0.0)) return std::unexpected(Error{ErrorCode::bad_input, "a factor to scale by must be above zero"});
   const Places all = places();
   std::vector<double> radius = all.radius;
   for (double& r : radius) r *= factor;

@@ -57,11 +57,12 @@ std::optional<Snap> Snapper::grid_at(Vec2 p, double reach) const {
   if (!settings_.grid) return std::nullopt;
   const double step = grid_step_();
   if (!(step > 0.0)) return std::nullopt;
-  // A step below 1 is the inverse of a number that is exact, and a quotient of two exact numbers is rounded once.
+  // A step below 1 is the inverse of a whole number, which is exact down to steps of 1e-22; a quotient of two exact
+  // numbers is rounded once.
   const double inverse = std::round(1.0 / step);
   const auto on_line = [&](double x) {
     const double k = std::round(x / step);
-    return step < 1.0 && inverse * step == 1.0 ? k / inverse : k * step;
+    return step < 1.0 ? k / inverse : k * step;
   };
   const Vec2 crossing{on_line(p.x), on_line(p.y)};
   const bool is_on_x = std::abs(crossing.x - p.x) <= reach;

@@ -65,16 +65,21 @@ void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
   uses_.canvas.press(button, px, modifiers);
 }
 
-// The second of two clicks on a selected sample means the curve that it is on.
+// The second of two clicks on a selected sample means the curve that it is on. Where a frame takes long, the second one
+// is heard of late.
 void WindowInput::release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when) {
   constexpr std::chrono::milliseconds kLongest{400};
-  constexpr double kFarthest = 6.0;
+  constexpr double kFarthestPx = 6.0;
+  const double scale = uses_.canvas.content_scale();
   const bool is_click = uses_.canvas.has_pointer() && button == PointerButton::left && modifiers == Modifiers{} &&
-                        uses_.canvas.tool_id() == ToolId::select && distance(px, pressed_px_) < kFarthest;
+                        uses_.canvas.tool_id() == ToolId::select &&
+                        distance(px, pressed_px_) <= kDragThresholdPx * scale;
   uses_.canvas.release(button, px, modifiers);
   if (!is_click) return;
-  const bool is_second = click_ && when - click_->when < kLongest && distance(px, click_->px) < kFarthest;
-  click_ = is_second ? std::nullopt : std::optional(Click{when, px});
+  const Click click{when, ImGui::GetFrameCount(), px};
+  const bool is_second = click_ && distance(px, click_->px) < kFarthestPx * scale &&
+                         (when - click_->when < kLongest || click.frame - click_->frame <= 1);
+  click_ = is_second ? std::nullopt : std::optional(click);
   if (is_second) uses_.actions.run(ActionId::select_curve);
 }
 

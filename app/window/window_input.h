@@ -66,6 +66,7 @@ class WindowInput final : private WindowListener {
   Vec2 pressed_px_{-1, -1};
   struct Click {
     Clock::time_point when;
+    int frame = 0;
     Vec2 px{};
   };
   std::optional<Click> click_;     // the last one on the canvas

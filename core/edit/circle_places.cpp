@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "core/edit/degenerate_places.h"
@@ -149,25 +150,48 @@ CirclePoints points_of(const RichCircle& circle) {
   return out;
 }
 
+/// Free places around the circle: the next one in a direction, near to constant time (disjoint sets).
+class FreePlaces {
+ public:
+  FreePlaces(std::size_t count, std::size_t step) : next_(count), step_(step) {
+    std::iota(next_.begin(), next_.end(), std::size_t{0});
+  }
+  void take(std::size_t i) { next_[i] = (i + step_) % next_.size(); }
+  std::size_t from(std::size_t i) {
+    while (next_[i] != i) {
+      next_[i] = next_[next_[i]];
+      i = next_[i];
+    }
+    return i;
+  }
+
+ private:
+  std::vector<std::size_t> next_;
+  std::size_t step_;
+};
+
 /// For each direction a point of the circle, no point twice: the nearest that is free when its turn comes.
 std::optional<std::vector<GridPoint>> chosen(const CirclePoints& circle, std::span<const double> directions) {
   const std::size_t count = circle.points.size();
   if (directions.size() > count) return std::nullopt;
-  std::vector<bool> is_taken(count, false);
+  FreePlaces upwards(count, 1);
+  FreePlaces downwards(count, count - 1);
   std::vector<GridPoint> out;
   const auto turn_between = [](double a, double b) {
     return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
   };
   for (const double direction : directions) {
     const auto above = std::ranges::lower_bound(circle.angles, direction);
-    std::size_t up = static_cast<std::size_t>(above - circle.angles.begin()) % count;
-    std::size_t down = (up + count - 1) % count;
-    while (is_taken[up]) up = (up + 1) % count;
-    while (is_taken[down]) down = (down + count - 1) % count;
+    const std::size_t begin = static_cast<std::size_t>(above - circle.angles.begin()) % count;
+    const std::size_t up = upwards.from(begin);
+    const std::size_t down = downwards.from((begin + count - 1) % count);
     const bool goes_up = turn_between(circle.angles[up], direction) < turn_between(circle.angles[down], direction);
     const std::size_t best = goes_up ? up : down;
-    is_taken[best] = true;
     out.push_back(circle.points[best]);
+    // With the last one taken there is no free place to be looked for.
+    if (out.size() == directions.size()) break;
+    upwards.take(best);
+    downwards.take(best);
   }
   return out;
 }

@@ -82,6 +82,13 @@ TEST_CASE("a selection grows along the curve and shrinks back, around a closed o
   CHECK(bench.after(shrink) == std::vector<std::uint32_t>{1});
 }
 
+TEST_CASE("wishes that come while the curve is being found are all fulfilled") {
+  Bench bench;
+  bench.select({10});
+  for (int i = 0; i < 3; ++i) bench.selector.begin(CurveSelector::Wish::grow);
+  CHECK(bench.after(CurveSelector::Wish::shrink) == std::vector<std::uint32_t>{8, 9, 10, 11, 12});
+}
+
 TEST_CASE("a document that changes meanwhile drops the wish") {
   Bench bench;
   bench.select({5});

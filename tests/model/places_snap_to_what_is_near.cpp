@@ -95,6 +95,7 @@ TEST_CASE("coordinates on the grid are the doubles that decimal numbers are read
                                               {0.02, 1.1399, 1.14},
                                               {0.005, -0.0351, -0.035},
                                               {2e-5, 0.00034, 0.00034},
+                                              {1e-11, 1.9461e-8, 1.946e-8},
                                               {50.0, 1249.0, 1250.0},
                                               {2.0, 5.01, 6.0}}) {
     bench.grid = step;
@@ -128,6 +129,9 @@ TEST_CASE("tools put things where they snap, and Ctrl holds that off") {
   insert.hover(at(vertex->place.x + 0.01, vertex->place.y));
   REQUIRE(insert.feedback().snap);
   CHECK(insert.feedback().snap->place == vertex->place);
+  click(insert, at(vertex->place.x + 0.01, vertex->place.y));
+  CHECK(document.position(SampleSlot(5)) == vertex->place);
+  bench.editor.undo();
   bench.settings.grid = true;
 
   // What is moved is no target itself, and what moves with it keeps its place beside it.

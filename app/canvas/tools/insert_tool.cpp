@@ -14,12 +14,20 @@ void InsertTool::press(const Pointer& pointer) {
     return;
   }
   sample_ = context_.editor.document().id(slots->front());
+  pressed_px_ = pointer.px;
+  pressed_snap_ = snap_;
   pointer_px_ = pointer.px;
 }
 
 void InsertTool::drag(const Pointer& pointer) {
   if (!is_active()) return;
   pointer_px_ = pointer.px;
+  // Of a click the sample stays where it was put. It may be on a vertex, which is none any more with the sample there.
+  if (distance(pointer.px, pressed_px_) > kDragThresholdPx) pressed_snap_.reset();
+  if (pressed_snap_) {
+    snap_ = pressed_snap_;
+    return;
+  }
   const std::array<std::pair<SampleId, Vec2>, 1> target{
       {{sample_, snapped(pointer, pointer.world, beside_samples(true))}}};
   accepted(context_.editor.move(target, {}));

@@ -33,6 +33,8 @@ class InsertTool final : public Tool {
   }
 
   SampleId sample_;
+  Vec2 pressed_px_;
+  std::optional<Snap> pressed_snap_;  ///< until the pointer moves away
   std::optional<Vec2> pointer_px_;
 };
 
