@@ -68,6 +68,19 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::quit);
 }
 
+void arrange_menu(const MenuBar& menu) {
+  if (!ImGui::BeginMenu("Arrange")) return;
+  for (const ActionId id : {ActionId::mirror_x, ActionId::mirror_y}) action_item(menu, id);
+  ImGui::Separator();
+  for (std::size_t i = 0; i < kAlignments; ++i) action_item(menu, nth(ActionId::first_alignment, i));
+  ImGui::Separator();
+  for (const ActionId id : {ActionId::distribute_x, ActionId::distribute_y}) action_item(menu, id);
+  ImGui::Separator();
+  for (const ActionId id : {ActionId::put_on_line, ActionId::put_on_circle, ActionId::add_circle})
+    action_item(menu, id);
+  ImGui::EndMenu();
+}
+
 void edit_menu(const MenuBar& menu) {
   const auto with_step = [](const char* verb, const std::string& step) {
     return step.empty() ? std::string(verb) : std::string(verb) + ": " + step;
@@ -75,28 +88,20 @@ void edit_menu(const MenuBar& menu) {
   action_item(menu, ActionId::undo, with_step("Undo", menu.editor.undo_name()));
   action_item(menu, ActionId::redo, with_step("Redo", menu.editor.redo_name()));
   ImGui::Separator();
-  action_item(menu, ActionId::select_all);
-  action_item(menu, ActionId::invert_selection);
-  action_item(menu, ActionId::deselect);
-  action_item(menu, ActionId::delete_selection);
-  ImGui::Separator();
-  for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
+  for (const ActionId id :
+       {ActionId::copy, ActionId::cut, ActionId::paste, ActionId::duplicate, ActionId::delete_selection})
     action_item(menu, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::copy, ActionId::cut, ActionId::paste, ActionId::duplicate})
+  for (const ActionId id : {ActionId::select_all, ActionId::invert_selection, ActionId::deselect})
     action_item(menu, id);
-  ImGui::Separator();
-  action_item(menu, ActionId::toggle_selection);
-  if (ImGui::BeginMenu("Arrange")) {
-    for (const ActionId id : {ActionId::mirror_x, ActionId::mirror_y}) action_item(menu, id);
-    ImGui::Separator();
-    for (std::size_t i = 0; i < kAlignments; ++i) action_item(menu, nth(ActionId::first_alignment, i));
-    ImGui::Separator();
-    for (const ActionId id : {ActionId::distribute_x, ActionId::distribute_y}) action_item(menu, id);
+  if (ImGui::BeginMenu("Along the curve")) {
+    for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
+      action_item(menu, id);
     ImGui::EndMenu();
   }
-  for (const ActionId id : {ActionId::put_on_line, ActionId::put_on_circle, ActionId::add_circle})
-    action_item(menu, id);
+  ImGui::Separator();
+  action_item(menu, ActionId::toggle_selection);
+  arrange_menu(menu);
 }
 
 void snap_menu(const MenuBar& menu) {

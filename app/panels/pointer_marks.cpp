@@ -7,6 +7,7 @@
 #include "app/model/measurement.h"
 #include "app/panels/paper_on_canvas.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -39,7 +40,7 @@ class Pen {
     std::vector<ImVec2> points;
     points.reserve(world.size());
     for (const Vec2 p : world) points.push_back(at(to_px(p)));
-    list_.AddPolyline(points.data(), static_cast<int>(points.size()), ink_, ImDrawFlags_Closed, 1.2F * unit_);
+    polyline(list_, points, ink_, true, 1.2F * unit_);
   }
   /// A cross with what it is on.
   void snap(const Snap& snap) const {

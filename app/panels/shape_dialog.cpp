@@ -30,7 +30,7 @@ struct SliderRange {
   bool is_logarithmic;
 };
 SliderRange range_of(const ParameterDescriptor& parameter) {
-  constexpr double kWide = 1000.0;
+  constexpr double kWide = 100.0;
   constexpr double kFactor = 20.0;
   const double value = parameter.default_value;
   if (parameter.high - parameter.low < kWide) return {parameter.low, parameter.high, false};
@@ -177,8 +177,7 @@ void ShapeDialog::draw_preview(const Gui& gui) const {
   for (const SampleData::Contour& contour : data.contours) {
     points.clear();
     for (const std::uint32_t i : contour.points) points.push_back(place(data.positions[i]));
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                     contour.closed ? ImDrawFlags_Closed : ImDrawFlags_None, unit);
+    polyline(list, points, ImGui::GetColorU32(ImGuiCol_TextDisabled), contour.closed, unit);
   }
   for (const Vec2 p : data.positions) list.AddCircleFilled(place(p), 1.8F * unit, ink, 8);
   list.PopClipRect();

@@ -57,8 +57,7 @@ void draw_outlines(const CurveSet& curves, const Placed& place, int height, ImU3
       points.emplace_back(place.at.x + place.scale * static_cast<float>(p.x),
                           place.at.y + place.scale * static_cast<float>(height - p.y));
     });
-    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, ImDrawFlags_Closed,
-                                            thickness);
+    polyline(*ImGui::GetWindowDrawList(), points, color, true, thickness);
   }
 }
 

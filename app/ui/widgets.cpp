@@ -174,6 +174,20 @@ std::string elided(const std::string& text, float width) {
   return out + kDots;
 }
 
+void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, bool is_closed, float thickness) {
+  constexpr std::size_t kMost = 8000;
+  if (points.size() <= kMost) {
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), color,
+                     is_closed ? ImDrawFlags_Closed : ImDrawFlags_None, thickness);
+    return;
+  }
+  for (std::size_t first = 0; first + 1 < points.size(); first += kMost - 1) {
+    const std::size_t count = std::min(kMost, points.size() - first);
+    list.AddPolyline(points.data() + first, static_cast<int>(count), color, ImDrawFlags_None, thickness);
+  }
+  if (is_closed) list.AddLine(points.back(), points.front(), color, thickness);
+}
+
 void tooltip(const Gui& gui, const std::string& text) {
   if (text.empty() || !gui.is_resting() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   place_tooltip(gui, text);

@@ -2,6 +2,7 @@
 // What every panel is made of: its frame, and the explanation of what lies under the pointer.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "app/ui/gui.h"
@@ -43,6 +44,10 @@ std::string elided(const std::string& text, float width);
 
 /// A button that stands out where Enter presses it. Returns true when it was clicked.
 bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_default);
+
+/// A line of any number of points: the library numbers the corners of one line with 16 bits, so long ones are drawn in
+/// parts.
+void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, bool is_closed, float thickness);
 
 /// Explains the last item when the pointer rests on it, also when it is disabled.
 void tooltip(const Gui& gui, const std::string& text);

@@ -178,7 +178,7 @@ Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request) {
     return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
   if (contours.kept.empty())
     return refused(ErrorCode::bad_input,
-                   fmt::format("no figure stands out: what is {} is specks, the largest of {:.4g} square pixels",
+                   fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
                                side, contours.largest_speck));
   out.is_two_valued = is_two_valued(contours);
   const SmoothingLimits limits{out.is_two_valued ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};

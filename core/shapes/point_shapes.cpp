@@ -61,7 +61,9 @@ Expected<MadeShape> clustered(const ShapeValues& values) {
 Expected<MadeShape> poisson_disk(const ShapeValues& values) {
   Rng random(values.seed);
   const double least = values.numbers[0] / std::sqrt(static_cast<double>(values.samples));
-  const auto side = static_cast<std::size_t>(std::max(1.0, std::floor(1.0 / least)));
+  // Cells are not smaller than the distance, and no more than points.
+  const double most = std::ceil(std::sqrt(static_cast<double>(values.samples)));
+  const auto side = static_cast<std::size_t>(std::max(1.0, std::min(most, std::floor(1.0 / least))));
   std::vector<std::vector<Vec2>> cells(side * side);
   const auto cell_of = [&](double x) {
     return std::min(static_cast<std::size_t>(x * static_cast<double>(side)), side - 1);

@@ -326,7 +326,7 @@ TEST_CASE("a picture without a figure is refused in one line") {
   GrayImage dot = gray;
   dot.values[300] = dot.values[301] = 200;
   CHECK(refusal(dot) ==
-        "no figure stands out: what is lighter than 138.5 of 255 is specks, the largest of 1.5 square pixels");
+        "no figure stands out: there are only specks lighter than 138.5 of 255, the largest of 1.5 square pixels");
   CHECK(trace(gray, {.threshold = 255}).error().code == ErrorCode::usage);
   CHECK(trace(gray, {.threshold = -1}).error().code == ErrorCode::usage);
 }
