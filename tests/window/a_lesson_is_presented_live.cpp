@@ -44,24 +44,14 @@ struct Window : DrivenProgram {
   /// drawn last is on top, and that depends on what was edited before.
   bool shows_beside_caption(const Screenshot& look) const {
     constexpr int kJoints = 60;  // pixels
-    return eventually([&] { return changes_beside_caption(screen.settled(), look) < kJoints; });
-  }
-  static int changes_beside_caption(const Screenshot& now, const Screenshot& look) {
-    int out = 0;
-    for (int y = kBeside.top; y < kBeside.bottom; ++y)
-      for (int x = kBeside.left; x < kBeside.right; ++x) {
-        const Color a = now.at(x, y);
-        const Color b = look.at(x, y);
-        out += a.r != b.r || a.g != b.g || a.b != b.b ? 1 : 0;
-      }
-    return out;
+    return eventually([&] { return screen.settled().changes(kBeside, look) < kJoints; });
   }
   Screenshot other_beside_caption(const Screenshot& look) const {
     Screenshot out = look;
     constexpr int kEnough = 300;  // pixels
     REQUIRE(eventually([&] {
       out = screen.settled();
-      return changes_beside_caption(out, look) > kEnough;
+      return out.changes(kBeside, look) > kEnough;
     }));
     return out;
   }

@@ -142,6 +142,18 @@ PixelBox Screenshot::box_of_changes(const PixelBox& where, const Screenshot& oth
   });
 }
 
+int Screenshot::changes(const PixelBox& where, const Screenshot& other) const {
+  int out = 0;
+  for (int y = where.top; y < where.bottom; ++y) {
+    for (int x = where.left; x < where.right; ++x) {
+      const Color a = at(x, y);
+      const Color b = other.at(x, y);
+      out += a.r != b.r || a.g != b.g || a.b != b.b ? 1 : 0;
+    }
+  }
+  return out;
+}
+
 int Screenshot::differences(const Screenshot& other, int tolerance) const {
   if (width_ != other.width_ || height_ != other.height_) return width_ * height_;
   int out = 0;
@@ -292,6 +304,11 @@ void DrivenProgram::start(const std::string& name, const Environment& extra) {
 
 bool DrivenProgram::shows(const Screenshot& look) const {
   return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
+}
+
+bool DrivenProgram::nearly_shows(const Screenshot& look) const {
+  constexpr int kFew = 60;  // pixels
+  return eventually([&] { return screen.settled().changes(kCanvas, look) < kFew; });
 }
 
 Screenshot DrivenProgram::drawn() const {

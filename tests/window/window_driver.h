@@ -71,6 +71,8 @@ class Screenshot {
   PixelBox box_of(const PixelBox& where, const std::function<bool(Color)>& condition) const;
   /// What holds all pixels within `where` that differ from the other picture.
   PixelBox box_of_changes(const PixelBox& where, const Screenshot& other) const;
+  /// Pixels within `where` that differ from the other picture.
+  int changes(const PixelBox& where, const Screenshot& other) const;
   /// Pixels of which some channel differs by more than `tolerance`; all of them when the sizes differ.
   int differences(const Screenshot& other, int tolerance) const;
   int width() const { return width_; }
@@ -135,6 +137,9 @@ struct DrivenProgram {
   Screenshot drawn() const;
   /// True once the canvas looks as in this picture.
   bool shows(const Screenshot& look) const;
+  /// The same but for a few pixels: where things overlap, the one that was drawn last is on top, and that depends on what
+  /// was edited before.
+  bool nearly_shows(const Screenshot& look) const;
   /// The screen when its canvas looks otherwise and has come to rest.
   Screenshot other_than(const Screenshot& look) const;
   /// Saves by the dialog; the title names the file afterwards.
