@@ -26,7 +26,7 @@ namespace mes {
 /// Smallest use:
 ///     BoxTree tree;
 ///     tree.build(boxes);
-///     double nearest = infinity;  // squared
+///     double nearest = std::numeric_limits<double>::infinity();  // squared
 ///     tree.visit_near(p, nearest, [&](std::uint32_t item) { nearest = std::min(nearest, squared_to(item, p)); });
 class BoxTree {
  public:

@@ -4,8 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <thread>
 
+#include "core/base/box_tree.h"
 #include "core/base/coordinate_range.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/rng.h"
@@ -30,6 +32,7 @@
 #include "core/raster/trace.h"
 #include "core/shapes/shape.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
+#include "core/structures/filters/axis_pruning.h"
 
 using namespace mes;
 
@@ -349,6 +352,37 @@ TEST_CASE("core/io/json_view.h") {
   REQUIRE(count);
   CHECK(*count == 3);
   CHECK_FALSE(count_timeline("{"));
+}
+
+TEST_CASE("core/base/box_tree.h") {
+  const std::vector<Vec2> places{{5, 5}, {1, 2}, {-3, 0}};
+  std::vector<Box2> boxes(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) boxes[i].add(places[i]);
+  const auto squared_to = [&](std::uint32_t item, Vec2 q) { return dot(places[item] - q, places[item] - q); };
+  const Vec2 p{1, 1};
+  BoxTree tree;
+  tree.build(boxes);
+  double nearest = std::numeric_limits<double>::infinity();  // squared
+  tree.visit_near(p, nearest, [&](std::uint32_t item) { nearest = std::min(nearest, squared_to(item, p)); });
+  CHECK(nearest == 1.0);
+}
+
+TEST_CASE("core/structures/filters/axis_pruning.h") {
+  const std::size_t edge_rows = 1;
+  const std::size_t node_rows = 2;
+  const EdgeSlot edge(0);
+  const FaceSlot node(0);
+  const FaceSlot other_node(1);
+  bool is_kept = false;
+  const auto reaches = [](EdgeSlot) { return true; };
+  const auto keep = [&](EdgeSlot) { is_kept = true; };
+  AxisPruning pruning;
+  pruning.begin(edge_rows, node_rows);
+  pruning.add(edge, node, other_node);  // in ascending order of the values
+  pruning.run([](FaceSlot a, FaceSlot b) { return a < b; });
+  if (const EdgeSlot level = pruning.level_of(edge); level == kNoSlot || reaches(level)) keep(edge);
+  CHECK(is_kept);
+  CHECK(pruning.level_of(edge) == edge);
 }
 
 TEST_CASE("core/formula/formula.h") {
