@@ -73,7 +73,8 @@ const Expected<Tracing>& TraceDesk::outlines(const TraceRequest& request) {
   if (traced_ == request || !preview_) return outlines_;
   traced_ = request;
   TraceRequest reduced = request;
-  if (reduced.specks) *reduced.specks /= preview_->reduction * preview_->reduction;
+  reduced.pixel_area = preview_->reduction * preview_->reduction;
+  if (reduced.specks) *reduced.specks /= reduced.pixel_area;
   outlines_ = mes::trace(preview_->image, reduced);
   return outlines_;
 }

@@ -179,7 +179,7 @@ Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request) {
   if (contours.kept.empty())
     return refused(ErrorCode::bad_input,
                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
-                               side, contours.largest_speck));
+                               side, contours.largest_speck * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
   const SmoothingLimits limits{out.is_two_valued ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};
   for (const PixelContour& contour : contours.kept)

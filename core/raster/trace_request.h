@@ -19,6 +19,8 @@ struct TraceRequest {
   std::optional<double>
       specks{};  ///< square pixels: outlines and holes around less are left out; none: `default_specks`
   FigureSide figure = FigureSide::found;
+  double pixel_area =
+      1.0;  ///< of a reduced picture: how many square pixels of the whole one are one here, for messages
 
   bool is_default() const { return *this == TraceRequest{}; }
   friend bool operator==(const TraceRequest&, const TraceRequest&) = default;

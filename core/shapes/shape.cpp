@@ -142,6 +142,10 @@ Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest
   auto samples = sample(made->curves, sampling_of(request.sampling));
   if (!samples) return std::unexpected(samples.error());
   jitter(*samples, request.sampling);
+  SampledCurves centers;
+  for (const Disk& ball : made->balls) centers.positions.push_back(ball.center);
+  if (!made->balls.empty()) jitter(centers, request.sampling);
+  for (std::size_t i = 0; i < made->balls.size(); ++i) made->balls[i].center = centers.positions[i];
   return data_of(*std::move(samples), std::move(made->balls));
 }
 

@@ -327,6 +327,8 @@ TEST_CASE("a picture without a figure is refused in one line") {
   dot.values[300] = dot.values[301] = 200;
   CHECK(refusal(dot) ==
         "no figure stands out: there are only specks lighter than 138.5 of 255, the largest of 1.5 square pixels");
+  // In a picture that was reduced to a quarter.
+  CHECK_THAT(refusal(dot, {.pixel_area = 16.0}), Catch::EndsWith("the largest of 24 square pixels"));
   CHECK(trace(gray, {.threshold = 255}).error().code == ErrorCode::usage);
   CHECK(trace(gray, {.threshold = -1}).error().code == ErrorCode::usage);
 }

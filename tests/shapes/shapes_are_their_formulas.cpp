@@ -96,6 +96,11 @@ TEST_CASE("every shape is made with its defaults, the same each time, and fits i
     const SampleData asked = made(std::string(shape.id), {.samples = few});
     if (shape.points != 0) CHECK(asked.positions.size() + asked.balls.size() == few);
     const SampleData moved = made(std::string(shape.id), {.samples = few, .jitter = 0.1, .seed = 5});
+    if (!asked.balls.empty()) {
+      CHECK(moved.balls != asked.balls);
+      CHECK(moved.balls == made(std::string(shape.id), {.samples = few, .jitter = 0.1, .seed = 5}).balls);
+      for (std::size_t i = 0; i < few; ++i) CHECK(moved.balls[i].radius == asked.balls[i].radius);
+    }
     if (!asked.positions.empty()) {
       CHECK(moved.positions != asked.positions);
       CHECK(moved.positions.size() == asked.positions.size());
