@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/io/format.h"
+#include "core/raster/picture_decoder.h"
 #include "tests/fuzz/reader_checks.h"
 
 namespace mes::fuzz {
@@ -30,6 +31,8 @@ inline void require_round_trip(const SampleData& data) {
 
 /// Reads the bytes as the format, or as whatever they look like.
 inline void check_sample_file(std::string_view bytes, const std::string& name, std::string_view format) {
+  // A picture has no lines, and its pixels take more memory than its bytes; it has a target of its own.
+  if (format.empty() && looks_like_picture(bytes)) return;
   const auto file = read_sample_bytes(bytes, name, format);
   require_little_memory(bytes.size());
   if (!file) return require_error_with_place(file.error(), bytes);
