@@ -127,7 +127,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
   } else if (const auto moved = image_of(data_of(document, false), image); moved) {
     Document other;
     if (!replace_all(other, *moved)) return 0;  // out of the range of coordinates
-    const auto run = fresh_run(*moved, settings, is_small);
+    ComputationSettings as_large = settings;
+    as_large[Parameter::lambda_limit] *= image.scale;  // a length
+    const auto run = fresh_run(*moved, as_large, is_small);
     test::GeometryState state = run->state();
     state.normals.clear();
     const std::string differs = test::difference(state, image_of(original->state(), image));
