@@ -12,7 +12,8 @@
 namespace mes::cli {
 
 /// Reads a file, or standard input when its name is "-". What is odd but bearable in it is said on stderr. Error: also
-/// `usage` for a way of tracing that makes no sense, before anything is read, and for one of what is no picture.
+/// `usage` for options of tracing that contradict each other, before anything is read, or that are given for a file
+/// that is not a picture.
 Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const TraceOptions& trace = {});
 
 /// The values of `--figure-side`.

@@ -200,7 +200,7 @@ void PaneDocuments::show(VariantIndex variant, Version version) {
   Pane& pane = *panes_[variant - 1];
   if (!change(pane, variant, version) &&
       !post(pane, variant, replace_all(pane.document, drawn_part(*version.data)))) {
-    // A part of the way may be done, so what is there is no version any more; the next one is put in whole.
+    // A part of the change may be applied, so the pane holds no known version; the next one replaces it whole.
     pane.version = {};
     return;
   }

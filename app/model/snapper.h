@@ -26,13 +26,13 @@ struct Snap {
 /// Cost: a search among the samples near by; balls are looked at one by one. Threads: the window's.
 class Snapper {
  public:
-  /// `grid_step`: the distance of lines of the grid at present, in units; not above zero: there is no grid. All that is
+  /// `grid_step`: the distance of lines of the grid at present, in units; 0 or less where there is no grid. All that is
   /// named outlives it.
   Snapper(const Editor& editor, const AnnotationDesk& vertices, const SnapSettings& settings,
           std::function<double()> grid_step)
       : editor_(editor), vertices_(vertices), settings_(settings), grid_step_(std::move(grid_step)) {}
 
-  /// What is no target: what moves with the pointer, and vertices around samples that do.
+  /// What places do not snap to: things that move with the pointer, and vertices of samples that move.
   struct Except {
     std::function<bool(SampleSlot)> sample{};  ///< empty: none
     std::function<bool(BallSlot)> ball{};

@@ -34,7 +34,7 @@ struct ParameterDescriptor {
   bool is_whole = false;        ///< whole numbers only
   bool is_of_document = false;  ///< another document begins with the default; else it is the user's and stays
   bool is_limit = false;        ///< of a filter: what lies beyond the range is taken to its end, not refused
-  bool is_length = false;       ///< in units of the document; `high` is no value to draw a scale for
+  bool is_length = false;       ///< in units of the document; `high` is too large for the end of a slider
 };
 
 inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescriptors{

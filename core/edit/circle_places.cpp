@@ -188,7 +188,7 @@ std::optional<std::vector<GridPoint>> chosen(const CirclePoints& circle, std::sp
     const bool goes_up = turn_between(circle.angles[up], direction) < turn_between(circle.angles[down], direction);
     const std::size_t best = goes_up ? up : down;
     out.push_back(circle.points[best]);
-    // With the last one taken there is no free place to be looked for.
+    // The last place needs no successor; if all points are taken, a search for a free one would not end.
     if (out.size() == directions.size()) break;
     upwards.take(best);
     downwards.take(best);

@@ -87,7 +87,7 @@ Expected<LoadedFile> untraceable(const std::string& name) {
   return std::unexpected(Error{ErrorCode::usage, "only pictures are traced, and this is none", name});
 }
 
-/// What is readable though it is no text, or XML.
+/// Drawings, which are XML, and pictures, which are binary: both can be read.
 bool is_drawing_or_picture(std::string_view bytes) {
   return looks_like_svg(bytes) || looks_like_picture(bytes);
 }

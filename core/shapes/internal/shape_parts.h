@@ -24,7 +24,7 @@ PlaneCurve polygon_curve(std::span<const Vec2> corners);
 /// The curve of a function of a parameter, of cubic pieces whose ends and tangents there are those of the function:
 /// within some 1e-9 of its size where it is smooth. A piece ends at each multiple of the range over `pieces`, where it
 /// may have corners. Closed where both ends are equal up to rounding and `may_close`. Error: `bad_input` where a value
-/// is no finite number.
+/// is not finite.
 using PointOf = std::function<Vec2(double)>;
 Expected<PlaneCurve> curve_of_function(const PointOf& at, double from, double to, std::size_t pieces, bool may_close);
 
