@@ -62,6 +62,7 @@ struct Arguments {
   LessonRequest lesson;
   EvolveRequest evolve;
   ShapeCommand shape;
+  SampleRequest sample;
   ListRequest list;
   ManualRequest manual;
   CompletionsRequest completions;
@@ -442,6 +443,35 @@ void describe_commands(CLI::App& app, Arguments& to) {
   shape->add_option("-o,--output", to.shape.output, "Write to this file instead of standard output");
   add_force(*shape, to.shape.force);
 
+  CLI::App* const sample = app.add_subcommand(
+      "sample",
+      "Other samples of the curves of a drawing, a map or a picture, or of a curve through samples, as POFF");
+  sample->add_option("FILE", to.sample.file, "File to read, or - for standard input")->required();
+  sample->add_option("--from", to.sample.from,
+                     "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
+  add_trace(*sample, to.sample.trace);
+  sample->add_option("--rule", to.sample.rule,
+                     "Where samples lie: " + ids_of(sampling_rules()) +
+                         ";\n"
+                         "default: what the other options ask for, or nearness");
+  sample->add_option("--samples", to.sample.samples,
+                     "How many, or as many as there would be if they were even; default: 400");
+  sample->add_option("--spacing", to.sample.spacing, "Between samples along curves, at most");
+  sample->add_option("--epsilon", to.sample.epsilon,
+                     "Of the rule feature-size: half the distance of neighbours over their local feature size,\n"
+                     "at most; from 0.01 to 1, default: 0.25. Smaller ones are tried until the theorem is\n"
+                     "proved, or it is said where and why it is not");
+  sample->add_option("--turn", to.sample.turn,
+                     "Of the rule curvature: how much the direction turns between samples, at most, in degrees;\n"
+                     "default: 11.5");
+  sample->add_option("--corner-angle", to.sample.corner_angle,
+                     "Where the direction turns by more is a corner, and a sample; in degrees, default: 28.6");
+  sample->add_option("--corner-radius", to.sample.corner_radius, "Round corners with arcs of this radius");
+  sample->add_option("--jitter", to.sample.jitter, "Move each sample by up to so many mean spacings");
+  sample->add_option("--seed", to.sample.seed, "Of the jitter")->capture_default_str();
+  sample->add_option("-o,--output", to.sample.output, "Write to this file instead of standard output");
+  add_force(*sample, to.sample.force);
+
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
   for (const std::string& thing : listed_things()) things += (things.empty() ? "" : "|") + thing;
@@ -458,8 +488,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command :
-       {compute, sweep, branches, exported, render, play, demo, lesson, evolve, shape, list, manual, completions})
+  for (CLI::App* const command : {compute, sweep, branches, exported, render, play, demo, lesson, evolve, shape,
+                                  sample, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -496,6 +526,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "play") return run_play(arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
   if (command.get_name() == "shape") return run_shape(arguments.shape, interruption);
+  if (command.get_name() == "sample") return run_sample(arguments.sample, interruption);
   if (command.get_name() == "manual") return run_manual(arguments.manual, all_commands(), interruption);
   if (command.get_name() == "completions")
     return run_completions(arguments.completions, all_commands(), interruption);

@@ -11,6 +11,7 @@
 #include "app/cli/requests.h"
 #include "app/export/page_size.h"
 #include "app/model/paper_place.h"
+#include "core/curves/sampling.h"
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
@@ -72,6 +73,10 @@ std::vector<std::string> shape_ids() {
   return ids_of(shapes());
 }
 
+std::vector<std::string> sampling_rule_ids() {
+  return ids_of(sampling_rules());
+}
+
 std::vector<std::string> page_sizes() {
   std::vector<std::string> out;
   for (const PagePreset& preset : page_presets()) out.emplace_back(preset.name);
@@ -93,7 +98,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 44> kValues{{
+constexpr std::array<OptionValue, 49> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -137,6 +142,11 @@ constexpr std::array<OptionValue, 44> kValues{{
     {"--fps", "N"},
     {"--samples", "N"},
     {"--spacing", "D"},
+    {"--rule", "RULE", ValueKind::choice, sampling_rule_ids},
+    {"--epsilon", "E"},
+    {"--turn", "DEGREES"},
+    {"--corner-angle", "DEGREES"},
+    {"--corner-radius", "R"},
     {"--jitter", "J"},
 }};
 constexpr OptionValue kText{{}, "TEXT"};

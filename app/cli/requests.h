@@ -157,6 +157,24 @@ struct ShapeCommand {
 };
 Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption);
 
+struct SampleRequest {
+  std::string file;
+  std::string from;
+  TraceOptions trace{};
+  std::string rule;  ///< id of a sampling rule; empty: what the other options ask for
+  std::string samples;
+  std::string spacing;
+  std::string epsilon;
+  std::string turn;          ///< degrees
+  std::string corner_angle;  ///< degrees
+  std::string corner_radius;
+  std::string jitter;
+  std::string seed = "1";
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_sample(const SampleRequest& request, Interruption& interruption);
+
 struct ListRequest {
   std::string what;
   bool as_json = false;

@@ -53,6 +53,7 @@ DocumentDelta Editor::replacement() const {
   out.balls_before = out.balls_after = document_.ball_snapshot();
   out.curve_before = out.curve_after = document_.curve_order();
   out.annotations_before = out.annotations_after = document_.annotations();
+  out.source_before = out.source_after = document_.source();
   return out;
 }
 
@@ -241,7 +242,7 @@ Expected<void> Editor::replace(const SampleData& data, const std::string& name) 
   for (const BallSlot slot : document_.ball_slots_in_input_order()) balls.push_back(document_.ball_id(slot));
   begin_gesture(name);
   auto done = perform(change_document(document_, {.removed = samples, .removed_balls = balls}), {});
-  if (done) done = perform(arrange_samples(document_, data.positions, data.contours), {});
+  if (done) done = perform(mes::resample(document_, data), {});
   if (done) done = perform(mes::insert_balls(document_, data.balls), {});
   if (done)
     end_gesture();
@@ -282,14 +283,27 @@ Expected<void> Editor::scale_selected_balls(double factor, double least, bool co
 
 Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
                               const std::string& name) {
+  return show_in_place(
+      evolved_revision_, [&](const Document& before) { return arrange_samples(before, positions, contours); }, name);
+}
+
+Expected<void> Editor::resample(const SampleData& data, const std::string& name, bool continues) {
+  if (!continues) resampled_revision_ = ~std::uint64_t{0};
+  return show_in_place(
+      resampled_revision_, [&](const Document& before) { return mes::resample(before, data); }, name);
+}
+
+Expected<void> Editor::show_in_place(std::uint64_t& shown,
+                                     const std::function<Expected<DocumentDelta>(const Document&)>& make,
+                                     const std::string& name) {
   MES_ASSERT(!in_gesture());
   note_layers();
   std::vector<DocumentDelta> changes;
-  if (document_.revision() == evolved_revision_) changes = history_.back_of_last_edit();
+  if (document_.revision() == shown) changes = history_.back_of_last_edit();
   const bool replaces = !changes.empty();
   Document next = document_;
   for (const DocumentDelta& back : changes) next.apply(back);
-  const auto delta = arrange_samples(next, positions, contours);
+  const auto delta = make(next);
   if (!delta) return std::unexpected(delta.error());
   const bool is_new = !delta->is_empty();
   if (is_new) {
@@ -307,7 +321,7 @@ Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const S
     timeline_.note_evolved(document_, *delta, name, replaces);
     go_back();
     step.record();
-    evolved_revision_ = next.revision();
+    shown = next.revision();
   } else {
     timeline_.note(Undone{});
     go_back();

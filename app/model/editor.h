@@ -139,6 +139,10 @@ class Editor {
   /// before, and `name` that of its name. Not within a gesture.
   Expected<void> evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
                         const std::string& name);
+  /// Takes other samples of the document's curves, or of other curves; see `mes::resample`. With `continues`, they take
+  /// the place of those of the call before if nothing else happened since: one step of undo, of this name. Not within a
+  /// gesture.
+  Expected<void> resample(const SampleData& data, const std::string& name, bool continues);
   /// Takes the last step of undo for the state of an evolution, whose place the next `evolve` takes. The document
   /// before that step; nothing when there is none.
   std::optional<Document> resume_evolution();
@@ -187,6 +191,11 @@ class Editor {
   void record(const DocumentDelta& delta, const std::string& name, bool continues = false);
   Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
   void take_back();
+  /// Makes what `make` says of the document one step; if the document is as `shown` says, it takes the place of the last
+  /// one. `shown` is the revision afterwards.
+  Expected<void> show_in_place(std::uint64_t& shown,
+                               const std::function<Expected<DocumentDelta>(const Document&)>& make,
+                               const std::string& name);
   /// Applies the deltas and puts `entry` on the timeline; then `step` does the same in the history.
   void take_step(const std::vector<DocumentDelta>& deltas, const TimelineEntry& entry, void (History::*step)());
   /// What undo and redo do to the layers.
@@ -214,7 +223,8 @@ class Editor {
   mutable bool are_layers_modified_ = false;
   std::uint64_t saved_revision_ = 0;
   std::uint64_t saved_lesson_ = 0;
-  std::uint64_t evolved_revision_ = ~std::uint64_t{0};  // the last state of an evolution
+  std::uint64_t evolved_revision_ = ~std::uint64_t{0};    // the last state of an evolution
+  std::uint64_t resampled_revision_ = ~std::uint64_t{0};  // the last sampling
 };
 
 }  // namespace mes

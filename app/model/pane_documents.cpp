@@ -147,6 +147,7 @@ void PaneDocuments::show_states() {
     SampleData data = *found_->document.data;
     data.positions = state.positions;
     data.contours = contours_of(state);
+    data.source.reset();
     data.annotations = annotations_on(data.annotations, data.positions.size());
     panes_[i]->origin = answers_;
     show(static_cast<VariantIndex>(i + 1), {keys_of_state(found_->document.keys, data.positions.size()),

@@ -23,7 +23,8 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
 // In the order of `DetailsPage`.
-constexpr std::array<std::string_view, 6> kPages{"none", "statistics", "parameters", "log", "lesson", "selection"};
+constexpr std::array<std::string_view, 7> kPages{"none",   "statistics", "parameters", "log",
+                                                 "lesson", "selection",  "curves"};
 
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";
@@ -197,6 +198,7 @@ Settings from_json(const json& object) {
   out.snap.vertices = flag_in(object, "snaps_to_vertices", out.snap.vertices);
   out.snap.circles = flag_in(object, "snaps_to_circles", out.snap.circles);
   out.snap.grid = flag_in(object, "snaps_to_grid", out.snap.grid);
+  out.snap.curves = flag_in(object, "snaps_to_curves", out.snap.curves);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
   out.last_folder = text_in(object, "last_folder");
@@ -288,6 +290,7 @@ json to_json(const Settings& settings) {
           {"snaps_to_circles", settings.snap.circles},
           {"snaps_to_grid", settings.snap.grid},
           {"show_evolution", settings.show_evolution},
+          {"snaps_to_curves", settings.snap.curves},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},
           {"record", to_json(settings.record)},

@@ -18,7 +18,7 @@
 namespace mes {
 
 /// What the lower right panel shows.
-enum class DetailsPage : std::uint8_t { none, statistics, parameters, log, lesson, selection };
+enum class DetailsPage : std::uint8_t { none, statistics, parameters, log, lesson, selection, curves };
 
 enum class Theme : std::uint8_t { light, dark };
 

@@ -10,6 +10,7 @@ struct SnapSettings {
   bool centers = true;   ///< of own balls
   bool vertices = true;  ///< of the Voronoi diagram: centres of circles through three samples
   bool circles = true;   ///< of own balls
+  bool curves = true;    ///< that samples were taken from
   bool grid = true;      ///< lines of the grid, and where they cross
   friend bool operator==(const SnapSettings&, const SnapSettings&) = default;
 };

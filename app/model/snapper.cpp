@@ -3,13 +3,24 @@
 
 #include <cmath>
 
+#include "core/curves/nearest_place.h"
+
 namespace mes {
 
 std::optional<Snap> Snapper::at(Vec2 p, double reach, const Except& except) const {
   if (!settings_.is_on) return std::nullopt;
   if (auto snap = point_at(p, reach, except)) return snap;
-  if (auto snap = circle_at(p, reach, except)) return snap;
-  return grid_at(p, reach);
+  const auto on_circle = circle_at(p, reach, except);
+  const auto on_curve = curve_at(p, on_circle ? distance(p, on_circle->place) : reach);
+  if (on_curve) return on_curve;
+  return on_circle ? on_circle : grid_at(p, reach);
+}
+
+std::optional<Snap> Snapper::curve_at(Vec2 p, double reach) const {
+  const CurveSource* const source = editor_.document().source().get();
+  if (!settings_.curves || source == nullptr) return std::nullopt;
+  const auto place = nearest_place(*source->curves, p, reach);
+  return place ? std::optional(Snap{*place, "curve"}) : std::nullopt;
 }
 
 std::optional<Snap> Snapper::point_at(Vec2 p, double reach, const Except& except) const {

@@ -20,7 +20,7 @@ struct Snap {
 };
 
 /// What it guarantees: of samples, centres and vertices within reach the nearest one is taken, else the nearest place on a
-/// circle, else a crossing of the grid or a place on one of its lines. Coordinates of
+/// circle or a curve that samples were taken from, else a crossing of the grid or a place on one of its lines. Coordinates of
 /// the grid are the doubles nearest to the decimal numbers that the axes show, for steps from 1e-22 to 1e22.
 ///
 /// Cost: a search among the samples near by; balls are looked at one by one. Threads: the window's.
@@ -43,6 +43,7 @@ class Snapper {
 
  private:
   std::optional<Snap> point_at(Vec2 p, double reach, const Except& except) const;
+  std::optional<Snap> curve_at(Vec2 p, double reach) const;
   std::optional<Snap> circle_at(Vec2 p, double reach, const Except& except) const;
   std::optional<Snap> grid_at(Vec2 p, double reach) const;
 

@@ -14,10 +14,11 @@ struct Page {
   const char* title;
   ActionId toggle;
 };
-constexpr std::array<Page, 5> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
+constexpr std::array<Page, 6> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
                                       {DetailsPage::parameters, "Parameters", ActionId::toggle_parameters},
                                       {DetailsPage::log, "Log", ActionId::toggle_log},
                                       {DetailsPage::selection, "Selection", ActionId::toggle_selection},
+                                      {DetailsPage::curves, "Curves", ActionId::toggle_curves},
                                       {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson}}};
 
 }  // namespace
@@ -47,6 +48,7 @@ void DetailsPanel::draw(const PanelArea& area) {
       case DetailsPage::log: log_.draw(); break;
       case DetailsPage::lesson: lesson_.draw(); break;
       case DetailsPage::selection: selection_.draw(); break;
+      case DetailsPage::curves: curves_.draw(); break;
       case DetailsPage::none: break;
     }
   }

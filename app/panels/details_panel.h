@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection.
+// The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection, curves.
 #pragma once
 
 #include "app/actions/action_bindings.h"
 #include "app/model/settings.h"
+#include "app/panels/curves_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
@@ -17,7 +18,8 @@ class DetailsPanel {
  public:
   /// Which page is shown is in `shown`.
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
-               ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection)
+               ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection,
+               CurvesPanel curves)
       : gui_(gui),
         actions_(actions),
         shown_(shown),
@@ -25,7 +27,8 @@ class DetailsPanel {
         parameters_(std::move(parameters)),
         log_(log),
         lesson_(std::move(lesson)),
-        selection_(std::move(selection)) {}
+        selection_(std::move(selection)),
+        curves_(std::move(curves)) {}
 
   void draw(const PanelArea& area);
   /// Lists the parameters of this name.
@@ -40,6 +43,7 @@ class DetailsPanel {
   LogPanel log_;
   LessonPanel lesson_;
   SelectionPanel selection_;
+  CurvesPanel curves_;
 };
 
 }  // namespace mes

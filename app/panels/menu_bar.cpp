@@ -100,7 +100,7 @@ void edit_menu(const MenuBar& menu) {
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  action_item(menu, ActionId::toggle_selection);
+  for (const ActionId id : {ActionId::toggle_selection, ActionId::toggle_curves}) action_item(menu, id);
   arrange_menu(menu);
 }
 
@@ -112,6 +112,8 @@ void snap_menu(const MenuBar& menu) {
   ImGui::MenuItem("Voronoi vertices", nullptr, &snap.vertices);
   tooltip(menu.gui, "Centres of circles through three samples, in documents of at most 20,000");
   ImGui::MenuItem("Circles of balls", nullptr, &snap.circles);
+  ImGui::MenuItem("Curves", nullptr, &snap.curves);
+  tooltip(menu.gui, "The curves of a drawing, map, picture or shape, from which samples were taken");
   ImGui::MenuItem("Grid", nullptr, &snap.grid);
   tooltip(menu.gui, "Lines at round numbers, also where they are not shown");
   ImGui::EndMenu();
@@ -209,6 +211,8 @@ void evolution_menu(const MenuBar& menu) {
 
 void shapes_menu(const MenuBar& menu) {
   action_item(menu, ActionId::make_shape);
+  for (const ActionId id : {ActionId::curves_of_samples, ActionId::mark_corners, ActionId::toggle_curves})
+    action_item(menu, id);
   if (!menu.shapes.empty()) ImGui::Separator();
   for (const SampleShape& shape : menu.shapes) {
     if (ImGui::MenuItem(shape.name.c_str())) menu.open_shape(shape);

@@ -18,7 +18,7 @@ std::size_t edits_in(const TimelineLog& entries, std::size_t end) {
 
 bool are_equal(const SampleData& a, const SampleData& b) {
   return a.positions == b.positions && a.contours == b.contours && a.balls == b.balls &&
-         a.annotations == b.annotations;
+         a.annotations == b.annotations && (a.source == b.source || (a.source && b.source && *a.source == *b.source));
 }
 
 std::optional<std::size_t> shared_edits(const Session& mine, const Session& theirs) {

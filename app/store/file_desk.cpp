@@ -127,6 +127,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     if (!loaded.data.positions.empty()) {
       data.positions = std::move(loaded.data.positions);
       data.contours = std::move(loaded.data.contours);
+      data.source = std::move(loaded.data.source);
     }
     if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
     std::ranges::move(loaded.warnings, std::back_inserter(out.warnings));

@@ -64,7 +64,8 @@ Panels::Panels(const Uses& uses)
                      {uses.screen.gui, uses.board.picture(), uses.screen.times},
                      {uses.screen.gui, uses.work.computation(), uses.board.picture()},
                      {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
-                     {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages}) {
+                     {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
+                     {uses.screen.gui, uses.actions, uses.work.curve_sampler()}) {
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });
@@ -142,6 +143,7 @@ void Panels::follow_lesson() {
   if (is_running == presents_lesson_) return;
   presents_lesson_ = is_running;
   if (!is_running)
+  bind_page(ActionId::toggle_curves, DetailsPage::curves);
     end_presentation();
   else if (!presenter_.is_on())
     begin_presentation();

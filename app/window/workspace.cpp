@@ -17,6 +17,7 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       bundles_(default_bundles_path(), assets, layers_),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }, &layers_),
       curve_selector_(editor_, wake),
+      curve_sampler_(editor_, wake),
       evolution_(editor_,
                  {[this](Parameter parameter) { return computation_.settings()[parameter]; },
                   [this](Parameter parameter, double value) { computation_.set(parameter, value); }},

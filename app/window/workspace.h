@@ -11,6 +11,7 @@
 #include "app/model/annotation_desk.h"
 #include "app/model/ball_families.h"
 #include "app/model/computation_control.h"
+#include "app/model/curve_sampler.h"
 #include "app/model/curve_selector.h"
 #include "app/model/editor.h"
 #include "app/model/engine_demand.h"
@@ -49,6 +50,8 @@ class Workspace {
   const AnnotationDesk& annotations() const { return annotations_; }
   SelectionDesk& selection_desk() { return selection_desk_; }
   const CurveSelector& curve_selector() const { return curve_selector_; }
+  CurveSampler& curve_sampler() { return curve_sampler_; }
+  const CurveSampler& curve_sampler() const { return curve_sampler_; }
   EvolutionPlayer& evolution() { return evolution_; }
   const EvolutionPlayer& evolution() const { return evolution_; }
 
@@ -88,6 +91,8 @@ class Workspace {
 
   /// Once a turn: selects along the curve when it was found.
   void follow_selection() { report(curve_selector_.follow()); }
+  /// The same of samples of curves. `is_held`: a control of the panels is held.
+  void follow_curves(bool is_held) { report(curve_sampler_.follow(is_held)); }
   /// Once a turn: shows the state of the evolution that is ready.
   void follow_evolution(std::uint64_t shown_document, double now);
   /// Once a frame: asks the engine for what is visible. True when that has changed.
@@ -120,6 +125,7 @@ class Workspace {
   AnnotationDesk annotations_{editor_};
   SelectionDesk selection_desk_{editor_};
   CurveSelector curve_selector_;
+  CurveSampler curve_sampler_;
   EvolutionPlayer evolution_;
   PaneList panes_;
   PaneDocuments pane_documents_;

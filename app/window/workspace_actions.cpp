@@ -38,6 +38,10 @@ void Workspace::bind_editing(ActionBindings& actions) {
     actions.bind(id, {[this, wish] { curve_selector_.begin(wish); },
                       [this] { return editor_.selection().sample_count() != 0; }});
   };
+  actions.bind(ActionId::curves_of_samples, {[this] { curve_sampler_.want_curves_of_samples(); },
+                                             [this] { return document().sample_count() > 1; }});
+  actions.bind(ActionId::mark_corners, {[this] { report(curve_sampler_.mark_corners()); },
+                                        [this] { return !curve_sampler_.corners().empty(); }});
   bind_along_curve(ActionId::select_curve, CurveSelector::Wish::whole);
   bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
   bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);

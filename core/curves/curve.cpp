@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace mes {
 namespace {
@@ -111,6 +112,61 @@ Vec2 Piece::last_direction() const {
   for (std::size_t i = point_count(kind) - 1; i-- > 0;)
     if (points[i] != last) return last - points[i];
   return {};
+}
+
+Piece Piece::part(double begin, double end) const {
+  Piece out{.kind = kind};
+  out.points[0] = at(begin);
+  if (kind == PieceKind::line || kind == PieceKind::arc) {
+    out.points[1] = at(end);
+    out.arc = arc;
+    out.arc.start = arc.start + begin * arc.sweep;
+    out.arc.sweep = (end - begin) * arc.sweep;
+    return out;
+  }
+  // The control points of the part are values of the polar form (blossom) at begin and end, in all mixtures.
+  const std::size_t degree = point_count(kind) - 1;
+  for (std::size_t k = 1; k < degree; ++k) {
+    std::array<Vec2, 4> p = points;
+    std::size_t left = degree;
+    for (std::size_t step = 0; step < degree; ++step, --left) {
+      const double t = step < k ? end : begin;
+      for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
+    }
+    out.points[k] = p[0];
+  }
+  out.points[degree] = at(end);
+  return out;
+}
+
+std::optional<PlaneCurve> PlaneCurve::of_parts(std::vector<Vec2> points, std::vector<PieceKind> kinds,
+                                               std::vector<EllipticArc> arcs, bool is_closed) {
+  std::size_t point_number = 1;
+  std::size_t arc_number = 0;
+  bool is_polyline = true;
+  for (const PieceKind kind : kinds) {
+    point_number += points_added(kind);
+    arc_number += kind == PieceKind::arc ? 1U : 0U;
+    is_polyline = is_polyline && kind == PieceKind::line;
+  }
+  if (points.size() != point_number || arcs.size() != arc_number) return std::nullopt;
+  if (is_closed && points.front() != points.back()) return std::nullopt;
+  PlaneCurve out(points.front());
+  out.points_ = std::move(points);
+  out.kinds_ = std::move(kinds);
+  out.arcs_ = std::move(arcs);
+  out.is_closed_ = is_closed;
+  out.is_polyline_ = is_polyline;
+  return out;
+}
+
+void PlaneCurve::add(const Piece& piece) {
+  switch (piece.kind) {
+    case PieceKind::line: return line_to(piece.points[1]);
+    case PieceKind::quadratic: return quadratic_to(piece.points[1], piece.points[2]);
+    case PieceKind::cubic: return cubic_to(piece.points[1], piece.points[2], piece.points[3]);
+    case PieceKind::arc: return arc_to(piece.arc, piece.points[1]);
+  }
 }
 
 void PlaneCurve::line_to(Vec2 to) {

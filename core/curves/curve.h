@@ -31,6 +31,7 @@ struct EllipticArc {
   Vec2 center{}, u{}, v{};
   double start = 0.0;
   double sweep = 0.0;  ///< in [-2 pi, 2 pi]; positive turns from u to v
+  friend bool operator==(const EllipticArc&, const EllipticArc&) = default;
 };
 
 /// What SVG says with radii, rotation of the x axis (in radians, counter-clockwise where y points up) and two flags.
@@ -55,6 +56,8 @@ struct Piece {
   /// with an end, that of the next one.
   Vec2 first_direction() const;
   Vec2 last_direction() const;
+  /// The part between two parameters, 0 <= begin < end <= 1; at 0 and 1 it has exactly the ends.
+  Piece part(double begin, double end) const;
 };
 
 /// Pieces that follow each other. A closed curve ends exactly where it starts. 17 bytes for each line; an arc has 64
@@ -62,6 +65,10 @@ struct Piece {
 class PlaneCurve {
  public:
   explicit PlaneCurve(Vec2 start) : points_{start} {}
+  /// A curve put together again from what `points`, `kinds` and `arcs` gave. Nothing if their numbers do not fit, or
+  /// the curve is closed and does not end where it starts.
+  static std::optional<PlaneCurve> of_parts(std::vector<Vec2> points, std::vector<PieceKind> kinds,
+                                            std::vector<EllipticArc> arcs, bool is_closed);
 
   void line_to(Vec2 to);
   void quadratic_to(Vec2 control, Vec2 to);
@@ -77,6 +84,12 @@ class PlaneCurve {
   Vec2 start() const { return points_.front(); }
   Vec2 end() const { return points_.back(); }
   std::size_t piece_count() const { return kinds_.size(); }
+  /// The start, then control points and end of each piece.
+  const std::vector<Vec2>& points() const { return points_; }
+  const std::vector<PieceKind>& kinds() const { return kinds_; }
+  /// Of the pieces that are arcs, in order.
+  const std::vector<EllipticArc>& arcs() const { return arcs_; }
+  void add(const Piece& piece);
 
   /// Calls `use(const Piece&)` for each piece in order.
   template <class Use>
@@ -94,6 +107,7 @@ class PlaneCurve {
   }
 
   std::string name{};  ///< as the file has it; may be empty
+  friend bool operator==(const PlaneCurve&, const PlaneCurve&) = default;
 
  private:
   static constexpr std::size_t points_added(PieceKind kind) {
@@ -111,6 +125,8 @@ class PlaneCurve {
 struct CurveSet {
   std::vector<PlaneCurve> curves{};
   std::vector<Vec2> points{};  ///< that lie on no curve
+  bool is_empty() const { return curves.empty() && points.empty(); }
+  friend bool operator==(const CurveSet&, const CurveSet&) = default;
 };
 
 }  // namespace mes

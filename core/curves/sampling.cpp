@@ -3,19 +3,24 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "core/curves/corners.h"
+#include "core/curves/internal/feature_spacing.h"
 #include "core/curves/internal/spacing_field.h"
 #include "core/curves/internal/stretches.h"
+#include "core/curves/jitter.h"
 
 namespace mes {
 namespace {
 
-constexpr std::size_t kSamplesOfADrawing = 400;
 // Of the adaptive rule: how many samples may lie where one would.
 constexpr double kFiner = 8.0;
+// Of the rule by feature size, whose corners would ask for infinitely many.
+constexpr double kFinestFeature = 100.0;
 // What has more pieces is sampled evenly when it is opened, in time that grows with their number and no faster.
 constexpr std::size_t kMostAdaptivePieces = 20'000;
 
@@ -146,14 +151,8 @@ void add_vertices(const PlaneCurve& curve, Collector& out) {
 /// Samples at lengths of arc from the beginning of a stretch, in order; at its end too where `adds_end`.
 void add_places(const MeasuredCurve& curve, const Stretch& stretch, const std::vector<double>& places, bool adds_end,
                 Collector& out) {
-  std::size_t piece = stretch.first;
-  double before = 0.0;
-  const std::size_t last = stretch.first + stretch.count - 1;
-  for (const double wanted : places) {
-    while (piece < last && wanted >= before + curve.lengths[piece].total()) before += curve.lengths[piece++].total();
-    out.add(curve.pieces[piece].at(curve.lengths[piece].parameter_at(wanted - before)));
-  }
-  if (adds_end) out.add(curve.pieces[last].to());
+  for_each_place(curve, stretch, places, [&](Vec2 p) { out.add(p); });
+  if (adds_end) out.add(curve.pieces[stretch.first + stretch.count - 1].to());
 }
 
 std::vector<double> even_places(double length, double intervals) {
@@ -233,7 +232,9 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
   return {};
 }
 
-Expected<void> sample_adaptively(const CurveSet& curves, const SamplingRequest& request, Collector& out) {
+/// By the rules under which spacings change along the curves.
+Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
+                               Collector& out) {
   const double negligible = negligible_length(curves, request);
   std::vector<MeasuredCurve> measured_curves;
   double all = 0.0;
@@ -247,8 +248,22 @@ Expected<void> sample_adaptively(const CurveSet& curves, const SamplingRequest& 
   limits.finest = limits.widest / kFiner;
   limits.share = request.share;
   limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
-  const auto spacings = all > 0.0 ? spacings_of(measured_curves, limits)
-                                  : std::vector<std::vector<StretchSpacing>>(curves.curves.size());
+  std::vector<std::vector<StretchSpacing>> spacings(curves.curves.size());
+  if (all > 0.0 && request.rule == SamplingRule::curvature) {
+    limits.share = request.turn;
+    spacings = spacings_by_curvature(measured_curves, limits);
+  } else if (all > 0.0) {
+    spacings = spacings_of(measured_curves, limits);
+  }
+  if (all > 0.0 && request.rule == SamplingRule::feature_size) {
+    SpacingLimits wider{.widest = all,
+                        .finest = limits.widest / kFinestFeature,
+                        .share = request.epsilon,
+                        .least_each = limits.least_each};
+    auto found = spacings_by_feature_size(measured_curves, std::move(spacings), wider, request.most, sizes);
+    if (!found) return std::unexpected(found.error());
+    spacings = std::move(found->spacings);
+  }
   double count = 0.0;
   for (const std::vector<StretchSpacing>& curve : spacings)
     for (const StretchSpacing& stretch : curve) count += stretch.count();
@@ -267,24 +282,69 @@ SamplingRequest default_sampling(const CurveSet& curves) {
     vertices += curve.piece_count();
     is_straight = is_straight && curve.is_polyline();
   }
-  if (is_straight && vertices >= kSamplesOfADrawing) return {.rule = SamplingRule::vertices};
+  if (is_straight && vertices >= kUsualSamples) return {.rule = SamplingRule::vertices};
   const auto rule = vertices <= kMostAdaptivePieces ? SamplingRule::adaptive : SamplingRule::count;
-  return {.rule = rule, .count = kSamplesOfADrawing, .least_each = 8};
+  return {.rule = rule, .count = kUsualSamples, .least_each = 8};
 }
 
-Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request) {
-  if (request.rule == SamplingRule::spacing && !(request.spacing > 0.0))
-    return refused(ErrorCode::usage, "the spacing of samples must be positive");
+std::span<const SamplingRuleDescriptor> sampling_rules() {
+  static constexpr std::array<SamplingRuleDescriptor, 6> kRules{{
+      {SamplingRule::vertices, "vertices", "At the vertices",
+       "The ends of the pieces that the curves consist of, and nothing between"},
+      {SamplingRule::spacing, "spacing", "By distance", "Evenly along the curves, so far apart at most"},
+      {SamplingRule::count, "number", "By number", "Evenly along the curves, so many at most"},
+      {SamplingRule::adaptive, "nearness", "Denser where curves are near",
+       "About so many, and more where parts of the curves are near to each other"},
+      {SamplingRule::curvature, "curvature", "Denser where curves bend", "About so many, and more in bends"},
+      {SamplingRule::feature_size, "feature-size", "By local feature size",
+       "An epsilon-sample, as the theorems of crust and axis ask for it: measured with the axis of the samples, "
+       "until "
+       "they are dense enough"},
+  }};
+  return kRules;
+}
+
+Expected<void> check(const SamplingRequest& request) {
+  const auto in = [](double x, double low, double high) { return x >= low && x <= high; };
+  const auto usage = [](std::string text) { return refused(ErrorCode::usage, std::move(text)); };
+  using Rule = SamplingRule;
+  if (request.rule == Rule::spacing && !(request.spacing > 0.0 && std::isfinite(request.spacing)))
+    return usage("the spacing of samples must be positive");
+  if ((request.rule == Rule::count || request.rule >= Rule::adaptive) && request.count == 0)
+    return usage("the number of samples must be positive");
+  if (request.rule == Rule::curvature && !in(request.turn, kLeastTurn, kMostTurn))
+    return usage("the turn between samples must be from 0.001 to 3.2 radians");
+  if (request.rule == Rule::feature_size && !in(request.epsilon, kLeastEpsilon, kMostEpsilon))
+    return usage("epsilon must be from 0.01 to 1");
+  if (!in(request.corner_angle, 0.0, kMostTurn)) return usage("the angle of corners must be from 0 to 3.2 radians");
+  if (!(request.corner_radius >= 0.0 && std::isfinite(request.corner_radius)))
+    return usage("the radius of corners must not be negative");
+  if (!in(request.jitter, 0.0, kMostJitter)) return usage("the jitter must be from 0 to 100");
+  return {};
+}
+
+Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes) {
+  if (auto good = check(request); !good) return std::unexpected(good.error());
+  if (request.rule == SamplingRule::feature_size && !sizes)
+    return refused(ErrorCode::usage, "there is nothing here to measure feature sizes with");
+  if (request.corner_radius > 0.0) {
+    SamplingRequest rest = request;
+    rest.corner_radius = 0.0;
+    return sample(with_round_corners(curves, request.corner_angle, request.corner_radius), rest, sizes);
+  }
   Collector out;
-  auto done = request.rule == SamplingRule::vertices   ? sample_vertices(curves, request, out)
-              : request.rule == SamplingRule::adaptive ? sample_adaptively(curves, request, out)
-                                                       : sample_evenly(curves, request, out);
+  const bool is_even = request.rule == SamplingRule::spacing || request.rule == SamplingRule::count;
+  auto done = request.rule == SamplingRule::vertices ? sample_vertices(curves, request, out)
+              : is_even                              ? sample_evenly(curves, request, out)
+                                                     : sample_unevenly(curves, request, sizes, out);
   if (!done) return std::unexpected(done.error());
   if (auto fits = check_count(static_cast<double>(out.size() + curves.points.size()), request); !fits)
     return std::unexpected(fits.error());
   for (const Vec2 point : curves.points) out.add(point);
   if (!out.are_finite()) return beyond_range();
-  return std::move(out).result();
+  SampledCurves samples = std::move(out).result();
+  jitter(samples, request.jitter, request.seed);
+  return samples;
 }
 
 }  // namespace mes

@@ -4,7 +4,8 @@
 // Corners, where the tangent turns by more than an angle, and the ends of open curves are samples whatever the rule;
 // between them samples follow each other at equal lengths of arc, or by the rule `adaptive` at lengths that change
 // slowly. A closed curve has no doubled end, and the samples of one curve are different points: where a curve comes
-// back to a sample exactly, it passes it over. The result depends on curves and request alone.
+// back to a sample exactly, it passes it over. The result depends on curves and request alone, and on what is said of
+// feature sizes where these are asked for.
 //
 // Smallest use:
 //     auto samples = sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.5});
@@ -12,6 +13,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -25,7 +29,29 @@ enum class SamplingRule : std::uint8_t {
   count,     ///< at the least spacing that gives at most `count` samples
   adaptive,  ///< as `count` or denser, so that no more than `share` of the distance to another part of the curves lies
              ///< between neighbours; at most eight times as dense
+  curvature,  ///< as `count` or denser, so that no more than `turn` of direction lies between neighbours; at most eight
+              ///< times as dense
+  feature_size,  ///< half the distance of neighbours is at most `epsilon` times the feature size, as far as intervals
+                 ///< of a hundredth of the mean that `count` gives allow it
 };
+
+struct SamplingRuleDescriptor {
+  SamplingRule rule;
+  std::string_view id;           ///< public name, kebab case
+  std::string_view name;         ///< as shown
+  std::string_view explanation;  ///< one sentence
+};
+/// One for each rule, in the order of the rules.
+std::span<const SamplingRuleDescriptor> sampling_rules();
+
+/// Samples of what is opened or made, unless another number is asked for.
+inline constexpr std::size_t kUsualSamples = 400;
+// Ranges of a request.
+inline constexpr double kLeastTurn = 1e-3;
+inline constexpr double kMostTurn = 3.2;
+inline constexpr double kLeastEpsilon = 0.01;
+inline constexpr double kMostEpsilon = 1.0;
+inline constexpr double kMostJitter = 100.0;
 
 struct SamplingRequest {
   SamplingRule rule = SamplingRule::vertices;
@@ -33,9 +59,15 @@ struct SamplingRequest {
   std::size_t count = 0;       ///< of the rule of that name; corners, ends and `least_each` may ask for more
   std::size_t least_each = 3;  ///< samples of a closed curve, or intervals of an open one that is not straight
   double share = 0.4;          ///< of the rule `adaptive`
+  double turn = 0.2;           ///< of the rule `curvature`, radians
+  double epsilon = 0.25;       ///< of the rule `feature_size`
   /// In radians. Where the tangent turns by more is a corner; pieces of less than a hundredth of the spacing make none.
   double corner_angle = 0.5;
+  double corner_radius = 0.0;     ///< corners are rounded so (core/curves/corners.h); 0: they stay
+  double jitter = 0.0;            ///< each sample is moved by up to so many mean spacings (core/curves/jitter.h)
+  std::uint64_t seed = 1;         ///< of the jitter
   std::size_t most = 10'000'000;  ///< samples, of all curves together
+  friend bool operator==(const SamplingRequest&, const SamplingRequest&) = default;
 };
 
 /// What a file is sampled by when it is opened. A drawing of straight lines with at least 400 vertices has been sampled
@@ -55,10 +87,18 @@ struct SampledCurves {
   std::vector<Chain> chains{};  ///< in the order of the curves, but for those that are single points
 };
 
+/// Local feature sizes: the distance of each place to the axis of the curve that runs through all of them; infinite
+/// where there is none. An error of it becomes that of the sampling.
+using FeatureSizes = std::function<Expected<std::vector<double>>(std::span<const Vec2>)>;
+
+/// Nothing, or why the request makes no sense.
+Expected<void> check(const SamplingRequest& request);
+
 /// Samples of all curves in their order, then the points that lie on none. Lengths of arc are right within 1e-11 of the
 /// length of a piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error:
-/// `bad_input` for more samples than `most`, and for coordinates that are not finite; `usage` for a spacing that is not
-/// positive.
-Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request);
+/// `bad_input` for more samples than `most`, and for coordinates that are not finite; `usage` for a request that makes
+/// no sense. The rule `feature_size` asks `sizes` some ten times; without it, that rule is `usage`.
+Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request,
+                               const FeatureSizes& sizes = {});
 
 }  // namespace mes

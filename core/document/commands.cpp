@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "core/base/assert.h"
+#include "core/document/curve_source.h"
 
 namespace mes {
 namespace {
@@ -30,6 +31,7 @@ DocumentDelta delta_from(const Document& document) {
   delta.to_revision = document.next_revision();
   delta.curve_before = delta.curve_after = document.curve_order();
   delta.annotations_before = delta.annotations_after = document.annotations();
+  delta.source_before = delta.source_after = document.source();
   return delta;
 }
 
@@ -122,8 +124,7 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
                          std::span<const std::pair<typename Things::SomeId, Value>> changed,
                          std::span<const Value> inserted, std::vector<typename Things::Edit>& edits) {
   using Kind = typename Things::Edit::Kind;
-  // A removed row would be given to what is inserted.
-  MES_ASSERT(removed.empty() || (changed.empty() && inserted.empty()));
+  MES_ASSERT(removed.empty() || changed.empty());
   edits.reserve(removed.size() + changed.size() + inserted.size());
   std::unordered_set<typename Things::SomeId> seen;
   for (const auto id : removed) {
@@ -143,8 +144,11 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
   if (!has_room(first, inserted.size())) return refuse(fmt::format("too many {} in one session", Things::kKind));
   for (std::size_t i = 0; i < inserted.size(); ++i) {
     if (auto fault = fault_of(inserted[i]); !fault.empty()) return refuse(std::move(fault));
-    edits.push_back({Kind::insert, typename Things::SomeId{first + static_cast<std::uint32_t>(i)},
-                     Things::slot_for_new(document, i), Value{}, without_negative_zero(inserted[i])});
+    // Rows that were freed last are taken first.
+    const auto slot =
+        i < removed.size() ? edits[removed.size() - 1 - i].slot : Things::slot_for_new(document, i - removed.size());
+    edits.push_back({Kind::insert, typename Things::SomeId{first + static_cast<std::uint32_t>(i)}, slot, Value{},
+                     without_negative_zero(inserted[i])});
   }
   return {};
 }
@@ -179,6 +183,37 @@ Expected<DocumentDelta> change_document(const Document& document, const Document
   leave_where_they_are(document, delta);
   return fitting(document, std::move(delta));
 }
+
+namespace {
+
+/// `first` is the id of the sample that is first in the data.
+Expected<void> add_contours(const SampleData& data, std::uint32_t first, CurveOrder& curve) {
+  for (const auto& contour : data.contours) {
+    CurveOrder::Contour out{contour.closed, {}};
+    out.samples.reserve(contour.points.size());
+    for (const std::uint32_t index : contour.points) {
+      if (index >= data.positions.size()) return refuse("a contour names a point that does not exist");
+      out.samples.push_back(SampleId{first + index});
+    }
+    curve.contours.push_back(std::move(out));
+  }
+  return {};
+}
+
+/// None, or one that names samples of the data.
+bool is_source_of(const SampleData& data) {
+  return !data.source || (data.source->curves && data.source->first <= data.positions.size() &&
+                          data.source->count <= data.positions.size() - data.source->first);
+}
+
+std::shared_ptr<const CurveSource> shifted(const std::shared_ptr<const CurveSource>& source, std::uint32_t by) {
+  if (!source || by == 0) return source;
+  CurveSource out = *source;
+  out.first += by;
+  return std::make_shared<const CurveSource>(std::move(out));
+}
+
+}  // namespace
 
 Expected<DocumentDelta> annotate(const Document& document, Annotations annotations) {
   if (auto fault = fault_of(annotations, document.next_id().value - document.first_id().value); !fault.empty())
@@ -217,6 +252,24 @@ Expected<DocumentDelta> arrange_samples(const Document& document, std::span<cons
   return delta;
 }
 
+Expected<DocumentDelta> resample(const Document& document, const SampleData& data) {
+  const std::vector<SampleId> removed = document.samples_of_source();
+  auto delta = change_document(document, {.removed = removed, .inserted = data.positions});
+  if (!delta) return delta;
+  auto curve = std::make_shared<CurveOrder>();
+  const std::unordered_set<SampleId> gone(removed.begin(), removed.end());
+  for (const CurveOrder::Contour& contour : document.curve_order()->contours)
+    if (std::ranges::any_of(contour.samples,
+                            [&](SampleId id) { return document.slot_of(id) != kNoSlot && !gone.contains(id); }))
+      curve->contours.push_back(contour);
+  const std::uint32_t first = document.next_id().value;
+  if (auto done = add_contours(data, first, *curve); !done) return std::unexpected(done.error());
+  if (*curve != *document.curve_order()) delta->curve_after = std::move(curve);
+  if (!is_source_of(data)) return refuse("the curves name samples that do not exist");
+  delta->source_after = shifted(data.source, first - document.first_id().value);
+  return delta;
+}
+
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data) {
   DocumentDelta delta = delta_from(document);
   auto after = std::make_shared<SampleSnapshot>();
@@ -231,15 +284,9 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
       !done)
     return std::unexpected(done.error());
   auto curve = std::make_shared<CurveOrder>();
-  for (const auto& contour : data.contours) {
-    CurveOrder::Contour out{contour.closed, {}};
-    out.samples.reserve(contour.points.size());
-    for (const std::uint32_t index : contour.points) {
-      if (index >= data.positions.size()) return refuse("a contour names a point that does not exist");
-      out.samples.push_back(SampleId{first + index});
-    }
-    curve->contours.push_back(std::move(out));
-  }
+  if (auto done = add_contours(data, first, *curve); !done) return std::unexpected(done.error());
+  if (!is_source_of(data)) return refuse("the curves name samples that do not exist");
+  delta.source_after = data.source;
   if (auto fault = fault_of(data.annotations, data.positions.size()); !fault.empty()) return refuse(std::move(fault));
   delta.annotations_after = std::make_shared<const Annotations>(data.annotations);
   after->first = document.next_id();
@@ -269,6 +316,14 @@ SampleData data_of(const Document& document) {
   }
   for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
   const std::uint32_t first = document.first_id().value;
+  if (const std::shared_ptr<const CurveSource>& source = document.source()) {
+    // They follow each other in input order.
+    const std::vector<SampleId> left = document.samples_of_source();
+    CurveSource renumbered = *source;
+    renumbered.first = left.empty() ? 0 : place[document.slot_of(left.front())];
+    renumbered.count = static_cast<std::uint32_t>(left.size());
+    out.source = std::make_shared<const CurveSource>(std::move(renumbered));
+  }
   out.annotations = *document.annotations();
   for (Annotation& annotation : out.annotations) {
     for (Anchor& anchor : annotation.anchors) {

@@ -2,6 +2,7 @@
 // Commands: pure functions from a document and a wish to the delta that fulfils it, or to an error that says why not.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -12,9 +13,10 @@
 
 namespace mes {
 
-/// What is to happen in one delta. Samples (balls) are not removed together with other changes of samples (balls).
+/// What is to happen in one delta. Samples are not removed and others moved in one, balls not removed together with
+/// other changes of balls.
 struct DocumentChange {
-  std::span<const SampleId> removed{};
+  std::span<const SampleId> removed{};  ///< before others are inserted
   std::span<const std::pair<SampleId, Vec2>> moved{};
   std::span<const Vec2> inserted{};  ///< in that order
   std::span<const BallId> removed_balls{};
@@ -60,7 +62,8 @@ struct SampleData {
   std::vector<Vec2> positions{};
   std::vector<Contour> contours{};
   std::vector<Disk> balls{};
-  Annotations annotations{};  ///< samples by their place in `positions`
+  Annotations annotations{};                    ///< samples by their place in `positions`
+  std::shared_ptr<const CurveSource> source{};  ///< curves that samples were taken from; null: none
 };
 
 /// Makes these the annotations. Error: what `fault_of` says of them.
@@ -75,7 +78,12 @@ SampleData data_of(const Document& document);
 Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
                                         std::span<const SampleData::Contour> contours);
 
-/// Replaces all samples, the curve order, all balls and all annotations. New ids. Error: as when samples and balls are
+/// Takes away what is left of the samples that were taken from the document's curves, and adds those of `data` with
+/// their contours; others stay. Curves to take samples from are those of `data` afterwards, or none. Balls and
+/// annotations of `data` are passed over. Error: as when samples are inserted; an index out of range.
+Expected<DocumentDelta> resample(const Document& document, const SampleData& data);
+
+/// Replaces all samples, the curve order, the curves, all balls and all annotations. New ids. Error: as when samples and balls are
 /// inserted, an index out of range, what `fault_of` says of annotations.
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data);
 

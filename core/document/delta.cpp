@@ -14,6 +14,7 @@ DocumentDelta DocumentDelta::inverted() const {
   std::swap(out.balls_before, out.balls_after);
   std::swap(out.curve_before, out.curve_after);
   std::swap(out.annotations_before, out.annotations_after);
+  std::swap(out.source_before, out.source_after);
   out.edits.assign(edits.rbegin(), edits.rend());
   for (SampleEdit& edit : out.edits) {
     std::swap(edit.from, edit.to);
@@ -44,6 +45,7 @@ DocumentDelta one_after_the_other(std::span<const DocumentDelta> deltas) {
     out.to_revision = delta.to_revision;
     out.curve_after = delta.curve_after;
     out.annotations_after = delta.annotations_after;
+    out.source_after = delta.source_after;
   }
   return out;
 }

@@ -15,6 +15,8 @@
 
 namespace mes {
 
+struct CurveSource;
+
 /// Known curves through the samples, from a file or a generator. Readers skip ids that are no longer alive, so
 /// removing a sample, and undoing that, changes nothing here.
 struct CurveOrder {
@@ -77,12 +79,15 @@ struct DocumentDelta {
   std::shared_ptr<const CurveOrder> curve_after;
   std::shared_ptr<const Annotations> annotations_before;  ///< equal to `annotations_after` when they do not change
   std::shared_ptr<const Annotations> annotations_after;
+  std::shared_ptr<const CurveSource> source_before;  ///< equal to `source_after` when it does not change; null: none
+  std::shared_ptr<const CurveSource> source_after;
 
   bool replaces_all() const { return after != nullptr; }
   bool changes_annotations() const { return annotations_before != annotations_after; }
+  bool changes_source() const { return source_before != source_after; }
   bool is_empty() const {
     return !replaces_all() && edits.empty() && ball_edits.empty() && curve_before == curve_after &&
-           !changes_annotations();
+           !changes_annotations() && !changes_source();
   }
   /// The delta that undoes this one.
   DocumentDelta inverted() const;

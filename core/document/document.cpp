@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/base/assert.h"
+#include "core/document/curve_source.h"
 #include "core/kernel/circumcircle.h"
 
 namespace mes {
@@ -87,6 +88,15 @@ Vec2 Document::place_of(const Anchor& anchor) const {
   if (anchor.samples.size() == 1) return on[0];
   const Vec2 center = circumcircle(on[0], on[1], on[2]).center;
   return std::isfinite(center.x) && std::isfinite(center.y) ? center : anchor.at;
+}
+
+std::vector<SampleId> Document::samples_of_source() const {
+  std::vector<SampleId> out;
+  if (!source_) return out;
+  const std::uint32_t first = first_id().value + source_->first;
+  for (std::uint32_t i = 0; i < source_->count; ++i)
+    if (const SampleId id{first + i}; slot_of(id) != kNoSlot) out.push_back(id);
+  return out;
 }
 
 Box2 Document::bounding_box() const {
@@ -202,6 +212,7 @@ void Document::apply(const DocumentDelta& delta) {
   for (const BallEdit& edit : delta.ball_edits) apply(edit);
   if (delta.curve_after) curve_ = delta.curve_after;
   if (delta.annotations_after) annotations_ = delta.annotations_after;
+  source_ = delta.source_after;
   revision_ = delta.to_revision;
   highest_revision_ = std::max(highest_revision_, revision_);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The persistent state of the program: samples and balls with stable ids, the known order of the samples' curve, and
-// annotations.
+// The persistent state of the program: samples and balls with stable ids, the known order of the samples' curve, the
+// curves that samples were taken from, and annotations.
 //
 // What it guarantees:
 //  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never given twice.
@@ -58,6 +58,10 @@ class Document {
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
   /// Never null; equal pointers: nothing of them changed.
   const std::shared_ptr<const Annotations>& annotations() const { return annotations_; }
+  /// Null where samples were not taken from curves.
+  const std::shared_ptr<const CurveSource>& source() const { return source_; }
+  /// Those of the samples taken from curves that are left, by increasing id. O(of those that were taken).
+  std::vector<SampleId> samples_of_source() const;
   /// Where the anchor is now.
   Vec2 place_of(const Anchor& anchor) const;
 
@@ -119,6 +123,7 @@ class Document {
   MagnitudeCounts magnitudes_;
   std::shared_ptr<const CurveOrder> curve_;
   std::shared_ptr<const Annotations> annotations_;
+  std::shared_ptr<const CurveSource> source_;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;
   std::uint64_t sample_sum_ = 0;  // of the digests of all samples

@@ -30,6 +30,7 @@ void merge(std::vector<Edit>& earlier, const std::vector<Edit>& later) {
 bool History::are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later) {
   if (earlier.replaces_all() || later.replaces_all()) return false;
   if (earlier.curve_after != later.curve_after) return false;
+  if (earlier.changes_source() || later.changes_source()) return false;
   if (later.changes_annotations())
     return later.edits.empty() && later.ball_edits.empty() && earlier.edits.empty() && earlier.ball_edits.empty() &&
            earlier.changes_annotations() && earlier.annotations_after->size() == later.annotations_after->size();

@@ -34,13 +34,14 @@ std::vector<SampleData::Contour> numbered(const CurveOrder& curve, SampleId firs
 // Only gives things other places.
 bool is_motion(const TimelineEdit& edit) {
   return edit.removed.empty() && edit.inserted.empty() && edit.removed_balls.empty() && edit.inserted_balls.empty() &&
-         !edit.curve && !edit.annotations;
+         !edit.curve && !edit.annotations && !edit.source;
 }
 
 // Does nothing but replace the annotations.
 bool is_of_annotations(const TimelineEdit& edit) {
   return edit.annotations && edit.removed.empty() && edit.moved.empty() && edit.inserted.empty() &&
-         edit.removed_balls.empty() && edit.changed_balls.empty() && edit.inserted_balls.empty() && !edit.curve;
+         edit.removed_balls.empty() && edit.changed_balls.empty() && edit.inserted_balls.empty() && !edit.curve &&
+         !edit.source;
 }
 
 template <class Place>
@@ -95,6 +96,14 @@ TimelineEdit edit_of(const Document& document, const DocumentDelta& delta) {
   }
   if (delta.curve_after != delta.curve_before) out.curve = numbered(*delta.curve_after, document.first_id());
   if (delta.changes_annotations()) out.annotations = *delta.annotations_after;
+  if (delta.changes_source()) {
+    const CurveSource* const after = delta.source_after.get();
+    SourceEdit& source = out.source.emplace(SourceEdit{.has_curves = after != nullptr});
+    if (after != nullptr) {
+      const bool are_other = !delta.source_before || delta.source_before->curves != after->curves;
+      source = {true, are_other ? after->curves : nullptr, after->sampling, after->first, after->count};
+    }
+  }
   return out;
 }
 
@@ -236,9 +245,23 @@ Expected<void> DocumentReplay::begin(const SampleData& data) {
   return {};
 }
 
+namespace {
+
+/// `known` samples there are or were when the edit is done.
+Expected<std::shared_ptr<const CurveSource>> source_after(const Document& document, const SourceEdit& edit,
+                                                          std::size_t known) {
+  if (!edit.has_curves) return nullptr;
+  if (!edit.curves && !document.source()) return refuse("samples are taken from curves that are not there");
+  if (edit.first > known || edit.count > known - edit.first) return refuse("the curves name samples that never were");
+  if (const auto good = check(edit.sampling); !good) return refuse(good.error().text);
+  return std::make_shared<const CurveSource>(
+      CurveSource{edit.curves ? edit.curves : document.source()->curves, edit.sampling, edit.first, edit.count});
+}
+
+}  // namespace
+
 Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& edit) {
-  if (!edit.removed.empty() && (!edit.moved.empty() || !edit.inserted.empty()))
-    return refuse("one edit removes samples and does something else with others");
+  if (!edit.removed.empty() && !edit.moved.empty()) return refuse("one edit removes samples and moves others");
   const int kinds_of_balls = !edit.removed_balls.empty() + !edit.changed_balls.empty() + !edit.inserted_balls.empty();
   if (kinds_of_balls > 1) return refuse("one edit does different things with balls");
   const SampleId first = document.first_id();
@@ -263,6 +286,11 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
     if (auto fault = fault_of(*edit.annotations, numbered); !fault.empty()) return refuse(std::move(fault));
     if (*edit.annotations != *out->annotations_after)
       out->annotations_after = std::make_shared<const Annotations>(*edit.annotations);
+  }
+  if (out && edit.source) {
+    auto source = source_after(document, *edit.source, known + edit.inserted.size());
+    if (!source) return std::unexpected(source.error());
+    out->source_after = *std::move(source);
   }
   if (!out || !edit.curve) return out;
   auto curve = std::make_shared<CurveOrder>();

@@ -38,12 +38,27 @@
 #include "core/base/box2.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
+#include "core/document/curve_source.h"
 #include "core/document/document.h"
 #include "core/document/history.h"
 #include "core/document/layers_changed.h"
 #include "core/document/lesson.h"
 
 namespace mes {
+
+/// Other curves to take samples from, or another sampling of them.
+struct SourceEdit {
+  bool has_curves = true;                    ///< false: none from now on, and the rest does not count
+  std::shared_ptr<const CurveSet> curves{};  ///< null: those before
+  SamplingRequest sampling{};
+  std::uint32_t first = 0;  ///< the samples, by their number
+  std::uint32_t count = 0;
+  friend bool operator==(const SourceEdit& a, const SourceEdit& b) {
+    const bool are_same = a.curves == b.curves || (a.curves && b.curves && *a.curves == *b.curves);
+    return are_same && a.has_curves == b.has_curves && a.sampling == b.sampling && a.first == b.first &&
+           a.count == b.count;
+  }
+};
 
 /// One change of the document.
 struct TimelineEdit {
@@ -58,6 +73,7 @@ struct TimelineEdit {
   std::vector<Disk> inserted_balls{};
   std::optional<std::vector<SampleData::Contour>> curve{};  ///< the new order, if it changed
   std::optional<Annotations> annotations{};                 ///< all of them, if any changed
+  std::optional<SourceEdit> source{};
   friend bool operator==(const TimelineEdit&, const TimelineEdit&) = default;
 };
 

@@ -159,9 +159,69 @@ void each(auto& archive, Some<Annotation> auto& annotation) {
   if constexpr (!std::is_const_v<std::remove_reference_t<decltype(annotation)>>)
     annotation.kind = static_cast<AnnotationKind>(kind);
 }
+void each(auto& archive, Some<EllipticArc> auto& arc) {
+  fields(archive, arc.center, arc.u, arc.v, arc.start, arc.sweep);
+}
+void each(Packer& archive, const PlaneCurve& curve) {
+  std::vector<std::uint8_t> kinds;
+  for (const PieceKind kind : curve.kinds()) kinds.push_back(static_cast<std::uint8_t>(kind));
+  const bool is_closed = curve.is_closed();
+  fields(archive, curve.points(), kinds, curve.arcs(), is_closed, curve.name);
+}
+PlaneCurve curve_from(Unpacker& archive) {
+  std::vector<Vec2> points;
+  std::vector<std::uint8_t> numbers;
+  std::vector<EllipticArc> arcs;
+  bool is_closed = false;
+  std::string name;
+  fields(archive, points, numbers, arcs, is_closed, name);
+  std::vector<PieceKind> kinds;
+  for (const std::uint8_t number : numbers) kinds.push_back(static_cast<PieceKind>(number));
+  auto curve = PlaneCurve::of_parts(std::move(points), std::move(kinds), std::move(arcs), is_closed);
+  MES_ASSERT(curve);
+  curve->name = std::move(name);
+  return *std::move(curve);
+}
+void each(Packer& archive, const CurveSet& curves) {
+  archive.number(curves.curves.size());
+  for (const PlaneCurve& curve : curves.curves) each(archive, curve);
+  archive.field(curves.points);
+}
+void each(Unpacker& archive, CurveSet& curves) {
+  const std::uint64_t count = archive.number();
+  curves.curves.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) curves.curves.push_back(curve_from(archive));
+  archive.field(curves.points);
+}
+void each(auto& archive, Some<SamplingRequest> auto& request) {
+  auto rule = static_cast<std::uint8_t>(request.rule);
+  std::uint64_t count = request.count;
+  std::uint64_t least_each = request.least_each;
+  std::uint64_t most = request.most;
+  fields(archive, rule, request.spacing, count, least_each, request.share, request.turn, request.epsilon,
+         request.corner_angle, request.corner_radius, request.jitter, request.seed, most);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(request)>>) {
+    request.rule = static_cast<SamplingRule>(rule);
+    request.count = count;
+    request.least_each = least_each;
+    request.most = most;
+  }
+}
+void each(auto& archive, Some<SourceEdit> auto& edit) {
+  bool has_own = edit.curves != nullptr;
+  fields(archive, edit.has_curves, has_own, edit.sampling, edit.first, edit.count);
+  if (!has_own) return;
+  if constexpr (std::is_const_v<std::remove_reference_t<decltype(edit)>>) {
+    each(archive, *edit.curves);
+  } else {
+    auto curves = std::make_shared<CurveSet>();
+    each(archive, *curves);
+    edit.curves = std::move(curves);
+  }
+}
 void each(auto& archive, Some<TimelineEdit> auto& edit) {
   fields(archive, edit.name, edit.continues, edit.replaces, edit.removed, edit.moved, edit.inserted,
-         edit.removed_balls, edit.changed_balls, edit.inserted_balls, edit.curve, edit.annotations);
+         edit.removed_balls, edit.changed_balls, edit.inserted_balls, edit.curve, edit.annotations, edit.source);
 }
 void each(auto& archive, Some<GestureBegun> auto& begun) {
   fields(archive, begun.name);

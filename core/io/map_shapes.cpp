@@ -78,7 +78,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit) && {
     begin = part.end;
   }
   positions_ = {};
-  auto file = load_samples(curves, {.rule = SamplingRule::vertices}, name);
+  auto file = load_samples(std::move(curves), {.rule = SamplingRule::vertices}, name);
   if (file && !remark.empty()) file->warnings.push_back(Error{ErrorCode::bad_input, remark, name}.message());
   return file;
 }

@@ -2,6 +2,8 @@
 // PNG, JPEG, BMP, PGM and PPM: samples of the outlines of what a picture shows. A picture of this program that carries a
 // session is that session instead (core/io/carried_session.h).
 #include <span>
+#include <string>
+#include <utility>
 
 #include "core/io/curve_samples.h"
 #include "core/io/format_registry.h"
@@ -19,10 +21,11 @@ Match match(std::string_view bytes) {
 Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name, const TraceRequest& request) {
   auto pixels = decode_pixels(std::as_bytes(std::span(bytes)), name);
   if (!pixels) return std::unexpected(std::move(pixels.error()));
-  const auto tracing = trace(gray_of(*std::move(pixels)), request);
+  auto tracing = trace(gray_of(*std::move(pixels)), request);
   if (!tracing) return std::unexpected(Error{tracing.error().code, tracing.error().text, name});
-  auto file = load_samples(tracing->curves, sampling_of_tracing(), name);
-  if (file) file->warnings.push_back(name + ": " + remark_of(*tracing));
+  std::string remark = name + ": " + remark_of(*tracing);
+  auto file = load_samples(std::move(tracing->curves), sampling_of_tracing(), name);
+  if (file) file->warnings.push_back(std::move(remark));
   return file;
 }
 

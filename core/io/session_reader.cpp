@@ -10,6 +10,7 @@
 #include "core/base/coordinate_range.h"
 #include "core/document/layer_fold.h"
 #include "core/io/json_annotations.h"
+#include "core/io/json_curves.h"
 #include "core/io/json_layers.h"
 #include "core/io/json_panes.h"
 #include "core/io/json_text.h"
@@ -178,11 +179,30 @@ Annotations annotations_of(JsonView list) {
   return std::move(*out);
 }
 
+template <class Read>
+auto of_source(JsonView value, Read read) {
+  auto out = read(value);
+  if (!out) throw Nonsense{std::move(out.error().text), value};
+  return *std::move(out);
+}
+
+SourceEdit source_from(JsonView object) {
+  const std::string where = "source";
+  if (!object.is_object()) return {.has_curves = false};
+  const auto [drawing, sampling, first, count] = object.pick<4>({"drawing", "sampling", "first", "count"});
+  SourceEdit out;
+  if (drawing) out.curves = std::make_shared<const CurveSet>(of_source(drawing, curves_from));
+  out.sampling = of_source(sampling, sampling_from);
+  out.first = count_of(first, where);
+  out.count = count_of(count, where);
+  return out;
+}
+
 SampleData data_of(JsonView object) {
   const std::string where = "data";
   if (!object.is_object()) complain(where, "not an object");
-  const auto [samples, contours, balls, annotations] =
-      object.pick<4>({"samples", "contours", "balls", "annotations"});
+  const auto [samples, contours, balls, annotations, source] =
+      object.pick<5>({"samples", "contours", "balls", "annotations", "source"});
   SampleData out;
   read_flat(samples, "samples", out.positions, where);
   if (contours) out.contours = contours_of(contours, "contours");
@@ -191,6 +211,12 @@ SampleData data_of(JsonView object) {
   require_together(out.positions, samples, "samples", where, seen);
   require_together(out.balls, balls, "balls", where, seen);
   if (annotations) out.annotations = annotations_of(annotations);
+  if (source) {
+    SourceEdit read = source_from(source);
+    if (!read.curves) throw Nonsense{"data: a source without curves", source};
+    out.source = std::make_shared<const CurveSource>(
+        CurveSource{std::move(read.curves), read.sampling, read.first, read.count});
+  }
   return out;
 }
 
@@ -258,9 +284,9 @@ TimelineEdit edit_from(JsonView object) {
   const std::string where = "edit";
   if (!object.is_object()) complain(where, "not an object");
   const auto [name, continues, replaces, remove, move, insert, remove_balls, change_balls, insert_balls, contours,
-              annotations] =
-      object.pick<11>({"name", "continues", "replaces", "remove", "move", "insert", "remove_balls", "change_balls",
-                       "insert_balls", "contours", "annotations"});
+              annotations, source] =
+      object.pick<12>({"name", "continues", "replaces", "remove", "move", "insert", "remove_balls", "change_balls",
+                       "insert_balls", "contours", "annotations", "source"});
   TimelineEdit out;
   out.name = text_from(name, "name", where);
   out.continues = continues.is_flag() && continues.flag();
@@ -273,6 +299,7 @@ TimelineEdit edit_from(JsonView object) {
   read_flat(insert_balls, "insert_balls", out.inserted_balls, where);
   if (contours) out.curve = contours_of(contours, "contours");
   if (annotations) out.annotations = annotations_of(annotations);
+  if (source) out.source = source_from(source);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/io/json_annotations.h"
+#include "core/io/json_curves.h"
 #include "core/io/json_layers.h"
 #include "core/io/json_panes.h"
 #include "core/io/session.h"
@@ -51,9 +52,21 @@ json to_json(const std::vector<SampleData::Contour>& contours) {
   return out;
 }
 
+/// Without curves: those before.
+json source_to_json(const CurveSet* curves, const SamplingRequest& sampling, std::uint32_t first,
+                    std::uint32_t count) {
+  json out = {{"sampling", to_json(sampling)}, {"first", first}, {"count", count}};
+  if (curves != nullptr) out["drawing"] = to_json(*curves);
+  return out;
+}
+
 json to_json(const SampleData& data) {
   json out = {{"samples", flat(data.positions)}, {"contours", to_json(data.contours)}, {"balls", flat(data.balls)}};
   if (!data.annotations.empty()) out["annotations"] = to_json(data.annotations);
+  if (data.source) {
+    const CurveSource& source = *data.source;
+    out["source"] = source_to_json(source.curves.get(), source.sampling, source.first, source.count);
+  }
   return out;
 }
 
@@ -89,6 +102,12 @@ json to_json(const TimelineEdit& edit) {
   add("insert_balls", edit.inserted_balls);
   if (edit.curve) out["contours"] = to_json(*edit.curve);
   if (edit.annotations) out["annotations"] = to_json(*edit.annotations);
+  if (edit.source) {
+    const SourceEdit& source = *edit.source;
+    out["source"] = source.has_curves
+                        ? source_to_json(source.curves.get(), source.sampling, source.first, source.count)
+                        : json(nullptr);
+  }
   return {{"edit", std::move(out)}};
 }
 json to_json(const GestureBegun& begun) {

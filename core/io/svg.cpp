@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SVG: samples of the curves of a drawing. A figure of this program that carries a session is that session instead
 // (core/io/carried_session.h).
+#include <utility>
+
 #include "core/io/curve_samples.h"
 #include "core/io/format_registry.h"
 #include "core/io/svg_drawing.h"
@@ -28,7 +30,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
   if (!drawing) return std::unexpected(drawing.error());
   if (drawing->curves.curves.empty())
     return bad_input(with_reasons("no shape is drawn in it", drawing->warnings, name), name, 1, 1);
-  auto file = load_samples(drawing->curves, default_sampling(drawing->curves), name);
+  const SamplingRequest request = default_sampling(drawing->curves);
+  auto file = load_samples(std::move(drawing->curves), request, name);
   if (file) file->warnings = std::move(drawing->warnings);
   return file;
 }

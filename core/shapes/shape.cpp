@@ -4,12 +4,13 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/coordinate_range.h"
-#include "core/base/rng.h"
+#include "core/curves/jitter.h"
 #include "core/curves/sampling.h"
+#include "core/document/taken_samples.h"
 #include "core/shapes/internal/shape_parts.h"
 
 namespace mes {
@@ -19,7 +20,7 @@ namespace {
 SamplingRequest sampling_of(const ShapeSampling& wish) {
   constexpr std::size_t kSamples = 400;
   constexpr std::size_t kLeastEach = 8;
-  SamplingRequest out{.most = kMostShapeSamples};
+  SamplingRequest out{.jitter = wish.jitter, .seed = wish.seed, .most = kMostShapeSamples};
   if (wish.spacing) {
     out.rule = SamplingRule::spacing;
     out.spacing = *wish.spacing;
@@ -31,62 +32,6 @@ SamplingRequest sampling_of(const ShapeSampling& wish) {
     out.count = kSamples;
     out.least_each = kLeastEach;
   }
-  return out;
-}
-
-double length_along(const SampledCurves& samples) {
-  double out = 0.0;
-  for (const SampledCurves::Chain& chain : samples.chains) {
-    const auto at = [&](std::size_t i) { return samples.positions[chain.first + i % chain.count]; };
-    for (std::size_t i = 0; i + (chain.is_closed ? 0 : 1) < chain.count; ++i) out += distance(at(i), at(i + 1));
-  }
-  return out;
-}
-
-/// Between samples along curves, or between points that were spread evenly over their extent.
-double mean_spacing(const SampledCurves& samples) {
-  const std::size_t count = samples.positions.size();
-  if (count < 2) return 0.0;
-  if (!samples.chains.empty()) return length_along(samples) / static_cast<double>(count);
-  Vec2 low = samples.positions.front();
-  Vec2 high = low;
-  for (const Vec2 p : samples.positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const double area = (high.x - low.x) * (high.y - low.y);
-  return area > 0.0 ? std::sqrt(area / static_cast<double>(count))
-                    : distance(low, high) / static_cast<double>(count - 1);
-}
-
-void jitter(SampledCurves& samples, const ShapeSampling& wish) {
-  if (wish.jitter == 0.0) return;
-  const double reach = wish.jitter * mean_spacing(samples);
-  // Another sequence than that of the points themselves.
-  constexpr std::uint64_t kOther = 0x6a09e667f3bcc909;
-  Rng random(wish.seed ^ kOther);
-  for (Vec2& p : samples.positions) {
-    const double angle = random.uniform(0.0, kTurn);
-    const double away = reach * std::sqrt(random.uniform());
-    p = p + away * Vec2{std::cos(angle), std::sin(angle)};
-  }
-}
-
-SampleData data_of(SampledCurves samples, std::vector<Disk> balls) {
-  SampleData out;
-  // A coordinate that is nothing but rounding beside the others is zero.
-  int most = Magnitudes{}.most;
-  for (const Vec2 p : samples.positions)
-    for (const double x : {p.x, p.y})
-      if (x != 0.0) most = std::max(most, exponent_of(x));
-  for (Vec2& p : samples.positions) p = {without_traces(p.x, most), without_traces(p.y, most)};
-  for (const SampledCurves::Chain& chain : samples.chains) {
-    SampleData::Contour& contour = out.contours.emplace_back(SampleData::Contour{chain.is_closed, {}});
-    for (std::size_t i = 0; i < chain.count; ++i)
-      contour.points.push_back(static_cast<std::uint32_t>(chain.first + i));
-  }
-  out.positions = std::move(samples.positions);
-  out.balls = std::move(balls);
   return out;
 }
 
@@ -139,14 +84,19 @@ Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest
   values.seed = request.sampling.seed;
   auto made = shape.make(values);
   if (!made) return std::unexpected(made.error());
-  auto samples = sample(made->curves, sampling_of(request.sampling));
+  const SamplingRequest sampling = sampling_of(request.sampling);
+  auto samples = sample(made->curves, sampling);
   if (!samples) return std::unexpected(samples.error());
-  jitter(*samples, request.sampling);
   SampledCurves centers;
   for (const Disk& ball : made->balls) centers.positions.push_back(ball.center);
-  if (!made->balls.empty()) jitter(centers, request.sampling);
+  if (!made->balls.empty()) jitter(centers, request.sampling.jitter, request.sampling.seed);
   for (std::size_t i = 0; i < made->balls.size(); ++i) made->balls[i].center = centers.positions[i];
-  return data_of(*std::move(samples), std::move(made->balls));
+  auto out = taken_from(std::make_shared<const CurveSet>(std::move(made->curves)), *std::move(samples), sampling);
+  if (!out) return out;
+  // Points are what they are: there is nothing to take others from.
+  if (shape.points != 0) out->source.reset();
+  out->balls = std::move(made->balls);
+  return out;
 }
 
 }  // namespace mes

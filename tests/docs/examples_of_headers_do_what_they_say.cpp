@@ -12,10 +12,14 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/rng.h"
 #include "core/base/task_queue.h"
+#include "core/curves/corners.h"
+#include "core/curves/nearest_place.h"
 #include "core/curves/sampling.h"
+#include "core/curves/smooth_curve.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/document/layer_fold.h"
+#include "core/document/taken_samples.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/engine.h"
@@ -30,6 +34,7 @@
 #include "core/io/text_numbers.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
+#include "core/resampling/resampling.h"
 #include "core/shapes/shape.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 #include "core/structures/filters/axis_pruning.h"
@@ -417,6 +422,51 @@ TEST_CASE("curves are sampled, and maps are read, as their headers show") {
   REQUIRE(island->data.contours.size() == 1);
   CHECK(island->data.contours.front().closed);
   CHECK(island->data.positions.size() == 3);
+}
+
+TEST_CASE("curves lose their corners, are laid through points, and are sampled, as headers show") {
+  PlaneCurve square({0, 0});
+  for (const Vec2 p : {Vec2{9, 0}, Vec2{9, 9}, Vec2{0, 9}}) square.line_to(p);
+  square.close();
+  const CurveSet sharp{.curves = {square}};
+  std::size_t marked = 0;
+  const auto mark = [&](Vec2 place, double angle) { marked += place.x == 0 || angle > 1.5 ? 1U : 0U; };
+  {
+    const CurveSet& curves = sharp;
+    // core/curves/corners.h
+    for (const CurveCorner& corner : corners_of(curves, 0.5)) mark(corner.place, corner.angle);
+    const CurveSet smooth = with_round_corners(curves, 0.5, 2.0);
+    CHECK(corners_of(smooth, 0.5).empty());
+    Vec2 found{};
+    const auto use = [&](Vec2 place) { found = place; };
+    // core/curves/nearest_place.h
+    if (const auto place = nearest_place(curves, {0.0, 5.0}, 6.0)) use(*place);
+    CHECK(found == Vec2{0.0, 5.0});
+  }
+  CHECK(marked == 4);
+  {
+    const std::vector<Vec2> points = ring();
+    // core/curves/smooth_curve.h
+    const PlaneCurve curve = smooth_curve(points, true, 0.8);
+    CHECK(curve.piece_count() == points.size());
+  }
+  const auto curves = std::make_shared<const CurveSet>(sharp);
+  {
+    const SamplingRequest request{.rule = SamplingRule::count, .count = 40};
+    // core/document/taken_samples.h
+    auto samples = sample(*curves, request);
+    auto data = taken_from(curves, *std::move(samples), request);
+    REQUIRE(data);
+    CHECK(data->positions.size() == 40);
+  }
+  {
+    Document document;
+    // core/resampling/resampling.h
+    JobControl job;
+    auto taken = take_samples(curves, {.rule = SamplingRule::feature_size, .count = 400, .epsilon = 0.25}, job);
+    if (taken) document.apply(*resample(document, taken->data));
+    CHECK(document.sample_count() > 40);
+  }
 }
 
 TEST_CASE("pictures are traced as their headers show") {

@@ -29,6 +29,13 @@ std::string with_timeline(std::string_view entries) {
   return session("\"data\":{\"samples\":[0,0,1,1]},\"timeline\":[" + repeated(entries, ",\n") + "]");
 }
 
+std::string source_of(const std::string& curves) {
+  return R"("source":{"drawing":{"curves":[)" + curves + R"(]},"sampling":{},"first":0,"count":0})";
+}
+std::string of_curves(const std::string& curves) {
+  return session("\"data\":{" + source_of(curves) + "}");
+}
+
 /// The most memory in use while reading, the text included, for each byte of the text.
 template <class Read>
 double peak_per_byte(std::string text, const Read& read) {
@@ -53,6 +60,10 @@ TEST_CASE("reading a session takes less than twelve times its text, whatever it 
       {"one long edit", session("\"timeline\":[{\"edit\":{\"insert\":[" + repeated("0,0") + "]}}]")},
       {"undo and redo", with_timeline(R"({"undo":1},{"redo":1})")},
       {"gestures", with_timeline(R"({"begin":""},{"end":1})")},
+      {"curves", of_curves(repeated(R"({"closed":true,"points":[0,0,0,0]})"))},
+      {"one long curve", of_curves(R"({"closed":false,"points":[)" + repeated("0,0") + "]}")},
+      {"arcs", of_curves(R"({"closed":false,"points":[0,0],"arcs":[)" + repeated("0,0,0,0,0,0,0,0") + "]}")},
+      {"curves in edits", with_timeline("{\"edit\":{" + source_of(R"({"closed":true,"points":[0,0,0,0]})") + "}}")},
       {"layers", with_timeline(R"({"layers":{"changed":{"layers":[{"layer":"a"}]}}})")},
       {"no layers", with_timeline(R"({"layers":{"changed":{"layers":[{}]}}})")},
       {"empty layers", with_timeline(R"({"layers":{}})")},

@@ -11,6 +11,19 @@ using namespace mes;
 
 namespace {
 
+std::shared_ptr<const CurveSet> some_curves() {
+  PlaneCurve curve({0.1, -0.0});
+  curve.line_to({1.0 / 3.0, 2});
+  curve.quadratic_to({1e-300, 5}, {3, 4});
+  curve.cubic_to({1, 2}, {3, 4}, {5, 6});
+  curve.arc_to({{1, 2}, {3, 0.1}, {0, 4}, 0.5, -6.25}, {7, 8});
+  curve.close();
+  curve.name = "a \"name\"";
+  PlaneCurve open({1e200, 1});
+  open.line_to({2, 3});
+  return std::make_shared<const CurveSet>(CurveSet{{curve, open}, {{5, 6}}});
+}
+
 Session sample_session() {
   Session session;
   session.title = "Elephant \"1\"";
@@ -18,7 +31,9 @@ Session sample_session() {
       SampleData{{{0.1, 1e-15}, {1.0 / 3.0, -2}, {3, 1e15}},
                  {{true, {0, 1, 2}}, {false, {2}}},
                  {{{1, 2}, 0.3}},
-                 {{.text = "$r_1$ \"is\"\nlong", .anchors = {{{0.1, -1e-100}, {}}}, .letters = 20.5}}});
+                 {{.text = "$r_1$ \"is\"\nlong", .anchors = {{{0.1, -1e-100}, {}}}, .letters = 20.5}},
+                 std::make_shared<const CurveSource>(
+                     CurveSource{some_curves(), {.rule = SamplingRule::spacing, .spacing = 0.1}, 1, 2})});
   LayerStyle style;
   style.color = {1, 2, 3};
   style.color_map = "viridis";
@@ -48,6 +63,22 @@ Session sample_session() {
                                                .color = Rgb{1, 2, 254}},
                                               {.kind = AnnotationKind::leader, .anchors = {{}}}}},
       TimelineEdit{.name = "Annotate", .annotations = Annotations{}},
+      TimelineEdit{.name = "Sample",
+                   .inserted = {{4, 4}},
+                   .source = SourceEdit{.sampling = {.rule = SamplingRule::feature_size,
+                                                     .count = 77,
+                                                     .least_each = 0,
+                                                     .share = 0.3,
+                                                     .turn = 0.7,
+                                                     .epsilon = 0.123,
+                                                     .corner_angle = 0.25,
+                                                     .corner_radius = 1.5,
+                                                     .jitter = 0.5,
+                                                     .seed = 18446744073709551615U},
+                                        .first = 3,
+                                        .count = 1}},
+      TimelineEdit{.name = "Shape", .source = SourceEdit{.curves = some_curves(), .sampling = {.count = 3}}},
+      TimelineEdit{.name = "No curves", .source = SourceEdit{.has_curves = false}},
       TimelineEdit{.name = "Ball", .inserted_balls = {{{1, 1}, 0}}},
       TimelineEdit{.name = "Radius", .continues = true, .changed_balls = {{1, {{1, 1}, 0.1}}}},
       LayersChanged{{{"curve", true, style}}, {"curve", "points"}, BackgroundImage{"a.png", {1, 2}, 3}},
@@ -72,7 +103,8 @@ Session sample_session() {
 
 bool equal(const Session& a, const Session& b) {
   return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
-         a.data->balls == b.data->balls && a.data->annotations == b.data->annotations && a.entries == b.entries &&
+         a.data->balls == b.data->balls && a.data->annotations == b.data->annotations &&
+         (a.data->source == b.data->source || *a.data->source == *b.data->source) && a.entries == b.entries &&
          a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view &&
          a.lesson == b.lesson && a.panes == b.panes;
 }
@@ -100,6 +132,43 @@ TEST_CASE("a session reads back equal, and equal sessions are equal bytes") {
   const auto empty = read_session(write_session({}), "empty.json");
   REQUIRE(empty);
   CHECK(equal(*empty, {}));
+}
+
+TEST_CASE("curves that make no sense are refused with line and column") {
+  const auto with = [](const std::string& source) {
+    return read_session(
+        R"({"mesecina":"session","schema":1,"data":{"samples":[1,2],)" + ("\n\"source\":" + source) + "}}",
+        "bad.json");
+  };
+  const std::string sampling = R"("sampling":{"rule":"number","number":5},"first":0,"count":1)";
+  CHECK(with(R"({"drawing":{"curves":[{"closed":false,"points":[0,0,1,1]}]},)" + sampling + "}"));
+  for (const auto& [source, says] : std::vector<std::pair<std::string, std::string>>{
+           {"{" + sampling + "}", "a source without curves"},
+           {R"({"drawing":{"curves":[{"points":[0,0,1,1]}]},)" + sampling + "}", "whether it is closed"},
+           {R"({"drawing":{"curves":[{"closed":true,"points":[0,0,1,1]}]},)" + sampling + "}",
+            "do not fit its pieces"},
+           {R"({"drawing":{"curves":[{"closed":false,"points":[0,0,1]}]},)" + sampling + "}", "\"points\""},
+           {R"({"drawing":{"curves":[{"closed":false,"points":[0,"x"]}]},)" + sampling + "}", "not a number"},
+           {R"({"drawing":{"curves":[{"closed":false,"points":[]}]},)" + sampling + "}", "has no points"},
+           {R"({"drawing":{"curves":[{"closed":false,"points":[0,0,1,1],"kinds":"Z"}]},)" + sampling + "}", "letter"},
+           {R"({"drawing":{"curves":[{"closed":false,"points":[0,0,1,1],"kinds":"A"}]},)" + sampling + "}",
+            "do not fit"},
+           {R"({"drawing":{"curves":7},)" + sampling + "}", "not a list"},
+           {R"({"drawing":{},"sampling":3,"first":0,"count":0})", "\"sampling\" is not an object"},
+           {R"({"drawing":{},"sampling":{"rule":"spacing"},"first":0,"count":0})", "the spacing of samples is zero"},
+           {R"({"drawing":{},"sampling":{"rule":"number","number":0},"first":0,"count":0})",
+            "number of samples is zero"},
+           {R"({"drawing":{},"sampling":{},"first":-1,"count":0})", "not a whole number"}}) {
+    const auto read = with(source);
+    INFO(source);
+    REQUIRE_FALSE(read);
+    CHECK_THAT(read.error().message(), Catch::Contains(says));
+  }
+  // Samples that do not exist are found when the document is made.
+  const auto far = with(R"({"drawing":{},"sampling":{},"first":0,"count":2})");
+  REQUIRE(far);
+  DocumentReplay replay;
+  CHECK_FALSE(replay_session(*far, replay, "bad.json"));
 }
 
 TEST_CASE("a caption shown for no time is equal to one shown for less than that") {
@@ -253,7 +322,7 @@ TEST_CASE("a session is a source of samples and balls: those of its last state")
   const auto file = read_sample_bytes(write_session(sample_session()), "a.json");
   REQUIRE(file);
   CHECK(file->format == "session");
-  CHECK(file->data.positions == std::vector<Vec2>{{0.8, 0.1}, {6, 1e-17}, {9, 9}});
+  CHECK(file->data.positions == std::vector<Vec2>{{0.8, 0.1}, {6, 1e-17}, {9, 9}, {4, 4}});
   REQUIRE(file->data.contours.size() == 1);
   CHECK(file->data.contours[0].points == std::vector<std::uint32_t>{0, 1, 2});
   REQUIRE(file->data.balls.size() == 1);
@@ -339,7 +408,7 @@ TEST_CASE("a journal is read up to where it was torn") {
     CHECK(journal->complaint.empty());
   }
   const auto all = read_journal(text, "x.journal");
-  CHECK(all->unsaved_edits == 10);
+  CHECK(all->unsaved_edits == 13);
   CHECK(all->session.layers.layers.front().layer == "curve");
   CHECK(all->session.layers.image.file.empty());
   CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);

@@ -5,6 +5,7 @@
 #include "app/canvas/tools/insert_tool.h"
 #include "app/canvas/tools/select_tool.h"
 #include "app/model/snapper.h"
+#include "core/document/taken_samples.h"
 
 using namespace mes;
 
@@ -39,6 +40,24 @@ void click(Tool& tool, const Pointer& pointer) {
 }
 
 }  // namespace
+
+TEST_CASE("a curve that samples were taken from is meant before the grid, and after points") {
+  Bench bench;
+  PlaneCurve line({0, 0});
+  line.line_to({4, 2});
+  const auto curves = std::make_shared<const CurveSet>(CurveSet{.curves = {line}});
+  const SamplingRequest request{.rule = SamplingRule::vertices};
+  REQUIRE(bench.editor.load(*taken_from(curves, *sample(*curves, request), request)));
+  const auto on_curve = bench.snap({2.02, 0.99});
+  REQUIRE(on_curve);
+  CHECK(on_curve->name == "curve");
+  CHECK(on_curve->place.x == Approx(2.012));
+  CHECK(on_curve->place.y == Approx(1.006));
+  CHECK(bench.snap({0.02, 0.03})->name == "sample");
+  CHECK(bench.snap({3.05, 0.27})->name == "line of the grid");
+  bench.settings.curves = false;
+  CHECK(bench.snap({2.02, 0.99})->name == "grid");
+}
 
 TEST_CASE("the nearest point is meant, then a circle, then the grid") {
   Bench bench;

@@ -6,6 +6,7 @@
 
 #include "app/model/editor.h"
 #include "core/base/rng.h"
+#include "core/document/taken_samples.h"
 
 namespace mes::test {
 
@@ -23,7 +24,7 @@ class RandomEditing {
 
   void step(Editor& editor) {
     const Document& document = editor.document();
-    switch (random_.below(14)) {
+    switch (random_.below(16)) {
       case 0:
         if (!editor.in_gesture()) editor.begin_gesture("Gesture");
         break;
@@ -49,6 +50,10 @@ class RandomEditing {
       case 12:
         if (!editor.in_gesture()) evolve(editor);
         break;
+      case 13:
+      case 14:
+        if (!editor.in_gesture()) resample(editor);
+        break;
       default:
         if (document.slot_count() > 0 && document.is_alive(SampleSlot(0)))
           static_cast<void>(editor.move(std::array{std::pair{document.id(SampleSlot(0)), place()}}, "Move"));
@@ -57,6 +62,19 @@ class RandomEditing {
 
  private:
   Vec2 place() { return {random_.uniform(), random_.uniform()}; }
+  /// Samples of a polygon, or a few without curves; now and then in the place of everything.
+  void resample(Editor& editor) {
+    PlaneCurve curve(place());
+    for (std::uint64_t i = random_.below(4); i > 0; --i) curve.line_to(place());
+    const auto curves = std::make_shared<const CurveSet>(CurveSet{.curves = {curve}, .points = {place()}});
+    const SamplingRequest request{.rule = SamplingRule::count, .count = 1 + random_.below(9)};
+    auto data = taken_from(curves, *sample(*curves, request), request);
+    if (random_.below(4) == 0) data->source.reset();
+    if (random_.below(4) == 0)
+      static_cast<void>(editor.replace(*data, "Replace"));
+    else
+      static_cast<void>(editor.resample(*data, "Resample", random_.below(2) == 0));
+  }
   void evolve(Editor& editor) {
     std::vector<Vec2> positions;
     for (const SampleSlot slot : editor.document().slots_in_input_order())

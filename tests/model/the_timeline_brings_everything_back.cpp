@@ -19,6 +19,10 @@ DocumentReplay replayed(const Timeline& timeline, const Document& before = {}) {
   return replay;
 }
 
+bool same_source(const Document& a, const Document& b) {
+  return (a.source() == nullptr) == (b.source() == nullptr) && (!a.source() || *a.source() == *b.source());
+}
+
 // Every state that undo and redo can reach, as differences of numbers: ids may begin elsewhere.
 std::vector<std::vector<Vec2>> reachable(Editor& editor) {
   std::vector<std::vector<Vec2>> out;
@@ -30,6 +34,10 @@ std::vector<std::vector<Vec2>> reachable(Editor& editor) {
       const Disk& disk = editor.document().disk(slot);
       state.push_back(disk.center);
       state.push_back({disk.radius, 0});
+    }
+    if (const auto& source = editor.document().source()) {
+      state.push_back({static_cast<double>(source->first), static_cast<double>(source->count)});
+      state.push_back(source->curves->curves[0].end());
     }
   };
   look();
@@ -57,6 +65,7 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
 
     DocumentReplay replay = replayed(timeline);
     CHECK(replay.document().digest() == editor.document().digest());
+    CHECK(same_source(replay.document(), editor.document()));
     CHECK(replay.document().snapshot()->position == editor.document().snapshot()->position);
     CHECK(replay.document().snapshot()->free_slots == editor.document().snapshot()->free_slots);
     CHECK(replay.document().ball_snapshot()->disk == editor.document().ball_snapshot()->disk);
@@ -167,7 +176,7 @@ TEST_CASE("entries that make no sense are refused and change nothing") {
   CHECK_FALSE(replay.apply(GestureEnded{}));
   CHECK_FALSE(replay.apply(TimelineEdit{.removed = {2}}));
   CHECK_FALSE(replay.apply(TimelineEdit{.removed = {0xffffffffU}}));
-  CHECK_FALSE(replay.apply(TimelineEdit{.removed = {0}, .inserted = {{1, 1}}}));
+  CHECK_FALSE(replay.apply(TimelineEdit{.removed = {0}, .moved = {{1, {1, 1}}}}));
   CHECK_FALSE(replay.apply(TimelineEdit{.moved = {{0, {1, 1}}, {0, {2, 2}}}}));
   CHECK_FALSE(replay.apply(TimelineEdit{.changed_balls = {{0, {{0, 0}, -1}}}}));
   CHECK_FALSE(replay.apply(TimelineEdit{.inserted = {{1, 1}}, .curve = {{{true, {0, 1, 3}}}}}));

@@ -80,6 +80,16 @@ std::size_t probe_intervals(double length, double step) {
   return static_cast<std::size_t>(std::max(kLeast, std::ceil(length / step)));
 }
 
+/// Nodes at even lengths of arc, spacings still to be filled in.
+StretchSpacing even_nodes(double length, double step) {
+  const std::size_t intervals = probe_intervals(length, step);
+  StretchSpacing out{length, {}, std::vector<double>(intervals + 1)};
+  out.at.reserve(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i)
+    out.at.push_back(length * (static_cast<double>(i) / static_cast<double>(intervals)));
+  return out;
+}
+
 /// What looks from a probe at the others.
 struct Surroundings {
   std::span<const Probe> probes;
@@ -114,24 +124,24 @@ struct Surroundings {
 
 double StretchSpacing::count() const {
   double sum = 0.0;
-  for (std::size_t i = 1; i < spacing.size(); ++i) sum += 0.5 / spacing[i - 1] + 0.5 / spacing[i];
+  for (std::size_t i = 1; i < spacing.size(); ++i)
+    sum += (0.5 / spacing[i - 1] + 0.5 / spacing[i]) * (at[i] - at[i - 1]);
   constexpr double kRounding = 1e-9;
-  return std::max(1.0, std::ceil(sum * length / static_cast<double>(spacing.size() - 1) * (1.0 - kRounding)));
+  return std::max(1.0, std::ceil(sum * (1.0 - kRounding)));
 }
 
 std::vector<double> StretchSpacing::places() const {
   const double wanted = count();
   std::vector<double> passed(spacing.size(), 0.0);
   for (std::size_t i = 1; i < spacing.size(); ++i)
-    passed[i] = passed[i - 1] + (0.5 / spacing[i - 1] + 0.5 / spacing[i]);
+    passed[i] = passed[i - 1] + (0.5 / spacing[i - 1] + 0.5 / spacing[i]) * (at[i] - at[i - 1]);
   const double each = passed.back() / wanted;
-  const double step = length / static_cast<double>(spacing.size() - 1);
   std::vector<double> out;
   std::size_t i = 1;
   for (double k = 0.0; k < wanted; ++k) {
     while (i + 1 < passed.size() && passed[i] <= k * each) ++i;
     const double within = (k * each - passed[i - 1]) / (passed[i] - passed[i - 1]);
-    out.push_back(step * (static_cast<double>(i - 1) + within));
+    out.push_back(at[i - 1] + within * (at[i] - at[i - 1]));
   }
   return out;
 }
@@ -159,10 +169,48 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
     const double widest = std::min(limits.widest, lengths[i] / limits.least_each);
     const double finest = std::min(limits.finest, widest);
     for (const Stretch& stretch : curves[i].stretches) {
-      StretchSpacing& here = out[i].emplace_back(StretchSpacing{stretch.length, {}});
-      for (std::size_t k = probe_intervals(stretch.length, step) + 1; k > 0; --k) {
-        const double away = surroundings.distance_to_others(probes[next++]);
-        here.spacing.push_back(std::clamp(limits.share * away, finest, widest));
+      StretchSpacing& here = out[i].emplace_back(even_nodes(stretch.length, step));
+      for (double& spacing : here.spacing)
+        spacing = std::clamp(limits.share * surroundings.distance_to_others(probes[next++]), finest, widest);
+    }
+  }
+  return out;
+}
+
+std::vector<std::vector<StretchSpacing>> spacings_by_curvature(std::span<const MeasuredCurve> curves,
+                                                               const SpacingLimits& limits) {
+  constexpr double kSteepest = 0.5;
+  const double step = 0.5 * limits.finest;
+  std::vector<std::vector<StretchSpacing>> out(curves.size());
+  std::vector<Probe> probes;
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    const MeasuredCurve& curve = curves[i];
+    const double widest = std::min(limits.widest, curve.length() / limits.least_each);
+    const double finest = std::min(limits.finest, widest);
+    for (const Stretch& stretch : curve.stretches) {
+      StretchSpacing& here = out[i].emplace_back(even_nodes(stretch.length, step));
+      std::vector<double>& spacing = here.spacing;
+      probes.clear();
+      add_probes(curve, stretch, spacing.size() - 1, i, 0.0, probes);
+      // The turn from one chord to the next, over the length from middle to middle.
+      for (std::size_t k = 1; k + 1 < probes.size(); ++k) {
+        const Vec2 before = probes[k].position - probes[k - 1].position;
+        const Vec2 after = probes[k + 1].position - probes[k].position;
+        const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
+        const double along = 0.5 * (here.at[k + 1] - here.at[k - 1]);
+        spacing[k] = std::clamp(turn > 0.0 ? limits.share * along / turn : widest, finest, widest);
+      }
+      spacing.front() = spacing[1];
+      spacing.back() = spacing[spacing.size() - 2];
+      const auto follow = [&](std::size_t k, std::size_t before) {
+        spacing[k] = std::min(spacing[k], spacing[before] + kSteepest * std::abs(here.at[k] - here.at[before]));
+      };
+      // A closed curve without corners goes on where it began.
+      const int rounds = curve.is_closed && !curve.has_corner_at_start ? 2 : 1;
+      for (int round = 0; round < rounds; ++round) {
+        if (round == 1) spacing.front() = spacing.back() = std::min(spacing.front(), spacing.back());
+        for (std::size_t k = 1; k < spacing.size(); ++k) follow(k, k - 1);
+        for (std::size_t k = spacing.size() - 1; k > 0; --k) follow(k - 1, k);
       }
     }
   }

@@ -9,10 +9,11 @@
 
 namespace mes {
 
-/// Spacings at places that are evenly spaced along a stretch, from its beginning to its end.
+/// Spacings at places along a stretch, from its beginning to its end.
 struct StretchSpacing {
   double length = 0.0;
-  std::vector<double> spacing;  ///< two or more
+  std::vector<double> at;       ///< lengths of arc from the beginning; increasing, from 0 to `length`
+  std::vector<double> spacing;  ///< there; two or more
 
   /// Lengths of arc at which samples lie, from 0 on and without the end: between neighbours as many places of the
   /// spacing that holds there, in each interval the same share of one.
@@ -34,5 +35,10 @@ struct SpacingLimits {
 /// `widest / share`.
 std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
                                                      const SpacingLimits& limits);
+
+/// The same, with a share of the radius of curvature as the spacing. It changes along a curve by at most half of what
+/// is passed. Cost: O(n) places of half the finest spacing.
+std::vector<std::vector<StretchSpacing>> spacings_by_curvature(std::span<const MeasuredCurve> curves,
+                                                               const SpacingLimits& limits);
 
 }  // namespace mes

@@ -28,6 +28,18 @@ struct MeasuredCurve {
   double length() const;
 };
 
+/// Calls `use(Vec2)` at lengths of arc from the beginning of a stretch, which increase.
+template <class Use>
+void for_each_place(const MeasuredCurve& curve, const Stretch& stretch, const std::vector<double>& places, Use use) {
+  std::size_t piece = stretch.first;
+  double before = 0.0;
+  const std::size_t last = stretch.first + stretch.count - 1;
+  for (const double wanted : places) {
+    while (piece < last && wanted >= before + curve.lengths[piece].total()) before += curve.lengths[piece++].total();
+    use(curve.pieces[piece].at(curve.lengths[piece].parameter_at(wanted - before)));
+  }
+}
+
 /// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than `negligible`, and those below
 /// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates.
 MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina sample`: other samples of the curves of a file.
+#include <fmt/core.h>
+#include <algorithm>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "app/cli/input.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+#include "core/resampling/resampling.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+
+/// Sets `to` where the option was given.
+Expected<void> number(std::string_view option, const std::string& text, double& to, double factor = 1.0) {
+  if (text.empty()) return {};
+  const auto value = parse_number(text);
+  if (!value) return usage_error(fmt::format("{} expects a number, not {}", option, in_quotes(text)));
+  to = factor * *value;
+  return {};
+}
+
+Expected<SamplingRule> rule_of(const SampleRequest& request) {
+  if (request.rule.empty()) {
+    if (!request.spacing.empty()) return SamplingRule::spacing;
+    if (!request.epsilon.empty()) return SamplingRule::feature_size;
+    return request.samples.empty() ? SamplingRule::adaptive : SamplingRule::count;
+  }
+  std::vector<std::string_view> names;
+  for (const SamplingRuleDescriptor& rule : sampling_rules()) {
+    if (rule.id == request.rule) return rule.rule;
+    names.push_back(rule.id);
+  }
+  return usage_error(
+      fmt::format("--rule: there is no rule {}; the rules are {}", in_quotes(request.rule), one_of(names)));
+}
+
+Expected<SamplingRequest> sampling_of(const SampleRequest& request) {
+  const auto rule = rule_of(request);
+  if (!rule) return std::unexpected(rule.error());
+  SamplingRequest out{.rule = *rule, .count = kUsualSamples};
+  if (*rule == SamplingRule::adaptive) out.least_each = 8;
+  if (!request.samples.empty()) {
+    const auto samples = whole_number("--samples", request.samples);
+    if (!samples) return std::unexpected(samples.error());
+    out.count = static_cast<std::size_t>(*samples);
+  }
+  const auto seed = whole_number("--seed", request.seed);
+  if (!seed) return std::unexpected(seed.error());
+  out.seed = *seed;
+  for (const auto& done :
+       {number("--spacing", request.spacing, out.spacing), number("--epsilon", request.epsilon, out.epsilon),
+        number("--turn", request.turn, out.turn, kRadians),
+        number("--corner-angle", request.corner_angle, out.corner_angle, kRadians),
+        number("--corner-radius", request.corner_radius, out.corner_radius),
+        number("--jitter", request.jitter, out.jitter)})
+    if (!done) return std::unexpected(done.error());
+  if (*rule == SamplingRule::spacing && request.spacing.empty())
+    return usage_error("the rule spacing needs --spacing");
+  if (auto good = check(out); !good) return std::unexpected(good.error());
+  return out;
+}
+
+}  // namespace
+
+Expected<void> run_sample(const SampleRequest& request, Interruption& interruption) {
+  const auto sampling = sampling_of(request);
+  if (!sampling) return std::unexpected(sampling.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_input(request.file, request.from, request.trace);
+  if (!input) return std::unexpected(input.error());
+  if (input->data.positions.empty())
+    return std::unexpected(Error{ErrorCode::bad_input, "there are no samples and no curves", request.file});
+
+  JobControl job;
+  std::shared_ptr<const CurveSet> curves;
+  if (input->data.source)
+    curves = input->data.source->curves;
+  else
+    curves = std::make_shared<const CurveSet>(curves_through(input->data.positions, job));
+  const auto taken = take_samples(curves, *sampling, job);
+  if (!taken) return std::unexpected(taken.error());
+  Document document;
+  const auto delta = replace_all(document, taken->data);
+  if (!delta) return std::unexpected(delta.error());
+  document.apply(*delta);
+  if (const std::string remark = remark_of(*taken, *sampling); !remark.empty()) say(request.file + ": " + remark);
+  return write_output(request.output, write_poff(document), interruption, {input->sources, request.force});
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From samples of curves to data of a document, which keep the curves.
+//
+// Smallest use:
+//     auto samples = sample(*curves, request);
+//     auto data = taken_from(curves, *std::move(samples), request);
+#pragma once
+
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/document/commands.h"
+#include "core/document/curve_source.h"
+
+namespace mes {
+
+/// The samples with their chains as contours, and the curves as their source; without a source where a number of the
+/// curves is not finite. Coordinates that are nothing but rounding beside the largest become zero. Error: `bad_input`
+/// for a coordinate out of range. O(samples + pieces).
+Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledCurves samples,
+                                const SamplingRequest& request);
+
+}  // namespace mes

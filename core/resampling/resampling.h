@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other samples of curves, by any rule: what a rule by local feature size measures is measured here, with the program's
+// own crust, axis and certificate.
+//
+// Smallest use:
+//     JobControl job;
+//     auto taken = take_samples(curves, {.rule = SamplingRule::feature_size, .count = 400, .epsilon = 0.25}, job);
+//     if (taken) document.apply(*resample(document, taken->data));
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/curves/corners.h"
+#include "core/curves/sampling.h"
+#include "core/document/commands.h"
+#include "core/document/curve_source.h"
+
+namespace mes {
+
+/// What is known of samples that were taken.
+struct TakenSamples {
+  SampleData data{};
+  /// Of the rule `feature_size`: largest half distance of neighbours on the crust over the smaller feature size of the
+  /// two (FeatureSize), those left out that have more than was asked for; 0 where there is none.
+  double epsilon = 0.0;
+  /// Intervals that have more: at corners and sharp bends, where they are as short as they may become.
+  std::size_t sparse_intervals = 0;
+  /// Of the rule `feature_size`: the theorem is proved for these samples (AxisCertificate).
+  bool is_certified = false;
+  /// Why it is not: corners next to places where the proof fails, each once, and how many places are at none.
+  std::vector<CurveCorner> corners{};
+  std::size_t other_places = 0;
+};
+
+/// Samples of the curves. Of the rule `feature_size`: where the theorem is not proved for the epsilon that is asked for,
+/// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Cost: some ten
+/// crusts of as many samples. Throws `Cancelled`. Error: as of `sample` and `taken_from`.
+Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
+                                    JobControl& job);
+
+/// Smooth curves through the samples as the one-step crust connects them; samples on no curve are points. Throws
+/// `Cancelled`, `GeometryError`.
+CurveSet curves_through(const std::vector<Vec2>& positions, JobControl& job);
+
+/// "epsilon 0.24, proved" or why not, in a sentence without a full stop; empty for other rules.
+std::string remark_of(const TakenSamples& taken, const SamplingRequest& request);
+
+}  // namespace mes

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rules under which the spacing changes along a curve.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/curves/jitter.h"
+#include "core/curves/sampling.h"
+
+using namespace mes;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kA = 3.0;
+constexpr double kB = 1.0;
+
+PlaneCurve ellipse() {
+  PlaneCurve curve({kA, 0});
+  curve.arc_to({{0, 0}, {kA, 0}, {0, kB}, 0.0, 2.0 * kPi}, {kA, 0});
+  curve.close();
+  return curve;
+}
+
+/// Distance to the axis of the ellipse, the segment between the centres of curvature at its ends.
+double feature_size(Vec2 p) {
+  const double reach = (kA * kA - kB * kB) / kA;
+  return distance(p, {std::clamp(p.x, -reach, reach), 0.0});
+}
+
+FeatureSizes of_ellipse(int& asked) {
+  return [&asked](std::span<const Vec2> places) -> Expected<std::vector<double>> {
+    ++asked;
+    std::vector<double> out;
+    for (const Vec2 p : places) out.push_back(feature_size(p));
+    return out;
+  };
+}
+
+SampledCurves sampled(const SamplingRequest& request, const FeatureSizes& sizes = {}) {
+  auto samples = sample({.curves = {ellipse()}}, request, sizes);
+  REQUIRE(samples);
+  return *std::move(samples);
+}
+
+}  // namespace
+
+TEST_CASE("an epsilon-sample is dense everywhere and not much denser than it must be") {
+  std::size_t before = std::numeric_limits<std::size_t>::max();
+  for (const double epsilon : {0.05, 0.1, 0.25, 0.5}) {
+    int asked = 0;
+    const SampledCurves samples =
+        sampled({.rule = SamplingRule::feature_size, .count = 400, .epsilon = epsilon}, of_ellipse(asked));
+    CHECK(asked > 1);
+    CHECK(asked < 24);
+    const std::size_t n = samples.positions.size();
+    double sum = 0.0;  // of what the intervals use of what they may
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2 a = samples.positions[i];
+      const Vec2 b = samples.positions[(i + 1) % n];
+      const double used = 0.5 * distance(a, b) / std::min(feature_size(a), feature_size(b));
+      CHECK(used <= epsilon * (1 + 1e-9));
+      sum += used;
+    }
+    CHECK(sum / static_cast<double>(n) > 0.7 * epsilon);
+    CHECK(n < before);
+    before = n;
+  }
+}
+
+TEST_CASE("what is said of feature sizes counts: an error ends the sampling, without them there is none") {
+  const SamplingRequest request{.rule = SamplingRule::feature_size, .count = 400};
+  const auto none = sample({.curves = {ellipse()}}, request);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().code == ErrorCode::usage);
+  const auto failed = sample({.curves = {ellipse()}}, request, [](auto) -> Expected<std::vector<double>> {
+    return std::unexpected(Error{ErrorCode::bad_input, "not here"});
+  });
+  REQUIRE_FALSE(failed);
+  CHECK(failed.error().text == "not here");
+  // A size of zero everywhere, as at a corner, asks for no more than the finest spacing.
+  SamplingRequest few = request;
+  few.count = 10;
+  few.most = 100'000;
+  const auto corner = sample({.curves = {ellipse()}}, few, [](auto places) -> Expected<std::vector<double>> {
+    return std::vector<double>(places.size(), 0.0);
+  });
+  REQUIRE(corner);
+  CHECK(corner->positions.size() > 900);
+  CHECK(corner->positions.size() < 1'200);
+  few.most = 500;
+  CHECK_FALSE(sample({.curves = {ellipse()}}, few, [](auto places) -> Expected<std::vector<double>> {
+    return std::vector<double>(places.size(), 0.0);
+  }));
+  // Without an axis the fewest will do.
+  const auto line = sample({.curves = {ellipse()}}, request, [](auto places) -> Expected<std::vector<double>> {
+    return std::vector<double>(places.size(), std::numeric_limits<double>::infinity());
+  });
+  REQUIRE(line);
+  CHECK(line->positions.size() <= 12);
+}
+
+TEST_CASE("samples by curvature turn no more than asked for, and are as wide apart as they may be elsewhere") {
+  const double turn = 0.1;
+  const SampledCurves samples = sampled({.rule = SamplingRule::curvature, .count = 60, .turn = turn});
+  const std::size_t n = samples.positions.size();
+  double widest = 0.0;
+  double narrowest = 1e9;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 p = samples.positions[i];
+    const Vec2 before = p - samples.positions[(i + n - 1) % n];
+    const Vec2 after = samples.positions[(i + 1) % n] - p;
+    CHECK(std::abs(std::atan2(cross(before, after), dot(before, after))) < 1.15 * turn);
+    widest = std::max(widest, length(after));
+    narrowest = std::min(narrowest, length(after));
+  }
+  // Radii of curvature are from 1/3 at the ends to 9.
+  CHECK(narrowest < 0.25 * widest);
+  CHECK(narrowest > 0.1 * widest);
+}
+
+TEST_CASE("a jitter moves each sample by no more than asked for, as the seed says") {
+  const SamplingRequest even{.rule = SamplingRule::count, .count = 200};
+  SamplingRequest moved = even;
+  moved.jitter = 0.5;
+  const SampledCurves a = sampled(even);
+  const SampledCurves b = sampled(moved);
+  const SampledCurves again = sampled(moved);
+  moved.seed = 2;
+  const SampledCurves other = sampled(moved);
+  REQUIRE(b.positions.size() == a.positions.size());
+  CHECK(b.chains == a.chains);
+  CHECK(again.positions == b.positions);
+  CHECK(other.positions != b.positions);
+  double perimeter = 0.0;
+  for (std::size_t i = 0; i < 200; ++i) perimeter += distance(a.positions[i], a.positions[(i + 1) % 200]);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < 200; ++i) farthest = std::max(farthest, distance(a.positions[i], b.positions[i]));
+  CHECK(farthest <= 0.5 * perimeter / 200 * (1 + 1e-12));
+  CHECK(farthest > 0.4 * perimeter / 200);
+}
+
+TEST_CASE("requests that make no sense are refused") {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  using Rule = SamplingRule;
+  for (const SamplingRequest& request :
+       std::array{SamplingRequest{.rule = Rule::spacing, .spacing = 0.0},
+                  SamplingRequest{.rule = Rule::spacing, .spacing = kNaN}, SamplingRequest{.rule = Rule::count},
+                  SamplingRequest{.rule = Rule::adaptive},
+                  SamplingRequest{.rule = Rule::curvature, .count = 10, .turn = 0.0},
+                  SamplingRequest{.rule = Rule::feature_size, .count = 10, .epsilon = kNaN},
+                  SamplingRequest{.corner_angle = -1.0}, SamplingRequest{.corner_radius = -1.0},
+                  SamplingRequest{.corner_radius = std::numeric_limits<double>::infinity()},
+                  SamplingRequest{.jitter = -0.1}, SamplingRequest{.jitter = kNaN}}) {
+    const auto good = check(request);
+    REQUIRE_FALSE(good);
+    CHECK(good.error().code == ErrorCode::usage);
+    CHECK_FALSE(sample({.curves = {ellipse()}}, request));
+  }
+  CHECK(check({}));
+}
+
+TEST_CASE("rules are listed in their order, each with a name of its own") {
+  const auto rules = sampling_rules();
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    CHECK(static_cast<std::size_t>(rules[i].rule) == i);
+    for (std::size_t j = 0; j < i; ++j) CHECK(rules[i].id != rules[j].id);
+  }
+}

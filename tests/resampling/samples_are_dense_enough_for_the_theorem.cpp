@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of samples by local feature size is true where formulas say what the axis is.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "core/resampling/resampling.h"
+
+using namespace mes;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::shared_ptr<const CurveSet> shape(PlaneCurve curve) {
+  CurveSet out;
+  out.curves.push_back(std::move(curve));
+  return std::make_shared<const CurveSet>(std::move(out));
+}
+
+PlaneCurve ellipse(Vec2 center, double a, double b) {
+  PlaneCurve curve(center + Vec2{a, 0});
+  curve.arc_to({center, {a, 0}, {0, b}, 0.0, 2.0 * kPi}, center + Vec2{a, 0});
+  curve.close();
+  return curve;
+}
+
+PlaneCurve polygon(const std::vector<Vec2>& points) {
+  PlaneCurve curve(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
+  curve.close();
+  return curve;
+}
+
+SamplingRequest by_feature_size(double epsilon) {
+  return {.rule = SamplingRule::feature_size, .count = 400, .epsilon = epsilon};
+}
+
+TakenSamples taken(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request) {
+  JobControl job;
+  auto out = take_samples(curves, request, job);
+  REQUIRE(out);
+  return *std::move(out);
+}
+
+}  // namespace
+
+TEST_CASE("an ellipse is sampled by its feature size until the theorem is proved") {
+  constexpr double kA = 3.0;
+  constexpr double kB = 1.0;
+  const auto curves = shape(ellipse({0, 0}, kA, kB));
+  const double reach = (kA * kA - kB * kB) / kA;
+  for (const double epsilon : {0.25, 0.1}) {
+    const TakenSamples samples = taken(curves, by_feature_size(epsilon));
+    CHECK(samples.is_certified);
+    CHECK(samples.corners.empty());
+    CHECK(samples.epsilon > 0.5 * epsilon);
+    CHECK(samples.epsilon <= epsilon);
+    const std::vector<Vec2>& p = samples.data.positions;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      CHECK(std::abs(std::hypot(p[i].x / kA, p[i].y / kB) - 1.0) < 1e-12);
+      const auto size = [&](Vec2 q) { return distance(q, {std::clamp(q.x, -reach, reach), 0.0}); };
+      const Vec2 next = p[(i + 1) % p.size()];
+      // The axis of samples is not that of the ellipse; it is near it.
+      CHECK(0.5 * distance(p[i], next) <= 1.2 * epsilon * std::min(size(p[i]), size(next)));
+    }
+    REQUIRE(samples.data.source);
+    CHECK(samples.data.source->curves == curves);
+    CHECK(samples.data.source->count == p.size());
+    CHECK(remark_of(samples, by_feature_size(epsilon)).ends_with("the theorem is proved for these samples"));
+  }
+}
+
+TEST_CASE("where curves are near to each other there are more samples, and where they are far, fewer") {
+  CurveSet pair;
+  pair.curves = {ellipse({0, 0}, 1, 1), ellipse({2.02, 0}, 1, 1)};
+  const TakenSamples samples = taken(std::make_shared<const CurveSet>(pair), by_feature_size(0.25));
+  CHECK(samples.is_certified);
+  double narrowest = 1e9;
+  double widest = 0.0;
+  for (const SampleData::Contour& contour : samples.data.contours)
+    for (std::size_t i = 0; i < contour.points.size(); ++i) {
+      const Vec2 a = samples.data.positions[contour.points[i]];
+      const Vec2 b = samples.data.positions[contour.points[(i + 1) % contour.points.size()]];
+      narrowest = std::min(narrowest, distance(a, b));
+      widest = std::max(widest, distance(a, b));
+    }
+  CHECK(narrowest < 0.01);
+  CHECK(widest > 0.1);
+}
+
+TEST_CASE("at a corner intervals become as short as they may, and no longer where it is rounded") {
+  // A wedge of 11.4 degrees.
+  const auto wedge = shape(polygon({{0, 0}, {10, -1}, {10, 1}}));
+  const TakenSamples sharp = taken(wedge, by_feature_size(0.25));
+  CHECK(sharp.sparse_intervals > 5);
+  CHECK(sharp.epsilon <= 0.25);
+  CHECK_THAT(remark_of(sharp, by_feature_size(0.25)), Catch::Contains("intervals at corners and bends"));
+  SamplingRequest round = by_feature_size(0.25);
+  round.corner_radius = 0.2;
+  const TakenSamples smooth = taken(wedge, round);
+  CHECK(smooth.is_certified);
+  CHECK(smooth.sparse_intervals == 0);
+  CHECK(smooth.data.positions.size() < sharp.data.positions.size());
+}
+
+TEST_CASE("where the theorem is not proved, the corner that is in the way is named with its angle") {
+  // So few samples are allowed near the corners that the crust skips them.
+  const auto zigzag = shape(polygon({{0, 0}, {10, 1}, {0, 0.02}, {10, 3}, {-10, 3}}));
+  const TakenSamples samples = taken(zigzag, {.rule = SamplingRule::feature_size, .count = 8, .epsilon = 1.0});
+  REQUIRE_FALSE(samples.is_certified);
+  REQUIRE_FALSE(samples.corners.empty());
+  for (const CurveCorner& corner : samples.corners) CHECK(corner.angle < 1.0);
+  CHECK_THAT(remark_of(samples, by_feature_size(0.25)), Catch::Contains("not proved at"));
+}
+
+TEST_CASE("the same curves elsewhere and in another unit are sampled the same") {
+  const TakenSamples here = taken(shape(ellipse({0, 0}, 3, 1)), by_feature_size(0.2));
+  constexpr double kUnit = 0x1p40;
+  const TakenSamples large = taken(shape(ellipse({0, 0}, 3 * kUnit, kUnit)), by_feature_size(0.2));
+  REQUIRE(large.data.positions.size() == here.data.positions.size());
+  for (std::size_t i = 0; i < here.data.positions.size(); ++i)
+    CHECK(large.data.positions[i] == kUnit * here.data.positions[i]);
+  const TakenSamples far = taken(shape(ellipse({1e6, -1e6}, 3, 1)), by_feature_size(0.2));
+  CHECK(far.data.positions.size() == here.data.positions.size());
+  CHECK(far.is_certified);
+}
+
+TEST_CASE("what has no axis is sampled all the same") {
+  const auto point = std::make_shared<const CurveSet>(CurveSet{.points = {{1, 2}}});
+  CHECK(taken(point, by_feature_size(0.25)).data.positions == std::vector<Vec2>{{1, 2}});
+  PlaneCurve line({0, 0});
+  line.line_to({1, 0});
+  const TakenSamples samples = taken(shape(line), by_feature_size(0.25));
+  CHECK(samples.data.positions.size() >= 2);
+  CHECK(samples.data.positions.front() == Vec2{0, 0});
+  CHECK(samples.data.positions.back() == Vec2{1, 0});
+  CHECK(taken(std::make_shared<const CurveSet>(), by_feature_size(0.25)).data.positions.empty());
+}
+
+TEST_CASE("a stop that is requested ends the sampling") {
+  JobControl job;
+  job.stop_at_look(3);
+  CHECK_THROWS_AS(take_samples(shape(ellipse({0, 0}, 3, 1)), by_feature_size(0.01), job), Cancelled);
+}
+
+TEST_CASE("a curve through samples passes through each of them, and has its vertices there") {
+  JobControl job;
+  std::vector<Vec2> positions;
+  constexpr int kSamples = 60;
+  for (int i = 0; i < kSamples; ++i)
+    positions.push_back({3 * std::cos(2 * kPi * i / kSamples), std::sin(2 * kPi * i / kSamples)});
+  positions.push_back(positions[7]);
+  positions.push_back({50, 50});
+  const CurveSet curves = curves_through(positions, job);
+  REQUIRE(curves.curves.size() == 1);
+  CHECK(curves.curves[0].is_closed());
+  CHECK(curves.curves[0].piece_count() == kSamples);
+  CHECK(curves.points == std::vector<Vec2>{{50, 50}});
+  const TakenSamples same = taken(std::make_shared<const CurveSet>(curves), {.rule = SamplingRule::vertices});
+  std::vector<Vec2> sorted = same.data.positions;
+  std::vector<Vec2> expected(positions.begin(), positions.end());
+  expected.erase(expected.begin() + kSamples);
+  std::ranges::sort(sorted, lexicographically_less);
+  std::ranges::sort(expected, lexicographically_less);
+  CHECK(sorted == expected);
+}
