@@ -102,6 +102,15 @@ constexpr auto kToolsRows = std::to_array<Row>({
      "V"},
     {Id::tool_insert, "tool-insert", "Insert", "Click to add a sample; keep the button down to place it", "I"},
     {Id::tool_spray, "tool-spray", "Spray", "Drag to draw a stroke of evenly spaced samples", "S"},
+    {Id::tool_brush, "tool-brush", "Brush",
+     "Drag over samples to erase them, to thin them out or to refine them along the curve; pressed again, the next "
+     "of "
+     "these three",
+     "X"},
+    {Id::brush_erase, "brush-erase", "Erase", "Take the brush that erases samples, and balls by their centres"},
+    {Id::brush_thin, "brush-thin", "Thin out", "Take the brush that takes away every other sample along the curve"},
+    {Id::brush_refine, "brush-refine", "Refine",
+     "Take the brush that puts a sample between neighbours along the curve"},
     {Id::tool_ball, "tool-ball", "Ball",
      "Press at the centre of a ball and drag to its circle; a click alone makes nothing", "B"},
     {Id::tool_measure, "tool-measure", "Measure",
@@ -132,6 +141,12 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_log, "toggle-log", "Log", "Show or hide what the program has said"},
     {Id::toggle_selection, "toggle-selection", "Selection in numbers",
      "Show or hide coordinates and radii of what is selected, to be set by number or formula", "N"},
+    {Id::toggle_curves, "toggle-curves", "Curves and their sampling",
+     "Show or hide how samples are taken from the curves of a drawing, map, picture or shape", "Shift+N"},
+    {Id::curves_of_samples, "curves-of-samples", "Curves through samples",
+     "Lay smooth curves through the samples, in the order of the crust, so that others can be taken of them"},
+    {Id::mark_corners, "mark-corners", "Mark corners",
+     "Write beside each corner of the curves its angle, as an annotation"},
     {Id::toggle_legend, "toggle-legend", "Legend", "Show or hide the colour bars of layers with a colour map", "C"},
     {Id::toggle_key, "toggle-key", "Key of layers",
      "Show or hide the names of all visible layers, with a sample of how each is drawn"},
@@ -141,12 +156,6 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_grid, "toggle-grid", "Grid", "Show or hide faint lines at round numbers, those of the axes", "G"},
     {Id::toggle_annotations, "toggle-annotations", "Annotations",
      "Show or hide text, arrows and dimensions that were put on the drawing"},
-    {Id::toggle_curves, "toggle-curves", "Curves and their sampling",
-     "Show or hide how samples are taken from the curves of a drawing, map, picture or shape", "Shift+N"},
-    {Id::curves_of_samples, "curves-of-samples", "Curves through samples",
-     "Lay smooth curves through the samples, in the order of the crust, so that others can be taken of them"},
-    {Id::mark_corners, "mark-corners", "Mark corners",
-     "Write beside each corner of the curves its angle, as an annotation"},
     {Id::put_marks_back, "put-marks-back", "Put legend and scale bar back",
      "Give the legend and the scale bar, where they were dragged, their own places again"},
     {Id::add_pane, "add-pane", "Add a pane",
@@ -343,7 +352,7 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 19> table{{
+  static constexpr std::array<GestureDescriptor, 20> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
@@ -357,6 +366,7 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Drag empty space", "select what the box holds"},
       {"Ctrl + drag empty space", "select what the lasso goes around; add it with Shift at the end"},
       {"Drag with the spray tool", "draw a stroke"},
+      {"Drag with the brush", "erase, thin out or refine samples"},
       {"Drag with the ball tool", "draw a ball from its centre"},
       {"Click with the annotation tool", "write words; on a sample or a vertex, with a line to it"},
       {"Drag with the annotation tool", "draw an arrow; from a sample or a vertex, a line to words"},

@@ -6,6 +6,7 @@
 
 #include "app/canvas/tools/annotate_tool.h"
 #include "app/canvas/tools/ball_tool.h"
+#include "app/canvas/tools/brush_tool.h"
 #include "app/canvas/tools/insert_tool.h"
 #include "app/canvas/tools/measure_tool.h"
 #include "app/canvas/tools/select_tool.h"
@@ -21,7 +22,8 @@ constexpr double kZoomPerStep = 1.2;
 Canvas::Canvas(ToolContext& context)
     : tools_{std::make_unique<SelectTool>(context),  std::make_unique<InsertTool>(context),
              std::make_unique<SprayTool>(context),   std::make_unique<BallTool>(context),
-             std::make_unique<MeasureTool>(context), std::make_unique<AnnotateTool>(context)} {}
+             std::make_unique<MeasureTool>(context), std::make_unique<AnnotateTool>(context),
+             std::make_unique<BrushTool>(context)} {}
 
 Pointer Canvas::pointer(Vec2 px, Modifiers modifiers) const {
   return {(1.0 / content_scale_) * px, view_.camera().to_world(px), content_scale_ * view_.camera().units_per_pixel(),

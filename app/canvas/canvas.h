@@ -12,8 +12,8 @@
 namespace mes {
 
 enum class PointerButton : std::uint8_t { left, middle, right };
-enum class ToolId : std::uint8_t { select, insert, spray, ball, measure, annotate };
-inline constexpr std::size_t kToolCount = 6;
+enum class ToolId : std::uint8_t { select, insert, spray, ball, measure, annotate, brush };
+inline constexpr std::size_t kToolCount = 7;
 
 /// What it guarantees: from press to release one gesture has the pointer, whatever else is pressed meanwhile; the
 /// view may move under a tool's gesture, which then follows the pointer. Positions are framebuffer pixels. It knows

@@ -169,6 +169,7 @@ Settings from_json(const json& object) {
     for (const json& entry : *recent)
       if (entry.is_string() && out.recent_files.size() < kRecentFiles) out.recent_files.push_back(entry);
   }
+  out.brush.radius_px = number_in(object, "brush_radius_px", 4.0, 200.0, out.brush.radius_px);
   out.spray_spacing_px = number_in(object, "spray_spacing_px", 2.0, 100.0, out.spray_spacing_px);
   out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
   if (text_in(object, "theme") == kDark) out.theme = Theme::dark;
@@ -197,8 +198,8 @@ Settings from_json(const json& object) {
   out.snap.centers = flag_in(object, "snaps_to_centers", out.snap.centers);
   out.snap.vertices = flag_in(object, "snaps_to_vertices", out.snap.vertices);
   out.snap.circles = flag_in(object, "snaps_to_circles", out.snap.circles);
-  out.snap.grid = flag_in(object, "snaps_to_grid", out.snap.grid);
   out.snap.curves = flag_in(object, "snaps_to_curves", out.snap.curves);
+  out.snap.grid = flag_in(object, "snaps_to_grid", out.snap.grid);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
   out.last_folder = text_in(object, "last_folder");
@@ -262,6 +263,7 @@ json to_json(const Settings& settings) {
   return {{"schema", kSchema},
           {"recent_files", settings.recent_files},
           {"spray_spacing_px", settings.spray_spacing_px},
+          {"brush_radius_px", settings.brush.radius_px},
           {"interface_scale", settings.interface_scale},
           {"theme", settings.theme == Theme::dark ? kDark : kLight},
           {"for_projector", settings.for_projector},
@@ -288,9 +290,9 @@ json to_json(const Settings& settings) {
           {"snaps_to_centers", settings.snap.centers},
           {"snaps_to_vertices", settings.snap.vertices},
           {"snaps_to_circles", settings.snap.circles},
+          {"snaps_to_curves", settings.snap.curves},
           {"snaps_to_grid", settings.snap.grid},
           {"show_evolution", settings.show_evolution},
-          {"snaps_to_curves", settings.snap.curves},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},
           {"record", to_json(settings.record)},

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/model/brush_settings.h"
 #include "app/model/figure_settings.h"
 #include "app/model/record_settings.h"
 #include "app/model/scale_marks.h"
@@ -28,7 +29,8 @@ inline constexpr double kUsualDetailsShare = 0.4;
 struct Settings {
   std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
   double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
-  double interface_scale = 1.0;           ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
+  BrushSettings brush{};
+  double interface_scale = 1.0;  ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
   Theme theme = Theme::light;
   bool for_projector = false;            ///< everything larger, with the strongest contrast
   std::optional<Rgb> canvas_background;  ///< none: what goes with the theme

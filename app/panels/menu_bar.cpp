@@ -255,6 +255,12 @@ float MenuBar::draw() const {
     for (const ActionId id :
          {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray, ActionId::tool_ball})
       action_item(*this, id);
+    if (ImGui::BeginMenu("Brush")) {
+      for (const ActionId id :
+           {ActionId::tool_brush, ActionId::brush_erase, ActionId::brush_thin, ActionId::brush_refine})
+        action_item(*this, id);
+      ImGui::EndMenu();
+    }
     ImGui::Separator();
     action_item(*this, ActionId::toggle_snap);
     snap_menu(*this);

@@ -30,9 +30,10 @@ struct Button {
   Icon icon;
   bool begins_group = false;
 };
-constexpr std::array<Button, 16> kButtons{{{ActionId::tool_select, Icon::select},
+constexpr std::array<Button, 17> kButtons{{{ActionId::tool_select, Icon::select},
                                            {ActionId::tool_insert, Icon::insert},
                                            {ActionId::tool_spray, Icon::spray},
+                                           {ActionId::tool_brush, Icon::brush},
                                            {ActionId::tool_ball, Icon::ball},
                                            {ActionId::tool_measure, Icon::measure},
                                            {ActionId::tool_annotate, Icon::annotate},
@@ -94,6 +95,26 @@ class Columns {
 
 }  // namespace
 
+void Toolbar::draw_spray() const {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Spacing");
+  ImGui::SameLine();
+  slider(gui, "##spacing", settings.spray_spacing_px, 2.0, 100.0,
+         {.format = "%.0f px", .is_logarithmic = true, .width = 210 * gui.unit()});
+  tooltip(gui, "Distance of neighbouring samples of a stroke, in pixels of the screen");
+}
+
+void Toolbar::draw_brush() const {
+  for (const ActionId mode : {ActionId::brush_erase, ActionId::brush_thin, ActionId::brush_refine}) {
+    if (choice_button(descriptor_of(mode).name.c_str(), actions.is_checked(mode))) actions.run(mode);
+    tooltip(gui, actions.tooltip_of(mode));
+    ImGui::SameLine();
+  }
+  slider(gui, "##radius", settings.brush.radius_px, 4.0, 200.0,
+         {.format = "%.0f px", .is_logarithmic = true, .width = 180 * gui.unit()});
+  tooltip(gui, "Radius of the brush, in pixels of the screen");
+}
+
 float Toolbar::draw(ImVec2 at, float room) const {
   const float unit = gui.unit();
   const float size = button_size(room / unit) * unit;
@@ -114,18 +135,17 @@ float Toolbar::draw(ImVec2 at, float room) const {
   ImGui::End();
   ImGui::PopStyleVar(2);
 
-  if (canvas.tool_id() == ToolId::spray) {
-    ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + 2 * (size + kGap * unit)});
+  const bool is_spray = canvas.tool_id() == ToolId::spray;
+  if (is_spray || canvas.tool_id() == ToolId::brush) {
+    ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + (is_spray ? 2.0F : 3.0F) * (size + kGap * unit)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * unit, 6 * unit});
-    ImGui::Begin("##spray", nullptr,
+    ImGui::Begin("##tool", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Spacing");
-    ImGui::SameLine();
-    slider(gui, "##spacing", settings.spray_spacing_px, 2.0, 100.0,
-           {.format = "%.0f px", .is_logarithmic = true, .width = 210 * unit});
-    tooltip(gui, "Distance of neighbouring samples of a stroke, in pixels of the screen");
+    if (is_spray)
+      draw_spray();
+    else
+      draw_brush();
     ImGui::End();
     ImGui::PopStyleVar();
   }

@@ -20,6 +20,10 @@ struct Toolbar {
   /// Draws the strip with its upper left corner at `at`, in as many columns as it needs to be no higher than `room`;
   /// its width in screen coordinates.
   float draw(ImVec2 at, float room) const;
+
+ private:
+  void draw_spray() const;
+  void draw_brush() const;
 };
 
 }  // namespace mes

@@ -74,6 +74,12 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.dot(16.6F, 10.6F, 1.9F);
       pen.dot(19.6F, 6.6F, 1.9F);
       break;
+    case Icon::brush:
+      pen.ring(14.5F, 14.5F, 6.0F);
+      pen.dot(4.5F, 8.5F, 1.9F);
+      pen.dot(9.5F, 4.5F, 1.9F);
+      pen.line(12.2F, 14.5F, 16.8F, 14.5F);
+      break;
     case Icon::ball:
       pen.ring(12, 12, 8.5F);
       pen.dot(12, 12, 1.9F);

@@ -12,6 +12,7 @@ enum class Icon : std::uint8_t {
   select,
   insert,
   spray,
+  brush,
   ball,
   measure,
   annotate,

@@ -32,7 +32,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                       constexpr double kReach = 6.0;
                       return annotation_at(annotations_, px, kReach);
                     },
-                    &snapper_},
+                    &snapper_,
+                    &settings.brush},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
       traced_(work.editor(), work.layers(), picture_, messages, wake),

@@ -83,6 +83,32 @@ std::vector<PaletteEntry> Panels::palette_entries() {
 void Panels::bind(ActionBindings& actions) {
   bind_shown(actions);
   bind_look(actions);
+  bind_brush(actions);
+}
+
+void Panels::bind_brush(ActionBindings& actions) {
+  const auto take = [this](BrushMode mode) {
+    // What is being written belongs to its tool.
+    uses_.work.annotations().close();
+    uses_.settings.brush.mode = mode;
+    uses_.board.canvas().choose_tool(ToolId::brush);
+  };
+  const auto has_brush = [this] { return uses_.board.canvas().tool_id() == ToolId::brush; };
+  actions.bind(ActionId::tool_brush, {[this, take, has_brush] {
+                                        const auto mode = static_cast<std::size_t>(uses_.settings.brush.mode);
+                                        const std::size_t next = has_brush() ? (mode + 1) % kBrushModes : mode;
+                                        take(static_cast<BrushMode>(next));
+                                      },
+                                      {},
+                                      has_brush});
+  const auto bind_mode = [&](ActionId id, BrushMode mode) {
+    actions.bind(id, {[take, mode] { take(mode); },
+                      {},
+                      [this, mode, has_brush] { return has_brush() && uses_.settings.brush.mode == mode; }});
+  };
+  bind_mode(ActionId::brush_erase, BrushMode::erase);
+  bind_mode(ActionId::brush_thin, BrushMode::thin);
+  bind_mode(ActionId::brush_refine, BrushMode::refine);
 }
 
 void Panels::bind_shown(ActionBindings& actions) {
@@ -117,6 +143,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
   bind_page(ActionId::toggle_log, DetailsPage::log);
   bind_page(ActionId::toggle_selection, DetailsPage::selection);
+  bind_page(ActionId::toggle_curves, DetailsPage::curves);
   bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
   actions.bind(ActionId::save_bundle, {[this, &settings] {
                  are_shown_ = true;
@@ -143,7 +170,6 @@ void Panels::follow_lesson() {
   if (is_running == presents_lesson_) return;
   presents_lesson_ = is_running;
   if (!is_running)
-  bind_page(ActionId::toggle_curves, DetailsPage::curves);
     end_presentation();
   else if (!presenter_.is_on())
     begin_presentation();

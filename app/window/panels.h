@@ -82,6 +82,7 @@ class Panels {
   ImVec2 draw_legend(const Sides& sides, const Box2& room);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
+  void bind_brush(ActionBindings& actions);
 
   Uses uses_;
   MenuBar menu_bar_;

@@ -35,6 +35,7 @@ TEST_CASE("what is saved is loaded") {
   const fs::path path = folder.path / "new" / "settings.json";
   Settings settings;
   settings.spray_spacing_px = 17.5;
+  settings.brush.radius_px = 33.5;
   settings.window_width = 1000;
   settings.details = DetailsPage::log;
   settings.column_width = 412.5;
@@ -61,6 +62,7 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.message.empty());
   CHECK(loaded.settings.recent_files == std::vector<std::string>{"/tmp/a.poff", "/tmp/b.poff"});
   CHECK(loaded.settings.spray_spacing_px == 17.5);
+  CHECK(loaded.settings.brush.radius_px == 33.5);
   CHECK(loaded.settings.window_width == 1000);
   CHECK(loaded.settings.details == DetailsPage::log);
   CHECK(loaded.settings.column_width == 412.5);

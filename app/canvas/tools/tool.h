@@ -10,6 +10,7 @@
 
 #include "app/actions/key_chord.h"
 #include "app/model/annotation_desk.h"
+#include "app/model/brush_settings.h"
 #include "app/model/editor.h"
 #include "app/model/snapper.h"
 #include "core/base/box2.h"
@@ -24,6 +25,8 @@ struct Pointer {
   Modifiers modifiers{};
 };
 
+inline constexpr BrushSettings kUsualBrush{};
+
 /// What a tool works with. Everything outlives the tool.
 struct ToolContext {
   Editor& editor;
@@ -34,6 +37,7 @@ struct ToolContext {
   /// The annotation that is drawn at a place in logical pixels; nothing where none is.
   std::function<std::optional<std::size_t>(Vec2)> annotation_at{};
   const Snapper* snapper = nullptr;  ///< none: places are where the pointer is
+  const BrushSettings* brush = &kUsualBrush;
 };
 
 /// What the canvas shows of a tool besides the drawing.

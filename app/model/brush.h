@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples under a brush: erased, thinned out, or made denser along the curve.
+#pragma once
+
+#include <set>
+#include <utility>
+
+#include "app/model/brush_settings.h"
+#include "app/model/editor.h"
+
+namespace mes {
+
+/// What one stroke of the brush does, from press to release.
+///
+/// What it guarantees: a stroke thins out and refines each part of the curve once, however often it passes over it. The
+/// curve is the one-step crust of the samples within three radii, at most `kMostSamples` of them; new samples lie on
+/// arcs with the curvature that the curve has at both neighbours. Each touch is one command; the caller opens the gesture.
+///
+/// Cost of a touch: that of the crust of the samples near by. Threads: the window's.
+class BrushStroke {
+ public:
+  static constexpr std::size_t kMostSamples = 5000;
+
+  explicit BrushStroke(Editor& editor) : editor_(editor) {}
+
+  /// Error: that of the edit, or `cannot_compute` where there are too many samples near by to find a curve.
+  Expected<void> touch(Vec2 at, double radius, BrushMode mode);
+
+ private:
+  using Pair = std::pair<SampleId, SampleId>;
+  Expected<void> erase(Vec2 at, double radius);
+  Expected<void> along_curve(Vec2 at, double radius, BrushMode mode);
+
+  Editor& editor_;
+  std::set<SampleId> kept_;  // of those that thinning leaves
+  std::set<Pair> refined_;   // neighbours that nothing more comes between
+};
+
+}  // namespace mes
