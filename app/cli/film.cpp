@@ -11,8 +11,11 @@
 #include "app/cli/picture.h"
 #include "app/cli/progress.h"
 #include "app/export/carried.h"
+#include "app/export/pane_figure.h"
+#include "app/export/session_panes.h"
 #include "app/model/player.h"
 #include "app/picture/canvas_look.h"
+#include "app/picture/pane_sheet.h"
 #include "app/picture/picture_overlay.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/title_drawing.h"
@@ -103,11 +106,15 @@ std::uint64_t frames_of(const PlayStep& step, double fps) {
 }
 
 /// Draws what a player shows.
-
 class Studio {
  public:
-  Studio(render::GlDevice& device, const Film& film)
-      : device_(device), scene_(device), film_(film), scale_(std::max(1.0, film.size.height / kReference)) {
+  /// `panes`: of the session; those beside the main one are computed afresh for each picture.
+  Studio(render::GlDevice& device, const Film& film, const SessionPanes& panes)
+      : device_(device),
+        scene_(device),
+        film_(film),
+        panes_(panes),
+        scale_(std::max(1.0, film.size.height / kReference)) {
     scene_.set_color_maps(load_color_maps(find_assets({}), user_color_map_folder()).maps);
     if (auto fonts = PaperFonts::read(find_assets({})))
       fonts_ = std::make_shared<const PaperFonts>(std::move(*fonts));
@@ -120,36 +127,104 @@ class Studio {
     if (!title_.complaint.empty()) say("the title: " + title_.complaint);
   }
 
-  void apply(const FramePatch& patch) { scene_.apply(patch); }
+  void apply(const FramePatch& patch) {
+    if (panes_.is_empty()) scene_.apply(patch);
+  }
 
-  struct Shot {
-    render::Image image;
-    PictureOverlay overlay;
-  };
-  Expected<Shot> draw(const Player& player) {
+  Expected<CapturedPicture> draw(const Player& player) {
+    if (!panes_.is_empty() && fonts_) return draw_panes(player);
     const auto& [width, height] = film_.size;
-    const int band = static_cast<int>(std::ceil(scale_ * title_.drawing.height));
+    const int band = title_band();
     const render::Camera camera =
         player.view().is_empty()
-            ? camera_below(band, width, height, player.document().bounding_box(), 0.06 * (height - band))
+            ? camera_below(band, width, height, player.document().bounding_box(), kMargin * (height - band))
             : camera_below(band, width, height, player.view(), 0.0);
     const LayerStack& layers = player.layers();
     follow_picture(layers.image());
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
-    add_texts(views, {player.document()}, {camera.visible(), camera.units_per_pixel() * scale_},
+    auto shot = shoot(views, camera, player.document(),
+                      {legend_of(scene_, views, film_.legend), player.caption(), film_.marks, {}, title_.drawing});
+    if (!shot) return std::unexpected(shot.error());
+    return CapturedPicture(std::move(shot->image), std::move(shot->overlay));
+  }
+
+ private:
+  int title_band() const { return static_cast<int>(std::ceil(scale_ * title_.drawing.height)); }
+
+  // As `mesecina render --compare` lays them out, with the caption in the first one.
+  Expected<CapturedPicture> draw_panes(const Player& player) {
+    auto requests =
+        panes_.requests({player.document(), player.history(), player.layers(), player.settings()});
+    if (!requests) return std::unexpected(requests.error());
+    Comparison comparison = compare(std::move(*requests));
+    for (const LayerIndex layer : held_) scene_.forget(layer);
+    held_ = comparison.demand;
+    LayerMirror mirror;
+    const auto result = run_computation(*comparison.data, {.layers = comparison.demand,
+                                                           .settings = comparison.settings,
+                                                           .on_patch =
+                                                               [&](const FramePatch& patch) {
+                                                                 mirror.apply(patch);
+                                                                 scene_.apply(patch);
+                                                               },
+                                                           .variants = comparison.variants});
+    if (!result) return std::unexpected(result.error());
+    share_color_ranges(comparison, mirror);
+    follow_picture(player.layers().image());
+    SeenByAll seen{player.view(), 0.0};
+    if (seen.box.is_empty()) {
+      seen.margin = kMargin;
+      for (const Pane& pane : comparison.panes)
+        if (const Box2 box = comparison.document_of(pane, *result).bounding_box(); !box.is_empty()) seen.box.add(box);
+    }
+    const auto& [width, height] = film_.size;
+    PaneSheet sheet{.width = width,
+                    .height = height,
+                    .band = title_band(),
+                    .scale = scale_,
+                    .background = kWhiteCanvas,
+                    .grid = lay_out(comparison.panes.size(), width, height - title_band(), seen.proportions(), scale_),
+                    .title = title_.drawing};
+    const int pane_width = sheet.pane_width();
+    const int pane_height = sheet.pane_height();
+    if (pane_width < 1 || pane_height < 1) return no_room_for(comparison.panes.size());
+    for (const Pane& pane : comparison.panes) sheet.labels.push_back(pane.label);
+    const FigureRequest all{
+        .shown = {}, .part = Everything{}, .legend = film_.legend, .marks = film_.marks};
+    CapturedPicture out(std::move(sheet), fonts_);
+    for (std::size_t i = 0; i < comparison.panes.size(); ++i) {
+      const Pane& pane = comparison.panes[i];
+      const Document& document = comparison.document_of(pane, *result);
+      const FigureRequest one = request_for(all, comparison, i);
+      const render::Camera camera = camera_below(0, pane_width, pane_height, seen.box,
+                                                 seen.margin * std::min(pane_width, pane_height));
+      std::vector<render::LayerView> views;
+      for (const LayerIndex layer : pane.shown.layers)
+        views.push_back({layer, pane.shown.styles[plain_layer(layer)]});
+      auto shot = shoot(views, camera, document,
+                        {legend_of(scene_, views, one.legend), i == 0 ? player.caption() : std::string(), one.marks});
+      if (!shot) return std::unexpected(shot.error());
+      out.add(std::move(shot->image), std::move(shot->overlay));
+    }
+    return out;
+  }
+
+  struct Shot {
+    render::Image image;
+    PictureOverlay overlay;
+  };
+  Expected<Shot> shoot(std::vector<render::LayerView> views, const render::Camera& camera, const Document& document,
+                       OverlayContent content) {
+    add_texts(views, {document}, {camera.visible(), camera.units_per_pixel() * scale_},
               fonts_ ? &fonts_->plain : nullptr);
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
     if (!image) return std::unexpected(image.error());
-    PlacedAnnotations annotations;
-    if (film_.with_annotations) annotations = place(player.document());
-    return Shot{std::move(*image), picture_overlay_of({legend_of(scene_, views, film_.legend), player.caption(),
-                                                       film_.marks, annotations, title_.drawing},
-                                                      fonts_, {camera, scale_, kWhiteCanvas})};
+    if (film_.with_annotations) content.annotations = place(document);
+    return Shot{std::move(*image), picture_overlay_of(std::move(content), fonts_, {camera, scale_, kWhiteCanvas})};
   }
 
- private:
   // A picture that no longer exists is reported once; the film goes on without it.
   void follow_picture(const BackgroundImage& image) {
     const LayerIndex layer = find_layer("image");
@@ -166,11 +241,14 @@ class Studio {
     scene_.place_picture({image.center, image.width});
   }
 
+  static constexpr double kMargin = 0.06;      // around the document, where no view is chosen
   static constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
 
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
+  const SessionPanes& panes_;
+  std::vector<LayerIndex> held_;  // by the scene, of the panes
   double scale_;              // pixels per logical pixel
   PictureTitle title_;        // the same in all pictures
   std::string picture_file_;  // in the scene, or not readable
@@ -207,7 +285,8 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
   const auto context = render::EglContext::create();
   if (!context) return std::unexpected(context.error());
   render::GlDevice device;
-  Studio studio(device, *film);
+  const SessionPanes panes(session);
+  Studio studio(device, *film, panes);
   Player player(session, [&studio](const FramePatch& patch) { studio.apply(patch); });
 
   FrameWriterOptions options{.first = film->shard.index, .stride = film->shard.count};
@@ -229,7 +308,7 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
     // Also where another shard draws the frame: what is drawn in which order depends on every step before.
     if (const std::string failure = player.complete(); !failure.empty())
       say(fmt::format("frame {}: {}", frame + 1, failure));
-    std::optional<Studio::Shot> shot;
+    std::optional<CapturedPicture> shot;
     for (std::uint64_t end = frame + frames_of(step, film->fps); frame < end;) {
       ++frame;
       if (!film->shard.has(frame)) continue;
@@ -238,7 +317,7 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
         if (!drawn) return std::unexpected(drawn.error());
         shot = std::move(*drawn);
       }
-      if (!writer.push({shot->image, {std::string(step.what), player.document().digest()}, shot->overlay}))
+      if (!writer.push({*shot, {std::string(step.what), player.document().digest()}}))
         return writer.finish();
     }
   }

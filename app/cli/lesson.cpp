@@ -194,7 +194,7 @@ Expected<void> write_frames(const std::filesystem::path& folder, const Session& 
     for (const std::string& remark : page->remarks) say(remark);
     auto image = picture_of(*page, pixels.per_point);
     if (!image) return std::unexpected(image.error());
-    if (!writer.push({std::move(*image), {page->name, page->document, begin}, {}})) return writer.finish();
+    if (!writer.push({std::move(*image), {page->name, page->document, begin}})) return writer.finish();
     begin += seconds_of(session.lesson.steps[steps[k]]);
   }
   return writer.finish();

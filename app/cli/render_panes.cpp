@@ -27,7 +27,7 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
   const auto& [width, height] = panes.picture.size;
   const std::size_t count = panes.comparison.panes.size();
   const double scale = panes.picture.shown.scale;
-  const TitleBand title = title_of(panes.request, panes.picture.size, panes.picture.shown);
+  TitleBand title = title_of(panes.request, panes.picture.size, panes.picture.shown);
   PaneSheet sheet{.width = width,
                   .height = height,
                   .band = title.pixels,
@@ -48,9 +48,8 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
     parts.push_back(std::move(*part));
     sheet.labels.push_back(pane.label);
   }
-  render::Image image = sheet.with(parts, *fonts);
-  paint(image, *fonts, title.drawing, {0.0, 0.0}, scale);
-  return image;
+  sheet.title = std::move(title.drawing);
+  return sheet.with(parts, *fonts);
 }
 
 }  // namespace

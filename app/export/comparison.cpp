@@ -106,6 +106,28 @@ render::ScalarRange range_of(const LayerMirror& mirror, LayerIndex layer) {
 
 }  // namespace
 
+std::vector<PaneRequest> pane_requests(
+    const PanesOfWindow& panes, const std::shared_ptr<const SampleData>& data,
+    const std::function<std::shared_ptr<const SampleData>(std::size_t pane)>& own_data) {
+  const auto& [shown, layers, settings, words] = panes;
+  ShownLayers main{.layers = layers.visible_layers()};
+  for (LayerIndex layer = 0; layer < layers.size(); ++layer) main.styles.push_back(layers.style(layer));
+  std::vector<PaneRequest> out{{words.front(), main, settings, data}};
+  for (std::size_t i = 0; i < shown.panes.size() && i + 1 < words.size(); ++i) {
+    const VariantIndex variant = shown.variant[i];
+    PaneRequest pane{words[i + 1], main, variant == kMainVariant ? settings : shown.variants[variant - 1].settings,
+                     data};
+    if (auto own = own_data(i)) pane.data = std::move(own);
+    pane.shown.layers.clear();
+    for (const auto& [layer, style] : shown.panes[i]) {
+      pane.shown.layers.push_back(plain_layer(layer));
+      pane.shown.styles[plain_layer(layer)] = style;
+    }
+    out.push_back(std::move(pane));
+  }
+  return out;
+}
+
 Comparison compare(std::vector<PaneRequest> requests) {
   MES_ASSERT(!requests.empty() && requests.size() <= kMostPanes);
   Comparison out;

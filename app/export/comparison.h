@@ -14,6 +14,8 @@
 // Cost: that of the computations; differences O(instances). Threads: any, with a comparison of its own.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +23,8 @@
 
 #include "app/export/computation.h"
 #include "app/export/shown_layers.h"
+#include "app/model/layer_stack.h"
+#include "app/model/pane_list.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/draw/layer_mirror.h"
@@ -38,6 +42,19 @@ struct PaneRequest {
   ComputationSettings settings;
   std::shared_ptr<const SampleData> data;
 };
+
+/// What panes show beside each other in the window.
+struct PanesOfWindow {
+  const ShownPanes& shown;
+  const LayerStack& layers;
+  const ComputationSettings& settings;
+  std::vector<std::string> words;  ///< of all panes, the main one first
+};
+/// All panes, the main one of these data first; `own_data` has those of a pane beside it that shows a version of its own,
+/// null for others.
+std::vector<PaneRequest> pane_requests(
+    const PanesOfWindow& panes, const std::shared_ptr<const SampleData>& data,
+    const std::function<std::shared_ptr<const SampleData>(std::size_t pane)>& own_data);
 
 struct Pane {
   std::string label;   ///< "(a) precision exact"

@@ -18,17 +18,6 @@ std::vector<std::uint64_t> keys_of(const Document& document) {
   return out;
 }
 
-/// Without the annotations that follow samples beyond the first `samples`.
-Annotations annotations_on(const Annotations& all, std::size_t samples) {
-  Annotations out = all;
-  std::erase_if(out, [samples](const Annotation& annotation) {
-    return std::ranges::any_of(annotation.anchors, [samples](const Anchor& anchor) {
-      return std::ranges::any_of(anchor.samples, [samples](std::uint32_t sample) { return sample >= samples; });
-    });
-  });
-  return out;
-}
-
 /// The keys of a state: its first samples are those of the document, the others are its own.
 std::vector<std::uint64_t> keys_of_state(const std::vector<std::uint64_t>& document, std::size_t samples) {
   constexpr std::uint64_t kOwn = std::uint64_t{1} << 63U;
@@ -144,14 +133,10 @@ void PaneDocuments::show_states() {
         static_cast<std::size_t>(std::ranges::find(found_->steps, evolved->step) - found_->steps.begin());
     if (step >= found_->found.size()) continue;
     const EvolutionState& state = *found_->found[step];
-    SampleData data = *found_->document.data;
-    data.positions = state.positions;
-    data.contours = contours_of(state);
-    data.source.reset();
-    data.annotations = annotations_on(data.annotations, data.positions.size());
     panes_[i]->origin = answers_;
-    show(static_cast<VariantIndex>(i + 1), {keys_of_state(found_->document.keys, data.positions.size()),
-                                            std::make_shared<const SampleData>(std::move(data))});
+    show(static_cast<VariantIndex>(i + 1),
+         {keys_of_state(found_->document.keys, state.positions.size()),
+          std::make_shared<const SampleData>(version_of(*found_->document.data, state))});
   }
 }
 

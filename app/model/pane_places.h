@@ -46,6 +46,13 @@ class PanePlaces {
 
   bool is_empty() const { return places_.empty(); }
   const std::vector<PanePlace>& places() const { return places_; }
+  /// Around all panes; there must be some.
+  PanePlace all() const {
+    const PanePlace& first = places_.front();
+    const PanePlace& last = places_.back();
+    const auto right = std::ranges::max(places_, {}, &PanePlace::left);
+    return {first.left, first.top, right.left + right.width - first.left, last.top + last.height - first.top};
+  }
   /// The pane at a place; the main one outside of all.
   std::size_t at(Vec2 px) const {
     const auto found = std::ranges::find_if(places_, [px](const PanePlace& place) { return place.holds(px); });

@@ -40,6 +40,7 @@ class Player : private Stage {
   std::string complete();
 
   const Document& document() const { return replay_.document(); }
+  const History& history() const { return replay_.history(); }
   const LayerStack& layers() const { return layers_; }
   const ComputationSettings& settings() const { return settings_; }
   /// What is to be seen; empty: everything.

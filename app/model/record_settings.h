@@ -24,7 +24,7 @@ struct RecordSettings {
   double fps = 30.0;                ///< of the video, [1, 120]
   bool real_time = false;           ///< each frame of the video is seen as long as it was when recorded
   bool with_source = true;          ///< snapshots carry the document, takes the session
-  bool all_panes = true;            ///< snapshots and copies show all panes, where there are several
+  bool all_panes = true;            ///< frames, snapshots and copies show all panes, where there are several
   std::string folder{};             ///< where takes and snapshots go; empty: `takes_folder`
   friend bool operator==(const RecordSettings&, const RecordSettings&) = default;
 };

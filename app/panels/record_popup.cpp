@@ -93,7 +93,7 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
 void draw_panes(const Gui& gui, RecordSettings& record, float column) {
   title("Panes", column);
   if (choice_button("All", record.all_panes)) record.all_panes = true;
-  tooltip(gui, "Snapshots and copied pictures show all panes, each with its letter; frames show the main one");
+  tooltip(gui, "Frames, snapshots and copied pictures show all panes, each with its letter");
   ImGui::SameLine();
   if (choice_button("Main one", !record.all_panes)) record.all_panes = false;
   tooltip(gui, "The first pane alone");

@@ -138,6 +138,7 @@ render::Image PaneSheet::with(std::span<const render::Image> panes, const PaperF
   }
   paint(image, fonts, layout_pane_labels(labels, grid.scaled(1.0 / scale), measure_with(fonts, scale), background),
         {0.0, band}, scale);
+  paint(image, fonts, title, {0.0, 0.0}, scale);
   return image;
 }
 

@@ -71,10 +71,11 @@ struct PaneSheet {
   std::optional<Rgb> background{};  ///< none: transparent
   PaneGrid grid{};                  ///< in pixels
   std::vector<std::string> labels{};
+  PaperDrawing title{};  ///< in the band
 
   int pane_width() const { return static_cast<int>(grid.pane_width); }
   int pane_height() const { return static_cast<int>(grid.pane_height); }
-  /// The sheet with these pictures of `pane_width` x `pane_height` on it, and the labels.
+  /// The sheet with these pictures of `pane_width` x `pane_height` on it, the labels and the title.
   render::Image with(std::span<const render::Image> panes, const PaperFonts& fonts) const;
 };
 

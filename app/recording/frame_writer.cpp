@@ -10,10 +10,6 @@
 namespace mes {
 namespace {
 
-std::size_t bytes_of(const Frame& frame) {
-  return std::visit([](const auto& picture) { return picture.rgba.size(); }, frame.picture);
-}
-
 std::string_view text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -40,7 +36,7 @@ bool FrameWriter::has_room(std::size_t frames, std::size_t bytes) const {
 }
 
 bool FrameWriter::push(Frame frame) {
-  const std::size_t bytes = bytes_of(frame);
+  const std::size_t bytes = frame.picture.bytes();
   std::unique_lock lock(mutex_);
   room_.wait(lock, [&] {
     const bool fits = held_frames_ < options_.most_frames && held_bytes_ + bytes <= options_.most_bytes;
@@ -59,11 +55,7 @@ bool FrameWriter::push(Frame frame) {
 
 Expected<void> FrameWriter::write(Work& work) const {
   try {
-    if (const auto* raw = std::get_if<render::RawImage>(&work.frame.picture))
-      work.frame.picture = render::to_image(*raw);
-    auto& image = std::get<render::Image>(work.frame.picture);
-    work.frame.overlay.paint(image);
-    const auto png = render::encode_png(image);
+    const auto png = render::encode_png(std::move(work.frame.picture).image());
     if (!png) return std::unexpected(png.error());
     return options_.write(take_.folder / frame_name(options_.first + work.index * options_.stride), text_of(*png));
   } catch (const std::bad_alloc&) {

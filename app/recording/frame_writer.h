@@ -26,20 +26,17 @@
 #include <optional>
 #include <string_view>
 #include <thread>
-#include <variant>
 #include <vector>
 
-#include "app/picture/picture_overlay.h"
+#include "app/recording/captured_picture.h"
 #include "app/recording/take.h"
 #include "core/io/atomic_file.h"
-#include "render/image.h"
 
 namespace mes {
 
 struct Frame {
-  std::variant<render::Image, render::RawImage> picture;
+  CapturedPicture picture;  ///< whole
   FrameInfo info{};
-  PictureOverlay overlay{};
 };
 
 struct FrameWriterOptions {

@@ -61,8 +61,46 @@ RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<con
       written_copy_(wake_),
       video_(wake_) {}
 
-void RecordDesk::start(const RecordSettings& settings, int width, int height, const Insets& panels,
-                       const ShownState& now) {
+namespace {
+
+/// As the panes lie in the window, or on a picture of the size that is asked for.
+PaneSheet sheet_for(const PanePlaces& panes, double content_scale, const RecordSettings& settings) {
+  const PanePlace& main = panes.places().front();
+  const std::size_t count = panes.places().size();
+  const auto columns = static_cast<std::size_t>(std::ranges::count(panes.places(), main.top, &PanePlace::top));
+  PaneSheet out{.scale = content_scale,
+                .grid = lay_out_panes_of(main.width, main.height, count, columns, content_scale)};
+  const Vec2 natural = out.grid.extent();
+  out.width = static_cast<int>(std::ceil(natural.x));
+  out.height = static_cast<int>(std::ceil(natural.y));
+  if (settings.width == 0 || (settings.width == out.width && settings.height == out.height)) return out;
+  out.width = settings.width;
+  out.height = settings.height;
+  out.scale *= std::min(out.width / natural.x, out.height / natural.y);
+  out.grid = lay_out(count, out.width, out.height, static_cast<double>(main.height) / main.width, out.scale);
+  return out;
+}
+
+bool shows_panes(const RecordSettings& settings, const PanePlaces& panes) {
+  return settings.all_panes && !panes.is_empty();
+}
+
+/// Those of a window whose drawing is wanted without its panels at the size that it has on screen.
+void take_size_of(const RecordDesk::Window& window, RecordSettings& settings) {
+  if (shows_panes(settings, window.panes)) {
+    const PaneSheet sheet = sheet_for(window.panes, window.content_scale, settings);
+    settings.width = sheet.width;
+    settings.height = sheet.height;
+    return;
+  }
+  const WindowPart part = part_between(window.panels, window.width, window.height);
+  settings.width = part.width;
+  settings.height = part.height;
+}
+
+}  // namespace
+
+void RecordDesk::start(const RecordSettings& settings, const Window& window, const ShownState& now) {
   if (is_recording()) return;
   const auto refuse = [this](const Error& error) { messages_.problem("Cannot record: " + error.message()); };
   if (const auto good = check(settings); !good) return refuse(good.error());
@@ -70,14 +108,12 @@ void RecordDesk::start(const RecordSettings& settings, int width, int height, co
   if (folder.empty())
     return refuse({ErrorCode::cannot_write, "the home folder is not known; choose a folder for pictures"});
   settings_ = settings;
-  panels_ = panels;
+  panels_ = window.panels;
   if (settings.with_panels) {
-    settings_.width = width;
-    settings_.height = height;
+    settings_.width = window.width;
+    settings_.height = window.height;
   } else if (settings.width == 0) {
-    const WindowPart part = part_between(panels, width, height);
-    settings_.width = part.width;
-    settings_.height = part.height;
+    take_size_of(window, settings_);
   }
   auto take = begin_take(folder, {settings_.width, settings_.height, settings.fps});
   if (!take) return refuse(take.error());
@@ -160,62 +196,42 @@ bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
   return snapshot_ && (complete_ == drawn.state || drawn.is_cancelled);
 }
 
-void RecordDesk::frame_asked(const Drawn& drawn, PictureOverlay overlay) {
-  const Change change = recorder_->change(drawn.state);
-  asked_.push_back({Use::frame,
-                    {name_of(change, drawn.editor.timeline().entries()), drawn.editor.document().digest(),
-                     std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count()},
-                    std::move(overlay),
-                    {}});
+RecordDesk::Purpose RecordDesk::frame_purpose(const Drawn& drawn) const {
+  return {.use = Use::frame,
+          .info = {name_of(recorder_->change(drawn.state), drawn.editor.timeline().entries()),
+                   drawn.editor.document().digest(),
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count()}};
+}
+
+RecordDesk::Purpose RecordDesk::snapshot_purpose() const {
+  Purpose out{.use = use_of_snapshot(), .folder = folder_of(*snapshot_)};
+  if (out.use == Use::snapshot && snapshot_->with_source && source_) out.session = source_();
+  return out;
+}
+
+void RecordDesk::note_frame(const Drawn& drawn) {
   recorder_->note_captured(drawn.state);
   ++frames_;
 }
 
-render::Image RecordDesk::Captured::picture() const {
-  std::vector<render::Image> images;
-  for (const Part& part : parts) {
-    images.push_back(render::to_image(part.raw));
-    part.overlay.paint(images.back());
-  }
-  return sheet && fonts ? sheet->with(images, *fonts) : std::move(images.front());
+bool RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose) {
+  return shows_panes(settings, drawn.panes.places) && fonts_
+             ? ask_sheet(drawn, settings, std::move(purpose))
+             : ask_one(drawn, settings, panels, std::move(purpose));
 }
 
-void RecordDesk::ask_snapshot(const Drawn& drawn) {
-  if (snapshot_->all_panes && !drawn.panes.places.is_empty() && fonts_) return ask_sheet(drawn);
-  if (auto overlay = ask(drawn, *snapshot_, drawn.panels)) asked_.push_back(asked_snapshot(std::move(*overlay)));
+bool RecordDesk::refuse(const Purpose& purpose, const std::string& reason) {
+  messages_.problem((purpose.use == Use::frame ? "Recording ended: " : "No snapshot: ") + reason);
+  return false;
 }
 
-namespace {
-
-/// As the panes lie in the window, or on a picture of the size that is asked for.
-PaneSheet sheet_for(const PanePlaces& panes, double content_scale, const RecordSettings& settings) {
-  const PanePlace& main = panes.places().front();
-  const std::size_t count = panes.places().size();
-  const auto columns = static_cast<std::size_t>(std::ranges::count(panes.places(), main.top, &PanePlace::top));
-  PaneSheet out{.scale = content_scale,
-                .grid = lay_out_panes_of(main.width, main.height, count, columns, content_scale)};
-  const Vec2 natural = out.grid.extent();
-  out.width = static_cast<int>(std::ceil(natural.x));
-  out.height = static_cast<int>(std::ceil(natural.y));
-  if (settings.width == 0) return out;
-  out.width = settings.width;
-  out.height = settings.height;
-  out.scale *= std::min(out.width / natural.x, out.height / natural.y);
-  out.grid = lay_out(count, out.width, out.height, static_cast<double>(main.height) / main.width, out.scale);
-  return out;
-}
-
-}  // namespace
-
-void RecordDesk::ask_sheet(const Drawn& drawn) {
+bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, Purpose purpose) {
   const PanePlace& main = drawn.panes.places.places().front();
-  auto captured = std::make_shared<Captured>();
-  captured->fonts = fonts_;
-  PaneSheet& sheet = captured->sheet.emplace(sheet_for(drawn.panes.places, drawn.content_scale, *snapshot_));
+  PaneSheet sheet = sheet_for(drawn.panes.places, drawn.content_scale, settings);
   if (sheet.pane_width() < 1 || sheet.pane_height() < 1)
-    return messages_.problem("No snapshot: the picture is too small for its panes");
-  const Rgb background = snapshot_->background.value_or(picture_.canvas());
-  sheet.background = snapshot_->transparent ? std::nullopt : std::optional(background);
+    return refuse(purpose, "the picture is too small for its panes");
+  const Rgb background = settings.background.value_or(picture_.canvas());
+  sheet.background = settings.transparent ? std::nullopt : std::optional(background);
   sheet.labels = drawn.panes.labels;
   const FrameView view = frame_view(drawn.camera, {main.left, main.top, main.width, main.height}, drawn.content_scale,
                                     {.width = sheet.pane_width(), .height = sheet.pane_height()});
@@ -227,6 +243,9 @@ void RecordDesk::ask_sheet(const Drawn& drawn) {
     layers.push_back(pane.layers);
   }
   const bool is_explained_once = are_alike(layers);
+  const std::optional<Rgb> behind = sheet.background;
+  const auto picture = std::make_shared<CapturedPicture>(std::move(sheet), fonts_);
+  const auto shared = std::make_shared<const Purpose>(std::move(purpose));
   for (std::size_t i = 0; i < panes.size(); ++i) {
     ScaleMarks marks = drawn.state.marks;
     marks.bar = marks.bar && i == 0;
@@ -238,19 +257,17 @@ void RecordDesk::ask_sheet(const Drawn& drawn) {
                             drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
                             {},
                             drawn.state.legend_at},
-                           fonts_, {view.camera, view.content_scale, sheet.background});
-    const render::CaptureOptions options{.background = sheet.background,
-                                         .content_scale = view.content_scale,
-                                         .supersampling = snapshot_->supersampling};
+                           fonts_, {view.camera, view.content_scale, behind});
+    const render::CaptureOptions options{
+        .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
     if (const auto done = picture_.capture(capture_, view.camera, panes[i], drawn.editor, options, true); !done)
-      return messages_.problem(done.error().message());
-    asked_.push_back(asked_snapshot(std::move(overlay)));
-    asked_.back().sheet = captured;
+      return refuse(*shared, done.error().message());
+    asked_.push_back({std::move(overlay), picture, shared});
   }
+  return true;
 }
 
-std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings,
-                                              const Insets& panels) {
+bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose) {
   const WindowPart part = part_between(panels, drawn.camera.width(), drawn.camera.height());
   const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
@@ -265,29 +282,35 @@ std::optional<PictureOverlay> RecordDesk::ask(const Drawn& drawn, const RecordSe
                          fonts_, {view.camera, view.content_scale, behind});
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
                             view.content_scale == drawn.content_scale && settings.supersampling == 1 &&
-                            !settings.transparent && background == picture_.canvas() && picture_.every() == 1;
+                            !settings.transparent && background == picture_.canvas() && picture_.every() == 1 &&
+                            drawn.panes.places.is_empty();
   if (is_on_screen) {
     capture_.take({}, {part.left, drawn.camera.height() - part.top - part.height, part.width, part.height});
-    return overlay;
+  } else {
+    const render::CaptureOptions options{
+        .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
+    const ShownPanes::Layers layers = visible_layers(drawn.layers);
+    if (const auto done = picture_.capture(capture_, view.camera, {layers}, drawn.editor, options); !done)
+      return refuse(purpose, done.error().message());
   }
-  const render::CaptureOptions options{
-      .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
-  const ShownPanes::Layers layers = visible_layers(drawn.layers);
-  if (const auto done = picture_.capture(capture_, view.camera, {layers}, drawn.editor, options); !done) {
-    messages_.problem(done.error().message());
-    return std::nullopt;
-  }
-  return overlay;
+  asked_.push_back({std::move(overlay), std::make_shared<CapturedPicture>(),
+                    std::make_shared<const Purpose>(std::move(purpose))});
+  return true;
+}
+
+void RecordDesk::ask_window(const render::PixelRect& all, Purpose purpose) {
+  capture_.take({}, all);
+  asked_.push_back({{}, std::make_shared<CapturedPicture>(), std::make_shared<const Purpose>(std::move(purpose))});
 }
 
 void RecordDesk::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
-    ask_snapshot(drawn);
+    static_cast<void>(ask(drawn, *snapshot_, drawn.panels, snapshot_purpose()));
     snapshot_.reset();
   }
   if (!is_frame_due(drawn) || settings_.with_panels) return;
-  if (auto overlay = ask(drawn, settings_, panels_))
-    frame_asked(drawn, std::move(*overlay));
+  if (ask(drawn, settings_, panels_, frame_purpose(drawn)))
+    note_frame(drawn);
   else
     stop();
 }
@@ -297,8 +320,7 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
   // More disks may be on their way to the window.
   if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
-    capture_.take({}, all);
-    asked_.push_back(asked_snapshot({}));
+    ask_window(all, snapshot_purpose());
     snapshot_.reset();
   }
   if (!settings_.with_panels || !is_frame_due(drawn)) return;
@@ -307,46 +329,39 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
     messages_.problem("Recording ended: the window has another size now, and its panels cannot be scaled");
     return;
   }
-  capture_.take({}, all);
-  frame_asked(drawn, {});
+  ask_window(all, frame_purpose(drawn));
+  note_frame(drawn);
 }
 
 void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
-  if (asked.use == Use::frame) {
-    if (writer_) writer_->push({std::move(raw), std::move(asked.info), std::move(asked.overlay)});
-    return;
+  asked.picture->add(std::move(raw), std::move(asked.overlay));
+  if (!asked.picture->is_whole()) return;
+  switch (asked.purpose->use) {
+    case Use::frame:
+      if (writer_) writer_->push({std::move(*asked.picture), asked.purpose->info});
+      break;
+    case Use::snapshot: write_snapshot(std::move(asked.picture), asked.purpose); break;
+    case Use::copy: write_copy(std::move(asked.picture)); break;
   }
-  auto captured = asked.sheet ? std::move(asked.sheet) : std::make_shared<Captured>();
-  captured->parts.push_back({std::move(raw), std::move(asked.overlay)});
-  if (!captured->is_whole()) return;
-  if (asked.use == Use::snapshot)
-    write_snapshot(std::move(captured), std::move(asked));
-  else
-    write_copy(std::move(captured));
 }
 
-RecordDesk::Asked RecordDesk::asked_snapshot(PictureOverlay overlay) const {
-  Asked out{.use = use_of_snapshot(), .overlay = std::move(overlay), .folder = folder_of(*snapshot_)};
-  if (out.use == Use::snapshot && snapshot_->with_source && source_) out.session = source_();
-  return out;
-}
-
-void RecordDesk::write_snapshot(std::shared_ptr<const Captured> captured, Asked asked) {
-  if (asked.folder.empty()) {
+void RecordDesk::write_snapshot(std::shared_ptr<CapturedPicture> picture,
+                                const std::shared_ptr<const Purpose>& purpose) {
+  if (purpose->folder.empty()) {
     messages_.problem("No snapshot: the home folder is not known; choose a folder for pictures");
     return;
   }
   if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
-  written_snapshot_.begin([captured = std::move(captured), asked = std::move(asked)](const std::stop_token&) {
-    return write_picture(captured->picture(), asked.folder, asked.session);
+  written_snapshot_.begin([picture = std::move(picture), purpose](const std::stop_token&) {
+    return write_picture(std::move(*picture).image(), purpose->folder, purpose->session);
   });
 }
 
-void RecordDesk::write_copy(std::shared_ptr<const Captured> captured) {
-  written_copy_.begin([captured = std::move(captured)](const std::stop_token& stop) -> Expected<void> {
-    const auto png = render::encode_png(captured->picture(), render::kPngSmall, {});
+void RecordDesk::write_copy(std::shared_ptr<CapturedPicture> picture) {
+  written_copy_.begin([picture = std::move(picture)](const std::stop_token& stop) -> Expected<void> {
+    const auto png = render::encode_png(std::move(*picture).image(), render::kPngSmall, {});
     if (!png) return std::unexpected(png.error());
     return copy_png(*png, stop);
   });

@@ -29,6 +29,7 @@ namespace mes {
 ///  2. No call but `end` waits for a disk or for another program.
 ///  3. All frames of a take have the size that the first one has, even if the window is resized meanwhile. Frames of
 ///     the drawing alone show what is between the panels when the take begins.
+///  4. While several panes are on screen, frames show all of them as snapshots do, or the main one, as the settings say.
 ///
 /// Smallest use, each turn of the window's loop:
 ///     if (!desk.holds_input(now, rest, is_cancelled)) deliver_events();
@@ -46,8 +47,15 @@ class RecordDesk {
   /// The same of what the manifest of a take holds when it ends.
   void set_take_source(std::function<Session()> source) { take_source_ = std::move(source); }
   bool is_recording() const { return writer_ != nullptr; }
-  /// Of a window this large, with these panels at its sides.
-  void start(const RecordSettings& settings, int width, int height, const Insets& panels, const ShownState& now);
+  /// What is recorded of.
+  struct Window {
+    int width = 0;  ///< pixels
+    int height = 0;
+    Insets panels{};          ///< at its sides; what they leave free is divided into the panes
+    const PanePlaces& panes;  ///< empty: there is only the main one
+    double content_scale = 1.0;
+  };
+  void start(const RecordSettings& settings, const Window& window, const ShownState& now);
   /// What was captured is written in the background.
   void stop();
   /// Stops, and waits until everything is written.
@@ -112,39 +120,35 @@ class RecordDesk {
   };
   /// Where a captured picture goes: a frame, or a snapshot.
   enum class Use : std::uint8_t { frame, snapshot, copy };
-  /// Pictures as they arrive: one, or one a pane of a sheet.
-  struct Captured {
-    struct Part {
-      render::RawImage raw;
-      PictureOverlay overlay;
-    };
-    std::vector<Part> parts;
-    std::optional<PaneSheet> sheet;
-    std::shared_ptr<const PaperFonts> fonts;
-    bool is_whole() const { return !sheet || parts.size() == sheet->labels.size(); }
-    render::Image picture() const;
-  };
-  struct Asked {
+  /// What becomes of a picture that was asked for.
+  struct Purpose {
     Use use = Use::frame;
     FrameInfo info{};
+    std::filesystem::path folder{};    ///< of a snapshot
+    std::optional<Session> session{};  ///< that it carries
+  };
+  /// Pixels that are on their way from the graphics card.
+  struct Asked {
     PictureOverlay overlay{};
-    std::filesystem::path folder{};     ///< of a snapshot
-    std::optional<Session> session{};   ///< that it carries
-    std::shared_ptr<Captured> sheet{};  ///< that it is a part of
+    std::shared_ptr<CapturedPicture> picture{};  ///< that they are a part of
+    std::shared_ptr<const Purpose> purpose{};
   };
   bool has_room() const;
   bool is_frame_due(const Drawn& drawn) const;
   bool is_snapshot_due(const Drawn& drawn) const;
-  void frame_asked(const Drawn& drawn, PictureOverlay overlay);
-  /// What to paint on the picture asked for; nothing: it cannot be had.
-  std::optional<PictureOverlay> ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels);
-  void ask_snapshot(const Drawn& drawn);
-  /// One picture of each pane.
-  void ask_sheet(const Drawn& drawn);
+  Purpose frame_purpose(const Drawn& drawn) const;
+  Purpose snapshot_purpose() const;
+  void note_frame(const Drawn& drawn);
+  /// The drawing as settings have it. False, with a message: it cannot be had.
+  bool ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose);
+  bool ask_one(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose);
+  /// All panes.
+  bool ask_sheet(const Drawn& drawn, const RecordSettings& settings, Purpose purpose);
+  void ask_window(const render::PixelRect& all, Purpose purpose);
+  bool refuse(const Purpose& purpose, const std::string& reason);
   void hand_on(render::RawImage raw);
-  Asked asked_snapshot(PictureOverlay overlay) const;
-  void write_snapshot(std::shared_ptr<const Captured> captured, Asked asked);
-  void write_copy(std::shared_ptr<const Captured> captured);
+  void write_snapshot(std::shared_ptr<CapturedPicture> picture, const std::shared_ptr<const Purpose>& purpose);
+  void write_copy(std::shared_ptr<CapturedPicture> picture);
   Use use_of_snapshot() const { return is_copy_ ? Use::copy : Use::snapshot; }
   bool take_results();
   void tell_end(const Finished& done);

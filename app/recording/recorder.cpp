@@ -22,6 +22,9 @@ std::string name_of_last_edit(const TimelineLog& timeline) {
 Change Recorder::change(const ShownState& now) const {
   if (now.document != captured_.document) return Change::document;
   if (now.settings != captured_.settings) return Change::settings;
+  if (now.panes != captured_.panes || now.evolution != captured_.evolution ||
+      now.has_differences != captured_.has_differences)
+    return Change::panes;
   if (now.layers != captured_.layers || now.solo != captured_.solo) return Change::layers;
   if (now.selection != captured_.selection) return Change::selection;
   if (now.legend != captured_.legend || now.legend_at != captured_.legend_at || now.marks != captured_.marks ||
@@ -35,6 +38,7 @@ bool Recorder::wants_frame(const ShownState& now, const AtRest& rest) const {
     case Change::none: return false;
     case Change::view: return each_motion_ || rest.view;
     case Change::layers:
+    case Change::panes:
     case Change::settings: return rest.controls;
     case Change::texts:
     case Change::selection:
@@ -58,6 +62,7 @@ std::string name_of(Change change, const TimelineLog& timeline) {
     case Change::texts: return "Legend, scale or caption";
     case Change::selection: return "Selection";
     case Change::layers: return "Layers";
+    case Change::panes: return "Panes";
     case Change::settings: return "Computation";
     case Change::document: break;
   }

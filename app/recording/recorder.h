@@ -22,6 +22,7 @@
 #include <string>
 
 #include "app/model/legend_scope.h"
+#include "app/model/pane_list.h"
 #include "app/model/scale_marks.h"
 #include "core/document/computation_settings.h"
 #include "core/document/timeline.h"
@@ -36,7 +37,9 @@ struct ShownState {
   std::uint64_t selection = 0;
   std::uint64_t layers = 0;
   LayerIndex solo = kNoLayer;
-  std::uint64_t panes = 0;
+  std::uint64_t panes = 0;     ///< what is shown beside the main one
+  PaneEvolution evolution{};   ///< that panes show states of; as at the start where none does
+  bool has_differences = false;  ///< of the panes, marked
   ComputationSettings settings{};
   render::Camera view{};
   LegendScope legend = LegendScope::none;
@@ -53,7 +56,7 @@ struct AtRest {
   bool controls = true;  ///< no slider, colour or field of a panel is in use
 };
 
-enum class Change : std::uint8_t { none, view, texts, selection, layers, settings, document };
+enum class Change : std::uint8_t { none, view, texts, selection, layers, panes, settings, document };
 
 class Recorder {
  public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/model/session_evolution.h"
 #include "app/window/document_flow.h"
 #include "core/io/bundle_file.h"
 
@@ -12,15 +13,6 @@ namespace mes {
 namespace fs = std::filesystem;
 
 namespace {
-
-// What this version does not know is left at its default.
-EvolutionChoice choice_of(const SessionEvolution& evolution) {
-  EvolutionChoice out{.evolution = find_evolution(evolution.id).value_or(0), .seed = evolution.seed};
-  for (const ParameterDescriptor& parameter : evolution_parameters())
-    for (const auto& [id, value] : evolution.parameters)
-      if (id == parameter.id) out.values.set(id, std::clamp(value, parameter.low, parameter.high));
-  return out;
-}
 
 /// Takes the pictures out. Of several the last is on top; the others would not be seen.
 std::string take_picture(std::vector<std::string>& files) {

@@ -25,12 +25,10 @@ void LiveRecording::bind(ActionBindings& actions) {
   actions.bind(ActionId::snapshot, {[this, &settings] { desk_.snapshot(settings); }});
   actions.bind(ActionId::copy_picture, {[this, &settings] { desk_.copy(settings.all_panes); }});
   actions.bind(ActionId::record, {[this, &settings] {
-                                    const auto size = uses_.screen.window->framebuffer_size();
                                     if (desk_.is_recording())
                                       desk_.stop();
                                     else
-                                      desk_.start(settings, size.width, size.height, uses_.board.view().insets(),
-                                                  shown_state());
+                                      start(settings);
                                   },
                                   {},
                                   [this] { return desk_.is_recording(); }});
@@ -38,14 +36,39 @@ void LiveRecording::bind(ActionBindings& actions) {
                {[this, &settings] { desk_.start_video(settings); }, [this] { return desk_.can_make_video(); }});
 }
 
+void LiveRecording::start(const RecordSettings& settings) {
+  const auto size = uses_.screen.window->framebuffer_size();
+  const PanePlaces& panes = uses_.board.canvas().panes();
+  Insets panels = uses_.board.view().insets();
+  // Those of the view leave the main pane.
+  if (!panes.is_empty()) {
+    const PanePlace all = panes.all();
+    panels = {static_cast<double>(all.left), static_cast<double>(all.top),
+              static_cast<double>(size.width - all.left - all.width),
+              static_cast<double>(size.height - all.top - all.height)};
+  }
+  desk_.start(settings, {size.width, size.height, panels, panes, uses_.screen.gui.drawing_scale()}, shown_state());
+}
+
 ShownState LiveRecording::shown_state() const {
-  return {
-      uses_.work.document().revision(), uses_.work.editor().selection().revision(),
-      uses_.work.layers().revision(),   uses_.work.layers().soloed(),
-      uses_.work.panes().revision(),    uses_.work.computation().settings(),
-      uses_.board.view().camera(),      legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
-      uses_.settings.legend_at,         uses_.settings.marks,
-      uses_.settings.show_annotations,  uses_.lesson.is_running() ? uses_.lesson.caption() : uses_.demo.caption()};
+  const Workspace& work = uses_.work;
+  ShownState out{.document = work.document().revision(),
+                 .selection = work.editor().selection().revision(),
+                 .layers = work.layers().revision(),
+                 .solo = work.layers().soloed(),
+                 .panes = work.panes().revision(),
+                 .settings = work.computation().settings(),
+                 .view = uses_.board.view().camera(),
+                 .legend = legend_scope(uses_.settings.show_legend, uses_.settings.show_key),
+                 .legend_at = uses_.settings.legend_at,
+                 .marks = uses_.settings.marks,
+                 .annotations = uses_.settings.show_annotations,
+                 .caption = uses_.lesson.is_running() ? uses_.lesson.caption() : uses_.demo.caption()};
+  if (!work.panes().is_empty()) {
+    out.evolution = {work.evolution().choice(), work.evolution().first_value()};
+    out.has_differences = uses_.settings.show_differences;
+  }
+  return out;
 }
 
 AtRest LiveRecording::at_rest() const {

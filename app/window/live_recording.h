@@ -44,6 +44,7 @@ class LiveRecording {
   void end() { desk_.end(); }
 
  private:
+  void start(const RecordSettings& settings);
   ShownState shown_state() const;
   AtRest at_rest() const;
   std::vector<std::string> labels_of_panes() const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/export/carried.h"
+#include "app/model/session_evolution.h"
 #include "core/draw/variant.h"
 #include "core/io/text_numbers.h"
 
@@ -116,10 +117,7 @@ std::vector<std::string> Workspace::words_of_panes() const {
 }
 
 SessionEvolution Workspace::evolution_now() const {
-  SessionEvolution out{std::string(evolution_.descriptor().id), evolution_.choice().seed, evolution_.position(), {}};
-  for (const ParameterDescriptor& parameter : evolution_parameters())
-    out.parameters.emplace_back(parameter.id, evolution_.choice().values[parameter.id]);
-  return out;
+  return session_evolution(evolution_.choice(), evolution_.position());
 }
 
 // Without the history, the document is in state 0.
@@ -135,27 +133,8 @@ Session Workspace::session_for_picture(std::string title, const Box2& view) cons
 }
 
 std::vector<PaneRequest> Workspace::pane_requests(const std::shared_ptr<const SampleData>& data) const {
-  const std::vector<std::string> words = words_of_panes();
-  ShownLayers main{.layers = layers_.visible_layers()};
-  for (LayerIndex layer = 0; layer < layers_.size(); ++layer) main.styles.push_back(layers_.style(layer));
-  std::vector<PaneRequest> out{{words.front(), main, computation_.settings(), data}};
-  const ShownPanes& shown = shown_panes();
-  for (std::size_t i = 0; i < shown.panes.size() && i + 1 < words.size(); ++i) {
-    PaneRequest pane{words[i + 1], main, settings_of_pane(i), data};
-    if (auto own = data_of_pane(i)) pane.data = std::move(own);
-    pane.shown.layers.clear();
-    for (const auto& [layer, style] : shown.panes[i]) {
-      pane.shown.layers.push_back(plain_layer(layer));
-      pane.shown.styles[plain_layer(layer)] = style;
-    }
-    out.push_back(std::move(pane));
-  }
-  return out;
-}
-
-const ComputationSettings& Workspace::settings_of_pane(std::size_t pane) const {
-  const VariantIndex variant = shown_panes().variant[pane];
-  return variant == kMainVariant ? computation_.settings() : shown_panes().variants[variant - 1].settings;
+  return mes::pane_requests({shown_panes(), layers_, computation_.settings(), words_of_panes()}, data,
+                            [this](std::size_t pane) { return data_of_pane(pane); });
 }
 
 const Document& Workspace::document_of_pane(std::size_t pane) const {

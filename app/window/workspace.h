@@ -68,9 +68,7 @@ class Workspace {
   Session session_for_picture(std::string title, const Box2& view) const;
   /// All panes, the main one of these data first, as figures have them.
   std::vector<PaneRequest> pane_requests(const std::shared_ptr<const SampleData>& data) const;
-  /// The settings of a pane beside the main one, as it is shown.
-  const ComputationSettings& settings_of_pane(std::size_t pane) const;
-  /// The document of such a pane.
+  /// The document of a pane beside the main one.
   const Document& document_of_pane(std::size_t pane) const;
   /// The same as data where it is a version of its own; null: it is the document of the main pane.
   std::shared_ptr<const SampleData> data_of_pane(std::size_t pane) const;

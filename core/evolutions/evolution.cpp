@@ -153,4 +153,17 @@ std::vector<SampleData::Contour> contours_of(const EvolutionState& state) {
   return state.curve && state.curve->is_known ? state.curve->chains : std::vector<SampleData::Contour>();
 }
 
+SampleData version_of(const SampleData& data, const EvolutionState& state) {
+  SampleData out = data;
+  out.positions = state.positions;
+  out.contours = contours_of(state);
+  out.source.reset();
+  const auto is_gone = [&state](std::uint32_t sample) { return sample >= state.positions.size(); };
+  std::erase_if(out.annotations, [&](const Annotation& annotation) {
+    return std::ranges::any_of(annotation.anchors,
+                               [&](const Anchor& anchor) { return std::ranges::any_of(anchor.samples, is_gone); });
+  });
+  return out;
+}
+
 }  // namespace mes

@@ -123,4 +123,8 @@ Expected<double> moved_value(const ParameterMove& move, double first, std::uint6
 /// The known loops of a state, by places; none where its curve did not come from the document.
 std::vector<SampleData::Contour> contours_of(const EvolutionState& state);
 
+/// The data with their samples and contours as they are in a state; annotations that follow samples that the state does
+/// not have are left out.
+SampleData version_of(const SampleData& data, const EvolutionState& state);
+
 }  // namespace mes
