@@ -164,6 +164,8 @@ constexpr auto kViewRows = std::to_array<Row>({
      "of the document; four at most",
      "F6"},
     {Id::close_panes, "close-panes", "Close panes", "Show the main pane alone again", "Shift+F6"},
+    {Id::toggle_free_cameras, "toggle-free-cameras", "Free cameras of panes",
+     "Let each pane be zoomed and moved by itself; locked again, all show the view of the main one", "Alt+F6"},
     {Id::toggle_differences, "toggle-differences", "Mark differences", "Mark in each pane what not all of them have",
      "Ctrl+F6"},
     {Id::toggle_evolution, "toggle-evolution", "Evolution",

@@ -87,6 +87,7 @@ enum class ActionId : std::uint8_t {
   put_marks_back,
   add_pane,
   close_panes,
+  toggle_free_cameras,
   toggle_differences,
   toggle_evolution,
   toggle_theme,

@@ -26,8 +26,8 @@ Canvas::Canvas(ToolContext& context)
              std::make_unique<BrushTool>(context)} {}
 
 Pointer Canvas::pointer(Vec2 px, Modifiers modifiers) const {
-  return {(1.0 / content_scale_) * px, view_.camera().to_world(px), content_scale_ * view_.camera().units_per_pixel(),
-          modifiers};
+  return {(1.0 / content_scale_) * px, view_at_pointer().camera().to_world(px),
+          content_scale_ * view_at_pointer().camera().units_per_pixel(), modifiers};
 }
 
 void Canvas::set_panes(PanePlaces panes) {
@@ -63,7 +63,7 @@ void Canvas::move_to(Vec2 px, Modifiers modifiers) {
   modifiers_ = modifiers;
   is_hovered_ = true;
   if (panning_)
-    view_.pan(delta);
+    view_at_pointer().pan(delta);
   else if (tool().is_active())
     tool().drag(pointer(px, modifiers));
   else
@@ -85,7 +85,7 @@ void Canvas::release(PointerButton button, Vec2 in_window, Modifiers modifiers) 
 void Canvas::wheel(Vec2 in_window, double steps) {
   const Vec2 px = in_main_pane(in_window);
   if (!panning_ && tool().wheel(pointer(px, modifiers_), steps)) return;
-  view_.zoom_at(px, std::pow(kZoomPerStep, steps));
+  view_at_pointer().zoom_at(px, std::pow(kZoomPerStep, steps));
 }
 
 void Canvas::leave() {
@@ -128,8 +128,8 @@ void Canvas::follow_view() {
 }
 
 void Canvas::advance(double seconds) {
-  const bool moved = view_.is_moving();
-  view_.advance(seconds);
+  const bool moved = view_at_pointer().is_moving();
+  views_.advance(seconds);
   if (moved) follow_view();
 }
 

@@ -7,7 +7,7 @@
 
 #include "app/canvas/tools/tool.h"
 #include "app/model/pane_places.h"
-#include "app/model/view_motion.h"
+#include "app/model/pane_views.h"
 
 namespace mes {
 
@@ -22,14 +22,21 @@ class Canvas {
  public:
   explicit Canvas(ToolContext& context);
 
-  ViewMotion& view() { return view_; }
-  const ViewMotion& view() const { return view_; }
+  /// Of the main pane.
+  ViewMotion& view() { return views_.main(); }
+  const ViewMotion& view() const { return views_.main(); }
+  /// Of all panes.
+  PaneViews& views() { return views_; }
+  const PaneViews& views() const { return views_; }
+  /// Of the pane that the pointer is in, or was last.
+  ViewMotion& view_at_pointer() { return views_.of(pane_); }
+  const ViewMotion& view_at_pointer() const { return views_.of(pane_); }
   /// Framebuffer pixels per logical pixel.
   void set_content_scale(double scale) { content_scale_ = scale; }
   double content_scale() const { return content_scale_; }
 
-  /// Several panes show the view. Whichever the pointer is in, it meets the plane as in the main one; a gesture stays
-  /// in the pane where it began.
+  /// There are several panes. Whichever the pointer is in, it meets the plane as that pane shows it; a gesture stays in
+  /// the pane where it began.
   void set_panes(PanePlaces panes);
   const PanePlaces& panes() const { return panes_; }
   /// The pane that the pointer is in, and from the main pane to it in pixels.
@@ -49,11 +56,11 @@ class Canvas {
   /// A gesture has the pointer: events belong here wherever it goes.
   bool has_pointer() const { return panning_ || tool().is_active(); }
   bool is_hovered() const { return is_hovered_; }
-  /// In the main pane.
+  /// The same place in the main pane.
   Vec2 pointer_px() const { return pointer_px_; }
-  Vec2 pointer_world() const { return view_.camera().to_world(pointer_px_); }
-  /// The cursor if it is here, else the middle of the free area: where keys zoom.
-  Vec2 zoom_center() const { return is_hovered_ ? pointer_px_ : view_.middle(); }
+  Vec2 pointer_world() const { return view_at_pointer().camera().to_world(pointer_px_); }
+  /// The cursor if it is here, else the middle of the free area: where keys zoom the view at the pointer.
+  Vec2 zoom_center() const { return is_hovered_ ? pointer_px_ : view_at_pointer().middle(); }
 
   /// Where the pointer is, as tools see it.
   Pointer pointer() const { return pointer(pointer_px_, modifiers_); }
@@ -77,7 +84,7 @@ class Canvas {
   void move_to(Vec2 px, Modifiers modifiers);
   void follow_view();
 
-  ViewMotion view_;
+  PaneViews views_;
   PanePlaces panes_;
   std::size_t pane_ = 0;
   std::array<std::unique_ptr<Tool>, kToolCount> tools_;

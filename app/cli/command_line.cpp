@@ -333,7 +333,11 @@ void describe_commands(CLI::App& app, Arguments& to) {
                          "Panes side by side, WHAT=VALUE,VALUE[,VALUE...]: precision, family (a, p,\n"
                          "b: the layers of these balls), bundle, step (of --evolution), or a\n"
                          "parameter (mesecina list parameters), as in precision=naive,exact.\n"
-                         "All panes show the same part of the plane");
+                         "All panes show the same part of the plane, unless --free-cameras is given");
+  render
+      ->add_flag("--free-cameras", to.render.has_free_cameras,
+                 "Show in each pane all that is in it, each at a scale of its own")
+      ->needs(compare);
   render->add_flag("--differences", to.render.with_differences, "Mark what only some of the panes have")
       ->needs(compare);
   render

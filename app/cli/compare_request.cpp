@@ -203,9 +203,12 @@ std::vector<std::string_view> compared_subjects() {
 Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps) {
   if (request.compared.empty()) {
     if (request.with_differences) return usage_error("--differences goes with --compare");
+    if (request.has_free_cameras) return usage_error("--free-cameras goes with --compare");
     if (!request.evolution.empty()) return usage_error("--evolution goes with --compare step=...");
     return CompareRequest{};
   }
+  if (request.has_free_cameras && !request.view.empty())
+    return usage_error("--free-cameras goes without --view: each pane shows all that is in it");
   auto out = Reader(request, maps).read();
   if (out && out->subject != CompareRequest::Subject::step && !request.evolution.empty())
     return usage_error("--evolution goes with --compare step=...");

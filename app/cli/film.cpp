@@ -152,10 +152,13 @@ class Studio {
  private:
   int title_band() const { return static_cast<int>(std::ceil(scale_ * title_.drawing.height)); }
 
+  static SeenByAll seen_in(const Box2& view, const Document& document) {
+    return view.is_empty() ? SeenByAll{document.bounding_box(), kMargin} : SeenByAll{view, 0.0};
+  }
+
   // As `mesecina render --compare` lays them out, with the caption in the first one.
   Expected<CapturedPicture> draw_panes(const Player& player) {
-    auto requests =
-        panes_.requests({player.document(), player.history(), player.layers(), player.settings()});
+    auto requests = panes_.requests({player.document(), player.history(), player.layers(), player.settings()});
     if (!requests) return std::unexpected(requests.error());
     Comparison comparison = compare(std::move(*requests));
     for (const LayerIndex layer : held_) scene_.forget(layer);
@@ -172,33 +175,32 @@ class Studio {
     if (!result) return std::unexpected(result.error());
     share_color_ranges(comparison, mirror);
     follow_picture(player.layers().image());
-    SeenByAll seen{player.view(), 0.0};
-    if (seen.box.is_empty()) {
-      seen.margin = kMargin;
+    SeenByAll seen = seen_in(player.view(), player.document());
+    if (player.view().is_empty() && !panes_.has_free_cameras())
       for (const Pane& pane : comparison.panes)
         if (const Box2 box = comparison.document_of(pane, *result).bounding_box(); !box.is_empty()) seen.box.add(box);
-    }
     const auto& [width, height] = film_.size;
-    PaneSheet sheet{.width = width,
-                    .height = height,
-                    .band = title_band(),
-                    .scale = scale_,
-                    .background = kWhiteCanvas,
-                    .grid = lay_out(comparison.panes.size(), width, height - title_band(), seen.proportions(), scale_),
-                    .title = title_.drawing};
+    PaneSheet sheet{
+        .width = width,
+        .height = height,
+        .band = title_band(),
+        .scale = scale_,
+        .background = kWhiteCanvas,
+        .grid = lay_out(comparison.panes.size(), width, height - title_band(), seen.proportions(), scale_),
+        .title = title_.drawing};
     const int pane_width = sheet.pane_width();
     const int pane_height = sheet.pane_height();
     if (pane_width < 1 || pane_height < 1) return no_room_for(comparison.panes.size());
     for (const Pane& pane : comparison.panes) sheet.labels.push_back(pane.label);
-    const FigureRequest all{
-        .shown = {}, .part = Everything{}, .legend = film_.legend, .marks = film_.marks};
+    const FigureRequest all{.shown = {}, .part = Everything{}, .legend = film_.legend, .marks = film_.marks};
     CapturedPicture out(std::move(sheet), fonts_);
     for (std::size_t i = 0; i < comparison.panes.size(); ++i) {
       const Pane& pane = comparison.panes[i];
       const Document& document = comparison.document_of(pane, *result);
-      const FigureRequest one = request_for(all, comparison, i);
-      const render::Camera camera = camera_below(0, pane_width, pane_height, seen.box,
-                                                 seen.margin * std::min(pane_width, pane_height));
+      const FigureRequest one = request_for(all, comparison, i, panes_.has_free_cameras());
+      const SeenByAll here = i == 0 || !panes_.has_free_cameras() ? seen : seen_in(panes_.views()[i - 1], document);
+      const render::Camera camera =
+          camera_below(0, pane_width, pane_height, here.box, here.margin * std::min(pane_width, pane_height));
       std::vector<render::LayerView> views;
       for (const LayerIndex layer : pane.shown.layers)
         views.push_back({layer, pane.shown.styles[plain_layer(layer)]});
@@ -249,9 +251,9 @@ class Studio {
   Film film_;
   const SessionPanes& panes_;
   std::vector<LayerIndex> held_;  // by the scene, of the panes
-  double scale_;              // pixels per logical pixel
-  PictureTitle title_;        // the same in all pictures
-  std::string picture_file_;  // in the scene, or not readable
+  double scale_;                  // pixels per logical pixel
+  PictureTitle title_;            // the same in all pictures
+  std::string picture_file_;      // in the scene, or not readable
   std::shared_ptr<const PaperFonts> fonts_;
 };
 
@@ -317,8 +319,7 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
         if (!drawn) return std::unexpected(drawn.error());
         shot = std::move(*drawn);
       }
-      if (!writer.push({*shot, {std::string(step.what), player.document().digest()}}))
-        return writer.finish();
+      if (!writer.push({*shot, {std::string(step.what), player.document().digest()}})) return writer.finish();
     }
   }
   if (auto done = writer.finish(); !done || request.video.empty()) return done;

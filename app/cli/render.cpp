@@ -54,6 +54,7 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
   Session session = session_for_picture(std::move(title), input.data, std::move(layers),
                                         is_of_first ? comparison.settings : settings, picture.view.value_or(Box2{}));
   session.panes = panes_beside(compared);
+  if (request.has_free_cameras) session.pane_views.resize(session.panes.size());
   session.evolution = evolution_beside(compared);
   auto packed = packed_session(session);
   if (!packed) say("the picture carries no source: it would be too long");

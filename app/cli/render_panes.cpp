@@ -42,8 +42,10 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
   std::vector<render::Image> parts;
   for (std::size_t i = 0; i < count; ++i) {
     const Pane& pane = panes.comparison.panes[i];
-    auto part = draw_pixels(pane.shown, pane.marks, canvas, camera_for(size, {panes.seen.box, panes.seen.margin}),
-                            panes.sources[i], request_for(all, panes.comparison, i), {});
+    const bool is_free = panes.request.has_free_cameras;
+    const SeenByAll seen = is_free ? seen_alone(panes.comparison, panes.sources, i) : panes.seen;
+    auto part = draw_pixels(pane.shown, pane.marks, canvas, camera_for(size, {seen.box, seen.margin}),
+                            panes.sources[i], request_for(all, panes.comparison, i, is_free), {});
     if (!part) return part;
     parts.push_back(std::move(*part));
     sheet.labels.push_back(pane.label);
@@ -72,7 +74,9 @@ Expected<std::string> draw_panes(const PictureRequest& picture, const RenderRequ
                        .annotations = request.with_annotations ? place(document) : PlacedAnnotations{},
                        .document = document});
   }
-  const SeenByAll seen = seen_by_all(comparison, sources, picture.view);
+  const bool is_free = request.has_free_cameras;
+  // A view that a session has is of the main pane.
+  const SeenByAll seen = seen_by_all(comparison, sources, is_free ? std::nullopt : picture.view);
   if (request.with_differences) {
     const FramePatch patch = mark_differences(
         comparison, mirror, seen.box.is_empty() ? 0.0 : std::max(seen.box.width(), seen.box.height()));
@@ -85,7 +89,9 @@ Expected<std::string> draw_panes(const PictureRequest& picture, const RenderRequ
     if (!image) return std::unexpected(image.error());
     return encoded(*image, session);
   }
-  auto drawn = draw_pane_figure(figure_request(picture, request), comparison, sources);
+  FigureRequest figure = figure_request(picture, request);
+  if (is_free) figure.part = Everything{};
+  auto drawn = draw_pane_figure(figure, comparison, sources, is_free ? std::optional(FreeCameras{}) : std::nullopt);
   if (!drawn) return std::unexpected(drawn.error());
   return written(picture, std::move(*drawn), common.traced != nullptr, std::move(session));
 }

@@ -83,6 +83,7 @@ struct RenderRequest {
   std::string background = "ffffff";
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
   std::string compared;             ///< WHAT=VALUE,VALUE...: panes side by side; empty: one picture
+  bool has_free_cameras = false;    ///< each pane shows all that is in it
   bool with_differences = false;    ///< what only some panes have is marked
   std::string evolution;            ///< of steps that are compared
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none

@@ -190,7 +190,9 @@ Expected<DrawnFigure> FigureDesk::draw_figure_of(const Contents& contents, const
     if (!settings.with_differences) comparison.panes[i].marks.clear();
     sources.push_back(contents.source_of(i));
   }
-  return draw_pane_figure(request, comparison, sources);
+  std::optional<FreeCameras> cameras;
+  if (!contents.subject.pane_views.empty()) cameras = FreeCameras{contents.subject.pane_views};
+  return draw_pane_figure(request, comparison, sources, cameras);
 }
 
 FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wanted) try {

@@ -37,6 +37,8 @@ struct FigureSubject {
   /// All panes that the window shows, the main one first, with layers by their numbers in the main computation; empty:
   /// there is only that one.
   std::vector<PaneRequest> panes{};
+  /// What the window shows of each of these, where they have cameras of their own; none: all show `view`.
+  std::vector<figure::Page> pane_views{};
 };
 
 /// A figure as its settings have it. Plain data.

@@ -53,6 +53,13 @@ ShownPanes::Layers layers_of(const ShownLayers& shown) {
   return out;
 }
 
+/// What a pane shows that has a camera of its own.
+SeenByAll seen_in(const Comparison& comparison, std::span<const FigureSource> sources, std::size_t pane,
+                  const FigureRequest& request) {
+  if (const Box2* const view = std::get_if<Box2>(&request.part)) return {*view, 0.0};
+  return seen_alone(comparison, sources, pane);
+}
+
 std::vector<std::string> labels_of(const Comparison& comparison) {
   std::vector<std::string> out;
   for (const Pane& pane : comparison.panes) out.push_back(pane.label);
@@ -68,23 +75,25 @@ double SeenByAll::proportions() const {
   return std::clamp(box.height() / box.width(), kLeast, kMost);
 }
 
+SeenByAll seen_alone(const Comparison& comparison, std::span<const FigureSource> sources, std::size_t pane) {
+  return {fit_box(sources[pane].bounds, sources[pane].mirror, comparison.panes[pane].shown.layers), kFitMargin};
+}
+
 SeenByAll seen_by_all(const Comparison& comparison, std::span<const FigureSource> sources,
                       const std::optional<Box2>& view) {
   if (view) return {*view, 0.0};
-  SeenByAll out;
+  SeenByAll out{{}, kFitMargin};
   for (std::size_t i = 0; i < comparison.panes.size(); ++i)
-    if (const Box2 box = fit_box(sources[i].bounds, sources[i].mirror, comparison.panes[i].shown.layers);
-        !box.is_empty())
-      out.box.add(box);
-  out.margin = kFitMargin;
+    if (const Box2 box = seen_alone(comparison, sources, i).box; !box.is_empty()) out.box.add(box);
   return out;
 }
 
-FigureRequest request_for(const FigureRequest& all, const Comparison& comparison, std::size_t pane) {
+FigureRequest request_for(const FigureRequest& all, const Comparison& comparison, std::size_t pane,
+                          bool are_cameras_free) {
   FigureRequest out = all;
   out.title.clear();
   if (pane == 0) return out;
-  out.marks.bar = false;
+  if (!are_cameras_free) out.marks.bar = false;
   std::vector<ShownPanes::Layers> layers;
   for (const Pane& each : comparison.panes) layers.push_back(layers_of(each.shown));
   if (are_alike(layers)) out.legend = LegendScope::none;
@@ -105,7 +114,8 @@ std::unexpected<Error> no_room_for(std::size_t panes) {
 }
 
 Expected<DrawnFigure> draw_pane_figure(const FigureRequest& request, const Comparison& comparison,
-                                       std::span<const FigureSource> sources) {
+                                       std::span<const FigureSource> sources,
+                                       const std::optional<FreeCameras>& cameras) {
   constexpr double kLeastSide = 12.0;
   const double scale = request.shown.scale;
   const double unit = scale * figure::kPointsPerPixel;
@@ -130,17 +140,23 @@ Expected<DrawnFigure> draw_pane_figure(const FigureRequest& request, const Compa
   if (is_height_free) *page.height += band;
   const PaneGrid grid = lay_out(count, page.width, *page.height - band, proportions, unit);
   if (grid.pane_width < kLeastSide || grid.pane_height < kLeastSide) return no_room_for(count);
+  const auto part_of_pane = [&](std::size_t pane, const PaneGrid& on) {
+    if (!cameras) return part_for(request, seen, on);
+    if (natural != nullptr && pane < cameras->views.size())
+      return resized(cameras->views[pane], {on.pane_width, on.pane_height});
+    return part_for(request, natural == nullptr ? seen_in(comparison, sources, pane, request) : seen, on);
+  };
   out.figure.width = page.width;
   out.figure.height = *page.height;
   out.figure.background = request.shown.background;
   for (std::size_t i = 0; i < count; ++i) {
     const Pane& pane = comparison.panes[i];
-    FigureRequest one = request_for(request, comparison, i);
+    FigureRequest one = request_for(request, comparison, i, cameras.has_value());
     const std::optional<Rgb> background = request.shown.background;
     one.shown = pane.shown;
     one.shown.background = background;
     one.shown.scale = scale;
-    one.part = part_for(request, seen, grid);
+    one.part = part_of_pane(i, grid);
     one.page.reset();
     one.is_tight = false;
     one.marks_above = pane.marks;

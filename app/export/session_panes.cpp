@@ -20,8 +20,11 @@ SampleData before_last_edit(const SessionPanes::Moment& now) {
 
 }  // namespace
 
-SessionPanes::SessionPanes(const Session& session) : evolution_(choice_of(session.evolution)) {
+SessionPanes::SessionPanes(const Session& session)
+    : evolution_(choice_of(session.evolution)), views_(session.pane_views) {
   list_.set(session.panes);
+  // What a session in memory lacks is everything.
+  if (!views_.empty()) views_.resize(list_.panes().size());
 }
 
 Expected<std::vector<PaneRequest>> SessionPanes::requests(const Moment& now) const {

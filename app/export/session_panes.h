@@ -27,6 +27,10 @@ class SessionPanes {
   /// There is only the main one.
   bool is_empty() const { return list_.is_empty(); }
 
+  /// The panes have cameras of their own; what is to be seen in each of those beside the main one, empty for everything.
+  bool has_free_cameras() const { return !views_.empty(); }
+  const std::vector<Box2>& views() const { return views_; }
+
   struct Moment {
     const Document& document;  ///< state 0 of the evolution
     const History& history;    ///< of it
@@ -39,6 +43,7 @@ class SessionPanes {
  private:
   PaneList list_;
   EvolutionChoice evolution_;
+  std::vector<Box2> views_;
 };
 
 }  // namespace mes

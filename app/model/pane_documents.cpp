@@ -27,6 +27,16 @@ std::vector<std::uint64_t> keys_of_state(const std::vector<std::uint64_t>& docum
   return out;
 }
 
+/// The same annotations with the samples by their numbers in a document that has those of the data, in their order.
+Annotations numbered(Annotations annotations, const Document& document) {
+  const std::vector<SampleSlot> slots = document.slots_in_input_order();
+  const std::uint32_t first = document.first_id().value;
+  for (Annotation& annotation : annotations)
+    for (Anchor& anchor : annotation.anchors)
+      for (std::uint32_t& sample : anchor.samples) sample = document.id(slots[sample]).value - first;
+  return annotations;
+}
+
 /// What the engine needs of a version.
 SampleData drawn_part(const SampleData& data) {
   return {.positions = data.positions, .balls = data.balls};
@@ -190,6 +200,7 @@ void PaneDocuments::show(VariantIndex variant, Version version) {
     pane.version = {};
     return;
   }
+  static_cast<void>(post(pane, variant, annotate(pane.document, numbered(version.data->annotations, pane.document))));
   pane.version = std::move(version);
 }
 

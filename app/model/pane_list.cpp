@@ -79,6 +79,7 @@ std::string words_of(const PaneChoice& choice) {
 void PaneList::add(PaneChoice choice) {
   if (is_full()) return;
   panes_.push_back(std::move(choice));
+  keys_.push_back(next_key_++);
   ++revision_;
 }
 
@@ -92,12 +93,14 @@ void PaneList::change(std::size_t pane, PaneChoice choice) {
 void PaneList::close(std::size_t pane) {
   MES_ASSERT(pane < panes_.size());
   panes_.erase(panes_.begin() + static_cast<std::ptrdiff_t>(pane));
+  keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(pane));
   ++revision_;
 }
 
 void PaneList::close_all() {
   if (panes_.empty()) return;
   panes_.clear();
+  keys_.clear();
   ++revision_;
 }
 
@@ -105,6 +108,14 @@ void PaneList::set(std::vector<PaneChoice> panes) {
   panes.resize(std::min(panes.size(), kMost));
   if (panes_ == panes) return;
   panes_ = std::move(panes);
+  keys_.clear();
+  while (keys_.size() < panes_.size()) keys_.push_back(next_key_++);
+  ++revision_;
+}
+
+void PaneList::set_free_cameras(bool are_free) {
+  if (has_free_cameras_ == are_free) return;
+  has_free_cameras_ = are_free;
   ++revision_;
 }
 

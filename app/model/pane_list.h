@@ -2,7 +2,8 @@
 // Panes beside the main one, each of which shows the document otherwise: with another number type, another value of a
 // parameter, the union of other balls, a bundle, in a state of an evolution, or as it was before the last edit.
 //
-// All panes show one view: the same part of the plane, at the same scale. What they show is computed by the one engine
+// All panes show one view, the same part of the plane at the same scale, unless they have cameras of their own
+// (pane_views.h). What they show is computed by the one engine
 // as variants (core/draw/variant.h), so an edit shows in all at once, and what they share is computed once.
 //
 // Smallest use:
@@ -45,6 +46,11 @@ class PaneList {
   bool is_full() const { return panes_.size() == kMost; }
   std::span<const PaneChoice> panes() const { return panes_; }
   std::uint64_t revision() const { return revision_; }
+  /// Of each pane a number that no other one had and that it keeps.
+  std::span<const std::uint64_t> keys() const { return keys_; }
+  /// Each pane has a view of its own.
+  bool has_free_cameras() const { return has_free_cameras_; }
+  void set_free_cameras(bool are_free);
 
   /// Does nothing if the list is full.
   void add(PaneChoice choice);
@@ -56,6 +62,9 @@ class PaneList {
 
  private:
   std::vector<PaneChoice> panes_;
+  std::vector<std::uint64_t> keys_;  // of each
+  std::uint64_t next_key_ = 0;
+  bool has_free_cameras_ = false;
   std::uint64_t revision_ = 0;
 };
 

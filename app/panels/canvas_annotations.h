@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "app/canvas/canvas.h"
 #include "app/model/annotation_desk.h"
+#include "app/panels/pane_part.h"
 #include "app/picture/annotation_drawing.h"
 #include "app/ui/gui.h"
 
@@ -13,16 +13,18 @@ namespace mes {
 
 struct CanvasAnnotations {
   const Gui& gui;
-  const Canvas& canvas;
-  const Document& document;
+  double content_scale = 1.0;  ///< framebuffer pixels per logical pixel
+  const Document& document;    ///< that the pane shows
   const AnnotationDesk& desk;
   Rgb background;
-  ImVec2 shift{};  ///< from the main pane to the one that is drawn in, in screen coordinates
+  PanePart pane;
 
-  /// As they are now, in logical pixels from the upper left corner of the window.
+  /// As they are now, in logical pixels from the upper left corner of the window with the pane in the place of the main
+  /// one.
   AnnotationDrawing layout() const;
+  void draw(const AnnotationDrawing& drawn) const;
   /// `pointed_at`: the tool would take it.
-  void draw(const AnnotationDrawing& drawn, std::optional<std::size_t> pointed_at) const;
+  void draw_frames(const AnnotationDrawing& drawn, std::optional<std::size_t> pointed_at) const;
 };
 
 }  // namespace mes

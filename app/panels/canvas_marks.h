@@ -2,6 +2,7 @@
 // Scale bar and axes of what the canvas shows between the panels.
 #pragma once
 
+#include "app/panels/pane_part.h"
 #include "app/picture/picture.h"
 #include "app/picture/scale_drawing.h"
 #include "app/ui/gui.h"
@@ -11,10 +12,10 @@ namespace mes {
 struct CanvasMarks {
   const Gui& gui;
   const Picture& picture;
-  const render::Camera& camera;
+  PanePart pane;
 
-  /// In the part of the window from `low` to `high`, in screen coordinates, each `pixel_ratio` pixels wide. Where they
-  /// are, from `low`.
+  /// In the pane that lies where the main one does from `low` to `high`, in screen coordinates, each `pixel_ratio` pixels
+  /// wide. Where they are, from `low`.
   MarksPlace draw(const ScaleMarks& marks, ImVec2 low, ImVec2 high, double pixel_ratio) const;
 };
 

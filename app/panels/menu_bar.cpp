@@ -173,7 +173,8 @@ void view_menu(const MenuBar& menu) {
   }
   for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(menu, id);
   if (ImGui::BeginMenu("Canvas")) {
-    for (const ActionId id : {ActionId::add_pane, ActionId::close_panes, ActionId::toggle_differences})
+    for (const ActionId id :
+         {ActionId::add_pane, ActionId::close_panes, ActionId::toggle_free_cameras, ActionId::toggle_differences})
       action_item(menu, id);
     ImGui::Separator();
     canvas_menu(menu);

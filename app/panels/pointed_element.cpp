@@ -18,7 +18,7 @@ void PointedElement::follow(Engine& engine, const Scene& scene) {
   const Place place{pointer.world, pointer.units_per_px, scene.editor.document().revision(), scene.layers.revision()};
   if (asked_ == place) return;
   if (asked_ && (asked_->document != place.document || asked_->layers != place.layers)) shape_.reset();
-  if (is_asking_ || !scene.may_ask || canvas.view().is_moving() || engine.status().busy) return;
+  if (is_asking_ || !scene.may_ask || canvas.view_at_pointer().is_moving() || engine.status().busy) return;
   asked_ = place;
   is_asking_ = true;
   ProvenanceQuestion question = question_at(pointer, scene.layers);
@@ -35,12 +35,12 @@ bool PointedElement::take(const Provenance& answer) {
   return true;
 }
 
-void PointedElement::draw(const Gui& gui, const Canvas& canvas) const {
+void PointedElement::draw(const Gui& gui, const PanePart& pane, double content_scale) const {
   if (!shape_) return;
   // In the middle of the drawing there is always some area under the pointer.
   const bool is_area = shape_->kind == PrimitiveKind::disk || shape_->kind == PrimitiveKind::triangle;
   const ImU32 color = to_imgui(palette::vermilion, is_area ? 0.4 : 0.65);
-  ShapePen(gui, canvas, {color, (is_area ? 1.5F : 4.0F) * gui.unit(), PenMark::dot}).draw(*shape_);
+  ShapePen(gui, pane, content_scale, {color, (is_area ? 1.5F : 4.0F) * gui.unit(), PenMark::dot}).draw(*shape_);
 }
 
 }  // namespace mes

@@ -9,6 +9,7 @@
 #include "app/canvas/canvas.h"
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
+#include "app/panels/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/engine/engine.h"
 
@@ -31,7 +32,7 @@ class PointedElement {
   void follow(Engine& engine, const Scene& scene);
   /// True when the answer was to a question of this object.
   bool take(const Provenance& answer);
-  void draw(const Gui& gui, const Canvas& canvas) const;
+  void draw(const Gui& gui, const PanePart& pane, double content_scale) const;
 
  private:
   struct Place {

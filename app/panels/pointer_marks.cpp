@@ -21,16 +21,17 @@ class Pen {
  public:
   explicit Pen(const PointerMarks& marks)
       : canvas_(marks.canvas),
+        camera_(marks.pane.camera),
         list_(*ImGui::GetBackgroundDrawList()),
         unit_(marks.gui.unit()),
-        shift_(marks.shift),
+        shift_(marks.pane.shift),
         color_(marks.color),
         ink_(to_imgui(marks.color)) {}
 
   void ring(Vec2 world) const { list_.AddCircle(at(to_px(world)), kRing * unit_, ink_, 0, 2.0F * unit_); }
   void dot(Vec2 world) const { list_.AddCircleFilled(at(to_px(world)), 3.0F * unit_, ink_); }
   void circle(const Disk& disk, float width) const {
-    const double radius = disk.radius / (canvas_.content_scale() * canvas_.view().camera().units_per_pixel());
+    const double radius = disk.radius / (canvas_.content_scale() * camera_.units_per_pixel());
     if (radius < kLargestCirclePx)
       list_.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit_, ink_, 0, width * unit_);
   }
@@ -51,22 +52,30 @@ class Pen {
     const ImVec2 words{p.x + arm + 4.0F * unit_, p.y + 4.0F * unit_};
     list_.AddText(words, ink_, snap.name.data(), snap.name.data() + snap.name.size());
   }
-  void line(Vec2 world, Vec2 px) const { list_.AddLine(at(to_px(world)), at(px), ink_, unit_); }
+  void line(Vec2 world, Vec2 px) const { list_.AddLine(at(to_px(world)), at(here(px)), ink_, unit_); }
   void box(const Box2& px) const {
-    list_.AddRectFilled(at(px.low), at(px.high), to_imgui(color_, 0.13));
-    list_.AddRect(at(px.low), at(px.high), ink_, 0.0F, 0, unit_);
+    list_.AddRectFilled(at(here(px.low)), at(here(px.high)), to_imgui(color_, 0.13));
+    list_.AddRect(at(here(px.low)), at(here(px.high)), ink_, 0.0F, 0, unit_);
   }
   void faint_ring(Vec2 px, double radius_px) const {
-    list_.AddCircle(at(px), static_cast<float>(radius_px) * unit_, to_imgui(color_, 0.56), 0, 1.2F * unit_);
+    const double radius = radius_px * pointed().units_per_pixel() / camera_.units_per_pixel();
+    if (radius < kLargestCirclePx)
+      list_.AddCircle(at(here(px)), static_cast<float>(radius) * unit_, to_imgui(color_, 0.56), 0, 1.2F * unit_);
   }
 
  private:
-  Vec2 to_px(Vec2 world) const { return (1.0 / canvas_.content_scale()) * canvas_.view().camera().to_screen(world); }
+  const render::Camera& pointed() const { return canvas_.view_at_pointer().camera(); }
+  /// What lies at a place in the pane of the pointer, in this one.
+  Vec2 here(Vec2 px) const {
+    return pointed() == camera_ ? px : to_px(pointed().to_world(canvas_.content_scale() * px));
+  }
+  Vec2 to_px(Vec2 world) const { return (1.0 / canvas_.content_scale()) * camera_.to_screen(world); }
   ImVec2 at(Vec2 px) const {
     return {shift_.x + static_cast<float>(px.x) * unit_, shift_.y + static_cast<float>(px.y) * unit_};
   }
 
   const Canvas& canvas_;
+  const render::Camera& camera_;
   ImDrawList& list_;
   float unit_;
   ImVec2 shift_;
@@ -116,7 +125,8 @@ void PointerMarks::draw_measurement() const {
   const Insets& panels = canvas.view().insets();
   const auto on_screen = [&](double px) { return static_cast<float>(px / canvas.content_scale()) * unit; };
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 end(shift.x + screen.x - on_screen(panels.right), shift.y + screen.y - on_screen(panels.bottom));
+  const ImVec2 end(pane.shift.x + screen.x - on_screen(panels.right),
+                   pane.shift.y + screen.y - on_screen(panels.bottom));
   const ImVec2 at = pen.on_screen(places.back());
   constexpr float kBeside = 16.0F;
   // On the other side of the place if this one has too little room.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/canvas/canvas.h"
+#include "app/panels/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/base/color.h"
 #include "core/document/document.h"
@@ -17,7 +18,7 @@ struct PointerMarks {
   const Document& document;
   Rgb color;
   std::optional<Rgb> background;
-  ImVec2 shift{};  ///< from the main pane to the one that is drawn in, in screen coordinates
+  PanePart pane;
 
   /// Behind all panels.
   void draw() const;

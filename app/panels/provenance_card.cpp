@@ -94,7 +94,8 @@ void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   // The thing itself last, on top of the others.
   for (std::size_t i = answer_->lines.size(); i-- > 0;) {
     const ProvenanceLine& line = answer_->lines[i];
-    const ShapePen pen(gui, canvas, pen_look(gui, line.role, pointed_at_ != 0 && pointed_at_ != i + 1));
+    const ShapePen pen(gui, {canvas.view().camera()}, canvas.content_scale(),
+                       pen_look(gui, line.role, pointed_at_ != 0 && pointed_at_ != i + 1));
     for (const ProvenanceShape& shape : line.shapes)
       if (++shapes <= kMostShapes) pen.draw(shape);
   }

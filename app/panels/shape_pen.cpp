@@ -40,10 +40,11 @@ void stroke(ImDrawList& list, const std::optional<Piece>& piece, const PenLook& 
 
 }  // namespace
 
-ShapePen::ShapePen(const Gui& gui, const Canvas& canvas, const PenLook& look)
-    : camera_(canvas.view().camera()),
+ShapePen::ShapePen(const Gui& gui, const PanePart& pane, double content_scale, const PenLook& look)
+    : camera_(pane.camera),
+      shift_{static_cast<double>(pane.shift.x), static_cast<double>(pane.shift.y)},
       unit_(gui.unit()),
-      to_screen_(static_cast<double>(gui.unit()) / canvas.content_scale()),
+      to_screen_(static_cast<double>(gui.unit()) / content_scale),
       look_(look),
       size_{static_cast<double>(ImGui::GetIO().DisplaySize.x), static_cast<double>(ImGui::GetIO().DisplaySize.y)},
       list_(*ImGui::GetBackgroundDrawList()) {}
@@ -68,7 +69,7 @@ void ShapePen::draw(const ProvenanceShape& shape) const {
 }
 
 Vec2 ShapePen::on_screen(Vec2 world) const {
-  return to_screen_ * camera_.to_screen(world);
+  return to_screen_ * camera_.to_screen(world) + shift_;
 }
 
 void ShapePen::point(Vec2 world) const {

@@ -2,7 +2,7 @@
 // Draws single shapes of the document over the picture, behind all panels.
 #pragma once
 
-#include "app/canvas/canvas.h"
+#include "app/panels/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/base/arc.h"
 #include "core/draw/provenance.h"
@@ -22,7 +22,8 @@ struct PenLook {
 /// as their outlines. Lives for one frame.
 class ShapePen {
  public:
-  ShapePen(const Gui& gui, const Canvas& canvas, const PenLook& look);
+  /// `content_scale`: framebuffer pixels per logical pixel.
+  ShapePen(const Gui& gui, const PanePart& pane, double content_scale, const PenLook& look);
 
   void draw(const ProvenanceShape& shape) const;
 
@@ -35,6 +36,7 @@ class ShapePen {
   void unbounded(Vec2 a, Vec2 d, double low) const;
 
   const render::Camera& camera_;
+  Vec2 shift_;
   float unit_;
   double to_screen_;  ///< screen coordinates for each framebuffer pixel
   PenLook look_;

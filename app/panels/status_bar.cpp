@@ -58,7 +58,7 @@ std::string share_text(std::uint32_t every) {
 
 std::string coordinates(const Canvas& canvas) {
   if (!canvas.is_hovered()) return {};
-  const double units = canvas.view().camera().units_per_pixel();
+  const double units = canvas.view_at_pointer().camera().units_per_pixel();
   const Vec2 p = canvas.pointer_world();
   return coordinate(p.x, units) + ", " + coordinate(p.y, units);
 }
@@ -76,7 +76,7 @@ void StatusBar::draw(const PanelArea& area) const {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   if (begin_panel("##status", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     const std::string right_text = coordinates(canvas);
-    const std::string count_text = counts(editor, canvas.view().camera().units_per_pixel());
+    const std::string count_text = counts(editor, canvas.view_at_pointer().camera().units_per_pixel());
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;
     const float verdict_at = end - verdict.width();

@@ -223,30 +223,26 @@ ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optio
   return layers;
 }
 
-namespace {
-
-/// All panes show what the main one shows, so they are seen through one camera.
-render::Camera camera_of_panes(const render::Camera& window, const PanePlaces& places) {
-  if (places.is_empty()) return window;
-  const PanePlace& main = places.places().front();
+// All panes are as large as the main one, and their cameras are those of windows in which they lie in its place.
+render::Camera Picture::camera_of(const ShownState& shown, std::size_t pane) {
+  if (shown.places.is_empty()) return shown.camera;
+  const PanePlace& main = shown.places.places().front();
+  const render::Camera& window = pane == 0 ? shown.camera : shown.cameras[pane - 1];
   return window.part(main.left, main.top, main.width, main.height);
 }
-
-}  // namespace
 
 void Picture::add_marks(std::vector<render::LayerView>& views, std::size_t pane) const {
   if (pane < marks_.size()) views.insert(views.end(), marks_[pane].begin(), marks_[pane].end());
 }
 
 void Picture::choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes) {
-  const render::Camera camera = camera_of_panes(shown.camera, shown.places);
   views_.clear();
   views_.push_back(views_of(shown.layers, 1));
-  add_texts(views_.back(), editor, nullptr, camera, shown.content_scale);
+  add_texts(views_.back(), editor, nullptr, camera_of(shown, 0), shown.content_scale);
   if (!shown.places.is_empty()) add_marks(views_.back(), 0);
   for (std::size_t i = 0; i < shown.panes.size(); ++i) {
     views_.push_back(views_of(shown.panes[i], 1));
-    add_texts(views_.back(), editor, panes[i].version, camera, shown.content_scale);
+    add_texts(views_.back(), editor, panes[i].version, camera_of(shown, i + 1), shown.content_scale);
     add_marks(views_.back(), i + 1);
   }
 }
@@ -254,7 +250,6 @@ void Picture::choose_views(const ShownState& shown, const Editor& editor, std::s
 void Picture::paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options) {
   is_coarse_ = false;
   const std::vector<PanePlace>& places = shown.places.places();
-  const render::Camera camera = camera_of_panes(shown.camera, shown.places);
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (i > 0 && i >= places.size()) break;
     for (render::LayerView& view : views_[i]) view.every = every;
@@ -264,7 +259,7 @@ void Picture::paint(const ShownState& shown, std::uint32_t every, const render::
       where.bottom = shown.camera.height() - places[i].top - places[i].height;
     }
     where.overlays = where.overlays && (i == 0 || !shown.versions[i - 1]);
-    scene_.draw(camera, views_[i], where);
+    scene_.draw(camera_of(shown, i), views_[i], where);
     is_coarse_ = is_coarse_ || scene_.is_coarse();
   }
 }
@@ -306,10 +301,12 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
                  patches_, background_revision_,
                  marked_,  as_drawn(visible_layers(layers), canvas_, units_per_px),
                  is_kept,  places,
-                 {},       {}};
+                 {},       {},
+                 {}};
   if (!places.is_empty()) {
     for (const Pane& pane : panes) {
-      now.panes.push_back(as_drawn(pane.layers, canvas_, units_per_px));
+      now.cameras.push_back(pane.camera != nullptr ? *pane.camera : camera);
+      now.panes.push_back(as_drawn(pane.layers, canvas_, now.cameras.back().units_per_pixel() * content_scale));
       now.versions.push_back(pane.version != nullptr ? std::optional(pane.version->revision()) : std::nullopt);
     }
   }
@@ -318,7 +315,8 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
     kept_.show(camera.width(), camera.height());
     return;
   }
-  const bool has_moved = camera != shown_.camera || content_scale != shown_.content_scale;
+  const bool has_moved =
+      camera != shown_.camera || now.cameras != shown_.cameras || content_scale != shown_.content_scale;
   const render::Preview preview = is_kept     ? render::Preview::none
                                   : has_moved ? render::Preview::coarse
                                               : render::Preview::fine;

@@ -67,6 +67,8 @@ class Picture {
     const Document* version =
         nullptr;             ///< that it shows; null: that of the main pane, with the marks of its selection
     std::size_t number = 0;  ///< among all panes; 0: the main one
+    /// The camera of the window in which it lies where the main pane does; null: that of the main pane.
+    const render::Camera* camera = nullptr;
   };
   /// Marks above the layers of each pane, the main one first, as layers of the patch, in place of those before.
   void set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks);
@@ -128,6 +130,7 @@ class Picture {
     PanePlaces places;
     std::vector<ShownPanes::Layers> panes;
     std::vector<std::optional<std::uint64_t>> versions;  // revisions of the documents of panes that have their own
+    std::vector<render::Camera> cameras;                 // of panes beside the main one
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
@@ -136,6 +139,8 @@ class Picture {
                               double units_per_px) const;
   void add_marks(std::vector<render::LayerView>& views, std::size_t pane) const;
   void choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes);
+  /// Of a pane, in its part of the window.
+  static render::Camera camera_of(const ShownState& shown, std::size_t pane);
   void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
   void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,

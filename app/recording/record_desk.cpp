@@ -215,9 +215,8 @@ void RecordDesk::note_frame(const Drawn& drawn) {
 }
 
 bool RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose) {
-  return shows_panes(settings, drawn.panes.places) && fonts_
-             ? ask_sheet(drawn, settings, std::move(purpose))
-             : ask_one(drawn, settings, panels, std::move(purpose));
+  return shows_panes(settings, drawn.panes.places) && fonts_ ? ask_sheet(drawn, settings, std::move(purpose))
+                                                             : ask_one(drawn, settings, panels, std::move(purpose));
 }
 
 bool RecordDesk::refuse(const Purpose& purpose, const std::string& reason) {
@@ -233,8 +232,7 @@ bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, P
   const Rgb background = settings.background.value_or(picture_.canvas());
   sheet.background = settings.transparent ? std::nullopt : std::optional(background);
   sheet.labels = drawn.panes.labels;
-  const FrameView view = frame_view(drawn.camera, {main.left, main.top, main.width, main.height}, drawn.content_scale,
-                                    {.width = sheet.pane_width(), .height = sheet.pane_height()});
+  const RecordSettings pane_size{.width = sheet.pane_width(), .height = sheet.pane_height()};
   const ShownPanes::Layers main_layers = visible_layers(drawn.layers);
   std::vector<Picture::Pane> panes{{main_layers}};
   std::vector<ShownPanes::Layers> layers{main_layers};
@@ -248,16 +246,19 @@ bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, P
   const auto shared = std::make_shared<const Purpose>(std::move(purpose));
   for (std::size_t i = 0; i < panes.size(); ++i) {
     ScaleMarks marks = drawn.state.marks;
-    marks.bar = marks.bar && i == 0;
+    // Where all panes are seen at one scale, one bar is enough.
+    marks.bar = marks.bar && (i == 0 || panes[i].camera != nullptr);
+    const FrameView view = frame_view(panes[i].camera != nullptr ? *panes[i].camera : drawn.camera,
+                                      {main.left, main.top, main.width, main.height}, drawn.content_scale, pane_size);
+    const Document& document = panes[i].version != nullptr ? *panes[i].version : drawn.editor.document();
     const LegendScope legend = i == 0 || !is_explained_once ? drawn.state.legend : LegendScope::none;
-    PictureOverlay overlay =
-        picture_overlay_of({picture_.legend(layers[i], legend),
-                            i == 0 ? drawn.state.caption : std::string(),
-                            marks,
-                            drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
-                            {},
-                            drawn.state.legend_at},
-                           fonts_, {view.camera, view.content_scale, behind});
+    PictureOverlay overlay = picture_overlay_of({picture_.legend(layers[i], legend),
+                                                 i == 0 ? drawn.state.caption : std::string(),
+                                                 marks,
+                                                 drawn.state.annotations ? place(document) : PlacedAnnotations{},
+                                                 {},
+                                                 drawn.state.legend_at},
+                                                fonts_, {view.camera, view.content_scale, behind});
     const render::CaptureOptions options{
         .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
     if (const auto done = picture_.capture(capture_, view.camera, panes[i], drawn.editor, options, true); !done)
@@ -293,8 +294,8 @@ bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, con
     if (const auto done = picture_.capture(capture_, view.camera, {layers}, drawn.editor, options); !done)
       return refuse(purpose, done.error().message());
   }
-  asked_.push_back({std::move(overlay), std::make_shared<CapturedPicture>(),
-                    std::make_shared<const Purpose>(std::move(purpose))});
+  asked_.push_back(
+      {std::move(overlay), std::make_shared<CapturedPicture>(), std::make_shared<const Purpose>(std::move(purpose))});
   return true;
 }
 

@@ -30,7 +30,7 @@ Change Recorder::change(const ShownState& now) const {
   if (now.legend != captured_.legend || now.legend_at != captured_.legend_at || now.marks != captured_.marks ||
       now.annotations != captured_.annotations || now.caption != captured_.caption)
     return Change::texts;
-  return now.view == captured_.view ? Change::none : Change::view;
+  return now.view == captured_.view && now.pane_views == captured_.pane_views ? Change::none : Change::view;
 }
 
 bool Recorder::wants_frame(const ShownState& now, const AtRest& rest) const {

@@ -20,6 +20,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/model/legend_scope.h"
 #include "app/model/pane_list.h"
@@ -37,11 +38,12 @@ struct ShownState {
   std::uint64_t selection = 0;
   std::uint64_t layers = 0;
   LayerIndex solo = kNoLayer;
-  std::uint64_t panes = 0;     ///< what is shown beside the main one
-  PaneEvolution evolution{};   ///< that panes show states of; as at the start where none does
+  std::uint64_t panes = 0;       ///< what is shown beside the main one
+  PaneEvolution evolution{};     ///< that panes show states of; as at the start where none does
   bool has_differences = false;  ///< of the panes, marked
   ComputationSettings settings{};
   render::Camera view{};
+  std::vector<render::Camera> pane_views{};  ///< of panes beside the main one that have their own
   LegendScope legend = LegendScope::none;
   std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner
   ScaleMarks marks{};

@@ -123,7 +123,7 @@ void App::wait_for_event() {
 
 void App::run(const Termination& termination) {
   while (!documents_.is_left() && termination.signal() == 0) {
-    if (screen_.clock.wants_frame() || board_.view().is_moving())
+    if (screen_.clock.wants_frame() || board_.canvas().views().is_moving())
       screen_.window->poll();
     else
       wait_for_event();
@@ -175,7 +175,7 @@ void App::frame() {
   const Panels::Room room = panels_.draw();
   dialogs_.draw(screen_.gui);
   documents_.follow_dialogs();
-  board_.view().set_insets(room.insets);
+  board_.canvas().views().set_insets(room.insets);
   board_.follow();
   take_steps();
   board_.fit(room.legend);

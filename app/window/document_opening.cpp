@@ -134,7 +134,8 @@ Session DocumentFlow::session_now() const {
           .evolution = uses_.work.evolution_now(),
           .view = uses_.board.view().free_box(),
           .lesson = timeline.lesson(),
-          .panes = uses_.work.panes_now()};
+          .panes = uses_.work.panes_now(),
+          .pane_views = uses_.board.pane_views()};
 }
 
 void DocumentFlow::show_as_in(const Session& session) {
@@ -146,6 +147,8 @@ void DocumentFlow::show_as_in(const Session& session) {
   const bool is_known = find_evolution(session.evolution.id).has_value();
   uses_.work.evolution().resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
   uses_.work.panes().set(session.panes);
+  uses_.work.panes().set_free_cameras(!session.pane_views.empty());
+  uses_.board.see_in_panes(session.pane_views);
   if (!session.view.is_empty()) uses_.board.fitter().set_target(session.view);
   editor.take_layers_as_noted();
   if (files_.has_session_file()) editor.set_saved_layers(layers.configuration());

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "app/panels/canvas_annotations.h"
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/scale_drawing.h"
@@ -79,17 +78,31 @@ void DrawingBoard::bind_nudges(ActionBindings& actions) {
 
 void DrawingBoard::bind_view(ActionBindings& actions) {
   constexpr double kKeyZoom = 1.4;
-  actions.bind(ActionId::zoom_in, {[this] { view().zoom_at(canvas_.zoom_center(), kKeyZoom); }});
-  actions.bind(ActionId::zoom_out, {[this] { view().zoom_at(canvas_.zoom_center(), 1.0 / kKeyZoom); }});
-  actions.bind(ActionId::fit, {[this] { fitter_.want(ViewFitter::How::glide); }});
+  actions.bind(ActionId::zoom_in, {[this] { canvas_.view_at_pointer().zoom_at(canvas_.zoom_center(), kKeyZoom); }});
+  actions.bind(ActionId::zoom_out,
+               {[this] { canvas_.view_at_pointer().zoom_at(canvas_.zoom_center(), 1.0 / kKeyZoom); }});
+  actions.bind(ActionId::fit, {[this] { fit_all(); }});
   actions.bind(ActionId::fit_selection,
                {[this] { fit_selection(); }, [this] { return !work_.editor().selection().is_empty(); }});
-  actions.bind(ActionId::previous_view, {[this] { view().back(); }, [this] { return view().can_go_back(); }});
+  actions.bind(ActionId::previous_view, {[this] { canvas_.view_at_pointer().back(); },
+                                         [this] { return canvas_.view_at_pointer().can_go_back(); }});
 }
 
 void DrawingBoard::nudge(Vec2 px) {
-  const Expected<void> done = work_.editor().nudge_selection(view().camera().units_per_pixel() * px);
+  const Expected<void> done =
+      work_.editor().nudge_selection(canvas_.view_at_pointer().camera().units_per_pixel() * px);
   if (!done) messages_.problem(done.error().message());
+}
+
+// The main pane is fitted when the panels are where they will be; those beside it are there.
+void DrawingBoard::fit_all() {
+  const std::size_t pane = canvas_.pane();
+  if (!canvas_.views().is_own(pane)) return fitter_.want(ViewFitter::How::glide);
+  fit_pane(pane, work_.document_of_pane(pane - 1).bounding_box(), ViewFitter::kMargin * canvas_.content_scale());
+}
+
+void DrawingBoard::fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once) {
+  if (!box.is_empty()) canvas_.views().of(pane).fit(box, margin_px, at_once);
 }
 
 void DrawingBoard::fit_selection() {
@@ -97,11 +110,11 @@ void DrawingBoard::fit_selection() {
   Box2 box;
   for (const SampleSlot slot : work_.editor().selection().slots()) box.add(document.position(slot));
   for (const BallSlot slot : work_.editor().selection().ball_slots()) box.add(bounding_box_of(document.disk(slot)));
-  view().fit(box, ViewFitter::kMargin * canvas_.content_scale());
+  canvas_.view_at_pointer().fit(box, ViewFitter::kMargin * canvas_.content_scale());
 }
 
 bool DrawingBoard::is_at_rest() const {
-  return !view().is_moving() && !canvas_.has_pointer() && !fitter_.is_wanted();
+  return !canvas_.views().is_moving() && !canvas_.has_pointer() && !fitter_.is_wanted();
 }
 
 void DrawingBoard::take_results() {
@@ -124,7 +137,8 @@ void DrawingBoard::note_new_document() {
 void DrawingBoard::begin_frame(int width, int height) {
   picture_.set_canvas(canvas_background(settings_));
   canvas_.set_content_scale(static_cast<double>(screen_.gui.unit()) * screen_.window->pixel_ratio());
-  view().set_viewport(width, height);
+  canvas_.views().follow(work_.panes().keys(), work_.panes().has_free_cameras());
+  canvas_.views().set_viewport(width, height);
   dim_outdated();
 }
 
@@ -175,12 +189,17 @@ void DrawingBoard::fit(Vec2 legend) {
   if (ImGui::GetFrameCount() <= kFramesBefore) return;
   const render::Camera before = view().camera();
   fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
+  const std::vector<Box2> views = std::exchange(wanted_pane_views_, {});
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (canvas_.views().is_own(i + 1))
+      fit_pane(i + 1, views[i].is_empty() ? work_.document_of_pane(i).bounding_box() : views[i],
+               views[i].is_empty() ? ViewFitter::kMargin * canvas_.content_scale() : 0.0, true);
   // Axes, scale bar and status bar were drawn for the view before.
   if (view().camera() != before) screen_.clock.want(1);
 }
 
 void DrawingBoard::draw(const Frame& frame) {
-  if (view().is_moving()) screen_.clock.want(1);
+  if (canvas_.views().is_moving()) screen_.clock.want(1);
   draw_pointer(frame);
   const std::uint32_t share = picture_.every();
   screen_.times.begin_drawing();
@@ -196,8 +215,15 @@ std::vector<Picture::Pane> DrawingBoard::panes_beside() const {
   const ShownPanes& shown = work_.shown_panes();
   for (std::size_t i = 0; i < shown.panes.size(); ++i) {
     const Document& document = work_.document_of_pane(i);
-    out.push_back({shown.panes[i], &document != &work_.document() ? &document : nullptr, i + 1});
+    out.push_back({shown.panes[i], &document != &work_.document() ? &document : nullptr, i + 1,
+                   canvas_.views().is_own(i + 1) ? &canvas_.views().of(i + 1).camera() : nullptr});
   }
+  return out;
+}
+
+std::vector<Box2> DrawingBoard::pane_views() const {
+  std::vector<Box2> out;
+  for (std::size_t i = 1; canvas_.views().is_own(i); ++i) out.push_back(canvas_.views().of(i).free_box());
   return out;
 }
 
@@ -212,15 +238,16 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
   if (!is_hidden) screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
   const bool is_marked = over_canvas && !frame.hides_pointer;
   pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
-  lay_out_annotations();
   draw_marks_in_panes(is_marked);
   if (screen_.gui.lacks_letters()) screen_.clock.want(1);
 }
 
 void DrawingBoard::draw_marks_in_panes(bool is_marked) {
+  annotations_ = {};
+  if (shows_annotations())
+    annotations_ = annotations_in(work_.document(), {canvas_.view_at_pointer().camera()}).layout();
   const std::vector<PanePlace>& places = canvas_.panes().places();
-  if (places.empty()) return draw_marks({}, is_marked);
-  // The same in all panes, so that one sees in each where the pointer is in the others.
+  if (places.empty()) return draw_marks(0, {view().camera()}, is_marked);
   const double ratio = screen_.window->pixel_ratio();
   const auto on_screen = [ratio](double x, double y) {
     return ImVec2(static_cast<float>(x / ratio), static_cast<float>(y / ratio));
@@ -230,18 +257,30 @@ void DrawingBoard::draw_marks_in_panes(bool is_marked) {
     ImGui::GetBackgroundDrawList()->PushClipRect(on_screen(place.left, place.top),
                                                  on_screen(place.left + place.width, place.top + place.height), true);
     const Vec2 shift = canvas_.panes().shift(i);
-    draw_marks(on_screen(shift.x, shift.y), is_marked);
+    draw_marks(i, {canvas_.views().of(i).camera(), on_screen(shift.x, shift.y)}, is_marked);
     ImGui::GetBackgroundDrawList()->PopClipRect();
   }
 }
 
-void DrawingBoard::draw_marks(ImVec2 shift, bool is_marked) {
-  if (shift.x == 0.0F && shift.y == 0.0F) pointed_.draw(screen_.gui, canvas_);
-  const CanvasAnnotations shown{screen_.gui,         canvas_,           work_.document(),
-                                work_.annotations(), picture_.canvas(), shift};
-  if (shows_annotations()) shown.draw(annotations_, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);
+CanvasAnnotations DrawingBoard::annotations_in(const Document& document, const PanePart& pane) const {
+  return {screen_.gui, canvas_.content_scale(), document, work_.annotations(), picture_.canvas(), pane};
+}
+
+void DrawingBoard::draw_marks(std::size_t number, const PanePart& pane, bool is_marked) {
+  const Document& document = number == 0 ? work_.document() : work_.document_of_pane(number - 1);
+  const bool is_main_document = &document == &work_.document();
+  // What is asked about lies in the main computation, and the pointer in one pane.
+  const bool is_pointed_in = canvas_.views().is_own(canvas_.pane()) ? number == canvas_.pane() : number == 0;
+  if (is_pointed_in && is_main_document) pointed_.draw(screen_.gui, pane, canvas_.content_scale());
+  if (shows_annotations()) {
+    const CanvasAnnotations shown = annotations_in(document, pane);
+    const bool is_laid_out = is_main_document && pane.camera == canvas_.view_at_pointer().camera();
+    const AnnotationDrawing drawn = is_laid_out ? annotations_ : shown.layout();
+    shown.draw(drawn);
+    if (is_main_document) shown.draw_frames(drawn, is_marked ? canvas_.tool().feedback().annotation : std::nullopt);
+  }
   const PointerMarks marks{screen_.gui,       canvas_, work_.document(), mark_color(picture_.canvas()),
-                           picture_.canvas(), shift};
+                           picture_.canvas(), pane};
   if (is_marked) marks.draw();
   marks.draw_measurement();
 }
@@ -249,13 +288,6 @@ void DrawingBoard::draw_marks(ImVec2 shift, bool is_marked) {
 // The tool that writes them shows them.
 bool DrawingBoard::shows_annotations() const {
   return settings_.show_annotations || canvas_.tool_id() == ToolId::annotate;
-}
-
-void DrawingBoard::lay_out_annotations() {
-  annotations_ = {};
-  if (!shows_annotations()) return;
-  annotations_ =
-      CanvasAnnotations{screen_.gui, canvas_, work_.document(), work_.annotations(), picture_.canvas()}.layout();
 }
 
 void DrawingBoard::keep_measurement() {

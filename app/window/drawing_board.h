@@ -9,6 +9,7 @@
 #include "app/model/memory_watch.h"
 #include "app/model/settings.h"
 #include "app/model/view_fitter.h"
+#include "app/panels/canvas_annotations.h"
 #include "app/panels/pointed_element.h"
 #include "app/panels/provenance_card.h"
 #include "app/picture/annotation_drawing.h"
@@ -34,8 +35,6 @@ class DrawingBoard {
   const ViewMotion& view() const { return canvas_.view(); }
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
-  /// Annotations as they were drawn last, in logical pixels.
-  const AnnotationDrawing& annotations() const { return annotations_; }
   TracedPicture& traced() { return traced_; }
   const TracedPicture& traced() const { return traced_; }
 
@@ -67,10 +66,16 @@ class DrawingBoard {
   /// Draws the layers and the marks of the pointer.
   void draw(const Frame& frame);
 
+  /// What the panes beside the main one show, when they have cameras of their own; else nothing.
+  std::vector<Box2> pane_views() const;
+  /// Shows these in the panes, as `pane_views` gave them, together with what is fitted next.
+  void see_in_panes(std::vector<Box2> views) { wanted_pane_views_ = std::move(views); }
+
  private:
   void bind_nudges(ActionBindings& actions);
   void bind_view(ActionBindings& actions);
   void nudge(Vec2 px);
+  void fit_all();
   void fit_selection();
   void watch_memory();
   bool shows_differences() const;
@@ -79,10 +84,12 @@ class DrawingBoard {
   void dim_outdated();
   void draw_pointer(const Frame& frame);
   bool shows_annotations() const;
-  void lay_out_annotations();
+  CanvasAnnotations annotations_in(const Document& document, const PanePart& pane) const;
+  /// In all panes, the same marks, so that one sees in each where the pointer is in the others.
   void draw_marks_in_panes(bool is_marked);
-  /// Marks of the pointer and annotations, in one pane; `shift` is from the main pane to it, in screen coordinates.
-  void draw_marks(ImVec2 shift, bool is_marked);
+  /// Marks of the pointer and annotations, in one pane.
+  void draw_marks(std::size_t number, const PanePart& pane, bool is_marked);
+  void fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once = false);
   void keep_measurement();
 
   Workspace& work_;
@@ -99,7 +106,8 @@ class DrawingBoard {
   TracedPicture traced_;
   DifferenceMarks differences_;
   MemoryWatch memory_;
-  AnnotationDrawing annotations_;  // as they were drawn last
+  AnnotationDrawing annotations_;  // of the document, at the view at the pointer, as they were drawn last
+  std::vector<Box2> wanted_pane_views_;
 };
 
 }  // namespace mes

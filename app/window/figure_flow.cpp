@@ -57,13 +57,19 @@ FigureSubject FigureFlow::subject() const {
                     .canvas_width = seen.camera.width() / scale,
                     .legend_at = uses_.settings.legend_at,
                     .scale_bar_at = uses_.settings.marks.bar_at};
-  out.session = uses_.work.session_for_picture(uses_.title(), uses_.board.view().free_box());
+  out.session =
+      uses_.work.session_for_picture(uses_.title(), uses_.board.view().free_box(), uses_.board.pane_views());
   const LayerStack& layers = uses_.work.layers();
   out.shown.layers = layers.visible_layers();
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) out.shown.styles.push_back(layers.style(layer));
   out.shown.background = uses_.board.picture().canvas();
-  if (!uses_.board.canvas().panes().is_empty())
-    out.panes = uses_.work.pane_requests(std::make_shared<const SampleData>(out.data));
+  const Canvas& canvas = uses_.board.canvas();
+  if (canvas.panes().is_empty()) return out;
+  out.panes = uses_.work.pane_requests(std::make_shared<const SampleData>(out.data));
+  for (std::size_t i = 0; i < out.panes.size() && uses_.work.panes().has_free_cameras(); ++i)
+    out.pane_views.push_back(figure::page_of(
+        frame_view(canvas.views().of(i).camera(), part_between(view.insets(), window.width, window.height), scale, {})
+            .camera));
   return out;
 }
 

@@ -17,7 +17,8 @@ std::shared_ptr<const PaperFonts> fonts_of_pictures(const std::filesystem::path&
 
 LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake)
     : uses_(uses), desk_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {
-  desk_.set_source([this] { return uses_.work.session_for_picture({}, uses_.board.view().free_box()); });
+  desk_.set_source(
+      [this] { return uses_.work.session_for_picture({}, uses_.board.view().free_box(), uses_.board.pane_views()); });
 }
 
 void LiveRecording::bind(ActionBindings& actions) {
@@ -67,6 +68,8 @@ ShownState LiveRecording::shown_state() const {
   if (!work.panes().is_empty()) {
     out.evolution = {work.evolution().choice(), work.evolution().first_value()};
     out.has_differences = uses_.settings.show_differences;
+    for (const Picture::Pane& pane : uses_.board.panes_beside())
+      if (pane.camera != nullptr) out.pane_views.push_back(*pane.camera);
   }
   return out;
 }

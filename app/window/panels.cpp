@@ -391,9 +391,20 @@ Box2 Panels::draw_scale_marks(const Sides& sides) {
   const Gui& gui = uses_.screen.gui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 low(sides.left, sides.top);
-  const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), uses_.board.view().camera()}.draw(
-      uses_.settings.marks, low, {screen.x - sides.right, screen.y - sides.bottom},
-      uses_.screen.window->pixel_ratio());
+  const ImVec2 high(screen.x - sides.right, screen.y - sides.bottom);
+  const double ratio = uses_.screen.window->pixel_ratio();
+  const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), {uses_.board.view().camera()}}.draw(
+      uses_.settings.marks, low, high, ratio);
+  // Where all panes are seen at one scale, one bar is enough.
+  const Canvas& canvas = uses_.board.canvas();
+  for (std::size_t i = 1; i < canvas.panes().places().size(); ++i) {
+    ScaleMarks beside = uses_.settings.marks;
+    beside.bar = beside.bar && canvas.views().is_own(i);
+    const Vec2 shift = canvas.panes().shift(i);
+    const ImVec2 on_screen(static_cast<float>(shift.x / ratio), static_cast<float>(shift.y / ratio));
+    CanvasMarks{gui, uses_.board.picture(), {canvas.views().of(i).camera(), on_screen}}.draw(beside, low, high,
+                                                                                             ratio);
+  }
   if (marks.bar && mark_drag_.follow(gui,
                                      {"##scale-bar-handle", "Drag to move the scale bar; double click to put it back",
                                       low, *marks.bar, marks.room},

@@ -121,11 +121,12 @@ SessionEvolution Workspace::evolution_now() const {
 }
 
 // Without the history, the document is in state 0.
-Session Workspace::session_for_picture(std::string title, const Box2& view) const {
+Session Workspace::session_for_picture(std::string title, const Box2& view, std::vector<Box2> pane_views) const {
   Session out = mes::session_for_picture(std::move(title), data_of(document()), layers_.configuration(),
                                          computation_.settings(), view);
   if (!panes_.is_empty()) {
     out.panes = panes_now();
+    out.pane_views = std::move(pane_views);
     out.evolution = evolution_now();
     out.evolution.step = 0;
   }
@@ -138,6 +139,8 @@ std::vector<PaneRequest> Workspace::pane_requests(const std::shared_ptr<const Sa
 }
 
 const Document& Workspace::document_of_pane(std::size_t pane) const {
+  // A pane that was added since the engine was asked for what is visible shows the document.
+  if (pane >= shown_panes().variant.size()) return document();
   const Document* const own = pane_documents_.document_of(shown_panes().variant[pane]);
   return own != nullptr ? *own : document();
 }

@@ -65,7 +65,7 @@ class Workspace {
   std::vector<PaneChoice> panes_now() const { return {panes_.panes().begin(), panes_.panes().end()}; }
   SessionEvolution evolution_now() const;
   /// What a picture carries: the document as it is, without its history.
-  Session session_for_picture(std::string title, const Box2& view) const;
+  Session session_for_picture(std::string title, const Box2& view, std::vector<Box2> pane_views) const;
   /// All panes, the main one of these data first, as figures have them.
   std::vector<PaneRequest> pane_requests(const std::shared_ptr<const SampleData>& data) const;
   /// The document of a pane beside the main one.

@@ -31,6 +31,9 @@ void Workspace::bind_editing(ActionBindings& actions) {
                                 [this] { return editor_.can_redo(); }});
   actions.bind(ActionId::add_pane, {[this] { panes_.add(next_choice(panes_, computation_.settings())); },
                                     [this] { return !panes_.is_full(); }});
+  actions.bind(ActionId::toggle_free_cameras,
+               {[this] { panes_.set_free_cameras(!panes_.has_free_cameras()); },
+                [this] { return !panes_.is_empty(); }, [this] { return panes_.has_free_cameras(); }});
   actions.bind(ActionId::close_panes, {[this] { panes_.close_all(); }, [this] { return !panes_.is_empty(); }});
   actions.bind(ActionId::select_all, {[this] { editor_.selection().select_all(document()); }, has_something});
   actions.bind(ActionId::invert_selection, {[this] { editor_.selection().invert(document()); }, has_something});

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/coordinate_range.h"
 #include "core/io/json_layers.h"
 
 namespace mes {
@@ -58,6 +59,25 @@ class PaneReader {
     if (step) return step_of(step);
     if (before) return BeforeLastEdit{};
     return std::nullopt;
+  }
+
+  /// Nothing where it has none of its own; no corners: everything.
+  std::optional<Box2> read_view(JsonView pane) const {
+    const JsonView view = pane.find("view");
+    if (!view) return std::nullopt;
+    if (!view.is_list() || (view.size() != 0 && view.size() != 4)) fail("\"view\" is not two corners", view);
+    Box2 out;
+    std::optional<double> x;
+    for (const JsonView number : view.elements()) {
+      if (!number.is_number()) fail("\"view\" has something that is not a number", number);
+      if (const auto fault = range_fault_of(number.number()))
+        fail("\"view\": " + describe(*fault, number.number()), number);
+      if (x)
+        out.add(Vec2{*std::exchange(x, std::nullopt), number.number()});
+      else
+        x = number.number();
+    }
+    return out;
   }
 
  private:
@@ -114,21 +134,37 @@ class PaneReader {
 
 }  // namespace
 
-json to_json(std::span<const PaneChoice> panes) {
+json panes_to_json(std::span<const PaneChoice> panes, std::span<const Box2> views) {
   json out = json::array();
-  for (const PaneChoice& pane : panes)
-    out.push_back(std::visit([](const auto& choice) { return pane_to_json(choice); }, pane));
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    json object = std::visit([](const auto& choice) { return pane_to_json(choice); }, panes[i]);
+    if (i < views.size()) {
+      object["view"] = json::array();
+      if (const Box2& box = views[i]; !box.is_empty())
+        object["view"] = {box.low.x, box.low.y, box.high.x, box.high.y};
+    }
+    out.push_back(std::move(object));
+  }
   return out;
 }
 
-std::expected<std::vector<PaneChoice>, PaneFault> panes_from(JsonView list) try {
+std::expected<ReadPanes, PaneFault> panes_from(JsonView list) try {
   if (!list.is_list()) return std::unexpected(PaneFault{"panes: not a list", list});
   if (list.size() > kMostPanesBeside)
     return std::unexpected(PaneFault{fmt::format("panes: {}, more than {}", list.size(), kMostPanesBeside), list});
-  std::vector<PaneChoice> out;
+  ReadPanes out;
   std::size_t number = 0;
-  for (const JsonView pane : list.elements())
-    if (auto choice = PaneReader(++number).read(pane)) out.push_back(std::move(*choice));
+  bool has_views = false;
+  for (const JsonView pane : list.elements()) {
+    const PaneReader reader(++number);
+    auto choice = reader.read(pane);
+    if (!choice) continue;
+    const std::optional<Box2> view = reader.read_view(pane);
+    has_views = has_views || view;
+    out.views.push_back(view.value_or(Box2{}));
+    out.panes.push_back(std::move(*choice));
+  }
+  if (!has_views) out.views.clear();
   return out;
 } catch (const PaneFault& fault) {
   return std::unexpected(fault);

@@ -53,6 +53,8 @@ struct Session {
   Box2 view{};                      ///< what is to be seen, document units; empty: everything
   Lesson lesson{};                  ///< made of the entries; no steps: none
   std::vector<PaneChoice> panes{};  ///< beside the main one; `kMostPanesBeside` at most
+  /// What is to be seen in each of these, as `view`; none: all panes show one view.
+  std::vector<Box2> pane_views{};
 };
 
 std::string write_session(const Session& session);

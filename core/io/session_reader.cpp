@@ -484,7 +484,8 @@ Session session_from(JsonView object, Timelines where) {
   if (panes) {
     auto read = panes_from(panes);
     if (!read) throw Nonsense{std::move(read.error().text), read.error().at};
-    out.panes = std::move(*read);
+    out.panes = std::move(read->panes);
+    out.pane_views = std::move(read->views);
   }
   std::vector<WrittenPosition> positions = read_lesson(lesson, out.lesson);
   if (where == Timelines::following)

@@ -175,7 +175,7 @@ json head_of(const Session& session) {
               {"settings", to_json(session.settings)}};
   if (!session.evolution.id.empty()) out["evolution"] = to_json(session.evolution);
   if (!session.view.is_empty()) out["view"] = to_json(session.view);
-  if (!session.panes.empty()) out["panes"] = to_json(session.panes);
+  if (!session.panes.empty()) out["panes"] = panes_to_json(session.panes, session.pane_views);
   return out;
 }
 

@@ -107,6 +107,47 @@ TEST_CASE("a film shows annotations at each step, and what else explains it wher
   for (std::size_t i = 0; i < shown.size(); ++i) CHECK(titled[i] != shown[i]);
 }
 
+TEST_CASE("a film of a session with panes shows all of them, each as it is at that step") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name, const std::string& panes) {
+    const std::string session = (folder / (name + ".json")).string();
+    std::ofstream(session)
+        << R"({"mesecina":"session","schema":1,"data":{"samples":[0,0,4,0,4,3,0,3]},"view":[-1,-1,5,4],
+    )" << panes
+        << R"("timeline":[{"edit":{"name":"Move","move":[2,3,2]}},{"edit":{"name":"Insert","insert":[2,1]}},{"undo":true}]})";
+    const RunResult result = run({"play", session, "--frames", (folder / name).string(), "--size", "616x330"});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    std::vector<Image> out;
+    for (int i = 1; i <= 4; ++i) out.push_back(read_png(folder / name / ("0000" + std::to_string(i) + ".png")));
+    return out;
+  };
+  const auto part = [](const Image& image, int left) {
+    std::vector<std::uint8_t> out;
+    // Without the frame around the pane.
+    for (int y = 2; y < 298; ++y)
+      out.insert(out.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(image.offset(left + 2, y)),
+                 image.rgba.begin() + static_cast<std::ptrdiff_t>(image.offset(left + 298, y)));
+    return out;
+  };
+  const std::vector<Image> shown = film("before", R"("panes":[{"before_last_edit":true}],)");
+  // Moved, inserted, taken back: each pane beside has what the main one had before.
+  CHECK(part(shown[0], 316) == part(shown[0], 0));
+  CHECK(part(shown[1], 316) == part(shown[0], 0));
+  CHECK(part(shown[1], 0) != part(shown[0], 0));
+  CHECK(part(shown[2], 316) == part(shown[1], 0));
+  CHECK(part(shown[3], 316) == part(shown[0], 0));
+  CHECK(part(shown[3], 0) == part(shown[1], 0));
+  CHECK(film("alone", "")[0] != shown[0]);
+  const json manifest = json::parse(contents_of(folder / "before" / "manifest.json"));
+  CHECK(manifest["width"] == 616);
+  // With free cameras a pane has the view that the session gives it.
+  const std::vector<Image> same = film("same", R"("panes":[{"precision":"exact","view":[-1,-1,5,4]}],)");
+  const std::vector<Image> free = film("free", R"("panes":[{"precision":"exact","view":[-1,-1,11,4]}],)");
+  CHECK(part(free[0], 0) == part(same[0], 0));
+  CHECK(part(free[0], 316) != part(same[0], 316));
+}
+
 TEST_CASE("films that make no sense are refused before any work") {
   const TemporaryFolder folder;
   const std::string frames = (folder / "f").string();

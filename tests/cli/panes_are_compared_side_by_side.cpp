@@ -90,6 +90,30 @@ TEST_CASE("a pane has the pixels of the picture that it would be alone") {
   }
 }
 
+TEST_CASE("with free cameras each pane shows all that is in it, as it would alone") {
+  const TemporaryFolder folder;
+  const std::string all = (folder / "all.png").string();
+  const std::vector<std::string> common{kDude, "--layers", "points,curve", "--no-source"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return more;
+  };
+  const std::vector<std::string> steps{"--compare", "step=0,200", "--evolution", "smooth"};
+  const auto compared = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), steps.begin(), steps.end());
+    return with(more);
+  };
+  drawn(compared({"--free-cameras", "--size", "616x330", "-o", all}));
+  const Image image = read_png(all);
+  const std::string one = (folder / "one.png").string();
+  drawn(with({"--size", "300x300", "-o", one}));
+  CHECK(inside(part_of(image, 0, 0, 300, 300)) == inside(read_png(one)));
+  // The smoothed shape is smaller: seen by itself it is larger.
+  const std::string locked = (folder / "locked.png").string();
+  drawn(compared({"--size", "616x330", "-o", locked}));
+  CHECK(inside(part_of(read_png(locked), 316, 0, 300, 300)) != inside(part_of(image, 316, 0, 300, 300)));
+}
+
 TEST_CASE("a title stands once, above all panes") {
   const TemporaryFolder folder;
   constexpr int kBand = 38;  // of one line
@@ -182,6 +206,8 @@ TEST_CASE("what cannot be compared is a usage error, and nothing is written") {
       {{"--compare", "bundle=Crust,Nonsense"}, "unknown bundle \"Nonsense\""},
       {{"--compare", "precision=fast,exact", "--size", "30x30"}, "too small for 2 panes"},
       {{"--differences"}, "requires --compare"},
+      {{"--free-cameras"}, "requires --compare"},
+      {{"--compare", "precision=fast,exact", "--free-cameras", "--view", "0,0,1,1"}, "goes without --view"},
   };
   for (const Wrong& each : wrong) {
     std::vector<std::string> arguments = each.arguments;
@@ -210,6 +236,8 @@ TEST_CASE("a picture of panes carries them, as the window would show them") {
     return *read->session;
   };
   const Session precisions = session_of({"--compare", "precision=naive,exact,fast"});
+  CHECK(precisions.pane_views.empty());
+  CHECK(session_of({"--compare", "precision=naive,exact,fast", "--free-cameras"}).pane_views.size() == 2);
   CHECK(precisions.settings.precision == Precision::naive);
   CHECK(precisions.panes == std::vector<PaneChoice>{Precision::exact, Precision::fast});
   const Session scales =

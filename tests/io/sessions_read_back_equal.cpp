@@ -98,6 +98,7 @@ Session sample_session() {
                      {.caption = "Back", .position = 4, .settings = ComputationSettings{}}}};
   session.panes = {ParameterChoice{Parameter::a_scale, 1.1}, Bundle{"Two \"lines\"", session.layers},
                    EvolvedChoice{kMostPaneStep}};
+  session.pane_views = {session.view, {}, session.view};
   return session;
 }
 
@@ -106,7 +107,7 @@ bool equal(const Session& a, const Session& b) {
          a.data->balls == b.data->balls && a.data->annotations == b.data->annotations &&
          (a.data->source == b.data->source || *a.data->source == *b.data->source) && a.entries == b.entries &&
          a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view &&
-         a.lesson == b.lesson && a.panes == b.panes;
+         a.lesson == b.lesson && a.panes == b.panes && a.pane_views == b.pane_views;
 }
 
 }  // namespace
@@ -267,6 +268,23 @@ TEST_CASE("every kind of pane reads back, and those of a later version are left 
   const double most = descriptor_of(Parameter::a_scale).high;
   CHECK(panes_of(R"([{"parameter":"a-scale","value":1e9}])") ==
         std::vector<PaneChoice>{ParameterChoice{Parameter::a_scale, most}});
+  // A pane without a view of its own among others that have one shows everything; one of a later version takes its
+  // view along.
+  const auto some =
+      read_session(R"({"mesecina":"session","schema":1,"panes":[{"step":3},{"hologram":1,"view":[1,1,2,2]},)"
+                   R"({"step":4,"view":[8,9,1,2]},{"step":5,"view":[]}]})",
+                   "a.json");
+  REQUIRE_FALSE(some);  // four panes
+  const auto free =
+      read_session(R"({"mesecina":"session","schema":1,"panes":[{"step":3},{"hologram":1,"view":[1,1,2,2]},)"
+                   R"({"step":4,"view":[8,9,1,2]}]})",
+                   "a.json");
+  REQUIRE(free);
+  CHECK(free->panes.size() == 2);
+  REQUIRE(free->pane_views.size() == 2);
+  CHECK(free->pane_views[0].is_empty());
+  CHECK(free->pane_views[1].low == Vec2{1, 2});
+  CHECK(free->pane_views[1].high == Vec2{8, 9});
   // A session without any is the text that it was before there were panes.
   CHECK(write_session({}).find("panes") == std::string::npos);
 }
@@ -281,6 +299,9 @@ TEST_CASE("panes that make no sense are refused with line and column") {
            {"7", "panes: not a list", 9},
            {"{}", "panes: not a list", 9},
            {"[{},{},{},{}]", "panes: 4, more than 3", 9},
+           {"[{\"step\":1,\"view\":3}]", "pane 1: \"view\" is not two corners", 27},
+           {"[{\"step\":1,\"view\":[1,2]}]", "pane 1: \"view\" is not two corners", 27},
+           {"[{\"step\":1,\"view\":[1,2,\"a\",3]}]", "pane 1: \"view\" has something that is not a number", 32},
            {"[{},4]", "pane 2: not an object", 13},
            {R"([{"precision":4}])", "pane 1: \"precision\" is not a short text", 23},
            {R"([{"precision":")" + std::string(1001, 'a') + R"("}])", "\"precision\" is not a short text", 23},

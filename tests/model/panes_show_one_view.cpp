@@ -224,6 +224,74 @@ TEST_CASE("whichever pane the pointer is in, tools meet the plane as in the main
   CHECK(bench.canvas.pointer_px() == Vec2{502, 150});
 }
 
+TEST_CASE("a pane with a camera of its own is moved alone, and tools work at its view") {
+  Bench bench;
+  PaneList list;
+  list.add(Precision::exact);
+  const auto follow = [&] { bench.canvas.views().follow(list.keys(), list.has_free_cameras()); };
+  follow();
+  CHECK(&bench.canvas.views().of(1) == &bench.canvas.view());
+  std::uint64_t revision = list.revision();
+  list.set_free_cameras(true);
+  CHECK(list.revision() > revision);
+  follow();
+  // It begins with the view that it had.
+  REQUIRE(bench.canvas.views().is_own(1));
+  CHECK(bench.canvas.views().of(1).camera() == bench.canvas.view().camera());
+  const render::Camera main = bench.canvas.view().camera();
+  bench.canvas.wheel({502, 150}, 3.0);
+  bench.canvas.advance(10.0);
+  CHECK(bench.canvas.view().camera() == main);
+  CHECK(bench.canvas.views().of(1).camera().units_per_pixel() < 0.6 * main.units_per_pixel());
+  bench.canvas.choose_tool(ToolId::insert);
+  for (const double x : {200.0, 502.0}) {
+    bench.canvas.press(PointerButton::left, {x, 250}, {});
+    bench.canvas.release(PointerButton::left, {x, 250}, {});
+  }
+  REQUIRE(bench.editor.document().sample_count() == 2);
+  CHECK(bench.editor.document().position(SampleSlot(0)) == main.to_world({200, 250}));
+  CHECK(bench.editor.document().position(SampleSlot(1)) == bench.canvas.views().of(1).camera().to_world({200, 250}));
+  // The middle button pans the pane that it is pressed in.
+  const render::Camera zoomed = bench.canvas.views().of(1).camera();
+  bench.canvas.press(PointerButton::middle, {450, 150}, {});
+  bench.canvas.move({470, 150}, {});
+  bench.canvas.release(PointerButton::middle, {470, 150}, {});
+  CHECK(bench.canvas.views().of(1).camera() != zoomed);
+  CHECK(bench.canvas.view().camera() == main);
+  // Windows change their size for all.
+  bench.canvas.views().set_viewport(1000, 700);
+  CHECK(bench.canvas.views().of(1).camera().width() == 1000);
+  list.set_free_cameras(false);
+  follow();
+  CHECK(&bench.canvas.views().of(1) == &bench.canvas.view());
+}
+
+TEST_CASE("a view stays with its pane when another one closes") {
+  PaneList list;
+  for (int i = 0; i < 3; ++i) list.add(next_choice(list, {}));
+  PaneViews views;
+  views.set_viewport(800, 600);
+  list.set_free_cameras(true);
+  views.follow(list.keys(), true);
+  for (std::size_t i = 1; i <= 3; ++i) views.of(i).pan({100.0 * static_cast<double>(i), 0.0});
+  const render::Camera third = views.of(3).camera();
+  list.close(0);
+  views.follow(list.keys(), true);
+  CHECK(views.of(2).camera() == third);
+  CHECK_FALSE(views.is_own(3));
+  // Another choice in its place is the same pane, and a new one begins with the view of the main one.
+  list.change(1, BeforeLastEdit{});
+  list.add(Precision::naive);
+  views.follow(list.keys(), true);
+  CHECK(views.of(2).camera() == third);
+  CHECK(views.of(3).camera() == views.main().camera());
+  CHECK_FALSE(views.is_moving());
+  views.of(2).zoom_at({0, 0}, 2.0);
+  CHECK(views.is_moving());
+  views.advance(10.0);
+  CHECK_FALSE(views.is_moving());
+}
+
 TEST_CASE("each pane is called by what it shows, the main one by what the first beside it has otherwise") {
   ComputationSettings settings;
   settings[Parameter::a_scale] = 1.25;
@@ -265,6 +333,14 @@ TEST_CASE("a sheet has each picture in its place, with nothing between them") {
 
 namespace {
 
+/// Where an anchor follows samples, its place says nothing.
+Annotations without_followed_places(Annotations annotations) {
+  for (Annotation& annotation : annotations)
+    for (Anchor& anchor : annotation.anchors)
+      if (!anchor.samples.empty()) anchor.at = {};
+  return annotations;
+}
+
 /// A window's parts that show panes with documents of their own.
 struct Versions {
   struct Bell {
@@ -293,6 +369,8 @@ struct Versions {
     for (int i = 0; i < 60; ++i)
       data.positions.push_back({std::cos(0.105 * i) + 0.02 * (i % 3), 0.7 * std::sin(0.105 * i)});
     data.balls = {{{3.0, 0.0}, 0.5}};
+    data.annotations = {{.kind = AnnotationKind::distance, .anchors = {{{}, {7}}, {{}, {20}}}},
+                        {.kind = AnnotationKind::leader, .text = "fifty", .anchors = {{{}, {50}}}}};
     REQUIRE(editor.load(data));
   }
   EngineDemand::Wanted wanted() const {
@@ -314,6 +392,8 @@ struct Versions {
       // In the order of the version, which numbers the samples.
       CHECK(data_of(*own).positions == documents.data_of(variant)->positions);
       CHECK(data_of(*own).balls == documents.data_of(variant)->balls);
+      CHECK(without_followed_places(data_of(*own).annotations) ==
+            without_followed_places(documents.data_of(variant)->annotations));
     }
     while (auto patch = engine.sync()) {
       mirror.apply(*patch);
