@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,20 +34,43 @@
 namespace mes::cli {
 namespace {
 
-/// The file of a lesson that comes with the program, or the word itself. Error: `usage` for a word that is neither such
-/// a lesson nor a file, and cannot be meant for one.
-Expected<std::string> file_of(const std::string& word) {
+/// A lesson, and the files that it was read from.
+struct Chosen {
+  std::shared_ptr<const Session> session;
+  std::vector<SourceFile> sources{};
+};
+
+/// Of a file, or one that comes with the program. Error: `usage` for a word that is neither such a lesson nor a file, and
+/// cannot be meant for one; `bad_input` where there is no lesson.
+Expected<Chosen> lesson_of(const std::string& word) {
   std::error_code error;
-  if (word == "-" || std::filesystem::exists(word, error)) return word;
-  std::vector<std::string> names;
-  for (const ShippedLesson& lesson : read_shipped_lessons(find_assets({}))) {
-    if (lesson.name == word) return lesson.file.string();
-    names.push_back(lesson.name);
+  std::string file = word;
+  if (word != "-" && !std::filesystem::exists(word, error)) {
+    std::vector<std::string> names;
+    const std::filesystem::path assets = find_assets({});
+    for (const ShippedLesson& lesson : read_shipped_lessons(assets)) {
+      names.push_back(lesson.name);
+      if (lesson.name != word) continue;
+      file = lesson.file.string();
+      if (!file.empty()) break;
+      auto made = session_of(lesson, assets);
+      if (!made) return std::unexpected(made.error());
+      return Chosen{std::move(*made)};
+    }
+    const bool is_known = std::ranges::find(names, word) != names.end();
+    if (!is_known && word.find_first_of("./") == std::string::npos && !names.empty()) {
+      const std::vector<std::string_view> known(names.begin(), names.end());
+      return usage_error("unknown lesson " + in_quotes(word) + "; did you mean " +
+                         one_of(nearest_names(word, known)) + '?');
+    }
   }
-  if (word.find_first_of("./") != std::string::npos || names.empty()) return word;
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  return usage_error("unknown lesson " + in_quotes(word) + "; did you mean " + one_of(nearest_names(word, known)) +
-                     '?');
+  auto input = read_input(file, {});
+  if (!input) return std::unexpected(input.error());
+  if (!input->session)
+    return std::unexpected(Error{ErrorCode::bad_input, "this is not a session but " + input->format, file});
+  if (input->session->lesson.steps.empty())
+    return std::unexpected(Error{ErrorCode::bad_input, "this session has no lesson", file});
+  return Chosen{std::move(input->session), std::move(input->sources)};
 }
 
 /// Steps from 1, each once and in their order: "2-4", "1,3-5".
@@ -263,15 +287,9 @@ Expected<void> run_lesson(const LessonRequest& request, Interruption& interrupti
   const auto pixels = parse_pixels(request, *look);
   if (!pixels) return std::unexpected(pixels.error());
   if (auto good = check_outputs(request); !good) return good;
-  const auto file = file_of(request.file);
-  if (!file) return std::unexpected(file.error());
-  const auto input = read_input(*file, {});
-  if (!input) return std::unexpected(input.error());
-  if (!input->session)
-    return std::unexpected(Error{ErrorCode::bad_input, "this is not a session but " + input->format, *file});
-  const Session& session = *input->session;
-  if (session.lesson.steps.empty())
-    return std::unexpected(Error{ErrorCode::bad_input, "this session has no lesson", *file});
+  const auto lesson = lesson_of(request.file);
+  if (!lesson) return std::unexpected(lesson.error());
+  const Session& session = *lesson->session;
   const auto steps = parse_steps(request.steps, session.lesson.steps.size());
   if (!steps) return std::unexpected(steps.error());
   const bool has_frames = !request.frames.empty() || !request.video.empty();
@@ -281,7 +299,7 @@ Expected<void> run_lesson(const LessonRequest& request, Interruption& interrupti
   if (has_frames)
     if (auto done = write_film(request, session, *steps, *pixels); !done) return done;
   for (const Output& output : *outputs)
-    if (auto done = write_output(output.file, output.bytes, interruption, {input->sources, request.force}); !done)
+    if (auto done = write_output(output.file, output.bytes, interruption, {lesson->sources, request.force}); !done)
       return done;
   return {};
 }

@@ -236,12 +236,12 @@ std::vector<Entry> color_maps() {
 std::vector<Entry> lessons() {
   std::vector<Entry> out;
   for (const ShippedLesson& lesson : read_shipped_lessons(find_assets({}))) {
-    const auto loaded = read_sample_file(lesson.file.string());
-    if (!loaded || !loaded->session) {
-      say(fmt::format("a lesson is left out: {}: it cannot be read", lesson.file.string()));
+    const auto session = session_of(lesson, find_assets({}));
+    if (!session) {
+      say(fmt::format("a lesson is left out: {}: it cannot be read", lesson.name));
       continue;
     }
-    const Lesson& contents = loaded->session->lesson;
+    const Lesson& contents = (*session)->lesson;
     out.push_back({lesson.name,
                    fmt::format("{} ({} steps)", printable(contents.title), contents.steps.size()),
                    {{"id", lesson.name}, {"title", contents.title}, {"steps", contents.steps.size()}}});

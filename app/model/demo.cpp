@@ -24,6 +24,7 @@ class Script {
  public:
   explicit Script(const SampleData& data) : layers_(layer_descriptors()) {
     session_.title = "Demo";
+    session_.lesson.title = kDemoTitle;
     session_.data = std::make_shared<const SampleData>(data);
     // Replaying nothing cannot fail.
     static_cast<void>(replay_.begin(data));
@@ -64,6 +65,12 @@ class Script {
   }
 
   void say(std::string text, double seconds = kRead) { note(Captioned{std::move(text), seconds}); }
+
+  /// What has been shown until here is a step of the lesson.
+  void mark(std::string_view heading, std::string_view words) {
+    session_.lesson.steps.push_back(
+        {.caption = fmt::format("# {}\n{}", heading, words), .position = session_.entries.size()});
+  }
 
   Expected<void> edit(TimelineEdit edit) {
     if (auto done = replay_.apply(edit); !done) return done;
@@ -151,40 +158,45 @@ Expected<void> sample_the_curve(Script& script, const SampleData& shape, const s
     }
     if (auto done = script.edit(std::move(edit)); !done) return done;
   }
+  script.mark("A sampled curve", "The curve is known only by the samples $P$ on it.");
   return {};
 }
 
+/// Shows these layers with the words, and marks a step.
+void show_scene(Script& script, std::string_view heading, const std::string& words,
+                std::initializer_list<std::string_view> layers) {
+  script.say(words, 0.0);
+  script.show(layers);
+  script.say(words);
+  script.mark(heading, words);
+}
+
 void take_the_short_way(Script& script) {
-  script.say("The Voronoi diagram of the samples ...", 0.0);
-  script.show({"voronoi", "points"});
-  script.say("The Voronoi diagram of the samples ...");
-  script.say("... and its dual, the Delaunay triangulation, which contains the curve: the crust", 0.0);
-  script.show({"delaunay", "curve", "points"});
-  script.say("... and its dual, the Delaunay triangulation, which contains the curve: the crust");
-  script.say("Voronoi vertices inside the curve are the centres of the inner Voronoi balls", 0.0);
-  script.show({"interior-voronoi-disks", "interior-voronoi-circles", "curve", "interior-voronoi-vertices", "points"});
-  script.say("Voronoi vertices inside the curve are the centres of the inner Voronoi balls");
-  script.say("One step more: Voronoi edges between them are the medial axis of their union", 0.0);
-  script.show({"interior-voronoi-disks", "curve", "medial-axis", "points"});
-  script.say("One step more: Voronoi edges between them are the medial axis of their union");
+  show_scene(script, "Voronoi diagram", "The Voronoi diagram of the samples ...", {"voronoi", "points"});
+  show_scene(script, "Crust", "... and its dual, the Delaunay triangulation, which contains the curve: the crust",
+             {"delaunay", "curve", "points"});
+  show_scene(script, "Inner Voronoi balls",
+             "Voronoi vertices inside the curve are the centres of the inner Voronoi balls",
+             {"interior-voronoi-disks", "interior-voronoi-circles", "curve", "interior-voronoi-vertices", "points"});
+  show_scene(script, "One step more", "One step more: Voronoi edges between them are the medial axis of their union",
+             {"interior-voronoi-disks", "curve", "medial-axis", "points"});
 }
 
 void take_the_general_way(Script& script) {
-  const auto scene = [&script](const std::string& words, std::initializer_list<std::string_view> layers) {
-    script.say(words, 0.0);
-    script.show(layers);
-    script.say(words);
-  };
   script.compute_in(Precision::exact, true);
-  scene("The general way knows nothing but the balls", {"a-inner-disks", "a-inner-circles", "a-inner-centers"});
-  scene("Their regular triangulation, the dual of the power diagram", {"a-inner-disks", "a-ball-triangulation"});
-  scene("What of it the union covers: the dual complex",
-        {"a-inner-disks", "a-dual-faces", "a-dual-interior-edges", "a-dual-regular-edges", "a-dual-singular-edges"});
-  scene("Points where circles cross on the boundary of the union: the V points",
-        {"a-inner-disks", "a-union-boundary", "a-dual-singular-edges", "a-v-points"});
-  scene("The Voronoi diagram of the V points ...", {"a-inner-disks", "a-v-voronoi", "a-v-points"});
-  scene("... cut by the dual complex: the medial axis, the general way",
-        {"a-inner-disks", "a-ball-medial-axis", "a-v-points"});
+  show_scene(script, "The general way", "The general way knows nothing but the balls",
+             {"a-inner-disks", "a-inner-circles", "a-inner-centers"});
+  show_scene(script, "Regular triangulation", "Their regular triangulation, the dual of the power diagram",
+             {"a-inner-disks", "a-ball-triangulation"});
+  show_scene(
+      script, "Dual complex", "What of it the union covers: the dual complex",
+      {"a-inner-disks", "a-dual-faces", "a-dual-interior-edges", "a-dual-regular-edges", "a-dual-singular-edges"});
+  show_scene(script, "V points", "Points where circles cross on the boundary of the union: the V points",
+             {"a-inner-disks", "a-union-boundary", "a-dual-singular-edges", "a-v-points"});
+  show_scene(script, "Voronoi diagram of the V points", "The Voronoi diagram of the V points ...",
+             {"a-inner-disks", "a-v-voronoi", "a-v-points"});
+  show_scene(script, "The axis, the general way", "... cut by the dual complex: the medial axis, the general way",
+             {"a-inner-disks", "a-ball-medial-axis", "a-v-points"});
 }
 
 void compare_the_numbers(Script& script) {
@@ -192,10 +204,12 @@ void compare_the_numbers(Script& script) {
   script.say(lost, 0.0);
   script.compute_in(Precision::naive, false);
   script.say(lost, 4.0);
+  script.mark("Plain doubles", lost);
   const std::string naive = "Edges of the dual complex that doubles miss, invent or misjudge";
   script.say(naive, 0.0);
   script.show({"a-inner-disks", "precision-difference"});
   script.say(naive, 4.0);
+  script.mark("What doubles get wrong", naive);
   const std::string exact = "In exact numbers nothing differs, and both ways give the same axis";
   script.say(exact, 0.0);
   script.compute_in(Precision::exact, true);
@@ -203,6 +217,7 @@ void compare_the_numbers(Script& script) {
   script.style("medial-axis", [](LayerStyle& style) { style.line_width_px = 6.0; });
   script.show({"a-inner-disks", "curve", "medial-axis", "a-ball-medial-axis", "axis-difference"});
   script.say(exact, 4.0);
+  script.mark("Exact numbers", exact);
   script.style("medial-axis", [](LayerStyle& style) { style.line_width_px = 3.0; });
   script.compute_in(Precision::fast, true);
 }
@@ -215,11 +230,15 @@ Expected<void> smooth_noise(Script& script) {
   noise.values.set("noise-factor", kNoise);
   if (auto done = script.evolve(noise, 1, [&](std::uint64_t) { return noisy; }); !done) return done;
   script.say(noisy, 4.0);
+  script.mark("Noise", noisy);
   const EvolutionChoice smooth{.evolution = *find_evolution("smooth")};
   auto done = script.evolve(smooth, kSmoothings, [](std::uint64_t k) {
     return fmt::format("Laplacian smoothing, step {}: the hairs go, what is essential stays", k);
   });
   if (!done) return done;
+  script.mark("Smoothing", fmt::format("After {} steps of Laplacian smoothing the hairs are gone; what is essential "
+                                       "stays.",
+                                       kSmoothings));
   script.say("Mesecina: sample-based geometry, live", 4.0);
   return {};
 }

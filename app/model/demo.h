@@ -7,7 +7,10 @@
 
 namespace mes {
 
-/// Everything it shows is computed when it is played; nothing of it is a picture made beforehand. `shape` needs one
+inline constexpr const char* kDemoTitle = "The demo of 2007";
+
+/// Everything it shows is computed when it is played; nothing of it is a picture made beforehand. Its scenes are the steps
+/// of a lesson, at the places of the timeline where they are complete. `shape` needs one
 /// closed contour at least. Error: the shape makes no document, or a step of an evolution fails.
 ///
 /// Source: B. Miklos, J. Giesen, M. Pauly, "Medial axis approximation from inner Voronoi balls: a demo of the

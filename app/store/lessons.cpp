@@ -4,6 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/model/demo.h"
+#include "core/io/format.h"
+
 namespace mes {
 
 namespace fs = std::filesystem;
@@ -12,8 +15,8 @@ std::vector<ShippedLesson> read_shipped_lessons(const fs::path& assets) {
   std::vector<ShippedLesson> out;
   if (assets.empty()) return out;
   std::ifstream stream(assets / "lessons" / "index.json", std::ios::binary);
-  const nlohmann::json index = nlohmann::json::parse(stream, nullptr, false);
-  if (!index.is_array()) return out;
+  nlohmann::json index = nlohmann::json::parse(stream, nullptr, false);
+  if (!index.is_array()) index = nlohmann::json::array();
   for (const nlohmann::json& entry : index) {
     if (!entry.is_object() || !entry.value("file", nlohmann::json()).is_string()) continue;
     const fs::path file = assets / "lessons" / entry["file"].get<std::string>();
@@ -23,7 +26,30 @@ std::vector<ShippedLesson> read_shipped_lessons(const fs::path& assets) {
     if (fs::is_regular_file(file, error))
       out.push_back({file, name, title.is_string() ? title.get<std::string>() : name});
   }
+  if (!read_sample_shapes(assets).empty()) out.push_back({{}, "demo", kDemoTitle});
   return out;
+}
+
+Expected<std::shared_ptr<const Session>> session_of(const ShippedLesson& lesson, const fs::path& assets) {
+  if (lesson.file.empty()) {
+    auto demo = demo_of(read_sample_shapes(assets));
+    if (!demo) return std::unexpected(demo.error());
+    return std::make_shared<const Session>(std::move(*demo));
+  }
+  const auto loaded = read_sample_file(lesson.file);
+  if (!loaded) return std::unexpected(loaded.error());
+  if (!loaded->session)
+    return std::unexpected(
+        Error{ErrorCode::bad_input, "this is not a session but " + loaded->format, lesson.file.string()});
+  return loaded->session;
+}
+
+Expected<Session> demo_of(std::span<const SampleShape> shapes) {
+  if (shapes.empty())
+    return std::unexpected(Error{ErrorCode::bad_input, "the sample shapes that come with the program are missing"});
+  const auto shape = read_sample_file(shapes.front().file);
+  if (!shape) return std::unexpected(shape.error());
+  return demo_session(shape->data);
 }
 
 }  // namespace mes

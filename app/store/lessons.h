@@ -3,18 +3,31 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "app/store/sample_shapes.h"
+#include "core/base/error.h"
+#include "core/io/session.h"
 
 namespace mes {
 
 struct ShippedLesson {
-  std::filesystem::path file;
-  std::string name;  ///< of the file, without its extension
-  std::string title;
+  std::filesystem::path file{};  ///< empty: the demo, which the program makes
+  std::string name{};            ///< of the file, without its extension
+  std::string title{};
 };
 
-/// As `lessons/index.json` lists them; those whose file is missing are left out.
+/// As `lessons/index.json` lists them, and the demo after them; those whose file is missing are left out.
 std::vector<ShippedLesson> read_shipped_lessons(const std::filesystem::path& assets);
+
+/// The demo, of the first of these shapes, with its scenes as steps of a lesson (app/model/demo.h). Error: `bad_input`
+/// without a shape; what reading it and `demo_session` say.
+Expected<Session> demo_of(std::span<const SampleShape> shapes);
+
+/// What a lesson shows. Error: its file cannot be read, or holds no session.
+Expected<std::shared_ptr<const Session>> session_of(const ShippedLesson& lesson, const std::filesystem::path& assets);
 
 }  // namespace mes

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/model/demo.h"
 #include "core/io/carried_session.h"
 #include "core/io/format.h"
 #include "core/raster/picture_decoder.h"
@@ -181,12 +180,7 @@ bool DocumentFlow::can_present() const {
 
 void DocumentFlow::start_demo() {
   uses_.demo.end(true);
-  if (shapes_.empty()) {
-    uses_.messages.problem("The demo needs the sample shapes, and they are missing");
-    return;
-  }
-  const auto shape = read_sample_file(shapes_.front().file);
-  auto session = shape ? demo_session(shape->data) : std::unexpected(shape.error());
+  const auto session = demo_of(shapes_);
   if (!session) {
     report(session.error());
     return;

@@ -63,7 +63,15 @@ void DocumentFlow::open_shape(const SampleShape& shape) {
   });
 }
 
+// One that the program makes is no document: it is presented beside what is open.
 void DocumentFlow::open_lesson(const ShippedLesson& lesson) {
+  if (lesson.file.empty()) {
+    if (files_.is_reading() || files_.is_saving()) return;
+    const auto session = demo_of(shapes_);
+    if (!session) return report(session.error());
+    uses_.demo.end(true);
+    return uses_.lesson.start(*session);
+  }
   with_saved_work([this, lesson] {
     traced_with_next_.clear();
     files_.open_shape(lesson.file, lesson.title);

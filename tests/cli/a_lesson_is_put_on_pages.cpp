@@ -51,7 +51,7 @@ std::size_t pages_of(const std::string& file) {
 TEST_CASE("every lesson that comes with the program is listed, found by its name, and drawn without a remark") {
   const TemporaryFolder folder;
   const auto lessons = nlohmann::json::parse(out_of({"list", "lessons", "--json"}));
-  REQUIRE(lessons.size() == 5);
+  REQUIRE(lessons.size() == 6);
   const std::string table = out_of({"list", "lessons"});
   RunOptions headless;
   headless.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
