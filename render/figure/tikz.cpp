@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TikZ, as a LaTeX document that compiles by itself (class standalone): a scope a layer. What is between
+// TikZ, as a LaTeX document that compiles by itself, with what texlive-pictures brings: a scope a layer. What is between
 // \begin{tikzpicture} and \end{tikzpicture}, with the colours above it, can be copied into a paper.
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,15 @@ class TikzWriter {
     for (const FigureLayer& layer : figure_.layers) write(layer);
     legend();
     std::string out =
-        "% Compiles by itself: pdflatex FILE.tex\n"
-        "\\documentclass[tikz]{standalone}\n";
+        "% Compiles by itself, on a page of its size: pdflatex FILE.tex\n"
+        "\\documentclass{article}\n"
+        "\\usepackage[paperwidth=" +
+        length(figure_.width) + ",paperheight=" + length(figure_.height) +
+        ",margin=0bp]{geometry}\n"
+        "\\usepackage{tikz}\n"
+        "\\pagestyle{empty}\n"
+        "\\setlength{\\parindent}{0pt}\n"
+        "\\setlength{\\topskip}{0pt}\n";
     for (const auto& [name, number] : colors_) {
       std::string digits = name.substr(1);
       std::ranges::transform(digits, digits.begin(), [](char c) { return c >= 'a' ? static_cast<char>(c - 32) : c; });
