@@ -40,9 +40,10 @@ void add_paper(render::Image& image, const render::Scene& scene, std::span<const
   if (entries.empty()) return;
   const PictureLegend legend =
       layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background);
-  if (!request.legend_at) return draw_legend(image, *fonts, legend, LegendPlace::emptiest_corner);
   const Box2 room = place_of_marks(request.marks, plane, measure).room;
-  draw_legend(image, *fonts, legend, *request.legend_at, {shown.scale * room.low, shown.scale * room.high});
+  const Box2 in_pixels{shown.scale * room.low, shown.scale * room.high};
+  if (request.legend_at) return draw_legend(image, *fonts, legend, *request.legend_at, in_pixels);
+  draw_legend(image, *fonts, legend, LegendPlace::emptiest_corner, 0.0, in_pixels);
 }
 
 /// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a

@@ -19,13 +19,15 @@ std::vector<LegendEntry> legend_of(const figure::Drawing& drawing, LegendScope s
       [&](LayerIndex layer, PrimitiveKind kind) { return !drawing.mirror.instances(layer, kind).empty(); });
 }
 
-/// The upper left corner of the legend.
-Vec2 emptiest_corner(const figure::Figure& figure, double width, double height, double margin) {
-  const double right = figure.width - margin - width;
-  const double bottom = figure.height - margin - height;
+/// The upper left corner of the legend, within the room.
+Vec2 emptiest_corner(const figure::Figure& figure, const Box2& room, double width, double height, double margin) {
+  const double left = room.low.x + margin;
+  const double top = room.low.y + margin;
+  const double right = room.high.x - margin - width;
+  const double bottom = room.high.y - margin - height;
   Vec2 best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const Vec2 corner : {Vec2{right, bottom}, Vec2{margin, bottom}, Vec2{right, margin}, Vec2{margin, margin}}) {
+  for (const Vec2 corner : {Vec2{right, bottom}, Vec2{left, bottom}, Vec2{right, top}, Vec2{left, top}}) {
     const Box2 legend{corner, corner + Vec2{width, height}};
     // What is written there already counts as more than any geometry.
     const auto covers = [&](const figure::Box& box) {
@@ -62,7 +64,7 @@ void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendSc
            corner_of(legend, *where.place, {kPixels * where.room.low, kPixels * where.room.high});
   };
   const Vec2 corner = where.place ? placed_corner()
-                                  : emptiest_corner(figure, scale * legend.drawing.width,
+                                  : emptiest_corner(figure, where.room, scale * legend.drawing.width,
                                                     scale * legend.drawing.height, kMargin * legend.scale);
   add_to(figure, fonts, legend.drawing, corner, legend.scale);
 }

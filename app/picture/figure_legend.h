@@ -14,7 +14,7 @@ namespace mes {
 /// Where it is to stand.
 struct FigureLegendPlace {
   std::optional<PaperPlace> place{};  ///< none: the corner where it hides the fewest shapes
-  Box2 room{};                        ///< of the place, in points
+  Box2 room{};                        ///< what title, axes and caption leave of the page, in points
 };
 /// Adds nothing where it would explain no layer.
 void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,

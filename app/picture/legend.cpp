@@ -227,16 +227,23 @@ PixelPlace lower_right(const render::Image& image, double width, double height, 
 
 /// The corner where a rectangle hides the fewest pixels that differ from the upper right one of the picture, where
 /// neither axes nor a scale bar are.
-PixelPlace emptiest_corner(const render::Image& image, double width, double height, double margin) {
+PixelPlace emptiest_corner(const render::Image& image, const Box2& room, double width, double height, double margin) {
   const auto w = static_cast<int>(std::ceil(width));
   const auto h = static_cast<int>(std::ceil(height));
   const auto m = static_cast<int>(std::lround(margin));
-  const auto [right, bottom] = lower_right(image, width, height, margin);
+  const auto in_pixels = [](double at) { return static_cast<int>(std::lround(at)); };
+  const int left = m + (room.is_empty() ? 0 : in_pixels(room.low.x));
+  const int top = m + (room.is_empty() ? 0 : in_pixels(room.low.y));
+  auto [right, bottom] = lower_right(image, width, height, margin);
+  if (!room.is_empty()) {
+    right -= image.width - in_pixels(room.high.x);
+    bottom -= image.height - in_pixels(room.high.y);
+  }
   const auto* const empty = &image.rgba[image.offset(image.width - 1, 0)];
   PixelPlace best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const PixelPlace place :
-       {PixelPlace{right, bottom}, PixelPlace{m, bottom}, PixelPlace{right, m}, PixelPlace{m, m}}) {
+       {PixelPlace{right, bottom}, PixelPlace{left, bottom}, PixelPlace{right, top}, PixelPlace{left, top}}) {
     std::size_t hidden = 0;
     for (int y = std::max(place.top, 0); y < std::min(place.top + h, image.height); ++y)
       for (int x = std::max(place.left, 0); x < std::min(place.left + w, image.width); ++x)
@@ -321,13 +328,13 @@ PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFon
 }
 
 void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& picture_legend,
-                 LegendPlace place, double foot) {
+                 LegendPlace place, double foot, const Box2& room) {
   const PaperDrawing& legend = picture_legend.drawing;
   const double scale = picture_legend.scale;
   const double width = scale * legend.width;
   const double height = scale * legend.height;
   PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
-                                                    : emptiest_corner(image, width, height, scale * kMargin);
+                                                    : emptiest_corner(image, room, width, height, scale * kMargin);
   if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
   paint(image, fonts, legend, {at.left, at.top}, scale);
 }

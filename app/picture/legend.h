@@ -74,10 +74,11 @@ PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFon
                             double scale, const std::optional<Rgb>& background);
 
 /// The corner of a legend: the one where it hides least, the lower right one if all are alike; or always the lower
-/// right one, for sequences of pictures, `foot` pixels above the bottom.
+/// right one, for sequences of pictures, `foot` pixels above the bottom. `room`: where the corners are of the emptiest
+/// one, in pixels; empty: of the picture.
 enum class LegendPlace : std::uint8_t { emptiest_corner, lower_right };
 void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, LegendPlace place,
-                 double foot = 0.0);
+                 double foot = 0.0, const Box2& room = {});
 
 /// The upper left corner of a legend that has a place. `room` is the picture without what lies over its ends, in pixels.
 Vec2 corner_of(const PictureLegend& legend, const PaperPlace& place, const Box2& room);
