@@ -346,7 +346,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
                    "its parameters and seed (mesecina list evolutions, parameters)")
       ->needs(compare);
   render->add_option("--image", to.render.image,
-                     "A PNG or JPEG picture below everything else (the layer image), FILE or\n"
+                     "A picture (PNG, JPEG, BMP, PGM) below everything else (the layer image), FILE or\n"
                      "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"
                      "without them it is laid into the box around the samples");
   add_explanations(*render, to.render);
