@@ -11,9 +11,7 @@
 #include "core/io/carried_session.h"
 #include "core/io/format_registry.h"
 #include "core/io/read_file.h"
-#include "core/io/svg_drawing.h"
 #include "core/io/text_numbers.h"
-#include "core/raster/picture_decoder.h"
 
 namespace mes {
 namespace {
@@ -87,9 +85,11 @@ Expected<LoadedFile> untraceable(const std::string& name) {
   return std::unexpected(Error{ErrorCode::usage, "only pictures are traced, and this is none", name});
 }
 
-/// Drawings, which are XML, and pictures, which are binary: both can be read.
-bool is_drawing_or_picture(std::string_view bytes) {
-  return looks_like_svg(bytes) || looks_like_picture(bytes);
+/// Whether a format of XML or binary files knows them for its own.
+bool is_known_all_the_same(std::string_view bytes) {
+  return std::ranges::any_of(formats(), [&](const Format& format) {
+    return format.may_look_foreign && format.match(bytes) == Match::surely;
+  });
 }
 
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
@@ -103,7 +103,7 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
     if (looks_like_manifest(bytes))
       return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
-    if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !is_drawing_or_picture(bytes))
+    if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !is_known_all_the_same(bytes))
       return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +
                            ", not a text of samples",
                        name, 1, 1);
@@ -112,7 +112,9 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
     const auto format = choose_format(bytes, name, wanted);
     if (!format) return std::unexpected(format.error());
     if (!trace.is_default() && (*format)->read_traced == nullptr) return untraceable(name);
-    auto file = trace.is_default() ? (*format)->read(bytes, name) : (*format)->read_traced(bytes, name, trace);
+    auto file = !trace.is_default()                                    ? (*format)->read_traced(bytes, name, trace)
+                : path != nullptr && (*format)->read_beside != nullptr ? (*format)->read_beside(bytes, name, *path)
+                                                                       : (*format)->read(bytes, name);
     if (!file) return file;
     file->format = (*format)->descriptor.id;
     if (path != nullptr && (*format)->read_companions != nullptr) (*format)->read_companions(*path, *file);
@@ -122,13 +124,15 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
   }
 }
 
-// A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session.
+// A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session or a
+// format knows it.
 ReadOptions what_may_be_read(std::stop_token stop) {
-  constexpr std::size_t kLargestPicture = std::size_t{1} << 30U;
+  constexpr std::size_t kLargest = std::size_t{1} << 30U;
   return {.is_enough =
               [](std::string_view bytes) {
-                const bool may_be_read = may_carry_session(bytes) || looks_like_picture(bytes);
-                return !foreign_kind(bytes).empty() && (!may_be_read || bytes.size() > kLargestPicture);
+                if (foreign_kind(bytes).empty()) return false;
+                const bool may_be_read = may_carry_session(bytes) || is_known_all_the_same(bytes);
+                return !may_be_read || bytes.size() > kLargest;
               },
           .stop = std::move(stop)};
 }

@@ -29,6 +29,12 @@ struct Format {
   /// Of pictures: what `read` does, with a choice of what to trace; null for all others.
   Expected<LoadedFile> (*read_traced)(std::string_view bytes, const std::string& name,
                                       const TraceRequest& request) = nullptr;
+  /// Of formats whose files need others that lie beside them: what `read` does for a file at `path`; null for all
+  /// others.
+  Expected<LoadedFile> (*read_beside)(std::string_view bytes, const std::string& name,
+                                      const std::filesystem::path& path) = nullptr;
+  /// Its files may be XML or binary, and say so themselves: what looks like no text of samples may be one of them.
+  bool may_look_foreign = false;
   /// Reads what lies beside the file in files of its own; may be null. Only warns, never fails.
   void (*read_companions)(const std::filesystem::path& path, LoadedFile& file) = nullptr;
 };

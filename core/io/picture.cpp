@@ -42,7 +42,8 @@ Format picture_format() {
                          .can_read = true},
           .match = match,
           .read = read,
-          .read_traced = read_traced};
+          .read_traced = read_traced,
+          .may_look_foreign = true};
 }
 
 }  // namespace mes

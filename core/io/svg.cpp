@@ -41,7 +41,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
 Format svg_format() {
   return {.descriptor = {.id = "svg", .name = "SVG drawing", .extensions = {".svg"}, .can_read = true},
           .match = match,
-          .read = read};
+          .read = read,
+          .may_look_foreign = true};
 }
 
 }  // namespace mes

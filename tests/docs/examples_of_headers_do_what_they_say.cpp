@@ -29,9 +29,11 @@
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
 #include "core/io/line_layout.h"
+#include "core/io/line_words.h"
 #include "core/io/map_shapes.h"
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"
+#include "core/io/vertex_graph.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
 #include "core/resampling/resampling.h"
@@ -80,6 +82,24 @@ Expected<LoadedFile> crete(const std::string& name) {
   for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
   shapes.end_ring();
   return std::move(shapes).load(name, MapShapes::Unit::degrees);
+}
+
+Expected<LoadedFile> file_of_triangle(const std::string& name) {
+  // core/io/vertex_graph.h
+  VertexGraph graph;
+  for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) graph.add_vertex(corner);
+  graph.add_face(std::vector<std::uint32_t>{0, 1, 2});
+  return std::move(graph).load(name);
+}
+
+Expected<std::size_t> lines_with_positions(std::string_view bytes, const std::string& name) {
+  // core/io/line_words.h
+  LineWords lines(bytes, name);
+  while (lines.next()) {
+    const auto position = lines.position(0);
+    if (!position) return std::unexpected(position.error());
+  }
+  return lines.line();
 }
 
 std::string refused_by_coordinate_range(double x) {
@@ -493,4 +513,12 @@ TEST_CASE("shapes are made as their headers show") {
   const auto data = make_shape(*star, {.values = values_of(*star), .sampling = {.samples = 300}});
   REQUIRE(data);
   CHECK(data->positions.size() == 300);
+}
+
+TEST_CASE("files become curves as their headers show") {
+  const auto triangle = file_of_triangle("a");
+  REQUIRE(triangle);
+  CHECK(triangle->data.contours.size() == 1);
+  CHECK(lines_with_positions("1 2\n3 4 5\n", "a") == 2U);
+  CHECK(lines_with_positions("1 2\n3\n", "a").error().line == 2);
 }

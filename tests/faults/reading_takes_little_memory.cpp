@@ -109,9 +109,15 @@ TEST_CASE("reading bundles takes less than twelve times the text") {
 }
 
 TEST_CASE("headers that promise much take no memory") {
-  const std::pair<const char*, const char*> texts[] = {{"OFF\n4000000000 4000000000 0\n0 0 0\n", "a.poff"},
-                                                       {"POFF 4000000000 4000000000 4000000000\n0 0\n", "a.poff"},
-                                                       {"WPOFF 4000000000 0 0\n0 0 1\n", "a.wpoff"}};
+  const std::pair<const char*, const char*> texts[] = {
+      {"OFF\n4000000000 4000000000 0\n0 0 0\n", "a.poff"},
+      {"4000000000 2 0 0\n1 0 0\n2 1 1\n", "a.node"},
+      {"4000000000\n0 0 1 1\n", "a.edg"},
+      {"ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty int "
+       "x\nproperty int y\nend_header\n0 0\n",
+       "a.ply"},
+      {"POFF 4000000000 4000000000 4000000000\n0 0\n", "a.poff"},
+      {"WPOFF 4000000000 0 0\n0 0 1\n", "a.wpoff"}};
   for (const auto& [text, name] : texts) {
     const std::size_t before = memory_in_use();
     watch_memory();

@@ -46,7 +46,7 @@ TEST_CASE("POFF files that are wrong are refused where they are wrong") {
       {"a.poff", "", 1, 1, "empty"},
       {"a.poff", " \n\t\r\n", 1, 1, "empty"},
       {"a.poff", "# only this\n", 2, 1, "expected \"POFF\", found the end"},
-      {"a.poff", "OFF 3 0 0\n", 1, 1, "expected \"POFF\", found \"OFF\""},
+      {"a.poff", "PUFF 3 0 0\n", 1, 1, "expected \"POFF\", found \"PUFF\""},
       {"a.poff", "POFFS 3 0 0\n", 1, 1, "found \"POFFS\""},
       {"a.poff", "poff 1 0 0\n1 2\n", 1, 1, "found \"poff\""},
       {"a.poff", "POFF", 1, 5, "number of points, found the end"},
@@ -236,7 +236,14 @@ TEST_CASE("every prefix and every changed byte of a good file gives a result or 
       R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1.5e1,2],[0,0]]]}})";
   const std::string svg =
       "<svg><g transform='scale(2)'><path d='M0 0a1 1 0 00.5.5L2 2z'/><use href='#a' id='a'/></g></svg>";
-  for (const std::string& good : {poff, wpoff, csv, wkt, geojson, svg}) {
+  const std::string poly = "3 2 1 0\n1 0 0 7\n2 1.5 0 7 # a\n3 1 1 7\n2 0\n1 1 2\n2 3 2\n1\n1 0.5 0.5\n";
+  const std::string edg = "2\n0 0 1 0\n1e1 0 1 0\n";
+  const std::string obj = "o a\nv 0 0 1\nv 1 0\nv 1 1 2\nf 1/1 2//3 -1\nl 1 2\ncurv 1\n";
+  const std::string off = "NOFF 4 1 0\n0 0 0 1\n1 0 0\n1 1 0\n2 2 2\n3 0 1 2\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nelement face 1\nproperty list uchar "
+      "int vertex_index\nend_header\n0 0\n1 0\n1 1\n3 0 1 2\n";
+  for (const std::string& good : {poff, wpoff, csv, wkt, geojson, svg, poly, edg, obj, off, ply}) {
     std::vector<std::string> variants;
     for (std::size_t i = 0; i < good.size(); ++i) {
       variants.push_back(good.substr(0, i));

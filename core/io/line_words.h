@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texts whose lines mean something: the words of a line, and messages with their place. Private to core/io.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+
+/// Goes through the lines that hold words. Words stand between blanks; `#` begins a comment up to the end of its line.
+/// Lines end at LF, CR LF or a lone CR.
+///
+/// Smallest use:
+///     LineWords lines(bytes, name);
+///     while (lines.next()) {
+///       const auto position = lines.position(0);
+///       if (!position) return std::unexpected(position.error());
+///     }
+///
+/// Cost: linear; memory for the words of one line.
+class LineWords {
+ public:
+  LineWords(std::string_view bytes, const std::string& name);
+
+  /// Goes to the next line with a word; false at the end, where the place is that of the end.
+  bool next();
+  std::span<const std::string_view> words() const { return words_; }
+  std::size_t count() const { return words_.size(); }
+  /// A word of the line, or nothing.
+  std::string_view word(std::size_t i) const { return i < words_.size() ? words_[i] : std::string_view{}; }
+  std::uint64_t line() const { return line_; }
+  /// The bytes after this line.
+  std::string_view rest() const { return rest_; }
+
+  /// At a word, or at the end of the line where there is none.
+  std::unexpected<Error> refuse(std::size_t i, std::string text) const;
+  /// A remark at a word, as one line.
+  std::string remark(std::size_t i, std::string text) const { return refuse(i, std::move(text)).error().message(); }
+
+  /// A decimal integer without sign. `what` is what it counts or names, for messages.
+  Expected<std::uint64_t> whole(std::size_t i, std::string_view what) const;
+  /// A finite number that is not a coordinate of the document, such as a height.
+  Expected<double> number(std::size_t i, std::string_view what) const;
+  /// Two words from `i` on as x and y, in range with all positions before.
+  Expected<Vec2> position(std::size_t i);
+
+ private:
+  std::string_view rest_;
+  std::string_view text_;
+  const std::string& name_;
+  std::vector<std::string_view> words_;
+  std::uint64_t line_ = 0;
+  CoordinateReader coordinates_;
+};
+
+}  // namespace mes

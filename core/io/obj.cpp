@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OBJ of Wavefront, seen from above: vertices (v), lines (l), outlines of faces (f), points (p).
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/io/format_registry.h"
+#include "core/io/heights.h"
+#include "core/io/line_words.h"
+#include "core/io/vertex_graph.h"
+
+namespace mes {
+namespace {
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// What says nothing about places, so that nothing is lost without it.
+constexpr std::array<std::string_view, 13> kSilent{"vt",     "vn",     "g",      "o",   "s",     "mg",      "usemtl",
+                                                   "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp"};
+// Curves and surfaces by their control points.
+constexpr std::array<std::string_view, 15> kFreeForm{"vp",   "cstype", "deg",  "bmat", "step",
+                                                     "curv", "curv2",  "surf", "parm", "trim",
+                                                     "hole", "scrv",   "sp",   "end",  "con"};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, const std::string& name) : lines_(bytes, name), name_(name) {}
+
+  Expected<LoadedFile> read() {
+    while (lines_.next())
+      if (auto done = read_line(); !done) return std::unexpected(done.error());
+    auto file = std::move(graph_).load(name_);
+    if (!file) return file;
+    if (heights_.differ()) file->warnings.push_back(first_vertex_);
+    file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
+    return file;
+  }
+
+ private:
+  Expected<void> read_line() {
+    const std::string_view kind = lines_.word(0);
+    if (kind == "v") return read_vertex();
+    if (kind == "l") return read_line_through();
+    if (kind == "f" || kind == "fo") return read_face();
+    if (kind == "p" || is_one_of(kind, kSilent)) return {};
+    if (!is_one_of(kind, kFreeForm))
+      return lines_.refuse(0, fmt::format("expected v, l, f or another word of OBJ, found {}", in_quotes(kind)));
+    if (!has_free_form_) remarks_.push_back(lines_.remark(0, "curves and surfaces of free form are left out"));
+    has_free_form_ = true;
+    return {};
+  }
+
+  Expected<void> read_vertex() {
+    if (graph_.vertex_count() >= kMostVertices) return lines_.refuse(0, "these are too many vertices");
+    const auto position = lines_.position(1);
+    if (!position) return std::unexpected(position.error());
+    if (graph_.vertex_count() == 0) first_vertex_ = lines_.remark(0, std::string(Heights::kRemark));
+    if (lines_.count() > 3) {
+      const auto height = lines_.number(3, "a coordinate");
+      if (!height) return std::unexpected(height.error());
+      heights_.add(*height);
+    }
+    graph_.add_vertex(*position);
+    return {};
+  }
+
+  /// "5", "5/2/7", or "-1" for the last vertex so far.
+  Expected<std::uint32_t> vertex(std::size_t i) const {
+    std::string_view word = lines_.word(i);
+    word = word.substr(0, word.find('/'));
+    const bool is_backwards = word.starts_with('-');
+    const auto number = parse_count(is_backwards ? word.substr(1) : word);
+    if (!number) return lines_.refuse(i, fmt::format("expected the number of a vertex, found {}", in_quotes(word)));
+    if (*number == 0 || *number > graph_.vertex_count())
+      return lines_.refuse(i, fmt::format("there is no vertex {}", in_quotes(word)));
+    return static_cast<std::uint32_t>(is_backwards ? graph_.vertex_count() - *number : *number - 1);
+  }
+
+  Expected<void> read_corners(std::size_t least) {
+    corners_.clear();
+    for (std::size_t i = 1; i < lines_.count(); ++i) {
+      const auto corner = vertex(i);
+      if (!corner) return std::unexpected(corner.error());
+      corners_.push_back(*corner);
+    }
+    if (corners_.size() >= least) return {};
+    return lines_.refuse(lines_.count(), fmt::format("expected {} vertices at least", least));
+  }
+
+  Expected<void> read_line_through() {
+    if (auto done = read_corners(2); !done) return done;
+    for (std::size_t i = 1; i < corners_.size(); ++i) graph_.add_segment(corners_[i - 1], corners_[i]);
+    return {};
+  }
+
+  Expected<void> read_face() {
+    constexpr std::size_t kTriangle = 3;
+    if (auto done = read_corners(kTriangle); !done) return done;
+    graph_.add_face(corners_);
+    return {};
+  }
+
+  LineWords lines_;
+  const std::string& name_;
+  VertexGraph graph_;
+  Heights heights_;
+  std::string first_vertex_;
+  std::vector<std::uint32_t> corners_;
+  std::vector<std::string> remarks_;
+  bool has_free_form_ = false;
+};
+
+/// Words of OBJ only, with a vertex among the first lines.
+Match match(std::string_view bytes) {
+  static const std::string kNoName;
+  constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
+  LineWords lines(bytes.substr(0, kLookedAt), kNoName);
+  while (lines.next()) {
+    if (lines.word(0) == "v") return lines.count() > 2 && parse_number(lines.word(1)) ? Match::surely : Match::no;
+    if (!is_one_of(lines.word(0), kSilent) && !is_one_of(lines.word(0), kFreeForm)) return Match::no;
+  }
+  return Match::no;
+}
+
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
+  return ObjReader(bytes, name).read();
+}
+
+}  // namespace
+
+Format obj_format() {
+  return {.descriptor = {.id = "obj", .name = "OBJ, from above", .extensions = {".obj"}, .can_read = true},
+          .match = match,
+          .read = read};
+}
+
+}  // namespace mes
