@@ -15,6 +15,7 @@
 #include "core/io/svg_shapes.h"
 #include "core/io/svg_values.h"
 #include "core/io/text_numbers.h"
+#include "core/io/xml_source.h"
 
 namespace mes {
 namespace {
@@ -40,10 +41,6 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& wor
   return std::ranges::find(words, word) != words.end();
 }
 
-/// The word after the colon of a prefix.
-std::string_view local_name(std::string_view name) {
-  return name.substr(name.find(':') + 1);
-}
 std::string_view prefix_of(std::string_view name) {
   const std::size_t colon = name.find(':');
   return colon == std::string_view::npos ? std::string_view{} : name.substr(0, colon);
@@ -51,87 +48,31 @@ std::string_view prefix_of(std::string_view name) {
 
 class DrawingReader {
  public:
-  DrawingReader(std::string_view bytes, const std::string& name) : bytes_(bytes), buffer_(bytes), name_(name) {}
+  DrawingReader(std::string_view bytes, const std::string& name) : source_(bytes, name) {}
 
   Expected<SvgDrawing> read() {
-    // In place, so that values know where they stand.
-    const pugi::xml_parse_result parsed =
-        document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
-    if (parsed.status == pugi::status_out_of_memory)
-      return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name_});
-    if (!parsed)
-      return refuse(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
-                    fmt::format("this is not XML: {}", in_words(parsed.status)));
-    const xml_node root = document_.document_element();
+    const auto parsed = source_.parse();
+    if (!parsed) return std::unexpected(parsed.error());
+    const xml_node root = *parsed;
     if (local_name(root.name()) != "svg") return refuse(place_of(root), "the root element is not svg");
     prefix_ = prefix_of(root.name());
     note_names(root);
     if (auto done = read_root(root); !done) return std::unexpected(done.error());
-    for (const Remark& remark : remarks_) out_.warnings.push_back(error_at(remark.place, text_of(remark)).message());
+    out_.warnings = source_.messages();
     return std::move(out_);
   }
 
  private:
-  /// What is said once about all elements of a kind.
-  struct Remark {
-    std::string one;   // after "1"
-    std::string many;  // after a number
-    std::size_t place;
-    std::size_t count;
-  };
-
-  static std::string text_of(const Remark& remark) {
-    return fmt::format("{} {}", remark.count, remark.count == 1 ? remark.one : remark.many);
-  }
-
-  static std::string_view in_words(pugi::xml_parse_status status) {
-    switch (status) {
-      case pugi::status_end_element_mismatch: return "an element ends that is not open, or the end is missing";
-      case pugi::status_no_document_element: return "it has no element";
-      case pugi::status_bad_attribute: return "an attribute is broken";
-      case pugi::status_bad_start_element:
-      case pugi::status_bad_end_element: return "the tag of an element is broken";
-      case pugi::status_bad_doctype: return "its document type is broken";
-      default: return "it is broken or cut off here";
-    }
-  }
-
-  Error error_at(std::size_t place, std::string text) const {
-    const std::string_view before = bytes_.substr(0, std::min(place, bytes_.size()));
-    const auto line = static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1;
-    const std::size_t newline = before.rfind('\n');
-    const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
-    return {ErrorCode::bad_input, std::move(text), name_, line, before.size() - start + 1};
-  }
   std::unexpected<Error> refuse(std::size_t place, std::string text) const {
-    return std::unexpected(error_at(place, std::move(text)));
+    return source_.refuse(place, std::move(text));
   }
-
-  /// Of its "<".
-  static std::size_t place_of(xml_node node) {
-    const std::ptrdiff_t offset = node.offset_debug();
-    return offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0;
-  }
-  /// Of the value of an attribute; of the element for an empty one, which stands nowhere.
-  std::size_t place_of(xml_node node, std::string_view value, std::size_t within) const {
-    const char* const begin = buffer_.data();
-    const bool is_inside =
-        std::less_equal<>()(begin, value.data()) && std::less<>()(value.data(), begin + buffer_.size());
-    return is_inside ? static_cast<std::size_t>(value.data() - begin) + within : place_of(node);
-  }
-
+  static std::size_t place_of(xml_node node) { return XmlSource::place_of(node); }
   void remark(std::string one, std::string many, std::size_t place) {
-    const auto known = std::ranges::find(remarks_, one, &Remark::one);
-    if (known != remarks_.end()) {
-      ++known->count;
-      known->place = std::min(known->place, place);
-    } else {
-      remarks_.push_back({std::move(one), std::move(many), place, 1});
-    }
+    source_.remarks.add(std::move(one), std::move(many), place);
   }
   void remark_ignored(std::string_view attribute, xml_node node, std::string_view value, std::size_t within = 0) {
     remark(fmt::format("value of {} is ignored, which is none", attribute),
-           fmt::format("values of {} are ignored, which are none", attribute), place_of(node, value, within));
+           fmt::format("values of {} are ignored, which are none", attribute), source_.place_of(node, value, within));
   }
 
   /// Elements by their id; the first counts. Without recursion, for it comes before depth is checked.
@@ -346,7 +287,7 @@ class DrawingReader {
 
   void remark_fault(xml_node node, std::string_view value, std::size_t within) {
     remark("list of coordinates is read up to a fault", "lists of coordinates are read up to a fault",
-           place_of(node, value, within));
+           source_.place_of(node, value, within));
   }
 
   Expected<void> add(PlaneCurve curve, xml_node node, const Context& context) {
@@ -371,50 +312,20 @@ class DrawingReader {
     if (is_area || distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
   }
 
-  std::string_view bytes_;
-  std::string buffer_;  // what is parsed; values of attributes are pieces of it
-  const std::string& name_;
-  pugi::xml_document document_;
+  XmlSource source_;
   std::string_view prefix_;
   std::unordered_map<std::string_view, xml_node> by_id_;
   std::vector<xml_node> path_;  // elements around the present one, through `use` too
   bool has_style_sheet_ = false;
   std::size_t elements_ = 0;
   std::size_t pieces_ = 0;
-  std::vector<Remark> remarks_;
   SvgDrawing out_;
 };
-
-/// Takes white space, declarations, comments and document types off the front.
-std::string_view without_prolog(std::string_view text) {
-  while (true) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return {};
-    text.remove_prefix(begin);
-    std::string_view end;
-    if (text.starts_with("<?")) {
-      end = "?>";
-    } else if (text.starts_with("<!--")) {
-      end = "-->";
-    } else if (text.starts_with("<!DOCTYPE")) {
-      const std::size_t bracket = text.find_first_of("[>");
-      end = bracket != std::string_view::npos && text[bracket] == '[' ? "]>" : ">";
-    } else {
-      return text;
-    }
-    const std::size_t at = text.find(end);
-    if (at == std::string_view::npos) return {};
-    text.remove_prefix(at + end.size());
-  }
-}
 
 }  // namespace
 
 bool looks_like_svg(std::string_view bytes) {
-  const std::string_view text = without_prolog(without_bom(bytes));
-  if (!text.starts_with('<')) return false;
-  const std::string_view name = text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1);
-  return local_name(name) == "svg";
+  return xml_root_name(bytes) == "svg";
 }
 
 Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name) {

@@ -14,6 +14,8 @@
 #include "core/base/task_queue.h"
 #include "core/curves/corners.h"
 #include "core/curves/nearest_place.h"
+#include "core/curves/b_spline.h"
+#include "core/curves/joined_ends.h"
 #include "core/curves/sampling.h"
 #include "core/curves/smooth_curve.h"
 #include "core/document/commands.h"
@@ -26,6 +28,7 @@
 #include "core/engine/graph.h"
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
+#include "core/io/counted_remarks.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
 #include "core/io/line_layout.h"
@@ -521,4 +524,29 @@ TEST_CASE("files become curves as their headers show") {
   CHECK(triangle->data.contours.size() == 1);
   CHECK(lines_with_positions("1 2\n3 4 5\n", "a") == 2U);
   CHECK(lines_with_positions("1 2\n3\n", "a").error().line == 2);
+
+  std::string said;
+  const auto warn = [&said](const std::string& text, std::size_t) { said += text; };
+  const std::size_t place = 7;
+  // core/io/counted_remarks.h
+  CountedRemarks remarks;
+  remarks.add("text element is left out", "text elements are left out", place);
+  remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });
+  CHECK(said == "1 text element is left out");
+
+  // core/curves/b_spline.h
+  const auto curve = curve_of_spline(BSpline::clamped(3, {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {6, 0}}));
+  REQUIRE(curve);
+  CHECK(curve->piece_count() == 2);
+
+  PlaneCurve left_half({0, 1});
+  left_half.line_to({-1, 0});
+  left_half.line_to({0, -1});
+  PlaneCurve right_half({0, 1});
+  right_half.line_to({1, 0});
+  right_half.line_to({0, -1});
+  // core/curves/joined_ends.h
+  const auto outline = joined_ends({left_half, right_half}, 1e-6);
+  REQUIRE(outline.size() == 1);
+  CHECK(outline[0].is_closed());
 }

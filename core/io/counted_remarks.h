@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said once about all things of a kind that a file has. Private to core/io.
+#pragma once
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mes {
+
+/// Smallest use:
+///     CountedRemarks remarks;
+///     remarks.add("text element is left out", "text elements are left out", place);
+///     remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });
+class CountedRemarks {
+ public:
+  /// `one` follows "1", `many` any other number. The place said is the first.
+  void add(std::string one, std::string many, std::size_t place) {
+    const auto known = std::ranges::find(kinds_, one, &Kind::one);
+    if (known != kinds_.end()) {
+      ++known->count;
+      known->place = std::min(known->place, place);
+    } else {
+      kinds_.push_back({std::move(one), std::move(many), place, 1});
+    }
+  }
+
+  /// Calls `use(text, place)` for each kind, in the order in which they came.
+  template <class Use>
+  void for_each(Use use) const {
+    for (const Kind& kind : kinds_)
+      use(fmt::format("{} {}", kind.count, kind.count == 1 ? kind.one : kind.many), kind.place);
+  }
+
+ private:
+  struct Kind {
+    std::string one;
+    std::string many;
+    std::size_t place;
+    std::size_t count;
+  };
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace mes

@@ -1,0 +1,485 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DXF as text (AutoCAD's reference of group codes, R12 to 2018): LINE, LWPOLYLINE and POLYLINE with bulges as arcs,
+// CIRCLE, ARC, ELLIPSE, SPLINE, POINT, and what blocks hold where INSERT puts it. Lines and arcs that meet end to end
+// are one curve. Left out are paper space, what is invisible or on a layer that is off or frozen, and whatever else
+// there is.
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/base/box2.h"
+#include "core/curves/b_spline.h"
+#include "core/curves/joined_ends.h"
+#include "core/io/counted_remarks.h"
+#include "core/io/curve_samples.h"
+#include "core/io/dxf_pairs.h"
+#include "core/io/format_registry.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr std::size_t kDeepest = 32;
+constexpr std::size_t kMostEntities = 1'000'000;  // those of blocks counted each time
+constexpr std::size_t kMostPieces = 4'000'000;
+constexpr std::string_view kBinary = "AutoCAD Binary DXF";
+
+struct Block {
+  Vec2 base{};
+  std::vector<DxfEntity> entities{};
+};
+
+class DxfReader {
+ public:
+  DxfReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  Expected<LoadedFile> read() {
+    if (bytes_.starts_with(kBinary)) return bad_input("only DXF as text can be read", name_, 1, 1);
+    auto pairs = read_dxf_pairs(bytes_, name_);
+    if (!pairs) return std::unexpected(pairs.error());
+    pairs_ = *std::move(pairs);
+    if (auto done = read_sections(); !done) return std::unexpected(done.error());
+    if (auto done = draw_all(entities_, {}, 0); !done) return std::unexpected(done.error());
+    join_curves();
+    if (set_.curves.empty() && set_.points.empty()) return nothing();
+    auto file = load_samples(set_, default_sampling(set_), name_);
+    if (!file) return file;
+    remarks_.for_each([&](const std::string& text, std::size_t line) {
+      file->warnings.push_back(Error{ErrorCode::bad_input, text, name_, line, 1}.message());
+    });
+    return file;
+  }
+
+ private:
+  std::unexpected<Error> refuse(const DxfPair& pair, std::string text) const {
+    return bad_input(std::move(text), name_, pair.line, 1);
+  }
+  std::unexpected<Error> nothing() const {
+    std::string text = "nothing is drawn in it";
+    remarks_.for_each([&](const std::string& remark, std::size_t) { text += "; " + remark; });
+    return bad_input(std::move(text), name_, 1, 1);
+  }
+  void leave_out(DxfEntity entity, std::string_view why) {
+    remarks_.add(fmt::format("{} is left out", why), fmt::format("{}s are left out", why), entity.front().line);
+  }
+
+  /// The entity that begins at a pair with code 0.
+  DxfEntity entity_at(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (end < pairs_.size() && pairs_[end].code != 0) ++end;
+    return std::span(pairs_).subspan(begin, end - begin);
+  }
+
+  Expected<void> read_sections() {
+    std::string_view section;
+    Block* block = nullptr;
+    bool is_in_section = false;
+    for (std::size_t i = 0; i < pairs_.size();) {
+      if (pairs_[i].code != 0) {
+        ++i;  // variables of the header
+        continue;
+      }
+      const DxfEntity entity = entity_at(i);
+      const std::string_view kind = entity.front().value;
+      i += entity.size();
+      if (kind == "EOF") return {};
+      if (kind == "SECTION") {
+        section = dxf_text(entity, 2).value_or("");
+        is_in_section = true;
+      } else if (kind == "ENDSEC") {
+        section = {};
+        is_in_section = false;
+      } else if (kind == "LAYER" && section == "TABLES") {
+        note_layer(entity);
+      } else if (section == "BLOCKS" && kind == "BLOCK") {
+        block = &blocks_[std::string(dxf_text(entity, 2).value_or(""))];
+        const auto base = point(entity, 10);
+        if (!base) return std::unexpected(base.error());
+        block->base = *base;
+      } else if (section == "BLOCKS" && kind == "ENDBLK") {
+        block = nullptr;
+      } else if (section == "BLOCKS" && block != nullptr) {
+        block->entities.push_back(entity);
+      } else if (section == "ENTITIES") {
+        entities_.push_back(entity);
+      }
+    }
+    if (is_in_section && !pairs_.empty()) return refuse(pairs_.back(), "the file ends within a section");
+    return {};
+  }
+
+  void note_layer(DxfEntity layer) {
+    const std::string_view color = dxf_text(layer, 62).value_or("");
+    const std::string_view flags = dxf_text(layer, 70).value_or("0");
+    const auto value = parse_count(flags);
+    const bool is_frozen = value && (*value & 1U) != 0;
+    if (color.starts_with('-') || is_frozen) hidden_layers_.insert(dxf_text(layer, 2).value_or(""));
+  }
+
+  // Numbers of an entity -----------------------------------------------------------------------------------------
+
+  Expected<double> number(const DxfPair& pair) const {
+    if (const auto value = parse_number(pair.value)) return *value;
+    return refuse(pair, fmt::format("expected a number for group {}, found {}", pair.code, in_quotes(pair.value)));
+  }
+  /// The first value of a code, or the default.
+  Expected<double> number(DxfEntity entity, int code, double otherwise) const {
+    const auto found = std::ranges::find(entity, code, &DxfPair::code);
+    return found == entity.end() ? Expected<double>(otherwise) : number(*found);
+  }
+  Expected<Vec2> point(DxfEntity entity, int code) const {
+    const auto x = number(entity, code, 0.0);
+    if (!x) return std::unexpected(x.error());
+    const auto y = number(entity, code + 10, 0.0);
+    if (!y) return std::unexpected(y.error());
+    return Vec2{*x, *y};
+  }
+  /// All values of a code.
+  Expected<std::vector<double>> numbers(DxfEntity entity, int code) const {
+    std::vector<double> out;
+    for (const DxfPair& pair : entity) {
+      if (pair.code != code) continue;
+      const auto value = number(pair);
+      if (!value) return std::unexpected(value.error());
+      out.push_back(*value);
+    }
+    return out;
+  }
+  unsigned flags_of(DxfEntity entity) const {
+    const auto value = parse_count(dxf_text(entity, 70).value_or("0"));
+    return value ? static_cast<unsigned>(*value & 0xffffU) : 0U;
+  }
+
+  // Drawing ------------------------------------------------------------------------------------------------------
+
+  Expected<void> draw_all(std::span<const DxfEntity> entities, const Affine& map, std::size_t depth) {
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+      const DxfEntity entity = entities[i];
+      if (++drawn_ > kMostEntities)
+        return refuse(entity.front(), fmt::format("there are more than {} entities, those of blocks counted each "
+                                                  "time that they are inserted",
+                                                  kMostEntities));
+      // The vertices of an old polyline are entities that follow it.
+      std::size_t end = i + 1;
+      if (entity.front().value == "POLYLINE") {
+        while (end < entities.size() && entities[end].front().value == "VERTEX") ++end;
+        if (end < entities.size() && entities[end].front().value == "SEQEND") ++end;
+      }
+      const std::span<const DxfEntity> vertices = entities.subspan(i + 1, end - i - 1);
+      i = end - 1;
+      if (is_hidden(entity)) continue;
+      if (auto done = draw(entity, vertices, map, depth); !done) return done;
+      if (pieces_ > kMostPieces)
+        return refuse(entity.front(), fmt::format("there are more than {} lines and arcs", kMostPieces));
+    }
+    return {};
+  }
+
+  bool is_hidden(DxfEntity entity) {
+    if (dxf_text(entity, 67).value_or("0") == "1") {
+      remarks_.add("entity in paper space is left out", "entities in paper space are left out", entity.front().line);
+      return true;
+    }
+    const bool is_invisible = dxf_text(entity, 60).value_or("0") == "1";
+    const auto layer = dxf_text(entity, 8);
+    if (!is_invisible && (!layer || !hidden_layers_.contains(*layer))) return false;
+    remarks_.add("entity that is invisible or on a layer that is off is left out",
+                 "entities that are invisible or on layers that are off are left out", entity.front().line);
+    return true;
+  }
+
+  Expected<void> draw(DxfEntity entity, std::span<const DxfEntity> vertices, const Affine& map, std::size_t depth) {
+    const std::string_view kind = entity.front().value;
+    if (kind == "LINE") return draw_line(entity, map);
+    if (kind == "POINT") return draw_point(entity, map);
+    if (kind == "SPLINE") return draw_spline(entity, map);
+    // Coordinates of the others are those of a plane of their own, which may be seen from below.
+    const auto nz = number(entity, 230, 1.0);
+    if (!nz) return std::unexpected(nz.error());
+    const auto normal = point(entity, 210);
+    if (!normal) return std::unexpected(normal.error());
+    constexpr double kUpright = 1e-6;
+    const bool is_flat = std::abs(normal->x) <= kUpright && std::abs(normal->y) <= kUpright && *nz != 0.0;
+    const bool is_known = kind == "CIRCLE" || kind == "ARC" || kind == "ELLIPSE" || kind == "LWPOLYLINE" ||
+                          kind == "POLYLINE" || kind == "INSERT";
+    if (is_known && !is_flat) {
+      remarks_.add("entity that is not parallel to the plane is left out",
+                   "entities that are not parallel to the plane are left out", entity.front().line);
+      return {};
+    }
+    const bool is_from_below = *nz < 0.0;
+    if (kind == "ELLIPSE") return draw_ellipse(entity, map, is_from_below);
+    const Affine seen = is_from_below ? map * Affine::scaling(-1.0, 1.0) : map;
+    if (kind == "CIRCLE" || kind == "ARC") return draw_arc(entity, seen, kind == "CIRCLE");
+    if (kind == "LWPOLYLINE") return draw_polyline(entity, seen);
+    if (kind == "POLYLINE") return draw_old_polyline(entity, vertices, seen);
+    if (kind == "INSERT") return draw_block(entity, seen, depth);
+    constexpr std::string_view kSilent[]{"SEQEND", "VIEWPORT", "ATTDEF", "ATTRIB"};
+    if (std::ranges::find(kSilent, kind) == std::end(kSilent)) leave_out(entity, printable(kind.substr(0, 32)));
+    return {};
+  }
+
+  void add(PlaneCurve curve, const Affine& map) {
+    if (curve.piece_count() == 0) return;
+    pieces_ += curve.piece_count();
+    if (pieces_ > kMostPieces) return;
+    curve.transform(map);
+    set_.curves.push_back(std::move(curve));
+  }
+
+  Expected<void> draw_line(DxfEntity entity, const Affine& map) {
+    const auto from = point(entity, 10);
+    if (!from) return std::unexpected(from.error());
+    const auto to = point(entity, 11);
+    if (!to) return std::unexpected(to.error());
+    if (*from == *to) return {};
+    PlaneCurve curve(*from);
+    curve.line_to(*to);
+    add(std::move(curve), map);
+    return {};
+  }
+
+  Expected<void> draw_point(DxfEntity entity, const Affine& map) {
+    const auto at = point(entity, 10);
+    if (!at) return std::unexpected(at.error());
+    set_.points.push_back(map.of_point(*at));
+    return {};
+  }
+
+  /// From one angle to another, in radians, counter-clockwise; all around where they are equal.
+  void add_arc(Vec2 center, Vec2 u, Vec2 v, double from, double to, const Affine& map) {
+    double sweep = std::fmod(to - from, kTurn);
+    constexpr double kRounding = 1e-9;
+    if (sweep < 0.0) sweep += kTurn;
+    if (sweep <= kRounding || sweep >= kTurn - kRounding) sweep = kTurn;
+    const EllipticArc arc{center, u, v, from, sweep};
+    const auto at = [&](double angle) { return center + std::cos(angle) * u + std::sin(angle) * v; };
+    PlaneCurve curve(at(from));
+    curve.arc_to(arc, sweep == kTurn ? curve.start() : at(from + sweep));
+    if (sweep == kTurn) curve.close();
+    add(std::move(curve), map);
+  }
+
+  Expected<void> draw_arc(DxfEntity entity, const Affine& map, bool is_circle) {
+    const auto center = point(entity, 10);
+    if (!center) return std::unexpected(center.error());
+    const auto radius = number(entity, 40, 0.0);
+    if (!radius) return std::unexpected(radius.error());
+    const auto from = number(entity, 50, 0.0);
+    if (!from) return std::unexpected(from.error());
+    const auto to = number(entity, 51, 0.0);
+    if (!to) return std::unexpected(to.error());
+    if (!(*radius > 0.0)) {
+      leave_out(entity, "circle without a radius");
+      return {};
+    }
+    add_arc(*center, {*radius, 0.0}, {0.0, *radius}, is_circle ? 0.0 : kDegree * *from,
+            is_circle ? 0.0 : kDegree * *to, map);
+    return {};
+  }
+
+  Expected<void> draw_ellipse(DxfEntity entity, const Affine& map, bool is_from_below) {
+    const auto center = point(entity, 10);
+    if (!center) return std::unexpected(center.error());
+    const auto major = point(entity, 11);
+    if (!major) return std::unexpected(major.error());
+    const auto ratio = number(entity, 40, 1.0);
+    if (!ratio) return std::unexpected(ratio.error());
+    const auto from = number(entity, 41, 0.0);
+    if (!from) return std::unexpected(from.error());
+    const auto to = number(entity, 42, kTurn);
+    if (!to) return std::unexpected(to.error());
+    if (*major == Vec2{}) {
+      leave_out(entity, "ellipse without a major axis");
+      return {};
+    }
+    add_arc(*center, *major, (is_from_below ? -*ratio : *ratio) * perpendicular(*major), *from, *to, map);
+    return {};
+  }
+
+  struct Corner {
+    Vec2 at{};
+    double bulge = 0.0;
+  };
+
+  /// A bulge is the tangent of a quarter of the angle of the arc to the next corner, positive to the right of the way.
+  static void add_side(PlaneCurve& curve, double bulge, Vec2 to) {
+    const Vec2 from = curve.end();
+    if (from == to) return;
+    if (bulge == 0.0) return curve.line_to(to);
+    const double shift = (1.0 - bulge * bulge) / (4.0 * bulge);
+    const Vec2 center = 0.5 * (from + to) + shift * perpendicular(to - from);
+    if (!is_finite(center)) return curve.line_to(to);
+    const Vec2 u = from - center;
+    curve.arc_to({center, u, perpendicular(u), 0.0, 4.0 * std::atan(bulge)}, to);
+  }
+
+  void add_corners(const std::vector<Corner>& corners, bool is_closed, const Affine& map) {
+    if (corners.size() < 2) return;
+    PlaneCurve curve(corners.front().at);
+    for (std::size_t i = 1; i < corners.size(); ++i) add_side(curve, corners[i - 1].bulge, corners[i].at);
+    if (is_closed) {
+      add_side(curve, corners.back().bulge, corners.front().at);
+      curve.close();
+    }
+    add(std::move(curve), map);
+  }
+
+  Expected<void> draw_polyline(DxfEntity entity, const Affine& map) {
+    std::vector<Corner> corners;
+    for (const DxfPair& pair : entity) {
+      constexpr int kX = 10;
+      constexpr int kY = 20;
+      constexpr int kBulge = 42;
+      if (pair.code != kX && pair.code != kY && pair.code != kBulge) continue;
+      const auto value = number(pair);
+      if (!value) return std::unexpected(value.error());
+      if (pair.code == kX) {
+        corners.push_back({{*value, 0.0}, 0.0});
+      } else if (!corners.empty()) {
+        (pair.code == kY ? corners.back().at.y : corners.back().bulge) = *value;
+      }
+    }
+    add_corners(corners, (flags_of(entity) & 1U) != 0, map);
+    return {};
+  }
+
+  Expected<void> draw_old_polyline(DxfEntity entity, std::span<const DxfEntity> vertices, const Affine& map) {
+    constexpr unsigned kMesh = 16U | 64U;
+    constexpr unsigned kControl = 16U;
+    if ((flags_of(entity) & kMesh) != 0) {
+      leave_out(entity, "mesh");
+      return {};
+    }
+    std::vector<Corner> corners;
+    for (const DxfEntity vertex : vertices) {
+      if (vertex.front().value != "VERTEX" || (flags_of(vertex) & kControl) != 0) continue;
+      const auto at = point(vertex, 10);
+      if (!at) return std::unexpected(at.error());
+      const auto bulge = number(vertex, 42, 0.0);
+      if (!bulge) return std::unexpected(bulge.error());
+      corners.push_back({*at, *bulge});
+    }
+    add_corners(corners, (flags_of(entity) & 1U) != 0, map);
+    return {};
+  }
+
+  Expected<void> draw_spline(DxfEntity entity, const Affine& map) {
+    const auto degree = number(entity, 71, 3.0);
+    if (!degree) return std::unexpected(degree.error());
+    auto knots = numbers(entity, 40);
+    if (!knots) return std::unexpected(knots.error());
+    auto weights = numbers(entity, 41);
+    if (!weights) return std::unexpected(weights.error());
+    const auto x = numbers(entity, 10);
+    if (!x) return std::unexpected(x.error());
+    const auto y = numbers(entity, 20);
+    if (!y) return std::unexpected(y.error());
+    constexpr double kMostDegree = 15.0;
+    BSpline spline{.degree = *degree >= 1.0 && *degree <= kMostDegree ? static_cast<std::size_t>(*degree) : 0,
+                   .knots = *std::move(knots),
+                   .weights = *std::move(weights)};
+    for (std::size_t i = 0; i < std::min(x->size(), y->size()); ++i) spline.controls.push_back({(*x)[i], (*y)[i]});
+    auto curve = curve_of_spline(spline);
+    if (!curve) {
+      leave_out(entity, spline.controls.empty() ? "spline without control points" : "spline whose knots do not fit");
+      return {};
+    }
+    if (curve->piece_count() > 1 && curve->start() == curve->end()) curve->close();
+    add(*std::move(curve), map);
+    return {};
+  }
+
+  Expected<void> draw_block(DxfEntity entity, const Affine& map, std::size_t depth) {
+    const auto name = dxf_text(entity, 2);
+    const auto found = blocks_.find(std::string(name.value_or("")));
+    if (found == blocks_.end()) {
+      leave_out(entity, "block that is not there");
+      return {};
+    }
+    if (depth >= kDeepest) return refuse(entity.front(), "blocks are nested too deeply");
+    const auto at = point(entity, 10);
+    if (!at) return std::unexpected(at.error());
+    constexpr int kCodes[]{41, 42, 50, 44, 45, 70, 71};
+    double values[]{1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0};
+    for (std::size_t i = 0; i < std::size(kCodes); ++i) {
+      const auto value = number(entity, kCodes[i], values[i]);
+      if (!value) return std::unexpected(value.error());
+      values[i] = *value;
+    }
+    const auto [x_scale, y_scale, angle, column_step, row_step, columns, rows] = values;
+    constexpr double kMostRows = 10'000.0;
+    if (!(columns <= kMostRows && rows <= kMostRows))
+      return refuse(entity.front(), fmt::format("a block is inserted in more than {} rows or columns", kMostRows));
+    const Vec2 base = found->second.base;
+    const Affine turned = map * Affine::translation(at->x, at->y) * Affine::rotation(kDegree * angle);
+    for (int row = 0; row < std::max(rows, 1.0); ++row)
+      for (int column = 0; column < std::max(columns, 1.0); ++column) {
+        const Affine placed = turned * Affine::translation(column * column_step, row * row_step) *
+                              Affine::scaling(x_scale, y_scale) * Affine::translation(-base.x, -base.y);
+        if (auto done = draw_all(found->second.entities, placed, depth + 1); !done) return done;
+        if (++drawn_ > kMostEntities) return refuse(entity.front(), "blocks are inserted too often");
+      }
+    return {};
+  }
+
+  /// Ends that differ by what is lost when coordinates of a drawing of a hundred units are written with four digits
+  /// after the point.
+  void join_curves() {
+    Box2 box;
+    for (const PlaneCurve& curve : set_.curves) {
+      box.add(curve.start());
+      box.add(curve.end());
+    }
+    constexpr double kShare = 1e-6;
+    const double size = set_.curves.empty() ? 0.0 : std::max(box.width(), box.height());
+    if (std::isfinite(size)) set_.curves = joined_ends(std::move(set_.curves), kShare * size);
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+  std::vector<DxfPair> pairs_;
+  std::map<std::string, Block> blocks_;
+  std::set<std::string_view> hidden_layers_;
+  std::vector<DxfEntity> entities_;
+  std::size_t drawn_ = 0;
+  std::size_t pieces_ = 0;
+  CountedRemarks remarks_;
+  CurveSet set_;
+};
+
+/// "0", "SECTION", perhaps after comments.
+Match match(std::string_view bytes) {
+  if (bytes.starts_with(kBinary)) return Match::surely;
+  static const std::string kNoName;
+  constexpr std::size_t kLookedAt = std::size_t{1} << 12U;
+  const std::string_view begin = bytes.substr(0, kLookedAt);
+  // Up to the end of the first value of code 2: "SECTION", then its name.
+  const std::size_t word = begin.find("SECTION");
+  if (word == std::string_view::npos) return Match::no;
+  const std::size_t end = begin.find_first_of("\r\n", word);
+  const auto pairs = read_dxf_pairs(begin.substr(0, end), kNoName);
+  const bool is_dxf = pairs && !pairs->empty() && pairs->front().code == 0 && pairs->front().value == "SECTION";
+  return is_dxf ? Match::surely : Match::no;
+}
+
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
+  return DxfReader(without_bom(bytes), name).read();
+}
+
+}  // namespace
+
+Format dxf_format() {
+  return {.descriptor = {.id = "dxf", .name = "DXF drawing", .extensions = {".dxf"}, .can_read = true},
+          .match = match,
+          .read = read,
+          .may_look_foreign = true};
+}
+
+}  // namespace mes

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/xml_source.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+/// Takes white space, declarations, comments and document types off the front.
+std::string_view without_prolog(std::string_view text) {
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return {};
+    text.remove_prefix(begin);
+    std::string_view end;
+    if (text.starts_with("<?")) {
+      end = "?>";
+    } else if (text.starts_with("<!--")) {
+      end = "-->";
+    } else if (text.starts_with("<!DOCTYPE")) {
+      const std::size_t bracket = text.find_first_of("[>");
+      end = bracket != std::string_view::npos && text[bracket] == '[' ? "]>" : ">";
+    } else {
+      return text;
+    }
+    const std::size_t at = text.find(end);
+    if (at == std::string_view::npos) return {};
+    text.remove_prefix(at + end.size());
+  }
+}
+
+std::string_view in_words(pugi::xml_parse_status status) {
+  switch (status) {
+    case pugi::status_end_element_mismatch: return "an element ends that is not open, or the end is missing";
+    case pugi::status_no_document_element: return "it has no element";
+    case pugi::status_bad_attribute: return "an attribute is broken";
+    case pugi::status_bad_start_element:
+    case pugi::status_bad_end_element: return "the tag of an element is broken";
+    case pugi::status_bad_doctype: return "its document type is broken";
+    default: return "it is broken or cut off here";
+  }
+}
+
+}  // namespace
+
+std::string_view xml_root_name(std::string_view bytes) {
+  const std::string_view text = without_prolog(without_bom(bytes));
+  if (!text.starts_with('<')) return {};
+  return local_name(text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1));
+}
+
+Expected<pugi::xml_node> XmlSource::parse() {
+  // In place, so that values know where they stand.
+  const pugi::xml_parse_result parsed =
+      document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (parsed.status == pugi::status_out_of_memory)
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name_});
+  if (!parsed)
+    return refuse(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
+                  fmt::format("this is not XML: {}", in_words(parsed.status)));
+  return document_.document_element();
+}
+
+Error XmlSource::error_at(std::size_t place, std::string text) const {
+  const std::string_view before = bytes_.substr(0, std::min(place, bytes_.size()));
+  const auto line = static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1;
+  const std::size_t newline = before.rfind('\n');
+  const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
+  return {ErrorCode::bad_input, std::move(text), name_, line, before.size() - start + 1};
+}
+std::size_t XmlSource::place_of(pugi::xml_node node) {
+  const std::ptrdiff_t offset = node.offset_debug();
+  return offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0;
+}
+
+std::size_t XmlSource::place_of(pugi::xml_node node, std::string_view value, std::size_t within) const {
+  const char* const begin = buffer_.data();
+  const bool is_inside =
+      std::less_equal<>()(begin, value.data()) && std::less<>()(value.data(), begin + buffer_.size());
+  return is_inside ? static_cast<std::size_t>(value.data() - begin) + within : place_of(node);
+}
+
+std::vector<std::string> XmlSource::messages() const {
+  std::vector<std::string> out;
+  remarks.for_each(
+      [&](const std::string& text, std::size_t place) { out.push_back(error_at(place, text).message()); });
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// XML of a file, whose elements and values know where they stand. Private to core/io.
+#pragma once
+
+#include <cstddef>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/io/counted_remarks.h"
+
+namespace mes {
+
+/// The name of the root element without its prefix; empty where none begins. A look at what stands before it.
+std::string_view xml_root_name(std::string_view bytes);
+
+/// The word after the colon of a prefix.
+inline std::string_view local_name(std::string_view name) {
+  return name.substr(name.find(':') + 1);
+}
+
+/// Entities other than those of XML are not expanded.
+class XmlSource {
+ public:
+  /// Both outlive the source.
+  XmlSource(std::string_view bytes, const std::string& name) : bytes_(bytes), buffer_(bytes), name_(name) {}
+  XmlSource(const XmlSource&) = delete;
+  XmlSource& operator=(const XmlSource&) = delete;
+
+  /// The root element. Error: `bad_input` for text that is not XML.
+  Expected<pugi::xml_node> parse();
+
+  /// With line and column of a byte.
+  Error error_at(std::size_t place, std::string text) const;
+  std::unexpected<Error> refuse(std::size_t place, std::string text) const {
+    return std::unexpected(error_at(place, std::move(text)));
+  }
+
+  /// Of its "<".
+  static std::size_t place_of(pugi::xml_node node);
+  /// Of the value of an attribute or of text; of the element for an empty one, which stands nowhere.
+  std::size_t place_of(pugi::xml_node node, std::string_view value, std::size_t within) const;
+
+  /// What is said once about all elements of a kind.
+  CountedRemarks remarks{};
+  /// One line each.
+  std::vector<std::string> messages() const;
+
+ private:
+  std::string_view bytes_;
+  std::string buffer_;  // what is parsed; values of attributes are pieces of it
+  const std::string& name_;
+  pugi::xml_document document_;
+};
+
+}  // namespace mes

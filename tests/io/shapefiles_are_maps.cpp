@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files written here by the technical description of ESRI, byte by byte.
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/io/format.h"
+#include "temporary_folder.h"
+
+using namespace mes;
+
+namespace {
+
+using Positions = std::vector<Vec2>;
+using Contours = std::vector<SampleData::Contour>;
+
+template <class Value>
+std::string bytes_of(Value value, bool is_big = false) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(Value)>>(value);
+  if (is_big == (std::endian::native == std::endian::little)) std::ranges::reverse(bytes);
+  return {bytes.data(), bytes.size()};
+}
+std::string number(std::uint32_t value) {
+  return bytes_of(value);
+}
+
+std::string positions_of(const Positions& positions) {
+  std::string out;
+  for (const Vec2 p : positions) out += bytes_of(p.x) + bytes_of(p.y);
+  return out;
+}
+
+/// Content of records.
+std::string point(std::uint32_t type, Vec2 p) {
+  return number(type) + positions_of({p});
+}
+std::string points(const Positions& all) {
+  return number(8) + std::string(32, '\0') + number(static_cast<std::uint32_t>(all.size())) + positions_of(all);
+}
+std::string parts(std::uint32_t type, const std::vector<Positions>& all) {
+  std::string begins;
+  std::string places;
+  std::uint32_t count = 0;
+  for (const Positions& part : all) {
+    begins += number(count);
+    places += positions_of(part);
+    count += static_cast<std::uint32_t>(part.size());
+  }
+  return number(type) + std::string(32, '\0') + number(static_cast<std::uint32_t>(all.size())) + number(count) +
+         begins + places;
+}
+
+std::string file_of(const std::vector<std::string>& records) {
+  std::string out =
+      bytes_of(std::uint32_t{9994}, true) + std::string(24, '\0') + number(1000) + number(5) + std::string(64, '\0');
+  std::uint32_t i = 0;
+  for (const std::string& record : records)
+    out += bytes_of(++i, true) + bytes_of(static_cast<std::uint32_t>(record.size() / 2), true) + record;
+  return out;
+}
+
+LoadedFile good(const Expected<LoadedFile>& read) {
+  INFO((read ? std::string() : read.error().message()));
+  REQUIRE(read.has_value());
+  return *read;
+}
+
+void check_refused(const std::string& bytes, const std::string& message) {
+  const auto read = read_sample_bytes(bytes, "a");
+  REQUIRE_FALSE(read.has_value());
+  CHECK(read.error().code == ErrorCode::bad_input);
+  CHECK(read.error().message() == "a: " + message);
+}
+
+const Positions kSquare{{0, 0}, {0, 500}, {500, 500}, {500, 0}, {0, 0}};
+const Positions kHole{{10, 10}, {20, 10}, {20, 20}, {10, 10}};
+constexpr const char* kDegrees =
+    "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],PRIMEM["
+    "\"Greenwich\","
+    "0.0],UNIT[\"Degree\",0.0174532925199433]]";
+
+}  // namespace
+
+TEST_CASE("each type of shape gives its rings, lines and points") {
+  const LoadedFile file = good(
+      read_sample_bytes(file_of({parts(5, {kSquare, kHole}), number(0), point(1, {-7, 0.1}),
+                                 parts(3, {{{1, 1}, {2, 2}}, {{3, 3}, {4, 3}, {4, 4}}}), points({{8, 8}, {9, 9}})}),
+                        "a"));
+  CHECK(file.format == "shapefile");
+  CHECK(file.warnings.empty());
+  CHECK(file.data.positions == Positions{{0, 0},
+                                         {0, 500},
+                                         {500, 500},
+                                         {500, 0},
+                                         {10, 10},
+                                         {20, 10},
+                                         {20, 20},
+                                         {1, 1},
+                                         {2, 2},
+                                         {3, 3},
+                                         {4, 3},
+                                         {4, 4},
+                                         {-7, 0.1},
+                                         {8, 8},
+                                         {9, 9}});
+  CHECK(file.data.contours ==
+        Contours{{true, {0, 1, 2, 3}}, {true, {4, 5, 6}}, {false, {7, 8}}, {false, {9, 10, 11}}});
+}
+
+TEST_CASE("heights and measures are left out with a warning, and so are surfaces in space") {
+  // What follows the positions of such a record is not looked at.
+  const LoadedFile file = good(
+      read_sample_bytes(file_of({point(11, {1000, 2}) + std::string(16, '\1'),
+                                 parts(25, {kSquare}) + std::string(56, '\1'), number(31) + std::string(60, '\1')}),
+                        "a"));
+  CHECK(file.data.positions.size() == 5);
+  CHECK(file.warnings == std::vector<std::string>{"a: heights and measures are left out",
+                                                  "a: 1 surface in space (multipatch) is left out"});
+}
+
+TEST_CASE("the .prj beside it says whether positions are degrees") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("a.shp", file_of({parts(5, {{{9, 50}, {11, 50}, {11, 51}, {9, 51}, {9, 50}}})}));
+  const LoadedFile alone = good(read_sample_file(path));
+  CHECK(alone.data.positions.front() == Vec2{9, 50});
+  REQUIRE(alone.warnings.size() == 1);
+  CHECK_THAT(alone.warnings[0], Catch::Contains("no .prj file beside it says whether these are degrees"));
+
+  const auto beside = folder.write("a.prj", kDegrees);
+  const LoadedFile projected = good(read_sample_file(path));
+  REQUIRE(projected.warnings.size() == 1);
+  CHECK_THAT(projected.warnings[0], Catch::Contains("kilometres about 10 E, 50.5 N"));
+  CHECK(distance(projected.data.positions[1], projected.data.positions[2]) == Approx(111.195).epsilon(1e-4));
+  REQUIRE(projected.sources.size() == 2);
+  CHECK(projected.sources[0].path == beside);
+
+  folder.write("a.prj", "PROJCS[\"ETRS_1989_UTM_Zone_32N\"," + std::string(kDegrees) + ",UNIT[\"Meter\",1.0]]");
+  const LoadedFile plane = good(read_sample_file(path));
+  CHECK(plane.data.positions.front() == Vec2{9, 50});
+  CHECK(plane.warnings.empty());
+}
+
+TEST_CASE("a shapefile that is wrong is refused with its record and byte") {
+  const std::string good_file = file_of({point(1, {1000, 1}), parts(5, {kSquare})});
+  for (std::size_t size = 100; size < good_file.size(); ++size) {
+    const auto read = read_sample_bytes(good_file.substr(0, size), "a.shp");
+    // After the header, and after the first record, what is there is a file.
+    CHECK(read.has_value() == (size == 128));
+  }
+  check_refused(good_file.substr(0, 130), "record 2 at byte 128: the file ends within its header");
+  check_refused(good_file.substr(0, 200), "record 2 at byte 128: the file ends within it");
+  check_refused(file_of({number(7)}), "record 1 at byte 100: there is no type 7");
+  check_refused(file_of({""}), "record 1 at byte 100: it has no type");
+  check_refused(file_of({number(1)}), "record 1 at byte 100: it is too short for a point");
+  check_refused(file_of({point(1, {NAN, 1})}), "record 1 at byte 100: nan is not a finite number");
+  std::string many = points({{1, 1}});
+  many.replace(36, 4, number(0xFFFFFFFF));
+  check_refused(file_of({many}), "record 1 at byte 100: it is too short for 4294967295 points");
+  std::string huge = parts(3, {kSquare});
+  huge.replace(36, 4, number(0xFFFFFFFF));
+  check_refused(file_of({huge}), "record 1 at byte 100: it is too short for 4294967295 parts of 5 points");
+  std::string crossed = parts(3, {kSquare, kHole});
+  crossed.replace(48, 4, number(7777));
+  check_refused(file_of({crossed}), "record 1 at byte 100: part 0 does not follow the one before");
+  CHECK_FALSE(read_sample_bytes(file_of({}), "a").has_value());
+  CHECK_FALSE(read_sample_bytes("no shapefile", "a.shp").has_value());
+}
