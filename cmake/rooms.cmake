@@ -12,6 +12,7 @@ set(rooms
   "core/formula: core/base"
   "core/edit: core/base core/kernel"
   "core/raster: core/base core/curves"
+  "core/glyphs: core/base core/curves"
   "core/document: core/base core/kernel core/draw core/curves"
   "core/io: core/base core/curves core/raster core/document"
   "core/shapes: core/base core/formula core/curves core/document"

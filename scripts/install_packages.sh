@@ -44,6 +44,9 @@ build          libcli11-dev        cli11-devel         cli11          cli11
 build          nlohmann-json3-dev  json-devel          nlohmann-json  nlohmann-json
 build          libpugixml-dev      pugixml-devel       pugixml        pugixml
 build          libmuparser-dev     muParser-devel      muparser       muparser
+build          libfontconfig-dev   fontconfig-devel    fontconfig     fontconfig
+build          libharfbuzz-dev     harfbuzz-devel      harfbuzz       harfbuzz
+build          libpolyclipping-dev  polyclipping-devel  clipper       -
 test           ccache              ccache              ccache         ccache
 test           catch2              catch2-devel        catch2-v2      -
 test           xvfb                xorg-x11-server-Xvfb  xorg-server-xvfb  -

@@ -36,6 +36,8 @@ constexpr auto kFileRows = std::to_array<Row>({
      "Make samples of the outlines that a silhouette or photograph shows: PNG, JPEG, BMP, PGM"},
     {Id::make_shape, "make-shape", "Make a shape...",
      "Make samples of a shape with parameters: circles, gears, spirals, formulas, random points and more"},
+    {Id::write_text, "write-text", "Write a text...",
+     "Make samples of the outlines of a text, in any installed font"},
     {Id::snapshot, "snapshot", "Snapshot",
      "Write what is shown to a new picture, in the folder that the button with three dots names", "F3"},
     {Id::copy_picture, "copy-picture", "Copy picture", "Put what is shown on the clipboard, as a picture",

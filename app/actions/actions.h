@@ -22,6 +22,7 @@ enum class ActionId : std::uint8_t {
   trace_picture,
   picture_to_samples,
   make_shape,
+  write_text,
   snapshot,
   copy_picture,
   record,

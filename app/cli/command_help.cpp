@@ -20,12 +20,12 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return out;
 }
 
-OptionHelp help_of(const CLI::Option& option) {
+OptionHelp help_of(const CLI::Option& option, std::string_view command) {
   OptionHelp out{.names = names_of(option), .text = option.get_description()};
   out.is_positional = !option.nonpositional();
   out.is_required = option.get_required();
   if (!takes_value(option)) return out;
-  out.value = &value_of(out.names.back());
+  out.value = &value_of(command, out.names.back());
   out.default_value = option.get_default_str();
   out.may_repeat =
       option.get_items_expected_max() > 1 || option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
@@ -34,7 +34,7 @@ OptionHelp help_of(const CLI::Option& option) {
 
 CommandHelp help_of(const CLI::App& app, const std::string& name) {
   CommandHelp out{.name = name, .summary = app.get_description(), .page = app.help(), .footer = app.get_footer()};
-  for (const CLI::Option* option : app.get_options()) out.options.push_back(help_of(*option));
+  for (const CLI::Option* option : app.get_options()) out.options.push_back(help_of(*option, app.get_name()));
   return out;
 }
 
@@ -42,7 +42,7 @@ CommandHelp help_of(const CLI::App& app, const std::string& name) {
 
 void name_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options())
-    if (takes_value(*option)) option->type_name(std::string(value_of(names_of(*option).back()).name));
+    if (takes_value(*option)) option->type_name(std::string(value_of(app.get_name(), names_of(*option).back()).name));
   for (CLI::App* command : app.get_subcommands({})) name_values(*command);
 }
 

@@ -63,6 +63,7 @@ struct Arguments {
   EvolveRequest evolve;
   ShapeCommand shape;
   SampleRequest sample;
+  TextCommand text;
   ListRequest list;
   ManualRequest manual;
   CompletionsRequest completions;
@@ -206,6 +207,28 @@ void add_film(CLI::App& command, FilmRequest& film) {
   add_title(command, film.title);
   command.add_option("--shard", film.shard,
                      "I/N: only every Nth picture, beginning with the Ith, under the same names");
+}
+
+void describe_text(CLI::App& app, TextCommand& to) {
+  CLI::App* const text = app.add_subcommand("text", "Samples of the outlines of a text, as POFF");
+  text->add_option("TEXT", to.text, "The text; lines end at line feeds")->required();
+  text->add_option("--font", to.font,
+                   "Name of an installed font, such as \"DejaVu Serif:bold\" (mesecina list fonts),\n"
+                   "or a file with a slash in its name; default: the font of the program's window");
+  text->add_option("--size", to.size, "Height of an em, in units of the plane")->capture_default_str();
+  text->add_option("--line-spacing", to.line_spacing, "From line to line, as a multiple of what the font says")
+      ->capture_default_str();
+  text->add_flag("--no-kerning", to.no_kerning, "Leave letters as far apart as without their neighbours");
+  CLI::Option* const samples =
+      text->add_option("--samples", to.samples,
+                       "How many samples, evenly along curves; default: some 400, more where parts are\n"
+                       "near to each other");
+  text->add_option("--spacing", to.spacing, "Between samples along curves, at most")->excludes(samples);
+  text->add_option("--jitter", to.jitter, "Move each sample by up to so many mean spacings")->capture_default_str();
+  text->add_option("--seed", to.seed, "Of the jitter")->capture_default_str();
+  text->add_option("-o,--output", to.output, "Write to this file instead of standard output");
+  add_force(*text, to.force);
+  text->footer("Contours that overlap become one. Characters that the font has no glyph for are left out and named.");
 }
 
 void describe_commands(CLI::App& app, Arguments& to) {
@@ -475,6 +498,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   sample->add_option("--seed", to.sample.seed, "Of the jitter")->capture_default_str();
   sample->add_option("-o,--output", to.sample.output, "Write to this file instead of standard output");
   add_force(*sample, to.sample.force);
+  describe_text(app, to.text);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
@@ -493,7 +517,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
   for (CLI::App* const command : {compute, sweep, branches, exported, render, play, demo, lesson, evolve, shape,
-                                  sample, list, manual, completions})
+                                  sample, app.get_subcommand("text"), list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -531,6 +555,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
   if (command.get_name() == "shape") return run_shape(arguments.shape, interruption);
   if (command.get_name() == "sample") return run_sample(arguments.sample, interruption);
+  if (command.get_name() == "text") return run_text(arguments.text, interruption);
   if (command.get_name() == "manual") return run_manual(arguments.manual, all_commands(), interruption);
   if (command.get_name() == "completions")
     return run_completions(arguments.completions, all_commands(), interruption);

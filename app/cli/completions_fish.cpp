@@ -36,6 +36,7 @@ std::string line(const std::string& condition, const OptionHelp& option) {
   std::string out = "complete -c mesecina -n " + quoted(condition);
   if (option.is_positional) {
     if (option.value->kind == ValueKind::file) return out + " -F\n";
+    if (option.value->kind == ValueKind::text) return out + " -f\n";
     return out + " -f -a " + quoted(offered(*option.value)) + '\n';
   }
   for (const std::string& name : option.names)

@@ -18,6 +18,7 @@
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
+#include "core/glyphs/fonts.h"
 #include "core/graph/structure.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
@@ -281,12 +282,21 @@ std::vector<Entry> shape_entries() {
   return out;
 }
 
+std::vector<Entry> font_entries() {
+  std::vector<Entry> out;
+  for (const std::string& family : font_families()) {
+    const std::string name = printable(family);
+    out.push_back({name, {}, {{"id", name}}});
+  }
+  return out;
+}
+
 struct Listing {
   std::string_view name;
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 11> kListings{{{"layers", layers},
+constexpr std::array<Listing, 12> kListings{{{"layers", layers},
                                              {"structures", structures},
                                              {"evolutions", evolution_entries},
                                              {"formats", formats},
@@ -296,7 +306,8 @@ constexpr std::array<Listing, 11> kListings{{{"layers", layers},
                                              {"bundles", bundles},
                                              {"color-maps", color_maps},
                                              {"lessons", lessons},
-                                             {"shapes", shape_entries}}};
+                                             {"shapes", shape_entries},
+                                             {"fonts", font_entries}}};
 
 std::string table_of(const std::vector<Entry>& entries) {
   std::size_t width = 0;

@@ -77,6 +77,20 @@ std::vector<std::string> sampling_rule_ids() {
   return ids_of(sampling_rules());
 }
 
+/// Of all shapes, each once: scripts of shells do not know which shape was named.
+std::vector<std::string> shape_parameters() {
+  std::vector<std::string> out;
+  const auto add = [&out](std::string_view id) {
+    std::string name = std::string(id) + '=';
+    if (std::ranges::find(out, name) == out.end()) out.push_back(std::move(name));
+  };
+  for (const ShapeDescriptor& shape : shapes()) {
+    for (const ParameterDescriptor& parameter : shape.parameters) add(parameter.id);
+    for (const FormulaParameter& formula : shape.formulas) add(formula.id);
+  }
+  return out;
+}
+
 std::vector<std::string> page_sizes() {
   std::vector<std::string> out;
   for (const PagePreset& preset : page_presets()) out.emplace_back(preset.name);
@@ -98,7 +112,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 49> kValues{{
+constexpr std::array<OptionValue, 54> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -107,6 +121,7 @@ constexpr std::array<OptionValue, 49> kValues{{
     {"--vtt", "FILE", ValueKind::file},
     {"WHAT", {}, ValueKind::choice, listed_things},
     {"NAME", {}, ValueKind::choice, shape_ids},
+    {"TEXT", {}},
     {"SHELL", {}, ValueKind::choice, shell_names},
     {"--from", "FORMAT", ValueKind::choice, formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
@@ -116,6 +131,7 @@ constexpr std::array<OptionValue, 49> kValues{{
     {"--figure-side", "SIDE", ValueKind::choice, figure_sides},
     {"--precision", "TYPE", ValueKind::choice, precisions},
     {"--set", "NAME=VALUE", ValueKind::choice, parameters},
+    {"--set", "KEY=VALUE", ValueKind::choice, shape_parameters, "shape"},
     {"--parameter", "NAME=FROM..TO", ValueKind::choice, swept},
     {"--layers", "IDS", ValueKind::choices, layers},
     {"--layer", "ID", ValueKind::choice, layers},
@@ -127,6 +143,9 @@ constexpr std::array<OptionValue, 49> kValues{{
     {"--bundle", "NAME", ValueKind::file},
     {"--frames", "FOLDER", ValueKind::folder},
     {"--size", "WxH"},
+    {"--size", "SIZE", ValueKind::text, nullptr, "text"},
+    {"--font", "FONT", ValueKind::file},
+    {"--line-spacing", "FACTOR"},
     {"--figure-size", "SIZE", ValueKind::choice, page_sizes},
     {"--bounds", "BOUNDS", ValueKind::choice, bounds},
     {"--rasterize", "IDS", ValueKind::choices, layers},
@@ -153,8 +172,13 @@ constexpr OptionValue kText{{}, "TEXT"};
 
 }  // namespace
 
-const OptionValue& value_of(std::string_view option) {
-  const auto found = std::ranges::find(kValues, option, &OptionValue::option);
+const OptionValue& value_of(std::string_view command, std::string_view option) {
+  const auto find = [option](std::string_view wanted) {
+    return std::ranges::find_if(
+        kValues, [=](const OptionValue& value) { return value.option == option && value.command == wanted; });
+  };
+  auto found = find(command);
+  if (found == kValues.end()) found = find({});
   return found != kValues.end() ? *found : kText;
 }
 

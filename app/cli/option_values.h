@@ -16,10 +16,11 @@ struct OptionValue {
   std::string_view name;    ///< in help pages; empty where the option's own name says enough
   ValueKind kind = ValueKind::text;
   std::vector<std::string> (*offer)() = nullptr;  ///< what there is to choose from
+  std::string_view command = {};                  ///< the only one that it is so in; empty: all others
 };
 
-/// A text without a name of its own for options that are not in the table.
-const OptionValue& value_of(std::string_view option);
+/// Of an option of a command. A text without a name of its own for options that are not in the table.
+const OptionValue& value_of(std::string_view command, std::string_view option);
 
 /// The shells that `mesecina completions` knows.
 std::vector<std::string> shell_names();

@@ -176,6 +176,21 @@ struct SampleRequest {
 };
 Expected<void> run_sample(const SampleRequest& request, Interruption& interruption);
 
+struct TextCommand {
+  std::string text;
+  std::string font;  ///< name or file; empty: the font that comes with the program
+  std::string size = "100";
+  std::string line_spacing = "1";
+  bool no_kerning = false;
+  std::string samples;
+  std::string spacing;
+  std::string jitter = "0";
+  std::string seed = "1";
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_text(const TextCommand& request, Interruption& interruption);
+
 struct ListRequest {
   std::string what;
   bool as_json = false;

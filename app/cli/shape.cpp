@@ -6,6 +6,7 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/cli/sampling_request.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 #include "core/shapes/shape.h"
@@ -23,11 +24,6 @@ Expected<const ShapeDescriptor*> select_shape(const std::string& id) {
   for (const ShapeDescriptor& shape : shapes()) names.push_back(shape.id);
   return usage_error("there is no shape " + in_quotes(id) + "; did you mean " + one_of(nearest_names(id, names)) +
                      "? (mesecina list shapes)");
-}
-
-Expected<double> number(std::string_view option, const std::string& text) {
-  if (const auto value = parse_number(text)) return *value;
-  return usage_error(fmt::format("{} expects a number, not {}", option, in_quotes(text)));
 }
 
 /// Numbers and formulas by their names.
@@ -50,27 +46,6 @@ Expected<ShapeValues> values_of(const ShapeDescriptor& shape, const std::vector<
   return out;
 }
 
-Expected<ShapeSampling> sampling_of(const ShapeCommand& request) {
-  ShapeSampling out;
-  if (!request.samples.empty()) {
-    const auto samples = whole_number("--samples", request.samples);
-    if (!samples) return std::unexpected(samples.error());
-    out.samples = static_cast<std::size_t>(*samples);
-  }
-  if (!request.spacing.empty()) {
-    const auto spacing = number("--spacing", request.spacing);
-    if (!spacing) return std::unexpected(spacing.error());
-    out.spacing = *spacing;
-  }
-  const auto jitter = number("--jitter", request.jitter);
-  if (!jitter) return std::unexpected(jitter.error());
-  out.jitter = *jitter;
-  const auto seed = whole_number("--seed", request.seed);
-  if (!seed) return std::unexpected(seed.error());
-  out.seed = *seed;
-  return out;
-}
-
 }  // namespace
 
 Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption) {
@@ -78,7 +53,7 @@ Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption
   if (!shape) return std::unexpected(shape.error());
   const auto values = values_of(**shape, request.settings);
   if (!values) return std::unexpected(values.error());
-  const auto sampling = sampling_of(request);
+  const auto sampling = parse_sampling(request.samples, request.spacing, request.jitter, request.seed);
   if (!sampling) return std::unexpected(sampling.error());
   if (auto good = check_output(request.output); !good) return good;
   const auto data = make_shape(**shape, {*values, *sampling});

@@ -12,6 +12,7 @@
 #include "app/panels/figure_dialog.h"
 #include "app/panels/help.h"
 #include "app/panels/shape_dialog.h"
+#include "app/panels/text_dialog.h"
 #include "app/panels/trace_dialog.h"
 #include "app/ui/file_browser.h"
 
@@ -26,6 +27,7 @@ class Dialogs {
   FigureDialog figure;
   TraceDialog trace;
   ShapeDialog shape;
+  TextDialog text;
   FileBrowser browser;
   HelpPage help;
   CommandPalette palette;
@@ -37,8 +39,8 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 9> all_{&figure,   &trace,   &shape, &unsaved, &recover,
-                              &conflict, &browser, &help,  &palette};  // topmost last
+  std::array<Dialog*, 10> all_{&figure,  &trace,    &shape,   &text, &unsaved,
+                               &recover, &conflict, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

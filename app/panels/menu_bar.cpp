@@ -212,6 +212,7 @@ void evolution_menu(const MenuBar& menu) {
 
 void shapes_menu(const MenuBar& menu) {
   action_item(menu, ActionId::make_shape);
+  action_item(menu, ActionId::write_text);
   for (const ActionId id : {ActionId::curves_of_samples, ActionId::mark_corners, ActionId::toggle_curves})
     action_item(menu, id);
   if (!menu.shapes.empty()) ImGui::Separator();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/sampling_controls.h"
 #include "app/ui/dialog.h"
 #include "core/shapes/shape.h"
 
@@ -31,10 +32,8 @@ class ShapeDialog final : public Dialog {
  private:
   void draw_list(const Gui& gui);
   void draw_parameters(const Gui& gui);
-  void draw_sampling(const Gui& gui);
   void draw_facts(const Gui& gui) const;
   void draw_buttons(const Gui& gui);
-  void draw_preview(const Gui& gui) const;
   /// Computes it again if a parameter is another than before.
   void follow();
   const ShapeDescriptor& shape() const { return shapes()[chosen_]; }
@@ -44,10 +43,7 @@ class ShapeDialog final : public Dialog {
   bool is_accepted_ = false;
   std::size_t chosen_ = 0;
   std::vector<ShapeValues> values_;  // of each shape
-  double samples_ = 400.0;
-  bool has_samples_ = false;  // else as many as is usual
-  double jitter_ = 0.0;
-  double seed_ = 1.0;
+  SamplingControls sampling_;
   std::optional<ShapeRequest> made_for_;
   std::size_t made_of_ = 0;  // place in `shapes()`
   std::optional<Expected<SampleData>> made_;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/store/own_font.h"
 #include "core/io/carried_session.h"
 #include "core/io/format.h"
 #include "core/raster/picture_decoder.h"
@@ -42,7 +43,9 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
       figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
                 [this] { return files_.title(); }, [this] { return browse_folder(); }},
                wake),
-      tracing_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages}, wake) {}
+      tracing_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages}, wake) {
+  if (auto font = own_font(assets)) uses_.dialogs.text.set_own_font(*std::move(font));
+}
 
 void DocumentFlow::bind(ActionBindings& actions) {
   bind_files(actions);
@@ -83,6 +86,11 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                  uses_.dialogs.shape.open();
                }});
   uses_.dialogs.shape.set_make([this](const SampleData& data, const std::string& name) { take_shape(data, name); });
+  actions.bind(ActionId::write_text, {[this] {
+                 uses_.board.canvas().cancel_gesture();
+                 uses_.dialogs.text.open();
+               }});
+  uses_.dialogs.text.set_make([this](const SampleData& data, const std::string& name) { take_shape(data, name); });
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});

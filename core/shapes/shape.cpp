@@ -35,10 +35,8 @@ SamplingRequest sampling_of(const ShapeSampling& wish) {
   return out;
 }
 
-Expected<void> check(const ShapeDescriptor& shape, const ShapeSampling& wish) {
+Expected<void> check(const ShapeSampling& wish) {
   if (wish.samples && wish.spacing) return impossible("either the number of samples or their spacing, not both");
-  if (wish.spacing && shape.points != 0)
-    return impossible(fmt::format("{} has no curve along which there is a spacing", shape.id));
   if (wish.spacing && !(*wish.spacing > 0.0 && std::isfinite(*wish.spacing)))
     return impossible("a spacing is a positive number");
   if (wish.samples && (*wish.samples == 0 || *wish.samples > kMostShapeSamples))
@@ -75,10 +73,20 @@ ShapeValues values_of(const ShapeDescriptor& shape) {
   return out;
 }
 
+Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& wish) {
+  if (auto good = check(wish); !good) return std::unexpected(good.error());
+  const SamplingRequest sampling = sampling_of(wish);
+  auto samples = sample(curves, sampling);
+  if (!samples) return std::unexpected(samples.error());
+  return taken_from(std::make_shared<const CurveSet>(curves), *std::move(samples), sampling);
+}
+
 Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request) {
   MES_ASSERT(request.values.numbers.size() == shape.parameters.size() &&
              request.values.formulas.size() == shape.formulas.size());
-  if (auto good = check(shape, request.sampling); !good) return std::unexpected(good.error());
+  if (auto good = check(request.sampling); !good) return std::unexpected(good.error());
+  if (request.sampling.spacing && shape.points != 0)
+    return impossible(fmt::format("{} has no curve along which there is a spacing", shape.id));
   ShapeValues values = request.values;
   if (request.sampling.samples && shape.points != 0) values.samples = *request.sampling.samples;
   values.seed = request.sampling.seed;

@@ -86,4 +86,7 @@ inline constexpr std::size_t kMostShapeSamples = 10'000'000;
 /// no numbers, and for more than `kMostShapeSamples`. Cost: O(samples), but for the Poisson disk, O(samples) on average.
 Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request);
 
+/// Other curves, sampled as shapes are. Error: as `make_shape`.
+Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& sampling);
+
 }  // namespace mes

@@ -92,7 +92,7 @@ TEST_CASE("missing and surplus arguments point to the help") {
   require_usage_error({"compute", kDude, "second"}, {"second"});
   require_usage_error({"compute", kDude, "--colour", "red"}, {"--colour"});
   require_usage_error({"--colour"}, {"--colour", "mesecina --help"});
-  require_usage_error({"compute", kDude, "--from", "dxf"}, {"\"dxf\"", "poff"});
+  require_usage_error({"compute", kDude, "--from", "docx"}, {"\"docx\"", "poff"});
 }
 
 TEST_CASE("a mistyped command names the one that is meant") {

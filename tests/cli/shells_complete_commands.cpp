@@ -51,6 +51,8 @@ TEST_CASE("bash offers commands, options and values") {
   CHECK(offered(folder, "mesecina render --compare pr") == "precision=\n");
   CHECK(offered(folder, "mesecina compute --precision = na") == "naive\n");
   CHECK(offered(folder, "mesecina compute --set a-sc") == "a-scale=\n");
+  CHECK(offered(folder, "mesecina shape gear --set tee") == "teeth=\n");
+  CHECK(offered(folder, "mesecina shape gear --set a-sc") == "\n");
   CHECK(offered(folder, "mesecina list color") == "color-maps\n");
   CHECK(offered(folder, "mesecina compute assets/shapes/gea") == "assets/shapes/gear.poff\n");
   CHECK(offered(folder, "mesecina compute --frames x") == "\n");

@@ -28,6 +28,7 @@
 #include "core/engine/graph.h"
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
+#include "core/glyphs/text_outlines.h"
 #include "core/io/counted_remarks.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
@@ -549,4 +550,11 @@ TEST_CASE("files become curves as their headers show") {
   const auto outline = joined_ends({left_half, right_half}, 1e-6);
   REQUIRE(outline.size() == 1);
   CHECK(outline[0].is_closed());
+
+  // core/glyphs/text_outlines.h
+  const auto font = find_font("DejaVu Sans");
+  if (!font) return;  // which fonts there are is up to the machine
+  const auto outlines = outlines_of_text({.text = "B", .font = *font});
+  REQUIRE(outlines);
+  CHECK(outlines->curves.curves.size() == 3);
 }

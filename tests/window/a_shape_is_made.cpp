@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dialog of shapes, by the command palette and with keys alone.
+// The dialogs of shapes and of texts, by the command palette and with keys alone.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -9,30 +9,40 @@
 using namespace mes;
 using namespace mes::test;
 
+namespace {
+
+/// Both dialogs dim what is below them.
+bool is_dimmed(const VirtualScreen& screen) {
+  return !screen.shoot().is_white(90, 700);
+}
+
+void open_dialog(const DrivenProgram& window, const Screenshot& before, const std::string& action) {
+  const VirtualScreen& screen = window.screen;
+  window.press("ctrl+shift+p");
+  REQUIRE(eventually([&] { return screen.shoot().differences(before, 0) > 1000; }));
+  static_cast<void>(screen.settled());
+  screen.xdotool("type --delay 20 " + action);
+  static_cast<void>(screen.settled());
+  window.press("Return");
+  REQUIRE(eventually([&] { return is_dimmed(screen); }));
+  static_cast<void>(screen.settled());
+}
+
+}  // namespace
+
 TEST_CASE("a shape is made in one step of undo, and Esc makes none") {
   DrivenProgram window;
   const VirtualScreen& screen = window.screen;
   window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
   window.start("house.poff");
   const Screenshot house = window.drawn();
-  const auto is_dimmed = [&] { return !screen.shoot().is_white(90, 700); };
-  REQUIRE_FALSE(is_dimmed());
-  const auto open_dialog = [&] {
-    window.press("ctrl+shift+p");
-    REQUIRE(eventually([&] { return screen.shoot().differences(house, 0) > 1000; }));
-    static_cast<void>(screen.settled());
-    screen.xdotool("type --delay 20 make-shape");
-    static_cast<void>(screen.settled());
-    window.press("Return");
-    REQUIRE(eventually(is_dimmed));
-    static_cast<void>(screen.settled());
-  };
-  open_dialog();
+  REQUIRE_FALSE(is_dimmed(screen));
+  open_dialog(window, house, "make-shape");
   window.press("Escape");
   CHECK(window.shows(house));
-  open_dialog();
+  open_dialog(window, house, "make-shape");
   window.press("Return");
-  REQUIRE(eventually([&] { return !is_dimmed(); }));
+  REQUIRE(eventually([&] { return !is_dimmed(screen); }));
   const Screenshot circle = window.drawn();
   REQUIRE(circle.changes(kCanvas, house) > 1000);
   window.press("ctrl+z");
@@ -44,4 +54,28 @@ TEST_CASE("a shape is made in one step of undo, and Esc makes none") {
   REQUIRE(file.has_value());
   REQUIRE(file->data.positions.size() == 400);
   for (const Vec2 p : file->data.positions) CHECK(std::abs(length(p) - 1.0) < 1e-14);
+}
+
+TEST_CASE("a text is written in one step of undo") {
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.start("house.poff");
+  const Screenshot house = window.drawn();
+  open_dialog(window, house, "write-text");
+  window.press("Return");
+  REQUIRE(eventually([&] { return !is_dimmed(screen); }));
+  const Screenshot text = window.drawn();
+  REQUIRE(text.changes(kCanvas, house) > 1000);
+  window.save_as("text.poff");
+  const auto file = read_sample_file(window.folder / "text.poff");
+  REQUIRE(file.has_value());
+  // Mesecina, in the font of the program: four of its letters have a second contour.
+  CHECK(file->data.contours.size() == 12);
+  window.press("ctrl+z");
+  static_cast<void>(window.other_than(text));
+  window.save_as("house_again.poff");
+  const auto again = read_sample_file(window.folder / "house_again.poff");
+  REQUIRE(again.has_value());
+  CHECK(again->data.positions.size() == 5);
 }

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/text_dialog.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+
+#include "app/ui/slider.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+#include "core/base/lower_case.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+constexpr float kWidth = 1040.0F;  // logical pixels
+constexpr float kHeight = 600.0F;
+constexpr float kListWidth = 230.0F;
+constexpr float kSettingsWidth = 300.0F;
+constexpr float kTextLines = 4.0F;
+constexpr const char* kId = "##text";
+constexpr double kLeastSize = 1.0;
+constexpr double kMostSize = 10'000.0;
+constexpr double kMostLineSpacing = 4.0;
+
+}  // namespace
+
+void TextDialog::open() {
+  is_open_ = true;
+  is_accepted_ = false;
+  families_ = font_families();
+  if (!own_font_ && wish_.family.empty() && !families_.empty()) wish_.family = families_.front();
+}
+
+void TextDialog::press(const KeyChord& chord) {
+  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) is_accepted_ = true;
+}
+
+Expected<FontFile> TextDialog::font() const {
+  if (wish_.family.empty() && own_font_) return *own_font_;
+  return find_font(font_name(wish_.family, wish_.is_bold, wish_.is_italic));
+}
+
+void TextDialog::draw_fonts(const Gui& gui) {
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  ImGui::InputTextWithHint("##filter", "Find a font", &filter_);
+  tooltip(gui, "Letters that the name of the family contains");
+  ImGui::BeginChild("families");
+  const std::string wanted = lower_case(filter_);
+  const auto row = [&](const std::string& family, const std::string& shown) {
+    if (!lower_case(shown).contains(wanted)) return;
+    if (ImGui::Selectable(fmt::format("{}##{}", shown, family).c_str(), wish_.family == family))
+      wish_.family = family;
+  };
+  if (own_font_) row({}, fmt::format("{}, of this program", own_font_->name));
+  for (const std::string& family : families_) row(family, family);
+  ImGui::EndChild();
+}
+
+void TextDialog::draw_settings(const Gui& gui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::TextUnformatted("Text");
+  ImGui::InputTextMultiline("##words", &wish_.request.text, {width, kTextLines * ImGui::GetTextLineHeight()});
+  tooltip(gui, "Enter begins a new line");
+  ImGui::BeginDisabled(wish_.family.empty());
+  ImGui::Checkbox("Bold", &wish_.is_bold);
+  ImGui::SameLine();
+  ImGui::Checkbox("Italic", &wish_.is_italic);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::Checkbox("Kerning", &wish_.request.has_kerning);
+  tooltip(gui, "Letters move together where the font says so, as A and V do");
+  ImGui::TextUnformatted("Size");
+  slider(gui, "##size", wish_.request.size, kLeastSize, kMostSize,
+         {.format = "%.4g", .is_logarithmic = true, .width = width});
+  tooltip(gui, "Height of an em, in units of the plane");
+  ImGui::TextUnformatted("Line spacing");
+  slider(gui, "##line-spacing", wish_.request.line_spacing, 0.0, kMostLineSpacing,
+         {.format = "%.2f", .width = width});
+  tooltip(gui, "From line to line, as a multiple of what the font says");
+  ImGui::Dummy({1, 2 * gui.unit()});
+  sampling_.draw(gui);
+}
+
+void TextDialog::follow() {
+  wish_.sampling = sampling_.sampling();
+  if (made_for_ == wish_) return;
+  made_for_ = wish_;
+  remarks_.clear();
+  const auto font = this->font();
+  if (!font) {
+    made_ = std::unexpected(font.error());
+    return;
+  }
+  TextRequest request = wish_.request;
+  request.font = *font;
+  const auto outlines = outlines_of_text(request);
+  if (!outlines) {
+    made_ = std::unexpected(outlines.error());
+    return;
+  }
+  remarks_ = outlines->remarks;
+  made_ = sample_curves(outlines->curves, wish_.sampling);
+}
+
+void TextDialog::draw_facts(const Gui& gui) const {
+  if (!made_) return;
+  ImGui::PushTextWrapPos(0.0F);
+  if (*made_) ImGui::TextDisabled("%s", fmt::format("{} samples", (*made_)->positions.size()).c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+  if (!*made_) ImGui::TextUnformatted(made_->error().text.c_str());
+  for (const std::string& remark : remarks_) ImGui::TextUnformatted(remark.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+}
+
+void TextDialog::draw_buttons(const Gui& gui) {
+  const bool is_possible = made_ && made_->has_value();
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
+  ImGui::BeginDisabled(!is_possible);
+  const bool is_clicked = default_button(gui, "Make", size, true);
+  ImGui::EndDisabled();
+  tooltip(gui, "The text takes the place of the samples and balls that are there: one step of undo");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", size)) cancel();
+  if ((is_clicked || is_accepted_) && is_possible) {
+    is_open_ = false;
+    make_(**made_, "Text");
+  }
+  is_accepted_ = false;
+}
+
+void TextDialog::draw(const Gui& gui) {
+  if (!is_open_ && !ImGui::IsPopupOpen(kId)) return;
+  const float unit = gui.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
+  ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
+  if (Gui::begin_dialog(kId, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+    ImGui::BeginChild("fonts", {std::min(kListWidth * unit, 0.25F * size.x), 0});
+    draw_fonts(gui);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 12 * unit);
+    ImGui::BeginChild("settings", {std::min(kSettingsWidth * unit, 0.35F * size.x), 0});
+    ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
+    draw_settings(gui);
+    follow();
+    draw_facts(gui);
+    ImGui::EndChild();
+    draw_buttons(gui);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 16 * unit);
+    ImGui::BeginChild("preview");
+    draw_sample_preview(gui, made_ && *made_ ? &**made_ : nullptr);
+    ImGui::EndChild();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace mes
