@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "core/base/sum.h"
@@ -84,32 +85,76 @@ class Tracer {
       step = ways[0].edge == step.edge ? ways[1] : ways[0];
       if (step.edge == first) break;
     }
+    if (branch.from.kind == BranchEndKind::none)
+      arrange_closed(branch);
+    else
+      arrange_open(branch);
     measure(branch);
-    if (branch.from.kind == BranchEndKind::none) begin_at_smallest_node(branch);
-    const bool is_backwards = branch.to.place != branch.from.place
-                                  ? lexicographically_less(branch.to.place, branch.from.place)
-                                  : branch.to.kind < branch.from.kind;
-    if (is_backwards) {
-      std::swap(branch.from, branch.to);
-      std::ranges::reverse(branch.edges);
-    }
     out_.push_back(std::move(branch));
   }
 
-  /// Of a closed branch, whose first edge is that of the smallest row.
-  void begin_at_smallest_node(AxisBranch& branch) const {
-    const auto shared = [&](std::size_t i) {
-      // The node between this edge and the one before it.
-      const EdgeSlot before = branch.edges[(i + branch.edges.size() - 1) % branch.edges.size()];
-      const FaceSlot first = node_of({branch.edges[i], 0});
-      const bool is_first = first == node_of({before, 0}) || first == node_of({before, 1});
-      return delaunay_.circumcenter(is_first ? first : node_of({branch.edges[i], 1}));
+  /// The node between an edge of a branch and the one before it; before the first edge of a closed branch comes the last.
+  Vec2 place_before(const AxisBranch& branch, std::size_t i) const {
+    const std::size_t n = branch.edges.size();
+    const EdgeSlot before = branch.edges[(i + n - 1) % n];
+    const FaceSlot first = node_of({branch.edges[i], 0});
+    const bool is_first = first == node_of({before, 0}) || first == node_of({before, 1});
+    return delaunay_.circumcenter(is_first ? first : node_of({branch.edges[i], 1}));
+  }
+
+  /// Which end comes first depends on places alone: the smaller one; where both are equal, as in a loop at a junction, the
+  /// way that comes to the smaller node first.
+  void arrange_open(AxisBranch& branch) const {
+    const auto order = [](const AxisBranch::End& end) { return std::tuple(end.place.x, end.place.y, end.kind); };
+    bool is_backwards = order(branch.to) < order(branch.from);
+    if (order(branch.to) == order(branch.from)) {
+      const std::size_t n = branch.edges.size();
+      for (std::size_t i = 1; i < n; ++i) {
+        const Vec2 p = place_before(branch, i);
+        const Vec2 q = place_before(branch, n - i);
+        if (p == q) continue;
+        is_backwards = lexicographically_less(q, p);
+        break;
+      }
+    }
+    if (!is_backwards) return;
+    std::swap(branch.from, branch.to);
+    std::ranges::reverse(branch.edges);
+  }
+
+  /// Where a closed branch may begin, and which way it may go.
+  struct Start {
+    std::size_t first = 0;
+    bool is_backwards = false;
+    std::size_t place_at(std::size_t step, std::size_t n) const {
+      return is_backwards ? (first + n - step) % n : (first + step) % n;
+    }
+  };
+
+  /// A closed branch was traced from an arbitrary edge in an arbitrary direction. It begins at its smallest node, and goes
+  /// on to the smaller of the two nodes next to it.
+  void arrange_closed(AxisBranch& branch) const {
+    const std::size_t n = branch.edges.size();
+    std::vector<Vec2> places(n);
+    for (std::size_t i = 0; i < n; ++i) places[i] = place_before(branch, i);
+    const auto is_less = [&](const Start& a, const Start& b) {
+      for (std::size_t step = 0; step < n; ++step) {
+        const Vec2 p = places[a.place_at(step, n)];
+        const Vec2 q = places[b.place_at(step, n)];
+        if (p != q) return lexicographically_less(p, q);
+      }
+      return false;
     };
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < branch.edges.size(); ++i)
-      if (lexicographically_less(shared(i), shared(best))) best = i;
-    branch.from.place = branch.to.place = shared(best);
-    std::ranges::rotate(branch.edges, branch.edges.begin() + static_cast<std::ptrdiff_t>(best));
+    Start best;
+    for (std::size_t first = 0; first < n; ++first)
+      for (const bool is_backwards : {false, true})
+        if (const Start start{first, is_backwards}; is_less(start, best)) best = start;
+    branch.from.place = branch.to.place = places[best.first];
+    if (best.is_backwards) {
+      std::ranges::reverse(branch.edges);
+      best.first = (n - best.first) % n;
+    }
+    std::ranges::rotate(branch.edges, branch.edges.begin() + static_cast<std::ptrdiff_t>(best.first));
   }
 
   void add_point(FaceSlot node) {

@@ -34,8 +34,9 @@ struct AxisBranch {
 };
 
 /// What it guarantees: each kept edge is in exactly one branch, and inner nodes of a branch have two kept edges. The list
-/// depends on the samples and the filter alone: longest first, by place where equally long; a branch begins at its
-/// lexicographically smaller end, a closed one at its smallest node. The lengths add up to the length of what is kept.
+/// depends on the samples and the filter alone, to the last bit: longest first, by place where equally long; a branch
+/// begins at its lexicographically smaller end, a closed one at its smallest node, towards the smaller of the two next
+/// to it. The lengths add up to the length of what is kept.
 ///
 /// Cost: O(kept edges), and the sorting. All of it is up to date.
 std::vector<AxisBranch> branches_of(const AxisFilter& filter, const InnerBalls& balls, const LambdaAxis& lambda,
