@@ -86,8 +86,8 @@ void write_layers(Markdown& page) {
       "them. *Number* is what a colour map can colour by. *Paper*: one of the layers of the paper of 2007.\n"
       "*At start*: shown until you choose otherwise.");
   for (const LayerGroup group :
-       {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::poles,
-        LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
+       {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::scale_axis,
+        LayerGroup::poles, LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
     Rows rows;
     for (const LayerDescriptor& layer : layer_descriptors())
       if (layer.group == group)

@@ -9,9 +9,10 @@
 namespace mes {
 namespace {
 
-constexpr std::array kGroups{LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis,
-                             LayerGroup::poles,   LayerGroup::union_a,          LayerGroup::union_p,
-                             LayerGroup::union_b, LayerGroup::diagnostics};
+constexpr std::array kGroups{
+    LayerGroup::samples,    LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::scale_axis,
+    LayerGroup::poles,      LayerGroup::union_a,          LayerGroup::union_p,    LayerGroup::union_b,
+    LayerGroup::diagnostics};
 
 bool is_of_another_family(LayerGroup group, FamilyKind family) {
   return std::ranges::any_of(kBallFamilies,

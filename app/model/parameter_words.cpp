@@ -31,6 +31,7 @@ constexpr auto kTitles = std::to_array<Title>({{"medial-sampling-angle", "Angle 
                                                {"angle-limit", "Object angle: limit"},
                                                {"angle-mode", "Object angle of an edge"},
                                                {"keep-topology", "Filters keep the topology"},
+                                               {"scale-axis-factor", "Scale axis: factor"},
                                                {"smooth-mu", "Way to the middle"},
                                                {"smooth-back", "Way back"},
                                                {"smooth-keep-area", "Keep the area of loops"},

@@ -39,6 +39,10 @@ constexpr auto kNames = std::to_array<Name>({
     {"polar-diagram", "the power diagram of the poles"},
     {"power-crust", "the power crust"},
     {"voronoi-ball-diagram", "the power diagram of the Voronoi balls"},
+    {"axis-sampling", "the balls along the medial axis"},
+    {"scale-union", "the union of the grown balls"},
+    {"scale-ball-sampling", "the balls along the scale axis"},
+    {"cover-dates", "the cover dates"},
     {"layers", "the drawing"},
 });
 

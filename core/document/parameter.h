@@ -20,9 +20,10 @@ enum class Parameter : std::uint8_t {
   lambda_limit,
   angle_limit,
   angle_mode,
-  keep_topology
+  keep_topology,
+  scale_axis_factor
 };
-inline constexpr std::size_t kParameters = 10;
+inline constexpr std::size_t kParameters = 11;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -84,7 +85,16 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       .unit = "",
       .low = 0.0,
       .high = 1.0,
-      .is_whole = true}}};
+      .is_whole = true},
+     {.id = "scale-axis-factor",
+      .explanation = "The balls along the medial axis are grown by it before the scale axis is taken of their union; "
+                     "1: the axis itself",
+      .unit = "",
+      .low = 1.0,
+      .high = 3.0,
+      .default_value = 1.0,
+      .is_of_document = true,
+      .is_limit = true}}};
 static_assert(!kParameterDescriptors.back().id.empty(), "as many as there are names for");
 
 constexpr bool is_switch(const ParameterDescriptor& descriptor) {

@@ -17,6 +17,7 @@ enum class LayerGroup : std::uint8_t {
   samples,
   delaunay_voronoi,
   crust_axis,
+  scale_axis,
   poles,
   union_a,
   union_p,

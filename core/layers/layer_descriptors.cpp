@@ -42,6 +42,7 @@ std::string_view title_of(LayerGroup group) {
     case LayerGroup::samples: return "Samples";
     case LayerGroup::delaunay_voronoi: return "Delaunay & Voronoi";
     case LayerGroup::crust_axis: return "Crust & axis";
+    case LayerGroup::scale_axis: return "Scale axis";
     case LayerGroup::poles: return "Poles & power crust";
     case LayerGroup::union_a: return "Inner balls";
     case LayerGroup::union_p: return "Polar balls";

@@ -12,6 +12,7 @@
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/balls/precision_difference.h"
+#include "core/structures/balls/scale_axis.h"
 #include "core/structures/certificate/axis_certificate.h"
 #include "core/structures/crust/curve.h"
 #include "core/structures/crust/labels.h"
@@ -21,6 +22,7 @@
 #include "core/structures/delaunay/last_change.h"
 #include "core/structures/density/feature_size.h"
 #include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/scaled_user_balls.h"
@@ -63,6 +65,7 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<AxisNodes, Delaunay, InnerBalls, MedialAxis>(set);
   add<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
   add<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
+  add<CoverDates, Delaunay, InnerBalls>(set);
   add<FeatureSize, Delaunay, OneStepCrust>(set);
   add<LastChange, Delaunay>(set);
   add<AxisCertificate, Delaunay, Labels, InnerBalls>(set);
@@ -85,6 +88,10 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<ABallSampling, SettingsSource, AUnion>(set);
   add<BBallSampling, SettingsSource, BUnion>(set);
   add<BVDiagram, BUnion>(set);
+  add<AxisSampling, SettingsSource, Delaunay, MedialAxis>(set);
+  add<ScaleUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisSampling,
+      AxisCertificate>(set);
+  add<ScaleBallSampling, SettingsSource, ScaleUnion>(set);
   return set;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/structures/balls/scale_axis.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
 #include "tests/bench/setup.h"
@@ -58,6 +59,37 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
     state.SetIterationTime(1e-6 * ours.back());
   }
   table.add({what, n, median(ours), median(raw), goal, "insert(range)"});
+}
+
+/// The scale axis against the union of as many balls, given as one's own: the same pipeline, without the samples.
+void scale_axis(benchmark::State& state, RatioTable& table, std::size_t n) {
+  ComputationSettings settings;
+  settings[Parameter::scale_axis_factor] = 1.3;
+  const Document document;
+  const auto samples = replace_with(document, test::rough_curve(n));
+  std::vector<double> ours;
+  std::vector<double> raw;
+  for (auto _ : state) {
+    Graph graph;
+    graph.set_demand(layers_named({"scale-axis"}));
+    graph.post_settings(settings);
+    graph.post(samples);
+    FramePatch patch;
+    JobControl job;
+    graph.run(patch, job);
+    ours.push_back(time_of(patch, {"axis-sampling", "scale-union"}));
+    state.SetIterationTime(1e-6 * ours.back());
+    const auto& balls = graph.structures().get<ScaleUnion>();
+    SampleData own;
+    for (const FamilySlot ball : balls.tables().balls.rows())
+      if (balls.family().is_ball(ball)) own.balls.push_back(balls.family().disk(ball));
+    Graph other;
+    other.set_demand(layers_named({"b-ball-medial-axis"}));
+    other.post(std::make_shared<const DocumentDelta>(*replace_all(document, own)));
+    other.run(patch, job);
+    raw.push_back(time_of(patch, {"b-union"}));
+  }
+  table.add({"scale axis, s = 1.3", n, median(ours), median(raw), n == 10000 ? 2.0 : 0.0, "union of as many balls"});
 }
 
 /// One sample is moved along the curve, with and without a layer more.
@@ -127,6 +159,14 @@ void register_insight(RatioTable& table) {
     add_scratch("lambda, angle, feature size", kMeasures, kMeasuring, filtered(1.0, 20.0, false),
                 is_large ? 0.6 : 0.0);
     add_scratch("lambda and angle", kFiltersOnly, kFiltering, filtered(1.0, 20.0, false), 0.0);
+    static const Names kCover{"cover-dates"};
+    add_scratch("cover dates", kCover, kCover, {}, is_large ? 8.0 : 0.0);
+    if (!is_large)
+      benchmark::RegisterBenchmark(("insight/scale axis" + suffix).c_str(),
+                                   [&table, n](benchmark::State& state) { scale_axis(state, table, n); })
+          ->UseManualTime()
+          ->Iterations(7)
+          ->Unit(benchmark::kMillisecond);
     add_scratch("lambda, pruned", kLambda, kPruning, filtered(1.0, 0.0, true), is_large ? 1.0 : 0.0);
     const auto add_edit = [&](const char* what, std::string_view layer, const ComputationSettings& settings,
                               double goal, std::int64_t iterations) {

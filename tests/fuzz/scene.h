@@ -2,6 +2,7 @@
 // Settings, samples and balls made of bytes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -57,6 +58,9 @@ inline ComputationSettings read_settings(ByteSource& bytes) {
   out[Parameter::union_shortcut] = (choices & 1U) != 0 ? 0.0 : 1.0;
   out[Parameter::pole_propagation] = (choices & 2U) != 0 ? 1.0 : 0.0;
   out[Parameter::medial_sampling_angle] = (choices & 4U) != 0 ? 170.0 : 95.0;
+  // Roots of that many balls take minutes.
+  if (out.precision != Precision::exact_roots)
+    out[Parameter::scale_axis_factor] = std::max(1.0, kScales[choices % kScales.size()]);
   out[Parameter::keep_topology] = (choices & 8U) != 0 ? 1.0 : 0.0;
   out[Parameter::lambda_limit] = (choices & 16U) != 0 ? 0.5 : 0.0;
   out[Parameter::angle_limit] = (choices & 32U) != 0 ? 45.0 : 0.0;

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <tuple>
 
 namespace mes {
 namespace {
 
-constexpr int kMostHalvings = 20;
 constexpr double kShortest = 1e-4;  // of the diameter
 constexpr double kThinnest = 0.1;   // of the smaller ball
 constexpr std::array<AxisNodeSlot, 2> kDead{};
@@ -22,10 +20,6 @@ OwnerSlot owner_of(AxisNodeSlot node) {
 template <class Link>
 OwnerSlot owner_of_link(Link link) {
   return OwnerSlot(std::size_t{2} * link.index() + 1);
-}
-
-Vec2 between(Vec2 a, Vec2 b, double u) {
-  return (1.0 - u) * a + u * b;
 }
 
 }  // namespace
@@ -80,29 +74,6 @@ void BallSampling::set_ends(Sampling& sampling, LinkSlot link, const std::array<
   }
 }
 
-bool BallSampling::is_near(const Disk& a, const Disk& b) const {
-  const double d = distance(a.center, b.center);
-  if (!(d > 0.0) || d < shortest_) return true;
-  // In units of the largest: squares of what doubles hold need not fit.
-  const double size = std::max({a.radius, b.radius, d});
-  const double ra = a.radius / size;
-  const double rb = b.radius / size;
-  return ra * ra + rb * rb - (d / size) * (d / size) >= least_cosine_ * 2.0 * ra * rb;
-}
-
-// Parts are named by their place along the whole, which halving keeps exact: seen from either end they are the same.
-template <class At>
-void BallSampling::halve(SampledBalls& out, OwnerSlot owner, const At& at, double from, const Disk& first, double to,
-                         const Disk& last, int depth) const {
-  if (depth == kMostHalvings || is_near(first, last)) return;
-  const double middle = 0.5 * (from + to);
-  const Disk disk = at(middle);
-  if (!is_finite(disk)) return;
-  out.add(owner, disk);
-  halve(out, owner, at, from, first, middle, disk, depth + 1);
-  halve(out, owner, at, middle, disk, to, last, depth + 1);
-}
-
 void BallSampling::remake_piece(AxisPieceSlot row) {
   const UnionTables& t = union_.tables();
   const AxisPiece& piece = t.axis[row];
@@ -110,12 +81,13 @@ void BallSampling::remake_piece(AxisPieceSlot row) {
   set_ends(medial_, same_row<LinkSlot>(row), piece.is_alive() ? std::array{piece.node[0], piece.node[1]} : kDead);
   if (!piece.is_alive() || piece.is_zero != 0) return;
   const auto at = [&](double u) {
-    Disk disk{between(piece.a, piece.b, u), std::numeric_limits<double>::infinity()};
+    Disk disk{place_between(piece.a, piece.b, u), std::numeric_limits<double>::infinity()};
     for (const VPointSlot v : piece.v)
       if (v != kNoSlot) disk.radius = std::min(disk.radius, distance(disk.center, t.v_points[v].position));
     return disk;
   };
-  halve(medial_.balls, owner_of_link(row), at, 0.0, {piece.a, piece.radius_a}, 1.0, {piece.b, piece.radius_b}, 0);
+  halving_.halve(at, {piece.a, piece.radius_a}, {piece.b, piece.radius_b},
+                 [&](const Disk& disk) { medial_.balls.add(owner_of_link(row), disk); });
 }
 
 void BallSampling::remake_edge(DualEdgeSlot row) {
@@ -133,9 +105,9 @@ void BallSampling::remake_edge(DualEdgeSlot row) {
   const double least = kThinnest * std::min(a.radius, b.radius);
   const auto at = [&](double u) {
     const double weight = ((1.0 - u) * square(a.radius) + u * square(b.radius)) - u * (1.0 - u) * square(d);
-    return Disk{between(a.center, b.center, u), std::max(least, size * std::sqrt(std::max(weight, 0.0)))};
+    return Disk{place_between(a.center, b.center, u), std::max(least, size * std::sqrt(std::max(weight, 0.0)))};
   };
-  halve(convex_.balls, owner_of_link(row), at, 0.0, a, 1.0, b, 0);
+  halving_.halve(at, a, b, [&](const Disk& disk) { convex_.balls.add(owner_of_link(row), disk); });
 }
 
 void BallSampling::remake_ball(FamilySlot ball) {
@@ -171,9 +143,9 @@ void BallSampling::add_vertices_of_axis() {
 void BallSampling::rebuild(JobControl& job) {
   const UnionTables& t = union_.tables();
   made_with_ = angle();
-  least_cosine_ = std::cos((180.0 - made_with_) * std::numbers::pi / 180.0);
   measure();
   shortest_ = shortest();
+  halving_ = BallHalving(made_with_, shortest_);
   is_recording_ = false;
   for (Sampling* sampling : {&medial_, &convex_}) {
     sampling->balls.reset();

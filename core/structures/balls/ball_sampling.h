@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/internal/ball_halving.h"
 #include "core/structures/balls/internal/sampled_balls.h"
 
 namespace mes {
@@ -59,16 +60,12 @@ class BallSampling : public Structure {
   void remake_edge(DualEdgeSlot row);
   void remake_ball(FamilySlot ball);
   void add_vertices_of_axis();
-  bool is_near(const Disk& a, const Disk& b) const;
-  template <class At>
-  void halve(SampledBalls& out, OwnerSlot owner, const At& at, double from, const Disk& first, double to,
-             const Disk& last, int depth) const;
 
   const SettingsSource& settings_;
   const BallUnion& union_;
   double made_with_ = 0.0;
-  double least_cosine_ = 1.0;
   double shortest_ = 0.0;
+  BallHalving halving_;
   Reach reach_;
   Sampling medial_;  // links: pieces of the axis; nodes: balls, after them faces of the v-points
   Sampling convex_;  // links: dual edges; nodes: balls

@@ -71,6 +71,8 @@ class BallUnion : public Structure {
   BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings, Parameter scale,
             std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
             std::unique_ptr<SampleUnion> shortcut = nullptr);
+  /// In `fast`, a result of rounded numbers that contradicts itself is replaced by that of `exact`.
+  virtual bool is_exact_on_doubt() const { return false; }
 
  private:
   struct Choice {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scale axis with its balls, and the union of grown balls that it is taken of.
+#include <vector>
+
+#include "core/layers/parts/family.h"
+#include "core/structures/balls/scale_axis.h"
+
+namespace mes {
+namespace {
+
+LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::string_view tooltip, LayerStyle style,
+                              std::vector<PrimitiveKind> kinds) {
+  return {.id = id,
+          .name = name,
+          .tooltip = tooltip,
+          .group = LayerGroup::scale_axis,
+          .scalar = "radius",
+          .style = std::move(style),
+          .kinds = std::move(kinds)};
+}
+
+/// Part over the balls of the grown union: `emit(state, disk, instance)`.
+template <class Emit>
+auto grown_part(PrimitiveKind kind, const ScaleUnion& balls, Emit emit) {
+  return table_part(
+      {kind}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
+      [&balls, emit](FamilySlot row, Instance& out) {
+        if (balls.tables().balls[row] != BallState::none)
+          emit(balls.tables().balls[row], balls.family().disk(row), out);
+      },
+      ElementType{ElementKind::ball, &balls});
+}
+
+Layer grown_disks(const StructureSet& set) {
+  const auto& balls = set.get<ScaleUnion>();
+  return make_layer(descriptor_of("scale-axis-grown-disks", "Grown disks",
+                                  "Disks along the medial axis, grown by scale-axis-factor",
+                                  {.color = palette::sky, .opacity = 0.25, .flat = true}, {PrimitiveKind::disk}),
+                    {&balls}, grown_part(PrimitiveKind::disk, balls, [](BallState, const Disk& disk, Instance& out) {
+                      out.disk(disk.center, disk.radius, disk.radius);
+                    }));
+}
+
+Layer shrunk_disks(const StructureSet& set) {
+  const auto& balls = set.get<ScaleUnion>();
+  const auto& sampling = set.get<ScaleBallSampling>();
+  return make_layer(descriptor_of("scale-axis-disks", "Scale axis disks",
+                                  "Disks along the scale axis, with their radii divided by scale-axis-factor again",
+                                  {.color = palette::blue, .opacity = 0.15}, {PrimitiveKind::disk}),
+                    {&balls, &sampling},
+                    sampled_part({PrimitiveKind::disk}, sampling.medial(), [&balls](const Disk& disk, Instance& out) {
+                      const double radius = disk.radius / balls.factor();
+                      out.disk(disk.center, radius, radius);
+                    }));
+}
+
+}  // namespace
+
+std::vector<Layer> make_scale_axis_disk_layers(const StructureSet& set) {
+  std::vector<Layer> out;
+  out.push_back(grown_disks(set));
+  out.push_back(shrunk_disks(set));
+  return out;
+}
+
+Layer make_scale_axis_circles_layer(const StructureSet& set) {
+  const auto& balls = set.get<ScaleUnion>();
+  const auto& sampling = set.get<ScaleBallSampling>();
+  return make_layer(
+      descriptor_of("scale-axis-circles", "Scale axis circles",
+                    "Circles along the scale axis, with their radii divided by scale-axis-factor again",
+                    {.color = palette::blue, .opacity = 0.6}, {PrimitiveKind::circle}),
+      {&balls, &sampling},
+      sampled_part({PrimitiveKind::circle}, sampling.medial(), [&balls](const Disk& disk, Instance& out) {
+        const double radius = disk.radius / balls.factor();
+        out.circle(disk.center, radius, radius);
+      }));
+}
+
+Layer make_scale_axis_boundary_layer(const StructureSet& set) {
+  const auto& balls = set.get<ScaleUnion>();
+  LayerDescriptor descriptor =
+      descriptor_of("scale-axis-boundary", "Grown boundary", "Boundary arcs of the union of the grown disks",
+                    {.color = palette::sky, .line_width_px = 1.5}, {PrimitiveKind::arc});
+  descriptor.scalar = {};
+  return make_layer(std::move(descriptor), {&balls},
+                    union_part({PrimitiveKind::arc}, balls, &UnionTables::arcs, balls.changes().arcs,
+                               [&balls](const BoundaryArc& arc, Instance& out) {
+                                 if (!arc.is_alive()) return;
+                                 if (const auto drawn = drawn_arc(arc, balls.family().disk(arc.ball)))
+                                   out.arc(*drawn);
+                               }));
+}
+
+Layer make_scale_axis_layer(const StructureSet& set) {
+  const auto& balls = set.get<ScaleUnion>();
+  return make_layer(
+      descriptor_of("scale-axis", "Scale axis",
+                    "Medial axis of the union of the grown disks, with the radii divided by scale-axis-factor again",
+                    {.color = palette::vermilion, .line_width_px = 2.5},
+                    {PrimitiveKind::segment, PrimitiveKind::point}),
+      {&balls},
+      union_part({PrimitiveKind::segment}, balls, &UnionTables::axis, balls.changes().dual_edges,
+                 [&balls](const AxisPiece& piece, Instance& out) {
+                   if (piece.is_alive())
+                     out.segment(piece.a, piece.b, 0.5 * (piece.radius_a + piece.radius_b) / balls.factor());
+                 }),
+      grown_part(PrimitiveKind::point, balls, [&balls](BallState state, const Disk& disk, Instance& out) {
+        if (state == BallState::isolated) out.point(disk.center, disk.radius / balls.factor());
+      }));
+}
+
+}  // namespace mes

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/balls/scale_axis.h"
+
+#include "core/graph/explain.h"
+#include "core/structures/balls/voronoi_balls.h"
+
+namespace mes {
+namespace {
+
+OwnerSlot owner_of(EdgeSlot edge) {
+  return same_row<OwnerSlot>(edge);
+}
+
+/// Inner Voronoi balls, and balls between them unless the factor is 1.
+class BallsAlongAxis final : public VoronoiBalls {
+ public:
+  BallsAlongAxis(const Delaunay& delaunay, const InnerBalls& balls, const SampledBalls& between)
+      : VoronoiBalls(delaunay, balls.vertices()), balls_(balls), between_(between) {}
+
+  std::size_t rows() const override {
+    return is_plain() ? delaunay_.face_rows() : 2 * std::max(delaunay_.face_rows(), between_.rows());
+  }
+  bool is_ball(FamilySlot row) const override {
+    if (is_between(row)) return between_of(row).index() < between_.rows() && between_.is_alive(between_of(row));
+    const FaceSlot face = face_at(row);
+    return face.index() < delaunay_.face_rows() && balls_.is_ball(face) && vertices_.is_vertex(face);
+  }
+  Disk plain_disk(FamilySlot row) const override {
+    return is_between(row) ? between_.disk(between_of(row)) : VoronoiBalls::plain_disk(as_face(row));
+  }
+  bool is_from_samples() const override { return is_plain(); }
+  BallOrigin origin(FamilySlot row) const override {
+    return is_between(row) ? BallOrigin::disk : BallOrigin::circumdisk;
+  }
+  std::array<Vec2, 3> corners(FamilySlot row) const override {
+    if (!is_between(row)) return VoronoiBalls::corners(as_face(row));
+    const Vec2 center = between_.disk(between_of(row)).center;
+    return {center, center, center};
+  }
+  void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const override {
+    VoronoiBalls::touched_samples(as_face(row), out);
+  }
+  bool has_changed() const override { return !balls_.changes().is_empty() || !between_.changes().is_empty(); }
+
+  bool is_between(FamilySlot row) const { return !is_plain() && row.index() % 2 == 1; }
+  FaceSlot face_at(FamilySlot row) const { return FaceSlot(is_plain() ? row.index() : row.index() / 2); }
+
+ private:
+  bool is_plain() const { return scale() == 1.0; }
+  FamilySlot as_face(FamilySlot row) const { return same_row<FamilySlot>(face_at(row)); }
+  static SampledSlot between_of(FamilySlot row) { return SampledSlot(row.index() / 2); }
+
+  const InnerBalls& balls_;
+  const SampledBalls& between_;
+};
+
+}  // namespace
+
+AxisSampling::AxisSampling(SettingsSource& settings, Delaunay& delaunay, MedialAxis& axis)
+    : Structure("axis-sampling", {&settings, &delaunay, &axis}),
+      settings_(settings),
+      delaunay_(delaunay),
+      axis_(axis) {}
+
+// A ball about a place of the edge touches both samples; its radius is the distance to the one that comes first.
+void AxisSampling::remake(EdgeSlot edge) {
+  between_.drop(owner_of(edge));
+  const EdgeRow& row = delaunay_.edge(edge);
+  if (!row.is_alive() || !axis_.is_axis_edge(edge) || axis_.is_zero_length(edge)) return;
+  const Vec2 p = delaunay_.site_position(row.v[0]);
+  const Vec2 q = delaunay_.site_position(row.v[1]);
+  const Vec2 sample = lexicographically_less(p, q) ? p : q;
+  const Vec2 a = delaunay_.circumcenter(row.f[0]);
+  const Vec2 b = delaunay_.circumcenter(row.f[1]);
+  const auto ball_about = [sample](Vec2 center) { return Disk{center, distance(center, sample)}; };
+  if (!is_finite(ball_about(a)) || !is_finite(ball_about(b))) return;
+  halving_.halve([&](double u) { return ball_about(place_between(a, b, u)); }, ball_about(a), ball_about(b),
+                 [&](const Disk& disk) { between_.add(owner_of(edge), disk); });
+}
+
+void AxisSampling::rebuild(JobControl& job) {
+  made_with_ = angle();
+  halving_ = BallHalving(made_with_);
+  between_.reset();
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
+    remake(edge);
+  }
+}
+
+bool AxisSampling::update(JobControl&) {
+  clear_changes();
+  if (angle() != made_with_) return false;
+  between_.begin();
+  for (const auto* rows : {&axis_.edge_changes().removed, &axis_.edge_changes().touched})
+    for (const EdgeSlot edge : *rows) remake(edge);
+  between_.finish();
+  return true;
+}
+
+StatList AxisSampling::statistics() const {
+  return {{"balls_between", static_cast<std::int64_t>(between_.count())}};
+}
+
+ScaleUnion::ScaleUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
+                       InnerBalls& balls, MedialAxis& axis, AxisSampling& sampling, AxisCertificate& certificate)
+    : BallUnion("scale-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &sampling, &certificate},
+                settings, Parameter::scale_axis_factor,
+                std::make_unique<BallsAlongAxis>(delaunay, balls, sampling.between()), &certificate,
+                std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
+
+void ScaleUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  const FamilySlot ball(row);
+  if (kind != ElementKind::ball) return BallUnion::explain(kind, row, out);
+  if (!tables().balls.has(ball) || !family().is_ball(ball)) return;
+  const auto& balls = static_cast<const BallsAlongAxis&>(family());
+  if (balls.is_between(ball)) {
+    ProvenanceShapes itself;
+    itself.circle(balls.plain_disk(ball));
+    out.say(ProvenanceRole::itself,
+            "Ball about a point of an edge of the medial axis, radius " + number_text(balls.plain_disk(ball).radius),
+            itself);
+  } else {
+    out.about(ElementKind::voronoi_vertex, balls.face_at(ball));
+  }
+  explain_scale(ball, out);
+  explain_place(ball, out);
+}
+
+}  // namespace mes

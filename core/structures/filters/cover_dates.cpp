@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/filters/cover_dates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.h"
+
+namespace mes {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNoNode = -1.0;
+constexpr std::uint32_t kLeaf = 8;  // balls
+
+double distance_to(const Box2& box, Vec2 p) {
+  const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
+  const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
+  return length(Vec2{x, y});
+}
+
+}  // namespace
+
+CoverDates::CoverDates(Delaunay& delaunay, InnerBalls& balls)
+    : Structure("cover-dates", {&delaunay, &balls}), delaunay_(delaunay), balls_(balls) {}
+
+void CoverDates::build(std::uint32_t at) {
+  Box2 box;
+  double most = 0.0;
+  const std::uint32_t first = tree_[at].first;
+  const std::uint32_t last = tree_[at].last;
+  for (std::uint32_t i = first; i < last; ++i) {
+    box.add(sorted_[i].center);
+    most = std::max(most, sorted_[i].radius);
+  }
+  tree_[at].box = box;
+  tree_[at].most = most;
+  if (last - first <= kLeaf) return;
+  const bool by_x = box.width() >= box.height();
+  const std::uint32_t middle = first + (last - first) / 2;
+  std::nth_element(
+      sorted_.begin() + first, sorted_.begin() + middle, sorted_.begin() + last,
+      [by_x](const Ball& a, const Ball& b) { return by_x ? a.center.x < b.center.x : a.center.y < b.center.y; });
+  const auto child = static_cast<std::uint32_t>(tree_.size());
+  tree_[at].child = child;
+  tree_.push_back({{}, 0.0, first, middle, 0});
+  tree_.push_back({{}, 0.0, middle, last, 0});
+  build(child);
+  build(child + 1);
+}
+
+// Nodes are passed over when no ball in them can do better: the distance to their box over the largest difference of radii
+// bounds every quotient, and so do the rounded ones up to the last bits, for which the bound gives way.
+double CoverDates::search(const Ball& ball) const {
+  constexpr double kGivesWay = 1.0 - 0x1p-48;
+  double best = kNever;
+  const auto look_at = [&](Vec2 center, double radius) {
+    if (!(radius > ball.radius)) return;
+    const double date = distance(ball.center, center) / (radius - ball.radius);
+    if (date < best) best = date;
+  };
+  for (const EdgeSlot edge : delaunay_.face(ball.face).e) {
+    if (edge == kNoSlot) continue;
+    for (const FaceSlot face : delaunay_.edge(edge).f) {
+      if (face == kNoSlot || !balls_.is_ball(face)) continue;
+      const FaceSlot other = balls_.ball(face);
+      look_at(delaunay_.circumcenter(other), delaunay_.circumradius(other));
+    }
+  }
+  const auto bound_of = [&](const Node& node) {
+    return node.most > ball.radius ? distance_to(node.box, ball.center) / (node.most - ball.radius) * kGivesWay
+                                   : kNever;
+  };
+  struct Waiting {
+    double bound;
+    std::uint32_t node;
+  };
+  const auto is_later = [](const Waiting& a, const Waiting& b) { return a.bound > b.bound; };
+  thread_local std::vector<Waiting> queue;  // kept for its memory
+  queue.clear();
+  queue.push_back({bound_of(tree_[0]), 0});
+  while (!queue.empty()) {
+    std::ranges::pop_heap(queue, is_later);
+    const Waiting next = queue.back();
+    queue.pop_back();
+    if (!(next.bound < best)) break;
+    const Node& node = tree_[next.node];
+    if (node.child == 0) {
+      for (std::uint32_t i = node.first; i < node.last; ++i) look_at(sorted_[i].center, sorted_[i].radius);
+      continue;
+    }
+    for (const std::uint32_t child : {node.child, node.child + 1}) {
+      const double bound = bound_of(tree_[child]);
+      if (!(bound < best)) continue;
+      queue.push_back({bound, child});
+      std::ranges::push_heap(queue, is_later);
+    }
+  }
+  return best;
+}
+
+void CoverDates::rebuild(JobControl& job) {
+  date_.assign(delaunay_.face_rows(), kNoNode);
+  sorted_.clear();
+  tree_.clear();
+  for (const FaceSlot face : delaunay_.face_slots()) {
+    if (!delaunay_.is_finite_face(face) || !is_node(face)) continue;
+    const Ball ball{delaunay_.circumcenter(face), delaunay_.circumradius(face), face};
+    // What no double can hold swallows nothing that can be shown.
+    if (is_finite(ball.center) && std::isfinite(ball.radius)) sorted_.push_back(ball);
+  }
+  if (sorted_.empty()) return;
+  tree_.push_back({{}, 0.0, 0, static_cast<std::uint32_t>(sorted_.size()), 0});
+  build(0);
+  job.checkpoint();
+  parallel_for(sorted_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if ((i & 0x3ffU) == 0) job.checkpoint();
+      date_[sorted_[i].face] = search(sorted_[i]);
+    }
+  });
+}
+
+bool CoverDates::update(JobControl&) {
+  return balls_.changes().is_empty();
+}
+
+StatList CoverDates::statistics() const {
+  std::vector<double> dates;
+  std::int64_t never = 0;
+  for (const FaceSlot face : date_.rows()) {
+    if (!has_date(face)) continue;
+    if (date_[face] == kNever)
+      ++never;
+    else
+      dates.push_back(date_[face]);
+  }
+  StatList out{{"balls", static_cast<std::int64_t>(dates.size()) + never}, {"never_covered", never}};
+  if (dates.empty()) return out;
+  const auto middle = dates.begin() + static_cast<std::ptrdiff_t>(dates.size() / 2);
+  std::ranges::nth_element(dates, middle);
+  out.push_back({"date_median", *middle});
+  out.push_back({"date_largest", *std::ranges::max_element(dates)});
+  return out;
+}
+
+}  // namespace mes

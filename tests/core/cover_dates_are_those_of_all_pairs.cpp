@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cover dates against all pairs of balls, bit for bit.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/structures/filters/cover_dates.h"
+#include "tests/support/shapes.h"
+#include "tests/support/shapes_degenerate.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+std::vector<FaceSlot> nodes(const Workbench& bench) {
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& balls = bench.get<InnerBalls>();
+  std::vector<FaceSlot> out;
+  for (const FaceSlot face : delaunay.face_slots())
+    if (delaunay.is_finite_face(face) && balls.is_ball(face) && balls.ball(face) == face) out.push_back(face);
+  return out;
+}
+
+void check_all_pairs(const Workbench& bench) {
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& dates = bench.get<CoverDates>();
+  const std::vector<FaceSlot> all = nodes(bench);
+  std::size_t wrong = 0;
+  for (const FaceSlot i : all) {
+    REQUIRE(dates.has_date(i));
+    double least = std::numeric_limits<double>::infinity();
+    for (const FaceSlot j : all) {
+      const double more = delaunay.circumradius(j) - delaunay.circumradius(i);
+      if (more > 0.0) least = std::min(least, distance(delaunay.circumcenter(i), delaunay.circumcenter(j)) / more);
+    }
+    wrong += dates.date(i) == least ? 0U : 1U;
+  }
+  REQUIRE(wrong == 0);
+  std::size_t dated = 0;
+  for (const FaceSlot face : delaunay.face_slots()) dated += dates.has_date(face) ? 1U : 0U;
+  REQUIRE(dated == all.size());
+}
+
+}  // namespace
+
+TEST_CASE("cover dates are the least quotients of all pairs, bit for bit, after every edit") {
+  std::vector<std::vector<Vec2>> inputs;
+  for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
+  for (const DegenerateInput& input : degenerate_inputs()) inputs.push_back(input.positions);
+  Rng rng(9);
+  std::vector<Vec2> random;
+  for (int i = 0; i < 600; ++i) random.push_back({rng.uniform(), rng.uniform()});
+  inputs.push_back(random);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    INFO("input " << i);
+    Workbench bench;
+    bench.show({"cover-dates"});
+    bench.replace(inputs[i]);
+    check_all_pairs(bench);
+    if (inputs[i].size() < 8) continue;
+    for (int step = 0; step < 3; ++step) {
+      const auto ids = bench.ids();
+      bench.remove({ids[rng.below(ids.size())]});
+      check_all_pairs(bench);
+    }
+  }
+}
+
+TEST_CASE(
+    "along the axis of an ellipse a ball is swallowed by its larger neighbour first, at the slope of the radius") {
+  // r(x) = sqrt(1 - x^2 / c2) grows towards the middle at the rate |x| / (c2 r): the date is at least the inverse of the
+  // largest rate on the way, and at the end of the axis near 1.
+  Workbench bench;
+  bench.show({"cover-dates"});
+  bench.replace(ellipse(3.0, 1.0, 400, {0.3, 0.0, 1}).data.positions);
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& dates = bench.get<CoverDates>();
+  const double c2 = 8.0;
+  std::size_t looked_at = 0;
+  for (const FaceSlot face : nodes(bench)) {
+    const double x = std::abs(delaunay.circumcenter(face).x);
+    if (x < 0.5 || x > 2.6) continue;
+    const double rate = x / (c2 * std::sqrt(1.0 - x * x / c2));
+    CHECK(dates.date(face) == Approx(1.0 / rate).epsilon(0.05));
+    ++looked_at;
+  }
+  CHECK(looked_at > 100);
+  CHECK(bench.count("cover-dates", "never_covered") >= 1);
+}
