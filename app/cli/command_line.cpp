@@ -55,6 +55,8 @@ struct Arguments {
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
+  ResampleRequest repair;
+  ResampleRequest decimate;
   ExportRequest exported;
   RenderRequest render;
   PlayRequest play;
@@ -287,6 +289,30 @@ void describe_commands(CLI::App& app, Arguments& to) {
       "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
       "layer's.");
 
+  const auto add_resampling = [](CLI::App& command, ResampleRequest& request, const char* epsilon) {
+    command.add_option("FILE", request.file, "Samples to read, or - for standard input")->required();
+    command.add_option("--from", request.from,
+                       "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
+    add_trace(command, request.trace);
+    command.add_option("--epsilon", request.epsilon, epsilon)->capture_default_str();
+    command.add_option("-o,--output", request.output, "Write to this file instead of standard output");
+    add_force(command, request.force);
+  };
+  CLI::App* const repair = app.add_subcommand("repair", "Samples inserted where the curve has too few of them");
+  add_resampling(*repair, to.repair,
+                 "Curve edges are halved while half their length is more than this part of the\n"
+                 "distance of their ends to the axis; above 0, at most 1");
+  repair->footer(
+      "New samples lie on a spline through the others, interrupted at corners. What was done is said on standard\n"
+      "error, and what could not be: no number of samples is dense enough at a corner.");
+  CLI::App* const decimate =
+      app.add_subcommand("decimate", "Samples taken away that the curve and the topology of the axis do not need");
+  add_resampling(*decimate, to.decimate,
+                 "The rest is to have, along the curve, half the distance of neighbours at most this\n"
+                 "part of their distance to the axis; above 0, at most 1");
+  decimate->footer(
+      "The curve goes through the rest in the same order, and the axis has as many components and cycles as before.");
+
   CLI::App* const exported = app.add_subcommand("export", "The geometry of layers, as text");
   add_source(*exported, to.exported.source);
   exported
@@ -516,7 +542,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command : {compute, sweep, branches, exported, render, play, demo, lesson, evolve, shape,
+  for (CLI::App* const command : {compute, sweep, branches, repair, decimate, exported, render, play, demo, lesson, evolve, shape,
                                   sample, app.get_subcommand("text"), list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
@@ -547,6 +573,8 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
   if (command.get_name() == "branches") return run(arguments.branches, run_branches);
+  if (command.get_name() == "repair") return run_repair(arguments.repair, interruption);
+  if (command.get_name() == "decimate") return run_decimate(arguments.decimate, interruption);
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
   if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);

@@ -60,6 +60,18 @@ struct BranchesRequest {
 };
 Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption);
 
+/// Of `repair` and `decimate`.
+struct ResampleRequest {
+  std::string file;
+  std::string from;
+  TraceOptions trace{};
+  std::string epsilon = "0.25";
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_repair(const ResampleRequest& request, Interruption& interruption);
+Expected<void> run_decimate(const ResampleRequest& request, Interruption& interruption);
+
 struct ExportRequest {
   Source source;
   std::string layer;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -174,4 +175,35 @@ TEST_CASE("branches are a table whose lengths add up to the layer's") {
   CHECK(none.exit_code == 0);
   CHECK(std::ranges::count(none.out, '\n') == 1);
   CHECK_THAT(none.err, Catch::Contains("no branch: fewer than three samples"));
+}
+
+TEST_CASE("an undersampled curve is repaired, and a dense one decimated, and what was done is said") {
+  const TemporaryFolder folder;
+  std::string sparse;
+  for (int i = 0; i < 16; ++i) {
+    const double t = 2.0 * 3.14159265358979 * (i + 0.3) / 16.0;
+    sparse += std::to_string(3.0 * std::cos(t)) + ' ' + std::to_string(std::sin(t)) + '\n';
+  }
+  const std::string file = folder.write("sparse.xyz", sparse).string();
+  const std::string dense = (folder.path() / "dense.poff").string();
+  const RunResult repaired = run({"repair", file, "-o", dense});
+  INFO(repaired.err);
+  REQUIRE(repaired.exit_code == 0);
+  CHECK_THAT(repaired.err, Catch::Contains("samples inserted") && Catch::Contains("light is green"));
+  const auto computed = nlohmann::json::parse(run({"compute", dense, "--layers", "sampling-epsilon"}).out);
+  CHECK(computed["structures"]["feature-size"]["epsilon"].get<double>() <= 0.25);
+
+  const RunResult thin = run({"decimate", "tests/data/earcut_dude.poff", "--epsilon", "0.4"});
+  INFO(thin.err);
+  REQUIRE(thin.exit_code == 0);
+  CHECK_THAT(thin.err, Catch::Contains("removed; epsilon"));
+  for (const char* wrong : {"0", "-1", "1.5", "x", "nan", ""}) {
+    INFO(wrong);
+    for (const char* command : {"repair", "decimate"}) CHECK(run({command, file, "--epsilon", wrong}).exit_code == 2);
+  }
+  for (const char* few : {"0 0\n", "0 0\n1 1\n"}) {
+    const RunResult nothing = run({"repair", folder.write("few.xyz", few).string()});
+    CHECK(nothing.exit_code == 0);
+    CHECK_THAT(nothing.err, Catch::Contains("0 samples inserted"));
+  }
 }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina repair` and `mesecina decimate`: samples where the curve needs them, and no more.
+#include <fmt/core.h>
+#include <algorithm>
+
+#include "app/cli/input.h"
+#include "app/cli/messages.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "core/io/format.h"
+#include "core/io/text_numbers.h"
+#include "core/resampling/decimate.h"
+#include "core/resampling/repair.h"
+
+namespace mes::cli {
+namespace {
+
+Expected<double> epsilon_of(const ResampleRequest& request) {
+  const auto number = parse_number(request.epsilon);
+  if (!number || !(*number > 0.0) || !(*number <= 1.0))
+    return usage_error(
+        fmt::format("--epsilon: {} is not a number above 0 and at most 1", in_quotes(request.epsilon)));
+  return *number;
+}
+
+Expected<void> write(const ResampleRequest& request, const SampleData& data, const LoadedFile& input,
+                     Interruption& interruption) {
+  Document document;
+  const auto delta = replace_all(document, {.positions = data.positions, .contours = data.contours});
+  if (!delta) return std::unexpected(delta.error());
+  document.apply(*delta);
+  return write_output(request.output, write_poff(document), interruption, {input.sources, request.force});
+}
+
+}  // namespace
+
+Expected<void> run_repair(const ResampleRequest& request, Interruption& interruption) {
+  const auto epsilon = epsilon_of(request);
+  if (!epsilon) return std::unexpected(epsilon.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_input(request.file, request.from, request.trace);
+  if (!input) return std::unexpected(input.error());
+  JobControl job;
+  const auto repaired = repair(input->data, *epsilon, job);
+  if (!repaired) return std::unexpected(repaired.error());
+  for (const std::string& sentence : repaired->words()) say(sentence);
+  return write(request, repaired->data, *input, interruption);
+}
+
+Expected<void> run_decimate(const ResampleRequest& request, Interruption& interruption) {
+  const auto epsilon = epsilon_of(request);
+  if (!epsilon) return std::unexpected(epsilon.error());
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_input(request.file, request.from, request.trace);
+  if (!input) return std::unexpected(input.error());
+  JobControl job;
+  const auto decimated = decimate(input->data, *epsilon, job);
+  if (!decimated) return std::unexpected(decimated.error());
+  say(decimated->words());
+  return write(request, decimated->data, *input, interruption);
+}
+
+}  // namespace mes::cli

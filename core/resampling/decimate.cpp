@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/resampling/decimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/graph/explain.h"
+#include "core/resampling/internal/sampled_curve.h"
+
+namespace mes {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A loop keeps as many at least.
+constexpr std::size_t kSmallestLoop = 4;
+
+/// A chain of which some places are left out.
+class ThinnedChain {
+ public:
+  ThinnedChain(const MovingCurve::Chain& chain, std::vector<bool> must_stay)
+      : chain_(&chain), must_stay_(std::move(must_stay)), is_kept_(chain.points.size(), true) {}
+
+  std::size_t size() const { return chain_->points.size(); }
+  std::uint32_t sample(std::size_t i) const { return chain_->points[i % size()]; }
+  bool is_kept(std::size_t i) const { return is_kept_[i % size()]; }
+  void keep(std::size_t i) { is_kept_[i % size()] = true; }
+
+  /// From each kept place on as far as half the distance allows.
+  void thin(std::span<const Vec2> positions, const std::vector<double>& sizes, double epsilon) {
+    const std::size_t n = size();
+    if (n <= kSmallestLoop) return;
+    const std::size_t first = start(sizes);
+    const std::size_t end = chain_->closed ? first + n : n - 1;
+    for (std::size_t from = first; from < end;) {
+      std::size_t to = from + 1;
+      double least = std::min(sizes[sample(from)], sizes[sample(to)]);
+      for (; to < end && !must_stay_[to % n]; ++to) {
+        least = std::min(least, sizes[sample(to + 1)]);
+        if (!(0.5 * distance(positions[sample(from)], positions[sample(to + 1)]) <= epsilon * least)) break;
+      }
+      for (std::size_t i = from + 1; i < to; ++i) is_kept_[i % n] = false;
+      from = to;
+    }
+    if (!chain_->closed || static_cast<std::size_t>(std::ranges::count(is_kept_, true)) >= kSmallestLoop) return;
+    for (std::size_t i = 0; i < kSmallestLoop; ++i) keep(first + i * n / kSmallestLoop);
+  }
+
+  /// `visit(i, j)` for kept places that follow each other; j may be beyond the end of a loop.
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const {
+    const auto begin = static_cast<std::size_t>(std::ranges::find(is_kept_, true) - is_kept_.begin());
+    const std::size_t end = chain_->closed && size() > 2 ? begin + size() : size() - 1;
+    for (std::size_t i = begin; i < end;) {
+      std::size_t j = i + 1;
+      while (j < end && !is_kept(j)) ++j;
+      visit(i, j);
+      i = j;
+    }
+  }
+
+ private:
+  /// Where a loop begins: at a place that stays, or where the curve needs the most samples.
+  std::size_t start(const std::vector<double>& sizes) const {
+    if (!chain_->closed) return 0;
+    const auto stays = std::ranges::find(must_stay_, true);
+    if (stays != must_stay_.end()) return static_cast<std::size_t>(stays - must_stay_.begin());
+    std::size_t out = 0;
+    for (std::size_t i = 1; i < size(); ++i)
+      if (sizes[sample(i)] < sizes[sample(out)]) out = i;
+    return out;
+  }
+
+  const MovingCurve::Chain* chain_;
+  std::vector<bool> must_stay_;
+  std::vector<bool> is_kept_;
+};
+
+SampleData without(const SampleData& data, const std::vector<bool>& is_gone, std::vector<std::uint32_t>& number) {
+  SampleData out;
+  number.assign(data.positions.size(), 0);
+  for (std::size_t i = 0; i < data.positions.size(); ++i) {
+    if (is_gone[i]) continue;
+    number[i] = static_cast<std::uint32_t>(out.positions.size());
+    out.positions.push_back(data.positions[i]);
+  }
+  for (const SampleData::Contour& contour : data.contours) {
+    SampleData::Contour& rest = out.contours.emplace_back();
+    rest.closed = contour.closed;
+    for (const std::uint32_t sample : contour.points)
+      if (!is_gone[sample]) rest.points.push_back(number[sample]);
+  }
+  out.balls = data.balls;
+  return out;
+}
+
+/// What the samples are after some were left out.
+struct Thinned {
+  SampleData data;
+  double epsilon = 0.0;  // the largest
+  TheoremLight light = TheoremLight::none;
+  bool has_same_axis = false;
+  std::vector<std::pair<std::size_t, std::size_t>> wanted_back;  // chain, and place on it
+  std::vector<std::pair<std::size_t, std::size_t>> thinned;      // a place of each edge that leaves some out
+};
+
+class Decimator {
+ public:
+  Decimator(const SampleData& data, const MovingCurve& curve, const JudgedSamples& before, double epsilon)
+      : data_(data),
+        epsilon_(epsilon),
+        light_(before.light()),
+        components_(before.components()),
+        cycles_(before.cycles()) {
+    const std::vector<bool> is_corner = corners_of(curve, data.positions, epsilon);
+    std::vector<bool> may_go = curve.may_move;
+    for (std::size_t i = 0; i < may_go.size(); ++i) may_go[i] = may_go[i] && !is_corner[i];
+    // Samples at one place are one for the structures.
+    for (const auto& [follower, leader] : curve.followers) may_go[follower] = may_go[leader] = false;
+    for (const MovingCurve::Chain& chain : curve.chains) {
+      if (chain.points.size() < 2) continue;
+      std::vector<bool> must_stay;
+      must_stay.reserve(chain.points.size());
+      for (const std::uint32_t sample : chain.points) must_stay.push_back(!may_go[sample]);
+      chains_.emplace_back(chain, std::move(must_stay));
+    }
+    std::vector<double> sizes(data.positions.size());
+    for (std::uint32_t i = 0; i < sizes.size(); ++i) sizes[i] = before.size(i);
+    for (ThinnedChain& chain : chains_) {
+      chain.for_each_edge([&](std::size_t i, std::size_t j) {
+        const auto verdict = before.judge(chain.sample(i), chain.sample(j));
+        epsilon_before_ = std::max(epsilon_before_, verdict.is_curve ? verdict.epsilon : kInfinity);
+      });
+      chain.thin(data.positions, sizes, epsilon);
+    }
+  }
+
+  double epsilon_before() const { return epsilon_before_; }
+  std::vector<bool> gone() const {
+    std::vector<bool> out(data_.positions.size(), false);
+    for (const ThinnedChain& chain : chains_)
+      for (std::size_t i = 0; i < chain.size(); ++i)
+        if (!chain.is_kept(i)) out[chain.sample(i)] = true;
+    return out;
+  }
+  void take_back(const std::vector<std::pair<std::size_t, std::size_t>>& places) {
+    for (const auto& [chain, i] : places) chains_[chain].keep(i);
+  }
+
+  Expected<Thinned> judge(JobControl& job) const {
+    Thinned out;
+    std::vector<std::uint32_t> number;
+    out.data = without(data_, gone(), number);
+    const auto now = JudgedSamples::of(out.data, job);
+    if (!now) return std::unexpected(now.error());
+    out.light = now->light();
+    out.has_same_axis = now->components() == components_ && now->cycles() == cycles_ &&
+                        out.light <= std::max(light_, TheoremLight::green);
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      const ThinnedChain& chain = chains_[c];
+      chain.for_each_edge([&](std::size_t i, std::size_t j) {
+        const auto verdict = now->judge(number[chain.sample(i)], number[chain.sample(j)]);
+        out.epsilon = std::max(out.epsilon, verdict.is_curve ? verdict.epsilon : kInfinity);
+        if (j == i + 1) return;
+        out.thinned.emplace_back(c, (i + j) / 2);
+        if (!verdict.is_curve || verdict.epsilon > epsilon_) out.wanted_back.emplace_back(c, (i + j) / 2);
+      });
+    }
+    return out;
+  }
+
+ private:
+  const SampleData& data_;
+  double epsilon_;
+  TheoremLight light_;
+  std::int64_t components_;
+  std::int64_t cycles_;
+  double epsilon_before_ = 0.0;
+  std::vector<ThinnedChain> chains_;
+};
+
+}  // namespace
+
+Expected<Decimation> decimate(const SampleData& data, double epsilon, JobControl& job) {
+  const auto before = JudgedSamples::of(data, job);
+  if (!before) return std::unexpected(before.error());
+  const MovingCurve curve = curve_of(data, job);
+  Decimator decimator(data, curve, *before, epsilon);
+  // An edge that is no curve edge, or too long now, gets the sample in its middle back; where the axis is another one, all
+  // do. At the latest it is that of all samples.
+  for (;;) {
+    job.checkpoint();
+    auto now = decimator.judge(job);
+    if (!now) return std::unexpected(now.error());
+    const auto& back = now->wanted_back.empty() && !now->has_same_axis ? now->thinned : now->wanted_back;
+    if (!back.empty()) {
+      decimator.take_back(back);
+      continue;
+    }
+    Decimation out;
+    const std::vector<bool> is_gone = decimator.gone();
+    for (std::uint32_t i = 0; i < is_gone.size(); ++i)
+      if (is_gone[i]) out.removed.push_back(i);
+    out.data = std::move(now->data);
+    out.epsilon_before = decimator.epsilon_before();
+    out.epsilon_after = now->epsilon;
+    out.light_before = before->light();
+    out.light_after = now->light;
+    out.components = before->components();
+    out.cycles = before->cycles();
+    return out;
+  }
+}
+
+std::string Decimation::words() const {
+  const auto epsilon_text = [](double epsilon) {
+    return std::isfinite(epsilon) ? number_text(epsilon) : std::string("infinite (curve edges are missing)");
+  };
+  return count_text(removed.size(), "sample", "samples") + " of " +
+         std::to_string(removed.size() + data.positions.size()) + " removed; epsilon " +
+         epsilon_text(epsilon_before) + " before, " + epsilon_text(epsilon_after) + " now; the axis has " +
+         count_text(static_cast<std::size_t>(components), "component", "components") + " and " +
+         count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; the theorem light is " +
+         std::string(name_of(light_after));
+}
+
+}  // namespace mes

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/resampling/internal/sampled_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/draw/layer_descriptor.h"
+#include "core/kernel/corner_angle.h"
+#include "core/structures/certificate/axis_certificate.h"
+#include "core/structures/density/feature_size.h"
+
+namespace mes {
+
+MovingCurve curve_of(const SampleData& data, JobControl& job) {
+  return data.contours.empty() ? crust_curve(data.positions, job) : known_curve(data.contours, data.positions.size());
+}
+
+double turn_at(Vec2 before, Vec2 at, Vec2 after) {
+  if (before == at || at == after) return 0.0;
+  return before == after ? 180.0 : 180.0 - angle_at(at, before, after);
+}
+
+std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> positions, double epsilon) {
+  const double least = 2.0 * std::asin(std::clamp(epsilon, 0.0, 1.0)) * 180.0 / std::numbers::pi;
+  constexpr double kMoreThanNeighbours = 4.0;
+  std::vector<double> turn(positions.size(), 0.0);
+  for_each_moving(curve, [&](std::uint32_t before, std::uint32_t at, std::uint32_t after) {
+    turn[at] = turn_at(positions[before], positions[at], positions[after]);
+  });
+  std::vector<bool> out(positions.size(), false);
+  for_each_moving(curve, [&](std::uint32_t before, std::uint32_t at, std::uint32_t after) {
+    out[at] = turn[at] > least && turn[at] > kMoreThanNeighbours * (turn[before] + turn[after]);
+  });
+  return out;
+}
+
+Expected<JudgedSamples> JudgedSamples::of(const SampleData& data, JobControl& job) {
+  JudgedSamples out;
+  auto delta = replace_all(out.document_, {.positions = data.positions});
+  if (!delta) return std::unexpected(delta.error());
+  const auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
+  out.document_.apply(*shared);
+  out.positions_ = data.positions;
+  out.slots_ = out.document_.slots_in_input_order();
+  out.graph_->set_demand(std::array{find_layer("sampling-epsilon"), find_layer("medial-axis")});
+  out.graph_->set_want_findings(true);
+  out.graph_->set_want_statistics(true);
+  out.graph_->post(shared);
+  if (auto good = out.run(job); !good) return std::unexpected(good.error());
+  return out;
+}
+
+Expected<void> JudgedSamples::run(JobControl& job) {
+  if (!graph_->run(patch_, job)) throw Cancelled{};
+  for (const NodeReport& node : patch_.nodes)
+    if (node.state == NodeState::failed)
+      return std::unexpected(
+          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
+  return {};
+}
+
+Expected<void> JudgedSamples::insert(std::span<const Vec2> positions, JobControl& job) {
+  auto delta = insert_samples(document_, positions);
+  if (!delta) return std::unexpected(delta.error());
+  const auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
+  document_.apply(*shared);
+  positions_.insert(positions_.end(), positions.begin(), positions.end());
+  slots_ = document_.slots_in_input_order();
+  graph_->post(shared);
+  return run(job);
+}
+
+SiteSlot JudgedSamples::site_of(std::uint32_t sample) const {
+  return get<Delaunay>().site_of_sample(slots_[sample]);
+}
+
+JudgedSamples::EdgeVerdict JudgedSamples::judge(std::uint32_t a, std::uint32_t b) const {
+  const auto& sizes = get<FeatureSize>();
+  const auto& crust = get<OneStepCrust>();
+  const auto& certificate = get<AxisCertificate>();
+  const SiteSlot from = site_of(a);
+  const SiteSlot to = site_of(b);
+  EdgeVerdict out;
+  if (from == to) {
+    out.is_curve = true;
+    return out;
+  }
+  for (const SiteSlot site : {from, to}) {
+    out.is_doubted = out.is_doubted || certificate.is_bad_site(site) || crust.is_odd(site);
+    get<Delaunay>().for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+      out.is_doubted = out.is_doubted || certificate.is_bad_edge(edge);
+      if (site != from || other != to || !crust.is_crust(edge)) return;
+      out.is_curve = true;
+      if (sizes.has_epsilon(edge)) out.epsilon = sizes.epsilon(edge);
+    });
+  }
+  return out;
+}
+
+double JudgedSamples::size(std::uint32_t sample) const {
+  const auto& sizes = get<FeatureSize>();
+  const SiteSlot site = site_of(sample);
+  return sizes.has_size(site) ? sizes.size(site) : std::numeric_limits<double>::infinity();
+}
+
+std::int64_t JudgedSamples::count(std::string_view key) const {
+  for (const NodeReport& node : patch_.nodes) {
+    if (node.structure != "medial-axis") continue;
+    for (const Stat& stat : node.stats)
+      if (stat.key == key) return std::get<std::int64_t>(stat.value);
+  }
+  return 0;
+}
+
+}  // namespace mes

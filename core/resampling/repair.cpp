@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/resampling/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/graph/explain.h"
+#include "core/resampling/internal/sampled_curve.h"
+
+namespace mes {
+namespace {
+
+constexpr int kMostHalvings = 20;
+constexpr int kMostRounds = 200;
+constexpr int kMostDoubts = 6;
+/// Where curves meet, as in a lattice, no number is enough.
+std::size_t most_samples(std::size_t given) {
+  constexpr std::size_t kForEach = 64;
+  constexpr std::size_t kMostNew = 200'000;
+  return given + std::min(kForEach * given, kMostNew);
+}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A cubic through two samples with the tangents of the curve there.
+struct SplinePiece {
+  Vec2 a{}, b{};
+  Vec2 tangent_a{}, tangent_b{};  // over the parameter from 0 to 1
+
+  Vec2 at(double u) const {
+    const double v = 1.0 - u;
+    return (v * v * (1.0 + 2.0 * u)) * a + (u * v * v) * tangent_a + (u * u * (1.0 + 2.0 * v)) * b +
+           (-u * u * v) * tangent_b;
+  }
+};
+
+// Of the centripetal Catmull-Rom spline through three places at the middle one, times the parameter's way to a place next
+// to it.
+Vec2 tangent_at(Vec2 p, Vec2 q, Vec2 r, Vec2 next) {
+  const double before = std::sqrt(distance(p, q));
+  const double after = std::sqrt(distance(q, r));
+  const double step = std::sqrt(distance(q, next));
+  const Vec2 slope = (step / before) * (q - p) - (step / (before + after)) * (r - p) + (step / after) * (r - q);
+  return before > 0.0 && after > 0.0 && is_finite(slope) ? slope : Vec2{};
+}
+
+/// A sample of the curve.
+struct Knot {
+  std::uint32_t sample = 0;
+  std::size_t piece = 0;  ///< of the spline on which it lies
+  double u = 0.0;         ///< where
+};
+
+class RepairedChain {
+ public:
+  RepairedChain(const MovingCurve::Chain& chain, std::span<const Vec2> positions, const std::vector<bool>& is_corner)
+      : is_closed_(chain.closed && chain.points.size() > 2) {
+    const std::size_t n = chain.points.size();
+    const auto place = [&](std::size_t i) { return positions[chain.points[i % n]]; };
+    for (std::size_t i = 0; i < n; ++i) knots_.push_back({chain.points[i], i, 0.0});
+    for (std::size_t i = 0; i < (is_closed_ ? n : n - 1); ++i) {
+      SplinePiece piece{place(i), place(i + 1), place(i + 1) - place(i), place(i + 1) - place(i)};
+      if ((is_closed_ || i > 0) && !is_corner[chain.points[i]])
+        piece.tangent_a = tangent_at(place(i + n - 1), piece.a, piece.b, piece.b);
+      if ((is_closed_ || i + 2 < n) && !is_corner[chain.points[(i + 1) % n]])
+        piece.tangent_b = tangent_at(piece.a, piece.b, place(i + 2), piece.a);
+      pieces_.push_back(piece);
+    }
+  }
+
+  bool is_closed() const { return is_closed_; }
+  const std::vector<Knot>& knots() const { return knots_; }
+  std::size_t edges() const { return is_closed_ ? knots_.size() : knots_.size() - 1; }
+  std::uint32_t from(std::size_t edge) const { return knots_[edge].sample; }
+  std::uint32_t to(std::size_t edge) const { return knots_[(edge + 1) % knots_.size()].sample; }
+
+  /// In the middle of an edge, by the parameter; false when it was halved too often.
+  bool middle(std::size_t edge, Knot& out) const {
+    const Knot& knot = knots_[edge];
+    const Knot& next = knots_[(edge + 1) % knots_.size()];
+    const double end = next.piece == knot.piece && next.u > knot.u ? next.u : 1.0;
+    out = {0, knot.piece, 0.5 * (knot.u + end)};
+    return end - knot.u > std::ldexp(1.0, -kMostHalvings);
+  }
+  Vec2 place_of(const Knot& knot) const { return pieces_[knot.piece].at(knot.u); }
+  /// Each after the knot of that number, which rises.
+  void insert(const std::vector<std::pair<std::size_t, Knot>>& added) {
+    std::vector<Knot> knots;
+    knots.reserve(knots_.size() + added.size());
+    auto next = added.begin();
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+      knots.push_back(knots_[i]);
+      for (; next != added.end() && next->first == i; ++next) knots.push_back(next->second);
+    }
+    knots_ = std::move(knots);
+  }
+
+ private:
+  bool is_closed_;
+  std::vector<Knot> knots_;
+  std::vector<SplinePiece> pieces_;
+};
+
+class Repairer {
+ public:
+  Repairer(JudgedSamples& samples, const MovingCurve& curve, double epsilon)
+      : samples_(samples),
+        epsilon_(epsilon),
+        most_(most_samples(samples.positions().size())),
+        is_corner_(corners_of(curve, samples.positions(), epsilon)) {
+    for (const MovingCurve::Chain& chain : curve.chains)
+      if (chain.points.size() >= 2) chains_.emplace_back(chain, samples.positions(), is_corner_);
+  }
+
+  /// The largest epsilon of the edges: of all, or of those away from corners.
+  double largest(bool away_from_corners) const {
+    double out = 0.0;
+    for (const RepairedChain& chain : chains_) {
+      for (std::size_t i = 0; i < chain.edges(); ++i) {
+        if (away_from_corners && ends_at_corner(chain, i)) continue;
+        const auto verdict = samples_.judge(chain.from(i), chain.to(i));
+        out = std::max(out, verdict.is_curve ? verdict.epsilon : kInfinity);
+      }
+    }
+    return out;
+  }
+
+  Expected<void> run(JobControl& job) {
+    const auto too_long = [this](const RepairedChain& chain, std::size_t i) { return is_too_long(chain, i); };
+    const auto doubted = [this](const RepairedChain& chain, std::size_t i) { return is_doubted(chain, i); };
+    int doubts = 0;
+    for (int round = 0; round < kMostRounds; ++round) {
+      job.checkpoint();
+      auto halved = halve(too_long, job);
+      // Dense enough by the estimate; where the theorem's conditions fail all the same, the estimate was too good, or no
+      // sample helps, as beside a corner.
+      if (halved && !*halved && samples_.light() == TheoremLight::yellow && doubts++ < kMostDoubts)
+        halved = halve(doubted, job);
+      if (!halved) return std::unexpected(halved.error());
+      if (!*halved) break;
+    }
+    return {};
+  }
+
+  void report(const MovingCurve& curve, Repair& out) const {
+    const auto positions = samples_.positions();
+    for_each_moving(curve, [&](std::uint32_t before, std::uint32_t at, std::uint32_t after) {
+      if (is_corner_[at])
+        out.corners.push_back({positions[at], 180.0 - turn_at(positions[before], positions[at], positions[after])});
+    });
+    for (const MovingCurve::Chain& chain : curve.chains) {
+      if (chain.closed || chain.points.empty()) continue;
+      for (const std::uint32_t end : {chain.points.front(), chain.points.back()})
+        out.open_ends.push_back(positions[end]);
+    }
+    const bool is_doubtful = samples_.light() == TheoremLight::yellow;
+    for (const RepairedChain& chain : chains_) {
+      for (std::size_t i = 0; i < chain.edges(); ++i) {
+        if (!is_too_long(chain, i) && !(is_doubtful && is_doubted(chain, i))) continue;
+        const Vec2 a = positions[chain.from(i)];
+        const Vec2 b = positions[chain.to(i)];
+        out.left.push_back({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y});
+      }
+    }
+  }
+
+  /// Loops with the new samples, in the order of the chains that were given.
+  std::vector<SampleData::Contour> contours(const std::vector<SampleData::Contour>& given) const {
+    std::vector<SampleData::Contour> out;
+    auto next = chains_.begin();
+    for (const SampleData::Contour& contour : given) {
+      out.push_back(contour);
+      if (contour.points.size() < 2) continue;
+      out.back().points.clear();
+      for (const Knot& knot : (next++)->knots()) out.back().points.push_back(knot.sample);
+    }
+    return out;
+  }
+
+ private:
+  bool is_corner(std::uint32_t sample) const { return sample < is_corner_.size() && is_corner_[sample]; }
+  bool ends_at_corner(const RepairedChain& chain, std::size_t i) const {
+    return is_corner(chain.from(i)) || is_corner(chain.to(i));
+  }
+  // At a corner the ratio stays as it is however short the edge becomes.
+  bool is_too_long(const RepairedChain& chain, std::size_t i) const {
+    const auto verdict = samples_.judge(chain.from(i), chain.to(i));
+    return !verdict.is_curve || (!ends_at_corner(chain, i) && verdict.epsilon > epsilon_);
+  }
+  bool is_doubted(const RepairedChain& chain, std::size_t i) const {
+    return !ends_at_corner(chain, i) && samples_.judge(chain.from(i), chain.to(i)).is_doubted;
+  }
+
+  /// Halves the edges for which `wants(chain, edge)` holds; whether there was one.
+  template <class Wants>
+  Expected<bool> halve(const Wants& wants, JobControl& job) {
+    std::vector<Vec2> places;
+    std::vector<std::vector<std::pair<std::size_t, Knot>>> added(chains_.size());
+    const auto positions = samples_.positions();
+    auto next = static_cast<std::uint32_t>(positions.size());
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      const RepairedChain& chain = chains_[c];
+      for (std::size_t i = 0; i < chain.edges(); ++i) {
+        Knot knot;
+        if (!wants(chain, i) || !chain.middle(i, knot)) continue;
+        const Vec2 place = chain.place_of(knot);
+        if (!is_finite(place) || place == positions[chain.from(i)] || place == positions[chain.to(i)]) continue;
+        knot.sample = next++;
+        places.push_back(place);
+        added[c].emplace_back(i, knot);
+      }
+    }
+    if (places.empty() || positions.size() + places.size() > most_) return false;
+    if (auto good = samples_.insert(places, job); !good) return std::unexpected(good.error());
+    for (std::size_t c = 0; c < chains_.size(); ++c) chains_[c].insert(added[c]);
+    return true;
+  }
+
+  JudgedSamples& samples_;
+  double epsilon_;
+  std::size_t most_;  // samples
+  std::vector<bool> is_corner_;
+  std::vector<RepairedChain> chains_;
+};
+
+std::string epsilon_text(double epsilon) {
+  return std::isfinite(epsilon) ? number_text(epsilon) : "infinite (curve edges are missing)";
+}
+
+std::string place_and_more(Vec2 place, std::size_t count) {
+  return "at " + place_text(place) + (count > 1 ? ", and " + std::to_string(count - 1) + " more" : std::string());
+}
+
+}  // namespace
+
+Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job) {
+  auto samples = JudgedSamples::of(data, job);
+  if (!samples) return std::unexpected(samples.error());
+  const MovingCurve curve = curve_of(data, job);
+  Repairer repairer(*samples, curve, epsilon);
+  Repair out;
+  out.epsilon_before = repairer.largest(false);
+  out.light_before = samples->light();
+  if (auto good = repairer.run(job); !good) return std::unexpected(good.error());
+  out.data = data;
+  out.data.positions.assign(samples->positions().begin(), samples->positions().end());
+  out.data.contours = repairer.contours(data.contours);
+  out.inserted = out.data.positions.size() - data.positions.size();
+  out.epsilon_after = repairer.largest(true);
+  out.light_after = samples->light();
+  repairer.report(curve, out);
+  return out;
+}
+
+std::vector<std::string> Repair::words() const {
+  std::vector<std::string> out;
+  out.push_back(count_text(inserted, "sample", "samples") + " inserted; epsilon " + epsilon_text(epsilon_before) +
+                " before, " + epsilon_text(epsilon_after) + " now" +
+                (corners.empty() ? std::string() : " away from corners") + "; the theorem light is " +
+                std::string(name_of(light_after)));
+  if (!corners.empty()) {
+    const auto sharpest = std::ranges::min_element(corners, {}, &SampledCorner::degrees);
+    out.push_back("no number of samples is dense enough at " + count_text(corners.size(), "corner", "corners") +
+                  ": the sharpest has " + number_text(sharpest->degrees) + " degrees, " +
+                  place_and_more(sharpest->place, corners.size()));
+  }
+  if (!left.empty())
+    out.push_back(count_text(left.size(), "curve edge", "curve edges") + " could not be made short enough, " +
+                  place_and_more(left.front(), left.size()));
+  if (!open_ends.empty())
+    out.push_back("the curve has " + count_text(open_ends.size(), "end", "ends") +
+                  ", beyond which nothing is known, " + place_and_more(open_ends.front(), open_ends.size()));
+  return out;
+}
+
+}  // namespace mes

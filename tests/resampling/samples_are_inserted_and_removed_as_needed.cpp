@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Repair and decimation: what they promise, checked from the samples that come out.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/resampling/decimate.h"
+#include "core/resampling/repair.h"
+#include "core/structures/density/feature_size.h"
+#include "tests/support/shapes.h"
+#include "tests/support/shapes_degenerate.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+std::vector<Vec2> ellipse_points(std::size_t n, double a = 3.0, double b = 1.0) {
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2.0 * std::numbers::pi * (static_cast<double>(i) + 0.3) / static_cast<double>(n);
+    out.push_back({a * std::cos(t), b * std::sin(t)});
+  }
+  return out;
+}
+
+/// Sides of four, `per_side` samples each, from corner to corner.
+std::vector<Vec2> square_points(int per_side) {
+  std::vector<Vec2> out;
+  const Vec2 corner[4]{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < per_side; ++i) {
+      const double u = static_cast<double>(i) / per_side;
+      out.push_back((1.0 - u) * corner[side] + u * corner[(side + 1) % 4]);
+    }
+  return out;
+}
+
+SampleData loop_of(std::vector<Vec2> positions) {
+  SampleData out{.positions = std::move(positions)};
+  SampleData::Contour& contour = out.contours.emplace_back();
+  for (std::uint32_t i = 0; i < out.positions.size(); ++i) contour.points.push_back(i);
+  return out;
+}
+
+Repair repaired(const SampleData& data, double epsilon = kDenseEpsilon) {
+  JobControl job;
+  auto out = repair(data, epsilon, job);
+  REQUIRE(out.has_value());
+  // Samples stay, new ones follow.
+  REQUIRE(out->data.positions.size() == data.positions.size() + out->inserted);
+  REQUIRE(std::equal(data.positions.begin(), data.positions.end(), out->data.positions.begin()));
+  return *std::move(out);
+}
+
+Decimation decimated(const SampleData& data, double epsilon) {
+  JobControl job;
+  auto out = decimate(data, epsilon, job);
+  REQUIRE(out.has_value());
+  REQUIRE(std::ranges::is_sorted(out->removed));
+  REQUIRE(out->removed.size() + out->data.positions.size() == data.positions.size());
+  return *std::move(out);
+}
+
+/// The largest epsilon of the crust edges, from the layer that draws it.
+double epsilon_drawn(const std::vector<Vec2>& positions) {
+  Workbench bench;
+  bench.show({"sampling-epsilon"});
+  bench.replace(positions);
+  double out = 0.0;
+  const auto values = bench.instances("sampling-epsilon", PrimitiveKind::segment);
+  for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
+    out = std::max(out, values[at + 4]);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a curve with too few samples is repaired to green, near the curve they came from") {
+  for (const std::size_t n : {12U, 16U, 24U, 40U}) {
+    for (const double a : {2.0, 3.0}) {
+      INFO(n << " samples, a " << a);
+      const SampleData data{.positions = ellipse_points(n, a)};
+      const Repair repair = repaired(loop_of(data.positions));
+      CHECK(repair.light_after == TheoremLight::green);
+      CHECK(repair.corners.empty());
+      CHECK(repair.left.empty());
+      CHECK(repair.open_ends.empty());
+      CHECK(repair.epsilon_after <= kDenseEpsilon);
+      if (n < 24) CHECK(repair.inserted > 0);
+      CHECK(epsilon_drawn(repair.data.positions) == repair.epsilon_after);
+      // The spline is near the ellipse, and nearer where there are more samples.
+      double far = 0.0;
+      for (const Vec2 p : repair.data.positions) far = std::max(far, std::abs(std::hypot(p.x / a, p.y) - 1.0));
+      CHECK(far < 12.0 / static_cast<double>(n * n));
+      // The loop holds each sample once, in the order of the angle.
+      REQUIRE(repair.data.contours.size() == 1);
+      const auto& loop = repair.data.contours.front().points;
+      CHECK(std::set(loop.begin(), loop.end()).size() == repair.data.positions.size());
+      std::size_t steps_back = 0;
+      const auto angle = [&](std::uint32_t sample) {
+        return std::atan2(repair.data.positions[sample].y, repair.data.positions[sample].x / a);
+      };
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        steps_back += angle(loop[(i + 1) % loop.size()]) < angle(loop[i]) ? 1U : 0U;
+      CHECK(steps_back == 1);
+    }
+  }
+}
+
+TEST_CASE("what is dense enough is left alone, and repaired samples need no second repair") {
+  const Repair dense = repaired({.positions = ellipse_points(400, 2.0)});
+  CHECK(dense.inserted == 0);
+  CHECK(dense.light_after == TheoremLight::green);
+  CHECK(dense.epsilon_before == dense.epsilon_after);
+  const Repair once = repaired(loop_of(ellipse_points(16)));
+  CHECK(repaired(once.data).inserted == 0);
+}
+
+TEST_CASE("a corner cannot be repaired, and its angle is said") {
+  for (const int per_side : {6, 12}) {
+    INFO(per_side << " samples a side");
+    const Repair square = repaired(loop_of(square_points(per_side)));
+    REQUIRE(square.corners.size() == 4);
+    for (const SampledCorner& corner : square.corners) CHECK(corner.degrees == Approx(90.0));
+    CHECK(square.epsilon_after <= kDenseEpsilon);
+    CHECK(square.left.empty());
+    // New samples are on the sides.
+    for (const Vec2 p : square.data.positions)
+      CHECK(std::min(std::min(std::abs(p.x), std::abs(p.x - 4)), std::min(std::abs(p.y), std::abs(p.y - 4))) < 1e-12);
+    const std::string all = [&] {
+      std::string out;
+      for (const std::string& sentence : square.words()) out += sentence + '\n';
+      return out;
+    }();
+    CHECK_THAT(all, Catch::Contains("4 corners") && Catch::Contains("90 degrees"));
+  }
+}
+
+TEST_CASE("open ends are reported, and inputs without a curve are left alone") {
+  std::vector<Vec2> stroke;
+  for (int i = 0; i < 20; ++i) stroke.push_back({0.1 * i, 0.02 * i * i / 20.0});
+  const Repair open = repaired({.positions = stroke});
+  CHECK(open.open_ends.size() == 2);
+  for (const std::vector<Vec2>& input :
+       {std::vector<Vec2>{}, {{1, 2}}, {{1, 2}, {3, 4}}, {{0, 0}, {1, 1}, {2, 2}}, {{1, 1}, {1, 1}, {1, 1}}}) {
+    CHECK(std::isfinite(repaired({.positions = input}).epsilon_after));
+    CHECK(decimated({.positions = input}, 0.25).removed.empty());
+  }
+  for (const DegenerateInput& input : degenerate_inputs()) {
+    INFO(input.name);
+    const Repair repair = repaired({.positions = input.positions});
+    for (const Vec2 p : repair.data.positions) REQUIRE(is_finite(p));
+    decimated({.positions = input.positions}, 0.25);
+  }
+}
+
+TEST_CASE("decimation keeps the curve, the topology of the axis and the epsilon") {
+  std::vector<std::vector<Vec2>> inputs{ellipse_points(600, 2.0), ellipse_points(600, 3.0)};
+  for (const TestShape& shape : oracle_shapes(0.1, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    for (const double epsilon : {0.15, 0.25}) {
+      INFO("input " << k << " epsilon " << epsilon);
+      const SampleData data{.positions = inputs[k]};
+      Workbench before;
+      before.show({"medial-axis", "feature-size", "curve"});
+      before.replace(inputs[k]);
+      const Decimation rest = decimated(data, epsilon);
+      Workbench after;
+      after.show({"medial-axis", "sampling-epsilon", "curve"});
+      after.replace(rest.data.positions);
+      for (const char* key : {"components", "cycles"})
+        CHECK(after.count("medial-axis", key) == before.count("medial-axis", key));
+      CHECK(after.count("one-step-crust", "crust_edges") == static_cast<std::int64_t>(rest.data.positions.size()));
+      CHECK(rest.light_after <= std::max(rest.light_before, TheoremLight::green));
+      CHECK(epsilon_drawn(rest.data.positions) == rest.epsilon_after);
+      CHECK(rest.epsilon_after <= std::max(epsilon, rest.epsilon_before));
+      // Neighbours that were none before are near by the sizes of all samples.
+      std::set<std::pair<double, double>> left;
+      for (const Vec2 p : rest.data.positions) left.insert({p.x, p.y});
+      for (const Vec2 p : inputs[k])
+        if (left.contains({p.x, p.y})) left.erase({p.x, p.y});
+      CHECK(left.empty());
+      if (k < 2) CHECK(rest.removed.size() > inputs[k].size() / 2);
+    }
+  }
+}
+
+TEST_CASE("what is decimated and then repaired to the same epsilon gets nothing back, and corners stay") {
+  const Decimation rest = decimated(loop_of(ellipse_points(500, 2.0)), 0.2);
+  CHECK(rest.removed.size() > 200);
+  REQUIRE(rest.data.contours.size() == 1);
+  CHECK(rest.data.contours.front().points.size() == rest.data.positions.size());
+  CHECK(repaired(rest.data, 0.2).inserted == 0);
+  const std::vector<Vec2> square = square_points(50);
+  const Decimation thin = decimated(loop_of(square), 0.25);
+  for (const Vec2 corner : {Vec2{0, 0}, Vec2{4, 0}, Vec2{4, 4}, Vec2{0, 4}})
+    CHECK(std::ranges::count(thin.data.positions, corner) == 1);
+  CHECK(thin.removed.size() > 40);
+}
+
+TEST_CASE("repair and decimation of an input in another unit are those of the input") {
+  for (const double scale : {0x1p-40, 0x1p30}) {
+    std::vector<Vec2> scaled = ellipse_points(20);
+    for (Vec2& p : scaled) p = scale * p;
+    const Repair one = repaired(loop_of(ellipse_points(20)));
+    const Repair other = repaired(loop_of(scaled));
+    REQUIRE(one.data.positions.size() == other.data.positions.size());
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < one.data.positions.size(); ++i)
+      differ += scale * one.data.positions[i] != other.data.positions[i] ? 1U : 0U;
+    CHECK(differ == 0);
+    std::vector<Vec2> dense = ellipse_points(200, 2.0);
+    const Decimation first = decimated({.positions = dense}, 0.25);
+    for (Vec2& p : dense) p = scale * p;
+    CHECK(decimated({.positions = dense}, 0.25).removed == first.removed);
+  }
+}
