@@ -19,7 +19,17 @@
 namespace mes {
 
 /// What the lower right panel shows.
-enum class DetailsPage : std::uint8_t { none, statistics, parameters, log, lesson, selection, curves };
+enum class DetailsPage : std::uint8_t {
+  none,
+  statistics,
+  parameters,
+  log,
+  lesson,
+  selection,
+  curves,
+  branches,
+  sampling
+};
 
 enum class Theme : std::uint8_t { light, dark };
 

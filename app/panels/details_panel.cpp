@@ -14,11 +14,13 @@ struct Page {
   const char* title;
   ActionId toggle;
 };
-constexpr std::array<Page, 6> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
+constexpr std::array<Page, 8> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
                                       {DetailsPage::parameters, "Parameters", ActionId::toggle_parameters},
                                       {DetailsPage::log, "Log", ActionId::toggle_log},
                                       {DetailsPage::selection, "Selection", ActionId::toggle_selection},
                                       {DetailsPage::curves, "Curves", ActionId::toggle_curves},
+                                      {DetailsPage::sampling, "Sampling", ActionId::toggle_sampling},
+                                      {DetailsPage::branches, "Branches", ActionId::toggle_branches},
                                       {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson}}};
 
 }  // namespace
@@ -49,6 +51,8 @@ void DetailsPanel::draw(const PanelArea& area) {
       case DetailsPage::lesson: lesson_.draw(); break;
       case DetailsPage::selection: selection_.draw(); break;
       case DetailsPage::curves: curves_.draw(); break;
+      case DetailsPage::branches: branches_.draw(); break;
+      case DetailsPage::sampling: sampling_.draw(); break;
       case DetailsPage::none: break;
     }
   }

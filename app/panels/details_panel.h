@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection, curves.
+// The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection, curves, sampling,
+// branches.
 #pragma once
 
 #include "app/actions/action_bindings.h"
 #include "app/model/settings.h"
+#include "app/panels/branches_panel.h"
 #include "app/panels/curves_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
+#include "app/panels/sampling_panel.h"
 #include "app/panels/selection_panel.h"
 #include "app/panels/statistics_panel.h"
 #include "app/ui/widgets.h"
@@ -19,7 +22,7 @@ class DetailsPanel {
   /// Which page is shown is in `shown`.
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
                ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection,
-               CurvesPanel curves)
+               CurvesPanel curves, BranchesPanel branches, const SamplingPanel& sampling)
       : gui_(gui),
         actions_(actions),
         shown_(shown),
@@ -28,7 +31,9 @@ class DetailsPanel {
         log_(log),
         lesson_(std::move(lesson)),
         selection_(std::move(selection)),
-        curves_(std::move(curves)) {}
+        curves_(std::move(curves)),
+        branches_(std::move(branches)),
+        sampling_(sampling) {}
 
   void draw(const PanelArea& area);
   /// Lists the parameters of this name.
@@ -44,6 +49,8 @@ class DetailsPanel {
   LessonPanel lesson_;
   SelectionPanel selection_;
   CurvesPanel curves_;
+  BranchesPanel branches_;
+  SamplingPanel sampling_;
 };
 
 }  // namespace mes

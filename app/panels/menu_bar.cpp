@@ -97,6 +97,8 @@ void edit_menu(const MenuBar& menu) {
   if (ImGui::BeginMenu("Along the curve")) {
     for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
       action_item(menu, id);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::repair_sampling, ActionId::decimate_sampling}) action_item(menu, id);
     ImGui::EndMenu();
   }
   ImGui::Separator();
@@ -146,9 +148,14 @@ void view_menu(const MenuBar& menu) {
        {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
     action_item(menu, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters,
-                            ActionId::toggle_log, ActionId::toggle_panels})
+  for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters})
     action_item(menu, id);
+  if (ImGui::BeginMenu("More panels")) {
+    for (const ActionId id : {ActionId::toggle_branches, ActionId::toggle_sampling, ActionId::toggle_log})
+      action_item(menu, id);
+    ImGui::EndMenu();
+  }
+  action_item(menu, ActionId::toggle_panels);
   // Rows in menus of their own, because at twice the size no other row of this one fits a screen of 800 pixels.
   if (ImGui::BeginMenu("Legend and scale")) {
     for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_key, ActionId::toggle_scale_bar,

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 
 #include "app/model/changed_parameters.h"
 #include "app/model/parameter_words.h"
@@ -11,7 +12,9 @@
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/base/color.h"
 #include "core/base/lower_case.h"
+#include "core/draw/layer_descriptor.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -109,6 +112,47 @@ void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& 
   tooltip(gui_, explanation(descriptor));
 }
 
+void ParametersPanel::draw_scale_events(double& factor) {
+  const float unit = gui_.unit();
+  const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
+    return layer_descriptors()[layer].group == LayerGroup::scale_axis;
+  });
+  if (!is_shown) return scale_events_.rest();
+  const Document& document = editor_.document();
+  scale_events_.follow(document.revision(), computation_.settings(), [&document] { return data_of(document); });
+  const std::vector<ScaleEvent>* const events = scale_events_.events();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), 12 * unit};
+  const bool is_clicked = ImGui::InvisibleButton("events", size);
+  const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
+  const auto x_of = [&](double value) {
+    return at.x + size.x * static_cast<float>((value - range.low) / (range.high - range.low));
+  };
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
+  std::string words = events == nullptr ? "Looking for factors at which components merge or holes close"
+                      : events->empty() ? "No components merge and no holes close up to the factor 3"
+                                        : "Factors at which components merge or holes close; a click goes there";
+  if (events != nullptr) {
+    const float mouse = ImGui::GetIO().MousePos.x;
+    const ScaleEvent* nearest = nullptr;
+    for (const ScaleEvent& event : *events) {
+      const float x = x_of(event.factor);
+      const bool merges = event.components_before != event.components_after;
+      list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(merges ? palette::green : palette::purple), 2 * unit);
+      if (std::abs(x - mouse) <= 4 * unit &&
+          (!nearest || std::abs(x - mouse) < std::abs(x_of(nearest->factor) - mouse)))
+        nearest = &event;
+    }
+    if (nearest != nullptr && ImGui::IsItemHovered())
+      words = fmt::format("{:.4g}: {}", nearest->factor, nearest->words());
+    if (nearest != nullptr && is_clicked) factor = nearest->factor;
+  }
+  const float now = x_of(factor);
+  list.AddTriangleFilled({now - 4 * unit, at.y}, {now + 4 * unit, at.y}, {now, at.y + 6 * unit}, gui_.colors().text);
+  tooltip(gui_, words);
+}
+
 void ParametersPanel::draw_parameter(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
   const float unit = gui_.unit();
@@ -142,6 +186,7 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   tooltip(gui_, "Back to the default");
   draw_animation(parameter);
   if (!is_switch(descriptor)) draw_value(descriptor, value);
+  if (parameter == Parameter::scale_axis_factor) draw_scale_events(value);
   ImGui::PopID();
   if (settings != computation_.settings()) {
     if (runs) computation_.animation().stop();

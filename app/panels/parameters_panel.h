@@ -5,6 +5,9 @@
 #include <string>
 
 #include "app/model/computation_control.h"
+#include "app/model/editor.h"
+#include "app/model/layer_stack.h"
+#include "app/model/scale_events.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 
@@ -12,8 +15,14 @@ namespace mes {
 
 class ParametersPanel {
  public:
-  ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture)
-      : gui_(gui), computation_(computation), picture_(picture) {}
+  ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture, const Editor& editor,
+                  const LayerStack& layers, ScaleEvents& events)
+      : gui_(gui),
+        computation_(computation),
+        picture_(picture),
+        editor_(editor),
+        layers_(layers),
+        scale_events_(events) {}
 
   void draw();
   void search(const std::string& text) { search_ = text; }
@@ -22,12 +31,17 @@ class ParametersPanel {
   void draw_parameter(Parameter parameter);
   void draw_value(const ParameterDescriptor& descriptor, double& value) const;
   void draw_animation(Parameter parameter);
+  /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.
+  void draw_scale_events(double& factor);
   /// A length that no radius of what is drawn exceeds by much.
   double longest() const;
 
   const Gui& gui_;
   ComputationControl& computation_;
   const Picture& picture_;
+  const Editor& editor_;
+  const LayerStack& layers_;
+  ScaleEvents& scale_events_;
   std::string search_;
 };
 

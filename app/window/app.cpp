@@ -101,7 +101,8 @@ double App::next_wait() const {
   const FileDesk& files = documents_.files();
   const bool is_busy =
       work_.engine().status().busy || work_.evolution().is_waiting() || work_.curve_selector().is_under_way() ||
-      work_.curve_sampler().is_busy() || files.is_reading() || files.is_saving() || board_.traced().is_reading() ||
+      work_.curve_sampler().is_busy() || work_.branches().is_under_way() || work_.resampling().is_under_way() ||
+      work_.scale_events().is_under_way() || files.is_reading() || files.is_saving() || board_.traced().is_reading() ||
       documents_.figures().is_busy() || documents_.tracing().is_busy() || screen_.gui.is_about_to_rest() || recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
                             work_.evolution().next_due(now), panels_.presenter().next_due(now)},
@@ -155,6 +156,7 @@ void App::turn() {
   board_.take_results();
   work_.follow_selection();
   work_.follow_curves(ImGui::IsAnyItemActive());
+  work_.follow_resampling();
   work_.follow_evolution(board_.picture().document_revision(), ImGui::GetTime());
   const bool was_about_to_rest = screen_.gui.is_about_to_rest();
   frame();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/store/own_font.h"
+#include "core/io/atomic_file.h"
 #include "core/io/carried_session.h"
 #include "core/io/format.h"
 #include "core/raster/picture_decoder.h"
@@ -134,6 +135,19 @@ void DocumentFlow::ask_export(std::optional<std::size_t> bundle) {
                                    uses_.work.export_bundles(file, bundle);
                                  }),
                                  {.heading = bundle ? "Export the bundle" : "Export all bundles"});
+}
+
+void DocumentFlow::ask_table(const std::string& of, std::string csv) {
+  std::string name = fs::path(files_.title()).stem().string() + '-' + of;
+  std::ranges::replace(name, '/', '-');
+  uses_.dialogs.browser.ask_save(browse_folder(), name + ".csv",
+                                 remembering([this, csv = std::move(csv)](const fs::path& file) {
+                                   if (auto written = write_file_atomically(file, csv); !written)
+                                     uses_.messages.problem(written.error().message());
+                                   else
+                                     uses_.messages.remark("Exported " + file.string());
+                                 }),
+                                 {.heading = "Export the table as CSV", .extensions = {".csv"}});
 }
 
 fs::path DocumentFlow::browse_folder() const {

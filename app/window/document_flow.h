@@ -66,6 +66,8 @@ class DocumentFlow {
   void open_lesson(const ShippedLesson& lesson);
   /// Asks for a file for one bundle, or all.
   void ask_export(std::optional<std::size_t> bundle);
+  /// Asks for a file for a table, whose name says what it is of.
+  void ask_table(const std::string& of, std::string csv);
 
   /// Once a turn, before the frame: what was read or saved meanwhile.
   void take_results();

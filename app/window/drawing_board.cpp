@@ -26,6 +26,9 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     [this](const Error& error) { messages_.problem(error.message()); },
                     [this](const Pointer& pointer) {
                       provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
+                      constexpr double kReach = 7.0;
+                      if (settings_.details == DetailsPage::branches)
+                        work_.branches().pick(pointer.world, kReach * pointer.units_per_px);
                     },
                     [this](Vec2 px) {
                       constexpr double kReach = 6.0;

@@ -60,12 +60,18 @@ Panels::Panels(const Uses& uses)
                       [&flow = uses.documents](std::size_t bundle) { flow.ask_export(bundle); }}),
       layers_panel_(uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(),
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
-      details_panel_(uses.screen.gui, uses.actions, uses.settings.details,
-                     {uses.screen.gui, uses.board.picture(), uses.screen.times},
-                     {uses.screen.gui, uses.work.computation(), uses.board.picture()},
-                     {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
-                     {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
-                     {uses.screen.gui, uses.actions, uses.work.curve_sampler()}) {
+      details_panel_(
+          uses.screen.gui, uses.actions, uses.settings.details,
+          {uses.screen.gui, uses.board.picture(), uses.screen.times},
+          {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
+           uses.work.scale_events()},
+          {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
+          {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
+          BranchesPanel({uses.screen.gui, uses.work.branches(), uses.board.canvas(), uses.work.editor(),
+                         uses.work.computation(),
+                         [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
+          SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
+                         uses.work.document(), uses.board.picture()})) {
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });
@@ -144,6 +150,8 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_page(ActionId::toggle_log, DetailsPage::log);
   bind_page(ActionId::toggle_selection, DetailsPage::selection);
   bind_page(ActionId::toggle_curves, DetailsPage::curves);
+  bind_page(ActionId::toggle_branches, DetailsPage::branches);
+  bind_page(ActionId::toggle_sampling, DetailsPage::sampling);
   bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
   actions.bind(ActionId::save_bundle, {[this, &settings] {
                  are_shown_ = true;
@@ -203,6 +211,8 @@ void Panels::bind_look(ActionBindings& actions) {
 
 Panels::Room Panels::draw() {
   follow_lesson();
+  if (!are_shown_ || uses_.settings.details != DetailsPage::branches) uses_.work.branches().rest();
+  if (!are_shown_ || uses_.settings.details != DetailsPage::parameters) uses_.work.scale_events().rest();
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_lesson(sides);
   draw_over(sides);

@@ -19,6 +19,9 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }, &layers_),
       curve_selector_(editor_, wake),
       curve_sampler_(editor_, wake),
+      branches_(wake),
+      resampling_(editor_, wake),
+      scale_events_(wake),
       evolution_(editor_,
                  {[this](Parameter parameter) { return computation_.settings()[parameter]; },
                   [this](Parameter parameter, double value) { computation_.set(parameter, value); }},
@@ -29,6 +32,17 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
 
 void Workspace::report(const Expected<void>& done) {
   if (!done) messages_.problem(done.error().message());
+}
+
+void Workspace::follow_resampling() {
+  const auto report = resampling_.follow();
+  if (!report) return;
+  std::string text;
+  for (const std::string& sentence : report->sentences) text += (text.empty() ? "" : ". ") + sentence;
+  if (report->is_problem)
+    messages_.problem(text);
+  else
+    messages_.remark(text);
 }
 
 void Workspace::leave_document() {

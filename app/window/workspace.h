@@ -10,6 +10,7 @@
 #include "app/export/comparison.h"
 #include "app/model/annotation_desk.h"
 #include "app/model/ball_families.h"
+#include "app/model/branch_desk.h"
 #include "app/model/computation_control.h"
 #include "app/model/curve_sampler.h"
 #include "app/model/curve_selector.h"
@@ -20,6 +21,8 @@
 #include "app/model/layer_stack.h"
 #include "app/model/messages.h"
 #include "app/model/pane_list.h"
+#include "app/model/resample_desk.h"
+#include "app/model/scale_events.h"
 #include "app/model/selection_desk.h"
 #include "app/model/settings.h"
 #include "app/store/bundle_desk.h"
@@ -49,6 +52,12 @@ class Workspace {
   AnnotationDesk& annotations() { return annotations_; }
   const AnnotationDesk& annotations() const { return annotations_; }
   SelectionDesk& selection_desk() { return selection_desk_; }
+  ScaleEvents& scale_events() { return scale_events_; }
+  const ScaleEvents& scale_events() const { return scale_events_; }
+  ResampleDesk& resampling() { return resampling_; }
+  const ResampleDesk& resampling() const { return resampling_; }
+  BranchDesk& branches() { return branches_; }
+  const BranchDesk& branches() const { return branches_; }
   const CurveSelector& curve_selector() const { return curve_selector_; }
   CurveSampler& curve_sampler() { return curve_sampler_; }
   const CurveSampler& curve_sampler() const { return curve_sampler_; }
@@ -91,6 +100,8 @@ class Workspace {
   void follow_selection() { report(curve_selector_.follow()); }
   /// The same of samples of curves. `is_held`: a control of the panels is held.
   void follow_curves(bool is_held) { report(curve_sampler_.follow(is_held)); }
+  /// Once a turn: inserts or removes the samples that were found.
+  void follow_resampling();
   /// Once a turn: shows the state of the evolution that is ready.
   void follow_evolution(std::uint64_t shown_document, double now);
   /// Once a frame: asks the engine for what is visible. True when that has changed.
@@ -124,6 +135,9 @@ class Workspace {
   SelectionDesk selection_desk_{editor_};
   CurveSelector curve_selector_;
   CurveSampler curve_sampler_;
+  BranchDesk branches_;
+  ResampleDesk resampling_;
+  ScaleEvents scale_events_;
   EvolutionPlayer evolution_;
   PaneList panes_;
   PaneDocuments pane_documents_;

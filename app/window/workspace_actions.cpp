@@ -48,6 +48,12 @@ void Workspace::bind_editing(ActionBindings& actions) {
   bind_along_curve(ActionId::select_curve, CurveSelector::Wish::whole);
   bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
   bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);
+  const auto bind_resampling = [&](ActionId id, ResampleDesk::Wish wish) {
+    actions.bind(id, {[this, wish] { resampling_.begin(wish); },
+                      [this] { return document().sample_count() != 0 && !resampling_.is_under_way(); }});
+  };
+  bind_resampling(ActionId::repair_sampling, ResampleDesk::Wish::repair);
+  bind_resampling(ActionId::decimate_sampling, ResampleDesk::Wish::decimate);
   actions.bind(ActionId::delete_selection,
                {[this] {
                   if (annotations_.current() != nullptr) {

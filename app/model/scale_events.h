@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Factors at which the union of grown balls of the scale axis changes its topology.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/system/background_job.h"
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/document/commands.h"
+#include "core/document/computation_settings.h"
+
+namespace mes {
+
+/// The topology just below and just above.
+struct ScaleEvent {
+  double factor = 1.0;  ///< to a thousandth
+  std::int64_t components_before = 0, components_after = 0;
+  std::int64_t holes_before = 0, holes_after = 0;
+  friend bool operator==(const ScaleEvent&, const ScaleEvent&) = default;
+
+  /// "components 2 to 1, holes 0 to 1".
+  std::string words() const;
+};
+
+/// Found by halving intervals of the factor between 1 and 3 at whose ends the union differs, from 32 equal ones on; so
+/// what happens and is undone within one of these is not seen, and events nearer than a thousandth are one. Throws
+/// `Cancelled`. Error: a structure failed. Cost: the grown union for each end, a few dozen to a few hundred times.
+Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
+                                                  JobControl& job);
+
+/// Events of the document, found on a thread of their own while they are looked at. Threads: the window's; `wake` is
+/// called from the other.
+class ScaleEvents {
+ public:
+  explicit ScaleEvents(std::function<void()> wake) : job_(std::move(wake)) {}
+
+  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
+  void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
+  /// They are not looked at any more.
+  void rest() { job_.give_up(); }
+  bool is_under_way() const { return job_.is_under_way(); }
+  /// Of the state followed last; null while they are not known.
+  const std::vector<ScaleEvent>* events() const {
+    return found_ && found_->state == wanted_ ? &found_->events : nullptr;
+  }
+
+ private:
+  struct State {
+    std::uint64_t document = 0;
+    ComputationSettings settings{};
+    friend bool operator==(const State&, const State&) = default;
+  };
+  struct Found {
+    State state;
+    std::vector<ScaleEvent> events;
+  };
+  BackgroundJob<Found> job_;
+  State wanted_;
+  State begun_;
+  std::optional<Found> found_;
+};
+
+}  // namespace mes

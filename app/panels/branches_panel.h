@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The branches of the axis as a table, and histograms of radius and lambda with the limit to be dragged.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/canvas/canvas.h"
+#include "app/model/branch_desk.h"
+#include "app/model/computation_control.h"
+#include "app/model/editor.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+/// What it guarantees: a row and a branch on the canvas are chosen together. While a table is not that of what is shown it
+/// is dimmed and says so, and nothing of it is drawn over the picture. Threads: the window's.
+class BranchesPanel {
+ public:
+  struct Uses {
+    const Gui& gui;
+    BranchDesk& desk;
+    Canvas& canvas;
+    const Editor& editor;
+    ComputationControl& computation;
+    std::function<void(std::string)> export_csv{};  ///< asks for a file for the text
+  };
+  explicit BranchesPanel(Uses uses) : uses_(std::move(uses)) {}
+
+  void draw();
+
+ private:
+  void draw_choices();
+  void draw_histogram();
+  void draw_table();
+  void draw_row(std::size_t row);
+  void draw_branch(std::size_t row, bool is_chosen) const;
+  void refresh_rows();
+
+  Uses uses_;
+  BranchAxis axis_ = BranchAxis::lambda;
+  bool shows_lambda_ = true;
+  std::string filter_text_;
+  BranchFilter filter_;
+  std::string filter_problem_;
+  BranchColumn sorted_by_ = BranchColumn::length;
+  bool is_descending_ = true;
+  const BranchTable* rows_of_ = nullptr;  // whose rows those below are
+  std::vector<std::size_t> rows_;
+  std::optional<std::size_t> shown_chosen_;  // it was scrolled to
+  std::optional<std::size_t> pointed_at_;
+  const BranchTable* histogram_table_ = nullptr;
+  bool histogram_is_of_lambda_ = false;
+  ShareHistogram histogram_;
+};
+
+}  // namespace mes

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is the sample dense enough: what speaks against it and where, and samples inserted or taken away until it is.
+#pragma once
+
+#include "app/actions/action_bindings.h"
+#include "app/canvas/canvas.h"
+#include "app/model/resample_desk.h"
+#include "app/picture/picture.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+/// Every place is a button that shows it. Threads: the window's.
+class SamplingPanel {
+ public:
+  struct Uses {
+    const Gui& gui;
+    const ActionBindings& actions;
+    ResampleDesk& desk;
+    Canvas& canvas;
+    const Document& document;
+    const Picture& picture;
+  };
+  explicit SamplingPanel(const Uses& uses) : uses_(uses) {}
+
+  void draw();
+
+ private:
+  void draw_wishes();
+  void draw_findings();
+  void draw_report();
+  /// Buttons in lines, as many as there is room for.
+  void draw_places(std::span<const Vec2> places, std::int64_t count);
+
+  Uses uses_;
+};
+
+}  // namespace mes

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "app/model/branch_desk.h"
+#include "app/model/branch_table.h"
+#include "app/model/editor.h"
+#include "app/model/resample_desk.h"
+#include "app/model/scale_events.h"
+#include "tests/support/shapes.h"
+
+using namespace mes;
+
+namespace {
+
+BranchTable table_of(const SampleData& data, BranchAxis axis = BranchAxis::whole, double lambda = 0.0) {
+  ComputationSettings settings;
+  settings[Parameter::lambda_limit] = lambda;
+  JobControl job;
+  auto out = branch_table_of(data, settings, axis, job);
+  REQUIRE(out.has_value());
+  return *std::move(out);
+}
+
+SampleData rectangle() {
+  return {.positions = test::rounded_rectangle(3.0, 2.0, 0.5, 0.05, {0.3, 0.0, 1}).data.positions};
+}
+
+/// Follows until the table is that of the state; the job's thread wakes nobody here.
+void wait_for(BranchDesk& desk, const BranchDesk::State& state, const SampleData& data) {
+  while (!desk.is_current() || desk.state() != state) desk.follow(state, [&] { return data; });
+}
+
+}  // namespace
+
+TEST_CASE("lines of branches are as long as the branches, and end where they do") {
+  const BranchTable table = table_of(rectangle());
+  REQUIRE(table.branches.size() == table.lines.size());
+  REQUIRE(table.branches.size() > 5);
+  double sum = 0.0;
+  for (std::size_t row = 0; row < table.branches.size(); ++row) {
+    const std::vector<Vec2>& line = table.lines[row];
+    CHECK(line.size() == table.branches[row].edges.size() + 1);
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+    CHECK(length == Approx(table.branches[row].length).margin(1e-9));
+    CHECK(distance(line.front(), table.branches[row].from.place) < 1e-9);
+    CHECK(distance(line.back(), table.branches[row].to.place) < 1e-9);
+    sum += table.branches[row].length;
+  }
+  CHECK(sum == Approx(table.length));
+  // The histogram is of the whole axis, whatever the limit leaves.
+  const BranchTable pruned = table_of(rectangle(), BranchAxis::lambda, 0.3);
+  CHECK(pruned.branches.size() < table.branches.size());
+  for (const std::vector<AxisShare>* shares : {&pruned.radii, &pruned.lambdas}) {
+    double all = 0.0;
+    for (const AxisShare& share : *shares) all += share.length;
+    CHECK(all == Approx(table.length));
+    const ShareHistogram histogram = histogram_of(*shares, 40);
+    double binned = 0.0;
+    for (const double length : histogram.lengths) binned += length;
+    CHECK(binned == Approx(all));
+    CHECK(histogram.lengths.back() > 0.0);
+  }
+  CHECK(histogram_of({}, 40).lengths.empty());
+  CHECK(table_of({.positions = {{0, 0}, {1, 1}}}).branches.empty());
+  CHECK(!table_of({.positions = {{0, 0}, {1, 1}}}).reason.empty());
+}
+
+TEST_CASE("rows are sorted by any column, and filtered by conditions") {
+  const BranchTable table = table_of(rectangle());
+  for (std::size_t i = 0; i < kBranchColumns; ++i) {
+    const auto column = static_cast<BranchColumn>(i);
+    for (const bool is_descending : {false, true}) {
+      const auto rows = rows_of(table, {}, column, is_descending);
+      REQUIRE(rows.size() == table.branches.size());
+      for (std::size_t k = 1; k < rows.size(); ++k) {
+        const double a = number_in(table.branches[rows[k - 1]], rows[k - 1], column);
+        const double b = number_in(table.branches[rows[k]], rows[k], column);
+        REQUIRE((is_descending ? b <= a : a <= b));
+        if (a == b) REQUIRE(rows[k - 1] < rows[k]);
+      }
+    }
+  }
+  const auto count = [&](std::string_view text) {
+    const auto filter = BranchFilter::parse(text);
+    INFO(text);
+    REQUIRE(filter.has_value());
+    return rows_of(table, *filter, BranchColumn::number, false).size();
+  };
+  const std::size_t all = table.branches.size();
+  CHECK(count("") == all);
+  CHECK(count("length>=0") == all);
+  CHECK(count("length>1 length<=1") == 0);
+  CHECK(count("length>1") + count("length<=1") == all);
+  CHECK(count("radius>1.2, angle<60") <= count("radius>1.2"));
+  // Only the core joins two junctions.
+  std::size_t with_leaf = 0;
+  for (const AxisBranch& branch : table.branches)
+    with_leaf += branch.from.kind == BranchEndKind::leaf || branch.to.kind == BranchEndKind::leaf ? 1U : 0U;
+  CHECK(count("leaf") == with_leaf);
+  CHECK(count("none") == 0);
+  for (const char* wrong : {"length", "size>1", "length>", "length>x", "length=1", "twig", "length>nan"}) {
+    INFO(wrong);
+    CHECK_FALSE(BranchFilter::parse(wrong));
+  }
+}
+
+TEST_CASE("the branch at a place is the one whose line is nearest there") {
+  const BranchTable table = table_of(rectangle(), BranchAxis::lambda, 0.3);
+  for (std::size_t row = 0; row < table.branches.size(); ++row) {
+    const std::vector<Vec2>& line = table.lines[row];
+    if (table.branches[row].length < 0.1) continue;
+    const Vec2 middle = 0.5 * (line[line.size() / 2] + line[line.size() / 2 - 1]);
+    CHECK(branch_near(table, middle, 1e-6) == row);
+  }
+  CHECK(branch_near(table, {100, 100}, 1.0) == table.branches.size());
+}
+
+TEST_CASE("the desk has the table of the state asked for last, and keeps what is chosen where it is still there") {
+  BranchDesk desk({});
+  const SampleData data = rectangle();
+  ComputationSettings settings;
+  settings[Parameter::lambda_limit] = 0.3;
+  const BranchDesk::State first{1, settings, BranchAxis::lambda};
+  CHECK_FALSE(desk.is_current());
+  CHECK_FALSE(desk.pick({0, 0}, 1.0));
+  wait_for(desk, first, data);
+  REQUIRE(desk.table() != nullptr);
+  desk.choose(0);
+  const AxisBranch longest = desk.table()->branches[0];
+  desk.follow({1, settings, BranchAxis::angle}, [&] { return data; });
+  CHECK_FALSE(desk.is_current());
+  wait_for(desk, {2, settings, BranchAxis::lambda}, data);
+  REQUIRE(desk.chosen());
+  CHECK(desk.table()->branches[*desk.chosen()].from.place == longest.from.place);
+  CHECK(desk.pick({1000, 1000}, 1.0));
+  CHECK_FALSE(desk.chosen());
+  CHECK(desk.pick(desk.table()->lines[1].front(), 1e-9));
+  CHECK(desk.chosen());
+}
+
+TEST_CASE("a repaired and a decimated sampling are one step of undo each, and edits meanwhile are not overwritten") {
+  Editor editor([](const std::shared_ptr<const DocumentDelta>&) {});
+  SampleData data;
+  SampleData::Contour& loop = data.contours.emplace_back();
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    const double t = 2.0 * std::numbers::pi * (i + 0.3) / 16.0;
+    data.positions.push_back({3.0 * std::cos(t), std::sin(t)});
+    loop.points.push_back(i);
+  }
+  REQUIRE(editor.load(data));
+  ResampleDesk desk(editor, {});
+  const auto run = [&](ResampleDesk::Wish wish) {
+    desk.begin(wish);
+    std::optional<ResampleDesk::Report> out;
+    while (!out) out = desk.follow();
+    return *out;
+  };
+  const ResampleDesk::Report repaired = run(ResampleDesk::Wish::repair);
+  CHECK_FALSE(repaired.is_problem);
+  CHECK(editor.undo_name() == "Repair the sampling");
+  const std::size_t dense = editor.document().sample_count();
+  CHECK(dense > 16);
+  CHECK(data_of(editor.document()).contours.front().points.size() == dense);
+  desk.epsilon = 0.4;
+  CHECK_FALSE(run(ResampleDesk::Wish::decimate).is_problem);
+  CHECK(editor.document().sample_count() < dense);
+  editor.undo();
+  CHECK(editor.document().sample_count() == dense);
+  editor.undo();
+  CHECK(data_of(editor.document()).positions == data.positions);
+  CHECK(data_of(editor.document()).contours == data.contours);
+  CHECK_FALSE(editor.can_undo());
+
+  desk.epsilon = 0.25;
+  desk.begin(ResampleDesk::Wish::repair);
+  REQUIRE(editor.insert(std::vector<Vec2>{{0.0, 0.0}}, "Insert"));
+  std::optional<ResampleDesk::Report> late;
+  while (!late) late = desk.follow();
+  CHECK(late->is_problem);
+  CHECK(editor.document().sample_count() == 17);
+}
+
+TEST_CASE("events of the scale axis are where disks touch and holes are filled") {
+  const auto circle = [](Vec2 center, double radius, int count, std::vector<Vec2>& out) {
+    for (int i = 0; i < count; ++i) {
+      const double t = 2.0 * std::numbers::pi * (i + 0.3) / count;
+      out.push_back({center.x + radius * std::cos(t), center.y + radius * std::sin(t)});
+    }
+  };
+  SampleData two;
+  circle({0, 0}, 1.0, 24, two.positions);
+  circle({3, 0.25}, 1.0, 24, two.positions);
+  JobControl job;
+  const auto merged = scale_events_of(two, {}, job);
+  REQUIRE(merged.has_value());
+  REQUIRE(merged->size() == 1);
+  CHECK(merged->front().factor == Approx(0.5 * std::hypot(3.0, 0.25)).margin(0.01));
+  CHECK(merged->front().words() == "components 2 to 1");
+  SampleData none;
+  CHECK(scale_events_of(none, {}, job)->empty());
+}
