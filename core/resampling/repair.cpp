@@ -108,8 +108,11 @@ class Repairer {
         epsilon_(epsilon),
         most_(most_samples(samples.positions().size())),
         is_corner_(corners_of(curve, samples.positions(), epsilon)) {
-    for (const MovingCurve::Chain& chain : curve.chains)
+    is_end_.assign(samples.positions().size(), false);
+    for (const MovingCurve::Chain& chain : curve.chains) {
       if (chain.points.size() >= 2) chains_.emplace_back(chain, samples.positions(), is_corner_);
+      if (!chain.closed && !chain.points.empty()) is_end_[chain.points.front()] = is_end_[chain.points.back()] = true;
+    }
   }
 
   /// The largest epsilon of the edges: of all, or of those away from corners.
@@ -128,17 +131,21 @@ class Repairer {
   Expected<void> run(JobControl& job) {
     const auto too_long = [this](const RepairedChain& chain, std::size_t i) { return is_too_long(chain, i); };
     const auto doubted = [this](const RepairedChain& chain, std::size_t i) { return is_doubted(chain, i); };
-    int doubts = 0;
-    for (int round = 0; round < kMostRounds; ++round) {
-      job.checkpoint();
-      auto halved = halve(too_long, job);
-      // Dense enough by the estimate; where the theorem's conditions fail all the same, the estimate was too good, or no
-      // sample helps, as beside a corner.
-      if (halved && !*halved && samples_.light() == TheoremLight::yellow && doubts++ < kMostDoubts)
-        halved = halve(doubted, job);
-      if (!halved) return std::unexpected(halved.error());
-      if (!*halved) break;
+    if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
+    if (samples_.light() != TheoremLight::yellow) return {};
+    // Dense enough by the estimate; where the theorem's conditions fail all the same, the estimate may have been too good.
+    // Where that does not help, as beside a crust edge that is none of the curve, it is taken back.
+    const std::vector<RepairedChain> chains = chains_;
+    const SampleData before{.positions = {samples_.positions().begin(), samples_.positions().end()}};
+    for (int i = 0; i < kMostDoubts && samples_.light() == TheoremLight::yellow; ++i) {
+      if (auto good = halve_all(doubted, 1, job); !good) return good;
+      if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
     }
+    if (samples_.light() != TheoremLight::yellow) return {};
+    auto again = JudgedSamples::of(before, job);
+    if (!again) return std::unexpected(again.error());
+    samples_ = *std::move(again);
+    chains_ = chains;
     return {};
   }
 
@@ -178,7 +185,10 @@ class Repairer {
   }
 
  private:
-  bool is_corner(std::uint32_t sample) const { return sample < is_corner_.size() && is_corner_[sample]; }
+  /// A corner, or an end or junction of the curve: there its estimate says nothing.
+  bool is_corner(std::uint32_t sample) const {
+    return sample < is_corner_.size() && (is_corner_[sample] || is_end_[sample]);
+  }
   bool ends_at_corner(const RepairedChain& chain, std::size_t i) const {
     return is_corner(chain.from(i)) || is_corner(chain.to(i));
   }
@@ -189,6 +199,17 @@ class Repairer {
   }
   bool is_doubted(const RepairedChain& chain, std::size_t i) const {
     return !ends_at_corner(chain, i) && samples_.judge(chain.from(i), chain.to(i)).is_doubted;
+  }
+
+  template <class Wants>
+  Expected<void> halve_all(const Wants& wants, int rounds, JobControl& job) {
+    for (int round = 0; round < rounds; ++round) {
+      job.checkpoint();
+      const auto halved = halve(wants, job);
+      if (!halved) return std::unexpected(halved.error());
+      if (!*halved) break;
+    }
+    return {};
   }
 
   /// Halves the edges for which `wants(chain, edge)` holds; whether there was one.
@@ -220,6 +241,7 @@ class Repairer {
   double epsilon_;
   std::size_t most_;  // samples
   std::vector<bool> is_corner_;
+  std::vector<bool> is_end_;  // of a chain
   std::vector<RepairedChain> chains_;
 };
 

@@ -26,7 +26,7 @@ struct Repair {
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
   std::vector<SampledCorner> corners;  ///< at which edges are too long however short they are
-  std::vector<Vec2> open_ends;       ///< ends of the curve: beyond them nothing is known
+  std::vector<Vec2> open_ends;       ///< ends and junctions of the curve: edges there stay as they are
   std::vector<Vec2> left;            ///< middles of other edges that are too long still, or doubted by the theorem
 
   /// What was done and what could not be, one sentence each, without a full stop.
@@ -34,7 +34,8 @@ struct Repair {
 };
 
 /// Halves curve edges until none has half its length over the feature size of its ends (FeatureSize) above `epsilon`, and
-/// the theorem's light is not yellow; or until no edge that is in the way can be halved any more.
+/// the theorem's light is not yellow; or until no edge that is in the way can be halved any more. What is inserted for the
+/// light alone is taken back if that stays yellow.
 ///
 /// What it guarantees:
 ///  1. Samples stay where they are. New ones lie on the curve through the old ones: centripetal Catmull-Rom splines,
