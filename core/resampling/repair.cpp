@@ -290,8 +290,8 @@ std::vector<std::string> Repair::words() const {
     out.push_back(count_text(left.size(), "curve edge", "curve edges") + " could not be made short enough, " +
                   place_and_more(left.front(), left.size()));
   if (!open_ends.empty())
-    out.push_back("the curve has " + count_text(open_ends.size(), "end", "ends") +
-                  ", beyond which nothing is known, " + place_and_more(open_ends.front(), open_ends.size()));
+    out.push_back("the curve has " + count_text(open_ends.size(), "end or junction", "ends or junctions") +
+                  ", where its edges stay as they are, " + place_and_more(open_ends.front(), open_ends.size()));
   return out;
 }
 
