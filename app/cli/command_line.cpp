@@ -542,8 +542,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command : {compute, sweep, branches, repair, decimate, exported, render, play, demo, lesson, evolve, shape,
-                                  sample, app.get_subcommand("text"), list, manual, completions})
+  for (CLI::App* const command : {compute, sweep, branches, repair, decimate, exported, render, play, demo, lesson,
+                                  evolve, shape, sample, app.get_subcommand("text"), list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };

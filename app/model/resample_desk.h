@@ -36,7 +36,7 @@ class ResampleDesk {
   struct Report {
     bool is_problem = false;             ///< nothing was done
     std::vector<std::string> sentences;  ///< without a full stop
-    std::vector<CurveCorner> corners{};
+    std::vector<SampledCorner> corners{};
     std::vector<Vec2> places{};  ///< where the samples are still too few, or the curve ends
   };
   /// Takes what was found, and does it. Not within a gesture.

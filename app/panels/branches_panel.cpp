@@ -265,7 +265,7 @@ void BranchesPanel::draw_branch(std::size_t row, bool is_chosen) const {
   const float unit = uses_.gui.unit();
   const std::vector<Vec2>& line = uses_.desk.table()->lines[row];
   const ShapePen pen(
-      uses_.gui, uses_.canvas,
+      uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
       {to_imgui(palette::blue, is_chosen ? 1.0 : 0.55), (is_chosen ? 5.0F : 4.0F) * unit, PenMark::ring});
   // A longer one is drawn with every other place, or fewer.
   const std::size_t stride = line.size() / kMostSegments + 1;

@@ -96,7 +96,7 @@ void SamplingPanel::draw_report() {
   ImGui::Separator();
   for (const std::string& sentence : report.sentences) wrapped(sentence);
   std::vector<Vec2> corners;
-  for (const CurveCorner& corner : report.corners) corners.push_back(corner.place);
+  for (const SampledCorner& corner : report.corners) corners.push_back(corner.place);
   ImGui::PushID("corners");
   if (!corners.empty()) ImGui::TextDisabled("Corners");
   draw_places(corners, 0);

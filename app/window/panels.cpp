@@ -67,6 +67,7 @@ Panels::Panels(const Uses& uses)
            uses.work.scale_events()},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
+          {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
           BranchesPanel({uses.screen.gui, uses.work.branches(), uses.board.canvas(), uses.work.editor(),
                          uses.work.computation(),
                          [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),

@@ -26,8 +26,8 @@ struct Repair {
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
   std::vector<SampledCorner> corners;  ///< at which edges are too long however short they are
-  std::vector<Vec2> open_ends;       ///< ends and junctions of the curve: edges there stay as they are
-  std::vector<Vec2> left;            ///< middles of other edges that are too long still, or doubted by the theorem
+  std::vector<Vec2> open_ends;         ///< ends and junctions of the curve: edges there stay as they are
+  std::vector<Vec2> left;              ///< middles of other edges that are too long still, or doubted by the theorem
 
   /// What was done and what could not be, one sentence each, without a full stop.
   std::vector<std::string> words() const;
