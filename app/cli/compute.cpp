@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `mesecina compute`: counters of structures and layers as JSON.
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "app/cli/input.h"
 #include "app/cli/layer_summary.h"
@@ -13,6 +15,7 @@
 #include "app/cli/requests.h"
 #include "app/model/statistics_text.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/draw/layer_digest.h"
 #include "core/engine/theorem_light.h"
 
 namespace mes::cli {
@@ -20,10 +23,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::size_t count_distinct(std::vector<Vec2> points) {
-  std::ranges::sort(points, lexicographically_less);
-  return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+/// Of the samples: the vertices of their triangulation, which the judges of the theorem always need.
+std::int64_t distinct_of(std::span<const NodeReport> nodes) {
+  for (const NodeReport& node : nodes)
+    for (const Stat& stat : node.stats)
+      if (node.structure == "delaunay" && stat.key == "vertices") return std::get<std::int64_t>(stat.value);
+  return 0;
 }
+
+/// What is asked of a layer.
+struct Measured {
+  LayerTally tally;
+  LayerDigest digest;
+};
 
 Json json_of(const LayerSummary& summary, const LayerDescriptor& layer, std::uint64_t lost) {
   Json out = Json::object();
@@ -69,27 +81,31 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   const auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from, request.source.trace);
+  auto input = read_input(request.source.file, request.source.from, request.source.trace);
   if (!input) return std::unexpected(input.error());
 
-  LayerMirror mirror;
-  const auto result =
-      compute_with_progress(input->data, {.layers = *layers,
-                                          .settings = *settings,
-                                          .want_statistics = true,
-                                          .want_findings = true,
-                                          .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }});
+  const std::size_t samples = input->data.positions.size();
+  const std::size_t contours = input->data.contours.size();
+  const std::size_t balls = input->data.balls.size();
+
+  std::vector<Measured> measured(layer_descriptors().size());
+  const auto take = [&](const InstancePiece& piece) {
+    Measured& layer = measured[piece.layer];
+    layer.tally.add(piece.kind, piece.values);
+    if (request.with_digests) layer.digest += digest_of(piece.kind, piece.values, !piece.scalars_are_names);
+  };
+  const auto result = measure_with_progress(
+      std::move(input->data),
+      {.layers = *layers, .settings = *settings, .want_statistics = true, .want_findings = true, .on_patch = {}},
+      take);
   if (!result) return std::unexpected(result.error());
 
   Json out;
   out["schema"] = 1;
   out["version"] = MESECINA_VERSION;
-  out["input"] = {{"file", request.source.file},
-                  {"format", input->format},
-                  {"samples", input->data.positions.size()},
-                  {"distinct", count_distinct(input->data.positions)},
-                  {"contours", input->data.contours.size()},
-                  {"balls", input->data.balls.size()}};
+  out["input"] = {{"file", request.source.file}, {"format", input->format},
+                  {"samples", samples},          {"distinct", distinct_of(result->nodes)},
+                  {"contours", contours},        {"balls", balls}};
   out["precision"] = id_of(settings->precision);
   out["structures"] = Json::object();
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);
@@ -97,8 +113,8 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   for (const LayerIndex layer : *layers) {
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     Json& entry = out["layers"][std::string(descriptor.id)];
-    entry = json_of(summarise(mirror, layer), descriptor, result->reports[layer].lost);
-    if (request.with_digests) entry["digest"] = mirror.digest(layer).text();
+    entry = json_of(measured[layer].tally.summary(), descriptor, result->reports[layer].lost);
+    if (request.with_digests) entry["digest"] = measured[layer].digest.text();
   }
   out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be UTF-8, but JSON must.

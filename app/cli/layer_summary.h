@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "core/base/sum.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/primitive_values.h"
 
@@ -18,6 +20,20 @@ struct LayerSummary {
   double length = 0.0;                                 ///< of segments and arcs
   double radius_sum = 0.0;                             ///< of circles and disks
   double area = 0.0;                                   ///< of the triangles
+};
+
+/// Adds up a layer that comes in pieces.
+class LayerTally {
+ public:
+  /// `values` are instances as in `InstancePiece`.
+  void add(PrimitiveKind kind, std::span<const double> values);
+  LayerSummary summary() const;
+
+ private:
+  LayerSummary counts_;
+  Sum length_;
+  Sum radius_sum_;
+  Sum area_;
 };
 
 LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer);

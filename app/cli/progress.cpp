@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace mes::cli {
 namespace {
@@ -53,6 +54,13 @@ Expected<ComputationResult> compute_with_progress(const SampleData& data, Comput
   Progress progress;
   request.on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); };
   return run_computation(data, request);
+}
+
+Expected<ComputationReport> measure_with_progress(SampleData data, ComputationRequest request,
+                                                  std::function<void(const InstancePiece&)> take) {
+  Progress progress;
+  request.on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); };
+  return run_one_shot(std::move(data), request, std::move(take));
 }
 
 }  // namespace mes::cli

@@ -103,25 +103,17 @@ Expected<VariantStep> variants_of(std::span<const ComputedVariant> wanted, std::
   return out;
 }
 
-}  // namespace
-
-Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request) {
-  ComputationResult result;
-  auto replacement = replace_all(result.document, data);
-  if (!replacement) return std::unexpected(replacement.error());
-  const auto delta = std::make_shared<const DocumentDelta>(std::move(*replacement));
-  result.document.apply(*delta);
-
-  auto beside = variants_of(request.variants, result.documents);
-  if (!beside) return std::unexpected(beside.error());
-
+/// Posts the step and waits for the end of it.
+Expected<ComputationReport> run_to_end(EngineStep step, const ComputationRequest& request,
+                                       std::function<void(const InstancePiece&)> take) {
+  const std::uint64_t revision = step.deltas.front()->to_revision;
+  ComputationReport result;
   Bell bell;
   TaskList tasks(request.layers);
-  Engine engine({.wake = [&bell] { bell.ring(); }});
+  Engine engine({.wake = [&bell] { bell.ring(); }, .take_instances = std::move(take)});
   engine.set_want_statistics(request.want_statistics);
   engine.set_want_findings(request.want_findings);
-  engine.post(
-      {.deltas = {delta}, .settings = request.settings, .demand = request.layers, .beside = std::move(*beside)});
+  engine.post(std::move(step));
 
   bool is_complete = false;
   for (;;) {
@@ -129,7 +121,7 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
     const EngineStatus status = engine.status();
     while (auto patch = engine.poll()) {
       if (request.on_patch) request.on_patch(*patch);
-      is_complete = patch->complete && patch->document_revision == result.document.revision();
+      is_complete = patch->complete && patch->document_revision == revision;
       result.nodes = patch->nodes;
       result.reports = patch->reports;
       engine.recycle(std::move(patch));
@@ -148,6 +140,39 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
                         std::ranges::all_of(result.reports, is_good, &LayerReport::state);
   if (!all_good) return failure_of(result.nodes, result.reports);
   return result;
+}
+
+}  // namespace
+
+Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request) {
+  ComputationResult result;
+  auto replacement = replace_all(result.document, data);
+  if (!replacement) return std::unexpected(replacement.error());
+  const auto delta = std::make_shared<const DocumentDelta>(std::move(*replacement));
+  result.document.apply(*delta);
+
+  auto beside = variants_of(request.variants, result.documents);
+  if (!beside) return std::unexpected(beside.error());
+  auto report = run_to_end(
+      {.deltas = {delta}, .settings = request.settings, .demand = request.layers, .beside = std::move(*beside)},
+      request, {});
+  if (!report) return std::unexpected(report.error());
+  result.nodes = std::move(report->nodes);
+  result.reports = std::move(report->reports);
+  return result;
+}
+
+Expected<ComputationReport> run_one_shot(SampleData data, const ComputationRequest& request,
+                                         std::function<void(const InstancePiece&)> take) {
+  auto replacement = replace_all(Document(), data);
+  if (!replacement) return std::unexpected(replacement.error());
+  data = {};
+  EngineStep step{.deltas = {std::make_shared<const DocumentDelta>(std::move(*replacement))},
+                  .settings = request.settings,
+                  .demand = request.layers,
+                  .beside = {}};
+  replacement = DocumentDelta{};
+  return run_to_end(std::move(step), request, std::move(take));
 }
 
 }  // namespace mes

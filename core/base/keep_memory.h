@@ -19,4 +19,11 @@ inline void keep_freed_memory() {
 #endif
 }
 
+/// Freed memory goes back to the system, for what is large and does not come again.
+inline void give_freed_memory_back() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace mes

@@ -56,15 +56,19 @@ void run_tasks(std::size_t count, Task task) {
 }
 
 /// Splits [0, count) into ranges and calls `body(begin, end, chunk)` for each, on several threads.
-/// `chunk_count(count)` says how many there will be; the split depends on `count` alone.
+/// `chunk_count(count)` says how many there will be, and `first_of_chunk` where each begins; the split depends on
+/// `count` alone.
 inline std::size_t chunk_count(std::size_t count) {
   constexpr std::size_t kChunk = std::size_t{1} << 15U;
   return (count + kChunk - 1) / kChunk;
 }
+inline std::size_t first_of_chunk(std::size_t count, std::size_t chunk) {
+  return count * chunk / chunk_count(count);
+}
 template <class Body>
 void parallel_for(std::size_t count, Body body) {
-  const std::size_t chunks = chunk_count(count);
-  run_tasks(chunks, [&](std::size_t chunk) { body(count * chunk / chunks, count * (chunk + 1) / chunks, chunk); });
+  run_tasks(chunk_count(count),
+            [&](std::size_t chunk) { body(first_of_chunk(count, chunk), first_of_chunk(count, chunk + 1), chunk); });
 }
 
 }  // namespace mes

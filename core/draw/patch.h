@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,14 @@ struct LayerPatch {
       patch.count = 0;
     }
   }
+};
+
+/// Some instances of one kind of one layer, on their way to someone who does not keep them.
+struct InstancePiece {
+  LayerIndex layer = 0;
+  PrimitiveKind kind = PrimitiveKind::point;
+  bool scalars_are_names = false;
+  std::span<const double> values;  ///< `stride_of(kind)` doubles each
 };
 
 /// Coordinates are turned into drawing space by `(p - origin) * scale`, `scale` a power of two, so that the

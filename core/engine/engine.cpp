@@ -14,6 +14,7 @@ namespace mes {
 
 struct Engine::Impl {
   explicit Impl(Options given) : options(std::move(given)) {
+    if (options.take_instances) graph.make_one_shot(options.take_instances);
     graph.set_on_task([this](std::string_view id) {
       const std::lock_guard lock(mutex);
       status.task = id;
@@ -101,15 +102,18 @@ struct Engine::Impl {
       graph.run(*patch, job);
 
       lock.lock();
-      if (!patch->complete) unfinished = true;
+      const bool is_complete = patch->complete;
+      if (!is_complete) unfinished = true;
       finished.push_back(std::move(patch));
       is_running = false;
       status.busy = false;
       if (!has_to_compute()) status.cancelled = false;  // too late: it was done already
       status.task.clear();
       idle.notify_all();
+      const bool has_time = is_complete && !has_work();
       lock.unlock();
       wake();
+      if (has_time) graph.get_ready(job);
       lock.lock();
     }
   }

@@ -66,6 +66,8 @@ class Engine {
  public:
   struct Options {
     std::function<void()> wake;  ///< a patch is ready or the status changed; must be quick and must not throw
+    /// Makes the engine's graph a one-shot one (core/engine/graph.h). Called on threads of the engine; must not throw.
+    std::function<void(const InstancePiece&)> take_instances{};
   };
 
   explicit Engine(Options options);

@@ -19,6 +19,12 @@ Graph::Graph() {
   samples_ = &structures().get<Samples>();
 }
 
+void Graph::make_one_shot(InstanceTaker take) {
+  MES_ASSERT(run_ == 0);
+  take_ = std::move(take);
+  for (const StructureNode& node : nodes_) node.structure->forgo_updates();
+}
+
 void Graph::add(std::unique_ptr<Variant> added) {
   const auto index = static_cast<VariantIndex>(variants_.size());
   added->first_node = nodes_.size();
@@ -33,6 +39,7 @@ void Graph::add(std::unique_ptr<Variant> added) {
     node.structure = structure.get();
     node.variant = index;
     node.source = dynamic_cast<SourceStructure*>(structure.get());
+    if (is_one_shot()) structure->forgo_updates();
     for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
     nodes_.push_back(std::move(node));
   }
@@ -156,7 +163,8 @@ void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
       node.source != nullptr && (node.source->has_pending() || (node.synced == 0 && node.state != NodeState::failed));
   // What failed is tried again when its inputs have changed since, not before.
   const std::uint64_t seen = node.state == NodeState::failed ? node.tried : node.synced;
-  bool may_update = node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
+  bool may_update =
+      !is_one_shot() && node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
   for (const std::size_t i : node.inputs) {
     const StructureNode& input = nodes_[i];
     if (input.state != NodeState::up_to_date) {
@@ -261,7 +269,7 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   LayerNode& node = layer_nodes_[index];
   before_.push_back({index, node.state, node.sent, node.synced});
   bool changed = false;
-  bool may_update = node.sent && node.synced + 1 == run_ && frame_ == sent_frame_;
+  bool may_update = !is_one_shot() && node.sent && node.synced + 1 == run_ && frame_ == sent_frame_;
   for (const std::size_t i : node.structures) {
     const StructureNode& input = nodes_[i];
     if (input.state != NodeState::up_to_date) {
@@ -344,6 +352,13 @@ void Graph::take_back(FramePatch& out) {
   out.layer_count = 0;
 }
 
+void Graph::emit_whole(LayerPart& part, LayerPatch& patch) const {
+  if (is_one_shot())
+    part.pour({.layer = patch.layer, .scalars_are_names = patch.scalars_are_names, .values = {}}, take_);
+  else
+    part.reset(patch);
+}
+
 // Whatever ends early leaves an empty patch. The consumer then keeps the instances it has, unless they are in a frame
 // that is gone; which rows they belong to is forgotten, so the layer is sent whole next time.
 void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
@@ -365,7 +380,7 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
           is_stopped_ = true;
           return;
         }
-        part->reset(patch);
+        emit_whole(*part, patch);
       }
       node.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
@@ -483,6 +498,15 @@ void Graph::give_up_for_lack_of_memory(FramePatch& out) {
     node.state = NodeState::failed;
     node.reason = kOutOfMemory;
   }
+}
+
+void Graph::get_ready(JobControl& job) try {
+  if (is_one_shot()) return;
+  for (const StructureNode& node : nodes_)
+    if (node.needed && node.state == NodeState::up_to_date && node.synced == run_)
+      node.structure->get_ready_to_update(job);
+} catch (const Cancelled&) {
+} catch (const std::bad_alloc&) {
 }
 
 bool Graph::run(FramePatch& out, JobControl& job) {

@@ -46,6 +46,14 @@ class Graph {
  public:
   Graph();
 
+  /// Takes instances of layers. Those of one layer come in order, from one thread; several layers may come at once.
+  using InstanceTaker = std::function<void(const InstancePiece&)>;
+  /// Makes the graph a *one-shot* one, before its first run and for good: nothing is updated, each run computes anew,
+  /// and layers are handed to `take` in pieces instead of being put into patches. So neither structures nor layers keep
+  /// what only an edit would need, and no layer is ever in memory as a whole. After a run that was stopped or of which a
+  /// layer failed, what was taken is worthless.
+  void make_one_shot(InstanceTaker take);
+
   void post(std::shared_ptr<const DocumentDelta> delta);
   void post_settings(const ComputationSettings& settings);
   /// To the document of a variant that has one, empty at first.
@@ -63,6 +71,8 @@ class Graph {
   /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
   /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
   bool run(FramePatch& out, JobControl& job);
+  /// After a complete run, while nobody waits: the structures make what the next edit needs. Ends early when stopped.
+  void get_ready(JobControl& job);
   /// Called with the public id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
 
@@ -124,6 +134,8 @@ class Graph {
   void emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
   void take_back(FramePatch& out);
   void fill(LayerPatch& patch, Emission emission, JobControl& job);
+  void emit_whole(LayerPart& part, LayerPatch& patch) const;
+  bool is_one_shot() const { return take_ != nullptr; }
   void follow_extent();
   void report(FramePatch& out);
   void report_lack_of_memory(FramePatch& out);
@@ -148,6 +160,7 @@ class Graph {
   std::optional<ProvenanceQuestion> question_;
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
+  InstanceTaker take_;  ///< empty unless the graph is a one-shot one
 
   // Work space of one run.
   struct LayerBefore {

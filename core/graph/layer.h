@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <unordered_set>
 #include <vector>
@@ -90,6 +91,8 @@ class LayerPart {
   virtual ~LayerPart() = default;
   /// Emits every row.
   virtual void reset(LayerPatch& patch) = 0;
+  /// Hands the primitive of every row out, in pieces, and keeps none of them. `out` says which layer it is.
+  virtual void pour(InstancePiece out, const std::function<void(const InstancePiece&)>& take) = 0;
   /// Emits the rows of the change set.
   virtual void update(LayerPatch& patch) = 0;
   /// Rows whose primitive is lost, because its coordinates are not finite.
@@ -224,6 +227,33 @@ class TablePart final : public LayerPart {
       if (instance.is_lost()) lost_.insert(row);
     }
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
+  }
+
+  void pour(InstancePiece out, const std::function<void(const InstancePiece&)>& take) override {
+    constexpr std::size_t kPiece = 4096;  // instances; some hundred kibibytes, which stay in the cache
+    std::array<std::vector<double>, kPrimitiveKinds> pieces;
+    const auto flush = [&](PrimitiveKind kind) {
+      std::vector<double>& values = pieces[static_cast<std::size_t>(kind)];
+      if (values.empty()) return;
+      out.kind = kind;
+      out.values = values;
+      take(out);
+      values.clear();
+    };
+    for (const PrimitiveKind kind : kinds_) pieces[static_cast<std::size_t>(kind)].reserve(kPiece * stride_of(kind));
+    const std::size_t rows = rows_();
+    Instance instance;
+    lost_.clear();
+    for (RowNumber row = 0; row < rows; ++row) {
+      instance.clear();
+      emit_(Row(row), instance);
+      if (instance.is_lost()) lost_.insert(row);
+      if (!instance.is_set()) continue;
+      std::vector<double>& values = pieces[static_cast<std::size_t>(instance.kind())];
+      values.insert(values.end(), instance.begin(), instance.end());
+      if (values.size() >= kPiece * stride_of(instance.kind())) flush(instance.kind());
+    }
+    for (const PrimitiveKind kind : kinds_) flush(kind);
   }
 
   void update(LayerPatch& patch) override {

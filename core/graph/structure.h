@@ -8,6 +8,8 @@
 //     After `rebuild` they are empty and every row counts as new.
 //  3. It may throw `GeometryError` or `Cancelled`; its tables are then worthless until the next `rebuild`.
 //
+// In a one-shot graph (core/engine/graph.h) `forgo_updates` is called first, and `update` never.
+//
 // How it is called: inputs first, both methods on the engine's thread. `update` is called when this structure was up
 // to date in the run before and no changed input was rebuilt; it may return false to ask for `rebuild` instead. The
 // change sets of an input that did not change in this run are empty.
@@ -43,8 +45,14 @@ class Structure {
   std::string_view id() const { return id_; }
   std::span<Structure* const> inputs() const { return inputs_; }
 
+  /// `update` will never be called: what serves updates alone need not be made or kept.
+  void forgo_updates() { forgoes_updates_ = true; }
+
   virtual void rebuild(JobControl& job) = 0;
   virtual bool update(JobControl& job) = 0;
+  /// Called after a run that brought everything up to date, while nothing waits for the engine: makes what only an
+  /// `update` needs, which then finds it. May throw `Cancelled` or `std::bad_alloc`; the tables do not change.
+  virtual void get_ready_to_update(JobControl& /*job*/) {}
   virtual void clear_changes() = 0;
   /// Rows named by the change sets.
   virtual std::size_t touched() const = 0;
@@ -64,9 +72,13 @@ class Structure {
   /// the number is.
   virtual void explain(ElementKind /*kind*/, RowNumber /*row*/, Explanation& /*out*/) const {}
 
+ protected:
+  bool forgoes_updates() const { return forgoes_updates_; }
+
  private:
   std::string_view id_;
   std::vector<Structure*> inputs_;
+  bool forgoes_updates_ = false;
 };
 
 /// All structures, inputs before consumers. Structures find their inputs by type.

@@ -6,10 +6,12 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "core/base/keep_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
 #include "core/structures/delaunay/delaunay.h"
@@ -41,6 +43,7 @@ class Delaunay::Rows {
   using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
   using VertexHandle = typename Triangulation::Vertex_handle;
   using FaceHandle = typename Triangulation::Face_handle;
+  using FaceIterator = typename Triangulation::Triangulation_data_structure::Face_iterator;
 
   explicit Rows(Delaunay& owner) : d_(owner) {}
 
@@ -165,39 +168,96 @@ class Delaunay::Rows {
     return row;
   }
 
-  // The triangulation is only read here, and every row and every field of it is written by one thread.
+  // Every row and every field of it is written by one thread.
   void mirror_all() {
     const std::size_t count = triangulation_.tds().number_of_faces();
-    Table<FaceSlot, FaceHandle> handles;
-    run_tasks(2, [&](std::size_t task) {
-      if (task == 0) {
-        handles.reserve(count);
-        for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f) {
-          f->info().slot = handles.next();
-          handles.push_back(f);
-        }
-      } else {
-        d_.face_.resize(count);
-        d_.edge_.resize(count / 2 * 3);  // more by those to infinity
+    // Faces lie in the triangulation in the order of their rows. Where chunks of them begin:
+    std::vector<FaceIterator> starts;
+    const auto number_faces = [&] {
+      starts.reserve(chunk_count(count));
+      FaceSlot row(0);
+      for (auto f = triangulation_.tds().faces_begin(); f != triangulation_.tds().faces_end(); ++f, ++row) {
+        if (row.index() == first_of_chunk(count, starts.size())) starts.push_back(f);
+        f->info().slot = row;
       }
-    });
-    std::vector<std::size_t> first_edge(chunk_count(handles.size()) + 1, 0);
-    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-      std::size_t edges =
-          0;  // not counted in place: the threads would take a cache line from each other all the time
-      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
-        const FaceHandle f = handles[face];
-        read_corners(f);
-        for (int i = 0; i < 3; ++i) {
-          d_.face_[face].n[i] = row_of(f->neighbor(i));
-          edges += owns_edge(face, i) ? 1U : 0U;
+    };
+    const auto read_chunk = [&starts](std::size_t, std::size_t chunk) {
+      return [f = starts[chunk]]() mutable { return topology_of(f++); };
+    };
+    if (!d_.forgoes_updates()) {
+      run_tasks(2, [&](std::size_t task) {
+        if (task == 0) {
+          number_faces();
+        } else {
+          d_.face_.resize(count);
+          d_.edge_.resize(count / 2 * 3);  // more by those to infinity
         }
+      });
+      find_faces_of_sites();
+      make_edges(fill_faces(read_chunk));
+      return;
+    }
+    // No edit will ask the triangulation again. It is larger than the rows, so it goes before they come.
+    number_faces();
+    find_faces_of_sites();
+    std::vector<Topology> kept(count);
+    parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      auto next = read_chunk(begin, chunk);
+      for (std::size_t i = begin; i < end; ++i) kept[i] = next();
+    });
+    triangulation_.clear();
+    vertex_ = {};
+    give_freed_memory_back();
+    d_.face_.resize(count);
+    const std::vector<std::size_t> first_edge = fill_faces([&kept](std::size_t begin, std::size_t) {
+      return [at = kept.begin() + static_cast<std::ptrdiff_t>(begin)]() mutable { return *at++; };
+    });
+    kept = {};
+    make_edges(first_edge);
+  }
+
+  /// What a triangulation says of a face, in rows.
+  struct Topology {
+    SiteSlot v[3]{};
+    FaceSlot n[3]{};
+  };
+  static SiteSlot corner_of(VertexHandle v) { return v->info().slot == kNoSlot ? kInfiniteSite : v->info().slot; }
+  static Topology topology_of(FaceHandle f) {
+    Topology out;
+    for (int i = 0; i < 3; ++i) {
+      out.v[i] = corner_of(f->vertex(i));
+      out.n[i] = row_of(f->neighbor(i));
+    }
+    return out;
+  }
+
+  // `reader(first, chunk)` gives a function that gives the topology of one face after the other. Returns the first row
+  // of the edges that each chunk makes, and the number of edges.
+  template <class Reader>
+  std::vector<std::size_t> fill_faces(Reader reader) {
+    const std::size_t count = d_.face_.size();
+    std::vector<std::size_t> first_edge(chunk_count(count) + 1, 0);
+    parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      auto next = reader(begin, chunk);
+      // Not counted in place: the threads would take a cache line from each other all the time.
+      std::size_t edges = 0;
+      for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
+        FaceRow& row = d_.face_[face];
+        const Topology topology = next();
+        std::ranges::copy(topology.v, row.v);
+        std::ranges::copy(topology.n, row.n);
+        d_.compute_circumcircle(face);
+        for (int i = 0; i < 3; ++i) edges += owns_edge(face, i) ? 1U : 0U;
       }
       first_edge[chunk + 1] = edges;
     });
     for (std::size_t chunk = 1; chunk < first_edge.size(); ++chunk) first_edge[chunk] += first_edge[chunk - 1];
+    return first_edge;
+  }
+
+  void make_edges(const std::vector<std::size_t>& first_edge) {
     d_.edge_.resize(first_edge.back());
-    parallel_for(handles.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    parallel_for(d_.face_.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       EdgeSlot e(first_edge[chunk]);
       for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
         FaceRow& row = d_.face_[face];
@@ -211,6 +271,9 @@ class Delaunay::Rows {
         }
       }
     });
+  }
+
+  void find_faces_of_sites() {
     parallel_for(d_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
       for (const SiteSlot site : slots_between<SiteSlot>(begin, end))
         if (d_.is_site(site)) d_.site_face_[site] = row_of(vertex_[site]->face());
