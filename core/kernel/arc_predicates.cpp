@@ -5,6 +5,8 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
 
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace mes {
@@ -13,13 +15,45 @@ namespace {
 using Interval = CGAL::Interval_nt<false>;
 using Rational = CGAL::Exact_rational;
 
+// Numbers with bounds are intervals by middle and radius, in any mode of rounding and for less work. Each bound is the
+// sum of what the operands bring, of a last place and of what may be lost below the smallest double, all of it rounded:
+// `kMore` makes up for that.
+constexpr double kPlace = 0x1p-52;
+constexpr double kMore = 1.0 + 0x1p-48;
+constexpr double kTiny = 0x1p-1070;
+
+[[gnu::always_inline]] inline Bounded bounded(double value, double error) {
+  return {value, (error + kPlace * std::abs(value)) * kMore};
+}
+[[gnu::always_inline]] inline Bounded operator-(const Bounded& a) {
+  return {-a.value, a.error};
+}
+[[gnu::always_inline]] inline Bounded operator+(const Bounded& a, const Bounded& b) {
+  return bounded(a.value + b.value, a.error + b.error);
+}
+[[gnu::always_inline]] inline Bounded operator-(const Bounded& a, const Bounded& b) {
+  return bounded(a.value - b.value, a.error + b.error);
+}
+[[gnu::always_inline]] inline Bounded operator*(const Bounded& a, const Bounded& b) {
+  return bounded(a.value * b.value, std::abs(a.value) * b.error + a.error * (std::abs(b.value) + b.error) + kTiny);
+}
+[[gnu::always_inline]] inline Bounded operator/(const Bounded& a, const Bounded& b) {
+  const double least = (std::abs(b.value) - b.error) * (1.0 - 0x1p-48);
+  const double value = a.value / b.value;
+  if (!(least > 0.0)) return {value, std::numeric_limits<double>::infinity()};
+  return bounded(value, (a.error + (std::abs(value) + kTiny) * b.error + kTiny) / least + kTiny);
+}
+[[gnu::always_inline]] inline bool is_surely_positive(const Bounded& x) {
+  return x.value > x.error;
+}
+
 template <class Number>
 struct Vector {
   Number x, y;
 };
 template <class Number>
 Vector<Number> between(Vec2 from, Vec2 to) {
-  return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y)};
+  return {Number{to.x} - Number{from.x}, Number{to.y} - Number{from.y}};
 }
 template <class Number>
 Number cross_of(const Vector<Number>& u, const Vector<Number>& v) {
@@ -36,7 +70,7 @@ Vector<Number> to_center(Vec2 a, Vec2 b, Vec2 c) {
   const Vector<Number> v = between<Number>(a, c);
   const Number uu = dot_of(u, u);
   const Number vv = dot_of(v, v);
-  const Number twice = Number(2) * cross_of(u, v);
+  const Number twice = Number{2.0} * cross_of(u, v);
   return {(v.y * uu - u.y * vv) / twice, (u.x * vv - v.x * uu) / twice};
 }
 
@@ -110,6 +144,41 @@ Meets decide(const OuterArc& arc, Vec2 u, Vec2 v) {
 }
 
 }  // namespace
+
+// The centre of the arc's circle lies off its start.
+ArcFilter::ArcFilter(const OuterArc& arc) : start_(arc.p) {
+  const Vector<Bounded> from_p = to_center<Bounded>(arc.p, arc.q, arc.s);
+  const Vector<Bounded> pq = between<Bounded>(arc.p, arc.q);
+  from_start_[0] = from_p.x;
+  from_start_[1] = from_p.y;
+  to_start_[0] = -from_p.x;
+  to_start_[1] = -from_p.y;
+  to_end_[0] = pq.x - from_p.x;
+  to_end_[1] = pq.y - from_p.y;
+  const Bounded turn = cross_of<Bounded>({to_start_[0], to_start_[1]}, {to_end_[0], to_end_[1]});
+  is_narrow_ = is_surely_positive(turn);
+  is_wide_ = is_surely_positive(-turn);
+}
+
+// The direction is multiplied by the determinant of the disk's corners, which is positive, so nothing is divided.
+bool ArcFilter::misses(const Corners& disk) const {
+  const Vector<Bounded> u = between<Bounded>(disk.a, disk.b);
+  const Vector<Bounded> v = between<Bounded>(disk.a, disk.c);
+  const Bounded uu = dot_of(u, u);
+  const Bounded vv = dot_of(v, v);
+  const Bounded cross = cross_of(u, v);
+  if (!is_surely_positive(cross)) return false;
+  const Bounded twice{2.0 * cross.value, 2.0 * cross.error};
+  const Vector<Bounded> pa = between<Bounded>(start_, disk.a);
+  const Vector<Bounded> direction{(pa.x - from_start_[0]) * twice + (v.y * uu - u.y * vv),
+                                  (pa.y - from_start_[1]) * twice + (u.x * vv - v.x * uu)};
+  const Vector<Bounded> p{to_start_[0], to_start_[1]};
+  const Vector<Bounded> q{to_end_[0], to_end_[1]};
+  const bool before_p = is_surely_positive(cross_of(direction, p));
+  const bool after_q = is_surely_positive(cross_of(q, direction));
+  // An arc of half a circle or more is missed only between its end and its start.
+  return is_narrow_ ? before_p || after_q : is_wide_ && before_p && after_q;
+}
 
 Meets meets_arc_quickly(const OuterArc& arc, const Corners& disk) {
   CGAL::Protect_FPU_rounding<true> rounding;

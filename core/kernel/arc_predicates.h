@@ -30,6 +30,28 @@ struct OuterArc {
 
 enum class Meets : std::uint8_t { no, yes, unsure };
 
+/// A number and a bound of its error.
+struct Bounded {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+/// Says quickly of most disks that the direction of their centre does not point into the arc. Made once for an arc.
+class ArcFilter {
+ public:
+  explicit ArcFilter(const OuterArc& arc);
+  /// The disk does not meet the arc; false says nothing.
+  bool misses(const Corners& disk) const;
+
+ private:
+  Vec2 start_;
+  Bounded from_start_[2];   ///< to the centre
+  Bounded to_start_[2];     ///< from there
+  Bounded to_end_[2];       ///< from there, too
+  bool is_narrow_ = false;  ///< certainly less than half a circle
+  bool is_wide_ = false;    ///< certainly more
+};
+
 /// By interval arithmetic; some 0.3 us.
 Meets meets_arc_quickly(const OuterArc& arc, const Corners& disk);
 

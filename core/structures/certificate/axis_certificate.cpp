@@ -27,6 +27,7 @@ bool AxisCertificate::is_arc_free(EdgeSlot edge) {
   const SiteSlot p = own.v[next3(i)];
   const SiteSlot q = own.v[prev3(i)];
   const OuterArc arc{delaunay_.site_position(own.v[i]), delaunay_.site_position(p), delaunay_.site_position(q)};
+  const ArcFilter filter(arc);
   const FaceSlot own_ball = balls_.ball(inner);
 
   seen_.begin(delaunay_.face_rows());
@@ -38,22 +39,25 @@ bool AxisCertificate::is_arc_free(EdgeSlot edge) {
     const FaceSlot face = queue_[next];
     const FaceRow& at = delaunay_.face(face);
     const auto touches = [&at](SiteSlot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
-    if (!touches(p) && !touches(q)) {
+    if (!forgoes_updates() && !touches(p) && !touches(q)) {
       far_faces_[edge].push_back(face);
       watchers_[face].push_back(edge);
     }
     for (const FaceSlot other : at.n) {
       if (!seen_.insert(other)) continue;
       if (labels_.is_inside(other)) {
-        if (balls_.ball(other) != own_ball && meets_arc(arc, corners_of(other))) return false;
+        if (balls_.ball(other) == own_ball) continue;
+        const Corners corners = corners_of(other);
+        if (!filter.misses(corners) && meets_arc(arc, corners)) return false;
       } else if (delaunay_.face(other).is_infinite()) {
         const FaceRow& row_of_other = delaunay_.face(other);
         const int far = row_of_other.index_of_site(kInfiniteSite);
         if (meets_arc_quickly(arc, delaunay_.site_position(row_of_other.v[next3(far)]),
                               delaunay_.site_position(row_of_other.v[prev3(far)])) != Meets::no)
           queue_.push_back(other);
-      } else if (meets_arc_quickly(arc, corners_of(other)) != Meets::no) {
-        queue_.push_back(other);
+      } else {
+        const Corners corners = corners_of(other);
+        if (!filter.misses(corners) && meets_arc_quickly(arc, corners) != Meets::no) queue_.push_back(other);
       }
     }
   }
@@ -76,7 +80,6 @@ void AxisCertificate::forget_edge(EdgeSlot edge) {
 }
 
 void AxisCertificate::judge_edge(EdgeSlot edge) {
-  forget_edge(edge);
   if (!delaunay_.edge(edge).is_alive() || !is_border(edge)) return;
   edge_[edge] = kBorder;
   ++border_edges_;
@@ -108,10 +111,32 @@ void AxisCertificate::rebuild(JobControl& job) {
   edge_.assign(delaunay_.edge_rows(), 0);
   bad_site_.assign(delaunay_.site_rows(), 0);
   if (delaunay_.dimension() < 2) return;
-  for (const SiteSlot site : delaunay_.site_slots()) judge_site(site);
+  judge_all_sites();
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
     judge_edge(edge);
+  }
+}
+
+// As `judge_site` for each, from one walk along the edges.
+void AxisCertificate::judge_all_sites() {
+  // How many border edges there are, up to three; and whether an inner ball touches it.
+  constexpr std::uint8_t kMany = 3;
+  constexpr std::uint8_t kTouched = 4;
+  for (const EdgeRow& row : delaunay_.edges()) {
+    if (!row.is_alive()) continue;
+    const bool left = labels_.is_inside(row.f[0]);
+    const bool right = labels_.is_inside(row.f[1]);
+    if (!left && !right) continue;
+    for (const SiteSlot site : row.v) {
+      std::uint8_t& seen = bad_site_[site];
+      if (left != right && (seen & kMany) != kMany) ++seen;
+      seen |= kTouched;
+    }
+  }
+  for (std::uint8_t& site : bad_site_) {
+    site = (site & kTouched) != 0 && (site & kMany) != 2 ? 1 : 0;
+    bad_sites_ += site;
   }
 }
 
@@ -166,6 +191,7 @@ bool AxisCertificate::update(JobControl& job) {
     if (edge_[edge] != 0 || is_border(edge)) note_edge(edge);
   job.checkpoint();
   for (const EdgeSlot edge : edges) {
+    forget_edge(edge);
     judge_edge(edge);
     edge_recorder_.note(edge, true);
   }

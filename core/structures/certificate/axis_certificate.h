@@ -28,7 +28,7 @@ namespace mes {
 /// pq. So the search goes from that face through outside faces that meet the arc and looks at their neighbours.
 /// In a dense sample these are faces at p or q.
 ///
-/// Cost: rebuild O(n) for dense samples, some 3 us a border edge; update O(changed faces).
+/// Cost: rebuild O(n) for dense samples, some 1 us a border edge; update O(changed faces).
 class AxisCertificate final : public Structure {
  public:
   AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls& balls);
@@ -67,8 +67,10 @@ class AxisCertificate final : public Structure {
   static constexpr std::uint8_t kBorder = 1;
   static constexpr std::uint8_t kBad = 2;
 
+  /// Of which nothing is known yet.
   void judge_edge(EdgeSlot edge);
   void judge_site(SiteSlot site);
+  void judge_all_sites();
   void forget_edge(EdgeSlot edge);
   bool is_arc_free(EdgeSlot edge);
   Corners corners_of(FaceSlot face) const;
