@@ -140,7 +140,8 @@ double edge_confidence(const EdgeCorners& corners) {
 
 double ambiguity_key(const EdgeCorners& corners) {
   const Phase phase = angle_of(corners);
-  const double size = length({phase.h, phase.i});
+  const double squared = phase.h * phase.h + phase.i * phase.i;
+  const double size = squared > 0x1p-900 && squared < 0x1p1000 ? std::sqrt(squared) : length({phase.h, phase.i});
   if (!(size > 0.0)) return 0.0;
   // |cos| where it varies, and its complement by the sine near 1, where |cos| is flat: both are within some 40 u of
   // the true value, since D and X carry errors of a few u times the lengths of their factors.

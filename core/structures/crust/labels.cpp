@@ -32,15 +32,30 @@ void Labels::set_conflict(EdgeSlot edge, bool is_conflict) {
   conflict_edges_.push_back(edge);
 }
 
-void Labels::read_conflict(EdgeSlot edge) {
+bool Labels::is_in_conflict(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
-  if (!row.is_alive()) {
-    set_conflict(edge, false);
-  } else if (tree_) {
-    set_conflict(edge, (inside_[row.f[0]] != inside_[row.f[1]]) != crust_.is_crust(edge));
-  } else {
-    set_conflict(edge, join_.has_edge(edge) != strokes_.has_edge(edge));
-  }
+  if (!row.is_alive()) return false;
+  if (tree_) return (inside_[row.f[0]] != inside_[row.f[1]]) != crust_.is_crust(edge);
+  return join_.has_edge(edge) != strokes_.has_edge(edge);
+}
+
+void Labels::read_conflict(EdgeSlot edge) {
+  set_conflict(edge, is_in_conflict(edge));
+}
+
+void Labels::read_all_conflicts() {
+  std::vector<std::size_t> counts(chunk_count(delaunay_.edge_rows()), 0);
+  parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    std::size_t count = 0;
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
+      const bool is_one = is_in_conflict(edge);
+      conflict_[edge] = is_one ? 1 : 0;
+      count += is_one ? 1U : 0U;
+    }
+    counts[chunk] = count;
+  });
+  conflict_count_ = 0;
+  for (const std::size_t count : counts) conflict_count_ += count;
 }
 
 void Labels::read_conflicts_at(FaceSlot face) {
@@ -98,12 +113,15 @@ void Labels::rebuild(JobControl& job) {
   // Among so many odd sites clusters are not small. The tree, which needs no strokes, then grows beside them.
   const bool is_noise = !is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites);
   std::unique_ptr<CertaintyTree> tree;
+  order_.forget_keys();
+  if (is_noise) order_.find_keys();
   run_tasks(is_noise ? 2 : 1, [&](std::size_t i) {
     if (i == 0)
       strokes_.rebuild(job);
     else
       tree = grown_tree(job);
   });
+  order_.forget_keys();
   if (delaunay_.dimension() < 2) {
     inside_.assign(delaunay_.face_rows(), 0);
     return;
@@ -115,9 +133,8 @@ void Labels::rebuild(JobControl& job) {
   choose_way(std::move(tree), job);
   conflict_.resize(delaunay_.edge_rows(), 0);
   if (tree_) label_all(job);
-  for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);
+  read_all_conflicts();
   if (!tree_) label_all(job);
-  conflict_edges_.clear();
 }
 
 // Sites at which an edge is another one or has another crust bit or other corners, and the neighbours of those whose
@@ -144,7 +161,8 @@ bool Labels::follow_conflicts(JobControl& job) {
   conflict_.resize(delaunay_.edge_rows(), 0);
   strokes_.update(touched_, job);
   const bool is_large = delaunay_.edge_changes().size() > 64 + delaunay_.edge_rows() / kFewEdges;
-  if (tree_ ? is_large || crust_.odd_count() < odd_when_tree_grew_ / 2 : !join_.update(touched_, job)) {
+  if (tree_ ? is_large || !tree_->has_forests() || crust_.odd_count() < odd_when_tree_grew_ / 2
+            : !join_.update(touched_, job)) {
     label_all_anew(job);
     return true;
   }
@@ -158,8 +176,13 @@ bool Labels::follow_conflicts(JobControl& job) {
   return false;
 }
 
+void Labels::get_ready_to_update(JobControl& job) {
+  if (tree_ && !tree_->has_forests()) tree_->make_forests(job);
+}
+
 void Labels::label_all_anew(JobControl& job) {
   choose_way(nullptr, job);
+  get_ready_to_update(job);
   const Table<FaceSlot, std::uint8_t> before = inside_;
   if (!tree_)
     for (const EdgeSlot edge : delaunay_.edge_slots()) read_conflict(edge);
@@ -171,22 +194,22 @@ void Labels::label_all_anew(JobControl& job) {
 }
 
 void Labels::label_new_faces() {
-  unlabelled_.begin(delaunay_.face_rows());
-  for (const FaceSlot face : delaunay_.face_changes().touched) unlabelled_.insert(face);
+  face_marks_.begin(delaunay_.face_rows());
+  for (const FaceSlot face : delaunay_.face_changes().touched) face_marks_.insert(face);
   queue_.clear();
   const auto settle = [this](FaceSlot face, bool inside) {
     inside_[face] = inside ? 1 : 0;
-    unlabelled_.erase(face);
+    face_marks_.erase(face);
     queue_.push_back(face);
   };
   for (const FaceSlot seed : delaunay_.face_changes().touched) {
-    if (!unlabelled_.contains(seed)) continue;
+    if (!face_marks_.contains(seed)) continue;
     if (delaunay_.face(seed).is_infinite()) {
       settle(seed, false);
     } else {
       for (int i = 0; i < 3; ++i) {
         const FaceSlot other = delaunay_.face(seed).n[i];
-        if (unlabelled_.contains(other)) continue;
+        if (face_marks_.contains(other)) continue;
         settle(seed, is_inside(other) != is_border(seed, i));
         break;
       }
@@ -196,7 +219,7 @@ void Labels::label_new_faces() {
       queue_.pop_back();
       for (int i = 0; i < 3; ++i) {
         const FaceSlot other = delaunay_.face(face).n[i];
-        if (!unlabelled_.contains(other)) continue;
+        if (!face_marks_.contains(other)) continue;
         settle(other, !delaunay_.face(other).is_infinite() && is_inside(face) != is_border(face, i));
       }
     }
@@ -247,7 +270,14 @@ bool Labels::update(JobControl& job) {
       for (const EdgeSlot edge : delaunay_.edge_changes().touched) read_conflict(edge);
       for (const EdgeSlot edge : strokes_.changed_edges()) read_conflict(edge);
       for (const FaceSlot face : delaunay_.face_changes().touched) read_conflicts_at(face);
-      for (const FaceSlot face : turned_) read_conflicts_at(face);
+      // Between two faces that are turned nothing changes.
+      face_marks_.begin(delaunay_.face_rows());
+      for (const FaceSlot face : turned_) face_marks_.insert(face);
+      for (const FaceSlot face : turned_) {
+        const FaceRow& row = delaunay_.face(face);
+        for (int i = 0; i < 3; ++i)
+          if (row.e[i] != kNoSlot && !face_marks_.contains(row.n[i])) read_conflict(row.e[i]);
+      }
     }
   }
 

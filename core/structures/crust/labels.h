@@ -50,6 +50,7 @@ class Labels final : public Structure {
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
+  void get_ready_to_update(JobControl& job) override;
   void clear_changes() override;
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
@@ -95,6 +96,9 @@ class Labels final : public Structure {
   void label_new_faces();
   bool repair(JobControl& job);
   void set_conflict(EdgeSlot edge, bool is_conflict);
+  /// By the trees or clusters, or by the labels that follow from them.
+  bool is_in_conflict(EdgeSlot edge) const;
+  void read_all_conflicts();
   void read_conflict(EdgeSlot edge);
   void read_conflicts_at(FaceSlot face);
 
@@ -117,7 +121,7 @@ class Labels final : public Structure {
 
   // Work space.
   SideSearch side_search_;
-  SlotMarks<FaceSlot> unlabelled_;
+  SlotMarks<FaceSlot> face_marks_;
   SlotMarks<SiteSlot> touched_marks_;
   std::vector<SiteSlot> touched_;
   std::vector<FaceSlot> queue_;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/base/parallel.h"
+
 namespace mes {
 
 namespace {
@@ -14,6 +16,15 @@ std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
 }
 
 }  // namespace
+
+void CertaintyOrder::find_keys() {
+  Table<EdgeSlot, double> keys(delaunay_.edge_rows(), 0.0);
+  parallel_for(keys.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
+      if (delaunay_.edge(edge).is_alive()) keys[edge] = rank_of(edge).key;
+  });
+  keys_ = std::move(keys);
+}
 
 bool CertaintyOrder::mends(EdgeSlot edge) const {
   const SiteSlot* end = delaunay_.edge(edge).v;

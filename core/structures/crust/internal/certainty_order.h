@@ -28,8 +28,13 @@ class CertaintyOrder {
   CertaintyOrder(const Delaunay& delaunay, const OneStepCrust& crust) : delaunay_(delaunay), crust_(crust) {}
 
   Rank rank_of(EdgeSlot edge) const {
+    if (!keys_.empty()) return {keys_[edge], edge};
     return {mends(edge) ? mending_key(edge) : ambiguity_key(crust_.corners(edge)), edge};
   }
+  /// Finds the keys of all edges, on all cores, for when most of them will be asked for. They hold until `forget_keys`,
+  /// which has to come before the next edit.
+  void find_keys();
+  void forget_keys() { keys_ = {}; }
   /// The first comes later in the order than the second.
   bool is_surer(const Rank& a, const Rank& b) const {
     if (std::abs(a.key - b.key) > 2.0 * kAmbiguityKeyError) return a.key > b.key;
@@ -49,6 +54,7 @@ class CertaintyOrder {
 
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
+  Table<EdgeSlot, double> keys_;  ///< empty unless all are known
 };
 
 }  // namespace mes

@@ -18,7 +18,7 @@ namespace mes {
 ///
 /// What it guarantees: the trees depend on the positions of the sites alone, whatever the history.
 ///
-/// Cost: rebuild O(n log n), by Kruskal's algorithm; update O(log n) for an edge that came, went or has another rank,
+/// Cost: rebuild O(n log n), by Kruskal's algorithm, which sorts few of the edges; update O(log n) for an edge that came, went or has another rank,
 /// amortised. Some 300 bytes a site. How: an edge that is removed is replaced by the most doubtful edge on the path
 /// between its two faces; an edge that is inserted takes the place of the surest edge on the path between its two
 /// sites, if that is surer than itself. Source: Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance
@@ -32,7 +32,12 @@ class CertaintyTree {
   /// The edge is in the tree of faces; otherwise in that of the sites.
   bool is_between_faces(EdgeSlot edge) const { return place_[edge] == Place::faces; }
 
+  /// Tells which edge is in which tree, and no more.
   void rebuild(JobControl& job);
+  /// Makes what `update` needs besides, and is the larger part of the work.
+  void make_forests(JobControl& job);
+  /// `make_forests` has been called since `rebuild`.
+  bool has_forests() const { return has_forests_; }
   /// Follows the change sets of the triangulation and the crust.
   void update(JobControl& job);
   /// Edges that the last update put into the tree of faces.
@@ -59,7 +64,14 @@ class CertaintyTree {
   Vertex vertex_of(FaceSlot face) const { return delaunay_.face(face).is_infinite() ? 0 : face.index() + 1; }
   Ends ends_of(EdgeSlot edge) const;
   void make_room();
-  std::vector<CertaintyOrder::Rank> ranks_in_order(JobControl& job);
+  /// Edges in groups, each with greater keys than the group before.
+  struct Groups {
+    std::vector<CertaintyOrder::Rank> ranks;
+    std::vector<std::size_t> begin;  ///< of each group in `ranks`, and the end of all
+    /// The least key in the groups after this one.
+    double least_after(std::size_t group) const;
+  };
+  Groups grouped_by_key();
   void put_between_sites(EdgeSlot edge);
   void put_between_faces(EdgeSlot edge);
   void take_out(EdgeSlot edge);
@@ -68,6 +80,7 @@ class CertaintyTree {
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
   const CertaintyOrder& order_;
+  bool has_forests_ = false;
   Table<EdgeSlot, double> key_;
   Table<EdgeSlot, Ends> ends_;
   Table<EdgeSlot, Place> place_;
