@@ -42,10 +42,10 @@ struct Track {
   double run(const Expected<DocumentDelta>& delta) {
     document.apply(*delta);
     auto shared = std::make_shared<const DocumentDelta>(*delta);
-    const double start = now_us();
+    const double start = own_us();
     graph.post(std::move(shared));
     graph.run(patch, job);
-    const double taken = now_us() - start;
+    const double taken = own_us() - start;
     if (!patch.complete) std::abort();
     return taken;
   }
@@ -64,16 +64,16 @@ struct Track {
     const Vec2 to = nudged(i, on_curve);
     const auto delta = move_samples(document, std::vector{std::pair{ids[i], to}});
     ours.push_back(run(delta));
-    const double start = now_us();
+    const double start = own_us();
     raw.move(i, to);
-    theirs.push_back(now_us() - start);
+    theirs.push_back(own_us() - start);
     points[i] = to;
   }
   double remove_ours(std::size_t i) { return run(remove_samples(document, std::vector{ids[i]})); }
   double remove_raw(std::size_t i) {
-    const double start = now_us();
+    const double start = own_us();
     raw.remove(i);
-    return now_us() - start;
+    return own_us() - start;
   }
   double insert_ours(std::size_t i, Vec2 at) {
     ids[i] = document.next_id();
@@ -81,9 +81,9 @@ struct Track {
     return run(insert_samples(document, std::vector{at}));
   }
   double insert_raw(std::size_t i, Vec2 at, std::size_t hint) {
-    const double start = now_us();
+    const double start = own_us();
     raw.insert_near(i, at, hint);
-    return now_us() - start;
+    return own_us() - start;
   }
   // A random sample goes; it comes back unmeasured.
   void remove(bool on_curve) {

@@ -4,6 +4,8 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace mes::bench {
@@ -28,11 +30,9 @@ void RawDelaunay::insert_range(std::span<const Vec2> points) {
 
 void RawDelaunay::insert_range_and_index(std::span<const Vec2> points) {
   insert_range(points);
-  Triangulation::Face_handle hint;
-  for (const Vec2 p : points) {
-    impl_->vertex.push_back(impl_->triangulation.nearest_vertex({p.x, p.y}, hint));
-    hint = impl_->vertex.back()->face();
-  }
+  std::map<std::pair<double, double>, Triangulation::Vertex_handle> at;
+  for (const auto v : impl_->triangulation.finite_vertex_handles()) at[{v->point().x(), v->point().y()}] = v;
+  for (const Vec2 p : points) impl_->vertex.push_back(at[{p.x, p.y}]);
   impl_->vertex.emplace_back();  // one more index, for a sample to come
 }
 

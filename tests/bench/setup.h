@@ -2,6 +2,8 @@
 // Inputs and graphs of the benchmarks.
 #pragma once
 
+#include <time.h>
+
 #include <chrono>
 #include <memory>
 #include <string_view>
@@ -14,6 +16,13 @@ namespace mes::bench {
 
 inline double now_us() {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Of this thread alone: for what is done on one thread, so that other programs do not count.
+inline double own_us() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
 inline std::vector<LayerIndex> layers_named(std::initializer_list<std::string_view> ids) {
