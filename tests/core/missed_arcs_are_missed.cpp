@@ -38,13 +38,13 @@ TEST_CASE("a disk that the filter lets pass by does not meet the arc") {
       if (!(turn_of(own) > 0.0) || !(turn_of(other) > 0.0)) continue;
       const OuterArc arc{own.a, own.b, own.c};
       const bool meets = meets_arc(arc, other);
-      if (!meets) ++not_met;
+      if (!meets && kind == 0) ++not_met;
       if (!ArcFilter(arc).misses(other)) continue;
-      ++missed;
+      if (kind == 0) ++missed;
       REQUIRE_FALSE(meets);
     }
   }
-  // It is of use: of disks that do not meet the arc it knows most.
+  // It is of use where products of four coordinates are doubles: of disks that do not meet the arc it knows most.
   CHECK(missed > not_met / 2);
 }
 
