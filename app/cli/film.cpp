@@ -128,7 +128,7 @@ class Studio {
   }
 
   void apply(const FramePatch& patch) {
-    if (panes_.is_empty()) scene_.apply(patch);
+    if (panes_.is_empty() || !fonts_) scene_.apply(patch);
   }
 
   Expected<CapturedPicture> draw(const Player& player) {

@@ -29,6 +29,8 @@ Expected<void> write(const ResampleRequest& request, const SampleData& data, con
   const auto delta = replace_all(document, {.positions = data.positions, .contours = data.contours});
   if (!delta) return std::unexpected(delta.error());
   document.apply(*delta);
+  if (!input.data.balls.empty())
+    say(fmt::format("balls are left out: POFF holds samples; there were {}", input.data.balls.size()));
   return write_output(request.output, write_poff(document), interruption, {input.sources, request.force});
 }
 

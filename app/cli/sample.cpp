@@ -33,6 +33,7 @@ Expected<SamplingRule> rule_of(const SampleRequest& request) {
   if (request.rule.empty()) {
     if (!request.spacing.empty()) return SamplingRule::spacing;
     if (!request.epsilon.empty()) return SamplingRule::feature_size;
+    if (!request.turn.empty()) return SamplingRule::curvature;
     return request.samples.empty() ? SamplingRule::adaptive : SamplingRule::count;
   }
   std::vector<std::string_view> names;
@@ -47,6 +48,18 @@ Expected<SamplingRule> rule_of(const SampleRequest& request) {
 Expected<SamplingRequest> sampling_of(const SampleRequest& request) {
   const auto rule = rule_of(request);
   if (!rule) return std::unexpected(rule.error());
+  struct Owned {
+    std::string_view option;
+    const std::string& text;
+    SamplingRule rule;
+  };
+  for (const Owned& owned : {Owned{"--spacing", request.spacing, SamplingRule::spacing},
+                             Owned{"--epsilon", request.epsilon, SamplingRule::feature_size},
+                             Owned{"--turn", request.turn, SamplingRule::curvature}})
+    if (!owned.text.empty() && *rule != owned.rule)
+      return usage_error(fmt::format("{} is for the rule {}, and samples are taken by the rule {}", owned.option,
+                                     sampling_rules()[static_cast<std::size_t>(owned.rule)].id,
+                                     sampling_rules()[static_cast<std::size_t>(*rule)].id));
   SamplingRequest out{.rule = *rule, .count = kUsualSamples};
   if (*rule == SamplingRule::adaptive) out.least_each = 8;
   if (!request.samples.empty()) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/brush.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/base/job_control.h"
 #include "core/evolutions/moving_curve.h"
@@ -11,8 +14,8 @@
 namespace mes {
 namespace {
 
-/// Samples in input order, as far as the brush has to look; empty where there are too many even under it.
-std::vector<SampleSlot> samples_near(const Editor& editor, Vec2 at, double radius) {
+/// Samples in input order, as far as the brush has to look; nothing where there are too many even under it.
+std::optional<std::vector<SampleSlot>> samples_near(const Editor& editor, Vec2 at, double radius) {
   constexpr std::array kReaches{3.0, 1.5, 1.0};
   for (const double reach : kReaches) {
     const Vec2 corner{reach * radius, reach * radius};
@@ -21,7 +24,7 @@ std::vector<SampleSlot> samples_near(const Editor& editor, Vec2 at, double radiu
     std::ranges::sort(out, {}, [&](SampleSlot slot) { return editor.document().id(slot); });
     return out;
   }
-  return {};
+  return std::nullopt;
 }
 
 /// Of the circle through three points that follow each other; positive where they turn to the left.
@@ -69,7 +72,16 @@ Expected<void> BrushStroke::erase(Vec2 at, double radius) {
 
 Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) try {
   const Document& document = editor_.document();
-  const std::vector<SampleSlot> slots = samples_near(editor_, at, radius);
+  const auto near = samples_near(editor_, at, radius);
+  if (!near) {
+    if (std::exchange(is_refused_, true)) return {};
+    return std::unexpected(
+        Error{ErrorCode::cannot_compute,
+              fmt::format("more than {} samples lie under the brush: too many to follow their curve; "
+                          "zoom in, or make it smaller",
+                          kMostSamples)});
+  }
+  const std::vector<SampleSlot>& slots = *near;
   if (slots.size() < 2) return {};
   std::vector<Vec2> positions;
   for (const SampleSlot slot : slots) positions.push_back(document.position(slot));
@@ -95,7 +107,7 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
       if (!is_under(p[i])) continue;
       if (mode == BrushMode::thin) {
         // Ends of a stroke, and the last ones of a loop, stay.
-        constexpr std::size_t kSmallestLoop = 4;
+        constexpr std::size_t kSmallestLoop = 5;
         if (!is_there(i, -1) || !is_there(i, 1) || (chain.closed && count < kSmallestLoop)) continue;
         if (kept_.contains(id(p[i]))) continue;
         kept_.insert(id(neighbor(i, -1)));

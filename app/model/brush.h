@@ -19,11 +19,12 @@ namespace mes {
 /// Cost of a touch: that of the crust of the samples near by. Threads: the window's.
 class BrushStroke {
  public:
-  static constexpr std::size_t kMostSamples = 5000;
+  static constexpr std::size_t kMostSamples = 2000;
 
   explicit BrushStroke(Editor& editor) : editor_(editor) {}
 
-  /// Error: that of the edit, or `cannot_compute` where there are too many samples near by to find a curve.
+  /// Error: that of the edit, or once in a stroke `cannot_compute`, where there are too many samples near by to find a
+  /// curve.
   Expected<void> touch(Vec2 at, double radius, BrushMode mode);
 
  private:
@@ -32,6 +33,7 @@ class BrushStroke {
   Expected<void> along_curve(Vec2 at, double radius, BrushMode mode);
 
   Editor& editor_;
+  bool is_refused_ = false;
   std::set<SampleId> kept_;  // of those that thinning leaves
   std::set<Pair> refined_;   // neighbours that nothing more comes between
 };

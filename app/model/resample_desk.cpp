@@ -69,7 +69,7 @@ Expected<void> ResampleDesk::apply(const Decimation& decimated) {
 ResampleDesk::Report ResampleDesk::report_of(const Found& found) {
   const auto refused = [](std::string text) { return Report{true, {std::move(text)}, {}, {}}; };
   if (!found.problem.empty()) return refused(found.problem);
-  if (editor_.document().revision() != begun_at_ || editor_.in_gesture())
+  if (editor_.document().revision() != begun_at_)
     return refused("The samples were edited meanwhile, so nothing was done to them");
   const auto done = found.repaired ? apply(*found.repaired) : apply(*found.decimated);
   if (!done) return refused(done.error().message());
@@ -80,9 +80,11 @@ ResampleDesk::Report ResampleDesk::report_of(const Found& found) {
 }
 
 std::optional<ResampleDesk::Report> ResampleDesk::follow() {
+  if (editor_.in_gesture()) return std::nullopt;
   const auto found = job_.poll();
   if (!found) return std::nullopt;
   last_ = report_of(*found);
+  reported_at_ = editor_.document().revision();
   return last_;
 }
 

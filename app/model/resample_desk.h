@@ -31,6 +31,11 @@ class ResampleDesk {
   enum class Wish : std::uint8_t { repair, decimate };
   void begin(Wish wish);
   bool is_under_way() const { return job_.is_under_way(); }
+  /// Another document takes the place of this one.
+  void forget() {
+    job_.give_up();
+    last_ = {};
+  }
 
   /// What was done, and what could not be.
   struct Report {
@@ -39,10 +44,10 @@ class ResampleDesk {
     std::vector<SampledCorner> corners{};
     std::vector<Vec2> places{};  ///< where the samples are still too few, or the curve ends
   };
-  /// Takes what was found, and does it. Not within a gesture.
+  /// Takes what was found, and does it; within a gesture it waits for its end.
   std::optional<Report> follow();
-  /// Of the last that was done; empty at first.
-  const Report& last() const { return last_; }
+  /// Of the last that was done; empty at first, and when the document has changed since.
+  Report last() const { return editor_.document().revision() == reported_at_ ? last_ : Report(); }
 
   /// What samples are to be, above 0 and at most 1.
   double epsilon = 0.25;
@@ -62,6 +67,7 @@ class ResampleDesk {
   BackgroundJob<Found> job_;
   std::uint64_t begun_at_ = 0;  // revision of the document
   Report last_;
+  std::uint64_t reported_at_ = ~std::uint64_t{0};
 };
 
 }  // namespace mes

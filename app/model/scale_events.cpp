@@ -108,22 +108,29 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const 
 
 void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& settings,
                          const std::function<SampleData()>& data) {
-  wanted_ = {document, settings};
-  wanted_.settings[Parameter::scale_axis_factor] = 1.0;  // all factors are looked at
+  // Nothing else makes a difference: all factors are looked at, with one number type.
+  wanted_ = {document, {}};
+  wanted_.settings[Parameter::medial_sampling_angle] = settings[Parameter::medial_sampling_angle];
   if (auto found = job_.poll()) found_ = *std::move(found);
   if (job_.is_under_way() && begun_ == wanted_) return;
   if (found_ && found_->state == wanted_) return;
-  // Given up where the document has changed meanwhile: it takes long.
+  // Given up where the document has changed meanwhile: it takes long. The next one begins when this one has ended.
+  job_.give_up();
+  if (job_.is_ending()) return;
   begun_ = wanted_;
   job_.begin([state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
-    Found out{state, {}};
+    Found out{state, {}, {}};
     JobControl job(stop);
     try {
-      if (auto events = scale_events_of(samples, state.settings, job)) out.events = *std::move(events);
+      if (auto events = scale_events_of(samples, state.settings, job))
+        out.events = *std::move(events);
+      else
+        out.problem = events.error().text;
     } catch (const Cancelled&) {
       // The result is dropped.
     } catch (const std::bad_alloc&) {
       out.events.clear();
+      out.problem = "there is not enough memory";
     }
     return out;
   });

@@ -34,8 +34,8 @@ struct ScaleEvent {
 Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
                                                   JobControl& job);
 
-/// Events of the document, found on a thread of their own while they are looked at. Threads: the window's; `wake` is
-/// called from the other.
+/// Events of the document, found on a thread of their own, one at a time, while they are looked at. Threads: the
+/// window's; `wake` is called from the other.
 class ScaleEvents {
  public:
   explicit ScaleEvents(std::function<void()> wake) : job_(std::move(wake)) {}
@@ -44,11 +44,13 @@ class ScaleEvents {
   void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
   /// They are not looked at any more.
   void rest() { job_.give_up(); }
-  bool is_under_way() const { return job_.is_under_way(); }
+  bool is_under_way() const { return job_.is_under_way() || job_.is_ending(); }
   /// Of the state followed last; null while they are not known.
   const std::vector<ScaleEvent>* events() const {
-    return found_ && found_->state == wanted_ ? &found_->events : nullptr;
+    return found_ && found_->state == wanted_ && found_->problem.empty() ? &found_->events : nullptr;
   }
+  /// Why they cannot be had; empty: they can.
+  std::string problem() const { return found_ && found_->state == wanted_ ? found_->problem : std::string(); }
 
  private:
   struct State {
@@ -59,6 +61,7 @@ class ScaleEvents {
   struct Found {
     State state;
     std::vector<ScaleEvent> events;
+    std::string problem;
   };
   BackgroundJob<Found> job_;
   State wanted_;

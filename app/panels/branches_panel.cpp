@@ -67,6 +67,12 @@ void BranchesPanel::draw() {
     ImGui::TextDisabled("%s", uses_.desk.problem().empty() ? "Computing the branches" : uses_.desk.problem().c_str());
     return;
   }
+  if (!uses_.desk.is_current() && !uses_.desk.is_under_way() && !uses_.desk.problem().empty()) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(uses_.desk.problem().c_str());
+    ImGui::PopTextWrapPos();
+    return;
+  }
   pointed_at_.reset();
   // In a low panel the table keeps some rows, and histogram and table are scrolled together.
   if (ImGui::BeginChild("##branches")) {

@@ -146,8 +146,9 @@ void CurvesPanel::draw_corners(SamplingRequest& request) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(counted(sampler_.corners().size(), "corner", "corners").c_str());
   tooltip(gui_,
-          "Where the tangent turns by more than 29 degrees. The local feature size is zero there: no density of "
-          "samples is enough for the theorem");
+          fmt::format("Where the tangent turns by more than {:.0f} degrees. The local feature size is zero there: no "
+                      "density of samples has an epsilon",
+                      kDegrees * request.corner_angle));
   ImGui::SameLine(0, 10 * unit);
   bool is_rounded = request.corner_radius > 0.0;
   if (ImGui::Checkbox("Rounded", &is_rounded)) request.corner_radius = is_rounded ? 0.02 * extent_ : 0.0;

@@ -10,6 +10,7 @@
 
 #include "app/model/statistics_text.h"
 #include "app/ui/icons.h"
+#include "app/ui/large_dialog.h"
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
@@ -373,17 +374,8 @@ void FigureDialog::draw_preview(const Gui& gui) const {
 }
 
 void FigureDialog::draw(const Gui& gui) {
-  // Place and size would be those of whichever window comes next.
-  const bool is_shown = is_open_ && !is_covered_;
-  if (!is_shown && !ImGui::IsPopupOpen(kId)) return;
-  const float unit = gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
-  ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
-  if (Gui::begin_dialog(kId, is_shown, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  large_dialog(gui, kId, is_open_ && !is_covered_, {kWidth, kHeight}, [&](ImVec2 size) {
+    const float unit = gui.unit();
     const float settings_width = std::min(kSettings * unit, 0.5F * size.x);
     ImGui::BeginChild("settings", {settings_width, 0});
     ImGui::PushFont(gui.bold());
@@ -404,9 +396,7 @@ void FigureDialog::draw(const Gui& gui) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const float longest = std::max((size.x - settings_width) * scale.x, size.y * scale.y);
     uses_->desk.want(uses_->settings, rasterized_, static_cast<int>(longest));
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  });
 }
 
 }  // namespace mes

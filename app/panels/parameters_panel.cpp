@@ -130,9 +130,11 @@ void ParametersPanel::draw_scale_events(double& factor) {
   };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
-  std::string words = events == nullptr ? "Looking for factors at which components merge or holes close"
-                      : events->empty() ? "No components merge and no holes close up to the factor 3"
-                                        : "Factors at which components merge or holes close; a click goes there";
+  const std::string problem = scale_events_.problem();
+  std::string words = !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
+                      : events == nullptr ? "Looking for factors at which components merge or holes close"
+                      : events->empty()   ? "No components merge and no holes close up to the factor 3"
+                                          : "Factors at which components merge or holes close; a click goes there";
   if (events != nullptr) {
     const float mouse = ImGui::GetIO().MousePos.x;
     const ScaleEvent* nearest = nullptr;

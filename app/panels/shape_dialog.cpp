@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/large_dialog.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -123,15 +124,8 @@ void ShapeDialog::draw_buttons(const Gui& gui) {
 }
 
 void ShapeDialog::draw(const Gui& gui) {
-  if (!is_open_ && !ImGui::IsPopupOpen(kId)) return;
-  const float unit = gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
-  ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
-  if (Gui::begin_dialog(kId, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  large_dialog(gui, kId, is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+    const float unit = gui.unit();
     ImGui::BeginChild("shapes", {std::min(kListWidth * unit, 0.25F * size.x), 0});
     draw_list(gui);
     ImGui::EndChild();
@@ -153,9 +147,7 @@ void ShapeDialog::draw(const Gui& gui) {
     ImGui::BeginChild("preview");
     draw_sample_preview(gui, made_ && *made_ ? &**made_ : nullptr);
     ImGui::EndChild();
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  });
 }
 
 }  // namespace mes

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 
+#include "app/ui/large_dialog.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -132,15 +133,8 @@ void TextDialog::draw_buttons(const Gui& gui) {
 }
 
 void TextDialog::draw(const Gui& gui) {
-  if (!is_open_ && !ImGui::IsPopupOpen(kId)) return;
-  const float unit = gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
-  ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
-  if (Gui::begin_dialog(kId, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  large_dialog(gui, kId, is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+    const float unit = gui.unit();
     ImGui::BeginChild("fonts", {std::min(kListWidth * unit, 0.25F * size.x), 0});
     draw_fonts(gui);
     ImGui::EndChild();
@@ -157,9 +151,7 @@ void TextDialog::draw(const Gui& gui) {
     ImGui::BeginChild("preview");
     draw_sample_preview(gui, made_ && *made_ ? &**made_ : nullptr);
     ImGui::EndChild();
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  });
 }
 
 }  // namespace mes

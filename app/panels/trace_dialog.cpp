@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/ui/icons.h"
+#include "app/ui/large_dialog.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -167,15 +168,8 @@ void TraceDialog::draw_preview(const Gui& gui) {
 }
 
 void TraceDialog::draw(const Gui& gui) {
-  if (!is_open_ && !ImGui::IsPopupOpen(kId)) return;
-  const float unit = gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(kWidth * unit, screen.x - 24 * unit), std::min(kHeight * unit, screen.y - 24 * unit));
-  ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 8 * unit});
-  if (Gui::begin_dialog(kId, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  large_dialog(gui, kId, is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+    const float unit = gui.unit();
     begin_choices();
     ImGui::BeginChild("settings", {std::min(kChoices * unit, 0.5F * size.x), 0});
     ImGui::PushFont(gui.bold());
@@ -193,9 +187,7 @@ void TraceDialog::draw(const Gui& gui) {
     ImGui::BeginChild("preview");
     draw_preview(gui);
     ImGui::EndChild();
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  });
 }
 
 }  // namespace mes

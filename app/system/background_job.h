@@ -2,6 +2,7 @@
 // A call that takes long, on a thread of its own, and what came of it.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -62,6 +63,11 @@ class BackgroundJob {
     if (!run_) return;
     run_->thread.request_stop();
     given_up_.push_back(std::move(run_));
+  }
+
+  /// A call that was given up has not ended yet; `wake` is called when it has.
+  bool is_ending() const {
+    return std::ranges::any_of(given_up_, [](const auto& run) { return !run->has_ended; });
   }
 
   /// It was begun, and what came of it was not taken.

@@ -45,8 +45,14 @@ void Workspace::follow_resampling() {
     messages_.remark(text);
 }
 
+void Workspace::follow_curves(bool is_held) {
+  report(curve_sampler_.follow(is_held));
+  if (const auto notice = curve_sampler_.take_notice()) messages_.remark(*notice);
+}
+
 void Workspace::leave_document() {
   annotations_.forget();
+  resampling_.forget();
   computation_.give_back();
   evolution_.resume(evolution_.choice(), 0);
   computation_.set(for_another_document(computation_.settings()));

@@ -99,7 +99,7 @@ class Workspace {
   /// Once a turn: selects along the curve when it was found.
   void follow_selection() { report(curve_selector_.follow()); }
   /// The same of samples of curves. `is_held`: a control of the panels is held.
-  void follow_curves(bool is_held) { report(curve_sampler_.follow(is_held)); }
+  void follow_curves(bool is_held);
   /// Once a turn: inserts or removes the samples that were found.
   void follow_resampling();
   /// Once a turn: shows the state of the evolution that is ready.

@@ -71,7 +71,7 @@ class Graph {
   /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
   /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
   bool run(FramePatch& out, JobControl& job);
-  /// After a complete run, while nobody waits: the structures make what the next edit needs. Ends early when stopped.
+  /// After a complete run, before the next edit comes: the structures make what the next edit needs. Ends early when stopped.
   void get_ready(JobControl& job);
   /// Called with the public id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }

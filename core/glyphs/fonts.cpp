@@ -102,7 +102,7 @@ std::unexpected<Error> no_font(std::string text) {
 
 Expected<FontFile> font_in_file(const std::string& name) {
   std::error_code error;
-  if (!fs::is_regular_file(name, error)) return no_font(fmt::format("there is no file of a font \"{}\"", name));
+  if (!fs::is_regular_file(name, error)) return no_font(fmt::format("the font file \"{}\" does not exist", name));
   return FontFile{.path = name, .index = 0, .name = fs::path(name).filename().string()};
 }
 

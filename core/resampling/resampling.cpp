@@ -118,11 +118,12 @@ Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<Curve
   return {};
 }
 
+/// `asked` stays with the samples as the way in which they were taken.
 Expected<TakenSamples> take_once(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
-                                 const FeatureSizes& sizes) {
+                                 const SamplingRequest& asked, const FeatureSizes& sizes) {
   auto samples = sample(*curves, request, sizes);
   if (!samples) return std::unexpected(samples.error());
-  auto data = taken_from(curves, *std::move(samples), request);
+  auto data = taken_from(curves, *std::move(samples), asked);
   if (!data) return std::unexpected(data.error());
   return TakenSamples{.data = *std::move(data)};
 }
@@ -131,7 +132,7 @@ Expected<TakenSamples> take_once(const std::shared_ptr<const CurveSet>& curves, 
 
 Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
                                     JobControl& job) {
-  if (request.rule != SamplingRule::feature_size) return take_once(curves, request, {});
+  if (request.rule != SamplingRule::feature_size) return take_once(curves, request, request, {});
   const FeatureSizes sizes = [&job](std::span<const Vec2> positions) -> Expected<std::vector<double>> {
     auto measured = Measured::of(positions, job);
     if (!measured) return std::unexpected(measured.error());
@@ -148,7 +149,7 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
   std::optional<TakenSamples> first;
   SamplingRequest finer = request;
   for (int i = 0; i < tries; ++i, finer.epsilon = std::max(kLeastEpsilon, kFiner * finer.epsilon)) {
-    auto taken = take_once(curves, finer, sizes);
+    auto taken = take_once(curves, finer, request, sizes);
     if (!taken && first) break;  // more samples than there may be
     if (!taken) return taken;
     if (auto done = judge(*taken, finer.epsilon, corners, job); !done) return std::unexpected(done.error());

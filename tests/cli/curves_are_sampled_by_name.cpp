@@ -71,6 +71,10 @@ TEST_CASE("samplings that make no sense end the command in one line") {
   };
   for (const Case& test :
        std::vector<Case>{{{"--rule", "dense"}, 2, "--rule: there is no rule \"dense\"; the rules are vertices"},
+                         {{"--rule", "number", "--turn", "5"},
+                          2,
+                          "--turn is for the rule curvature, and samples are taken by the rule number"},
+                         {{"--spacing", "1", "--epsilon", "0.2"}, 2, "--epsilon is for the rule feature-size"},
                          {{"--rule", "spacing"}, 2, "the rule spacing needs --spacing"},
                          {{"--epsilon", "2"}, 2, "epsilon must be from 0.01 to 1"},
                          {{"--epsilon", "x"}, 2, "--epsilon expects a number, not \"x\""},

@@ -53,7 +53,7 @@ TEST_CASE("fonts that are not there and characters without a glyph end in one li
   };
   for (const Case& test :
        std::vector<Case>{{{"a", "--font", "No Such Font"}, 2, "there is no font \"No Such Font\""},
-                         {{"a", "--font", "./nowhere.otf"}, 2, "there is no file of a font \"./nowhere.otf\""},
+                         {{"a", "--font", "./nowhere.otf"}, 2, "the font file \"./nowhere.otf\" does not exist"},
                          {{"a", "--font", "tests/data/balls.wpoff"},
                           3,
                           "tests/data/balls.wpoff: this is not a TrueType or OpenType font"},

@@ -60,10 +60,10 @@ TEST_CASE("the eraser takes what the ring passes over, samples and balls, and on
   Bench bench;
   const std::vector<Vec2> before = bench.places();
   // The system reports two places of the way through the middle.
-  bench.stroke({{150, 0}, {60, 0}});
+  bench.stroke({{154, 0}, {60, 0}});
   for (const Vec2 p : before) {
     const bool is_left = std::ranges::count(bench.places(), p) != 0;
-    const double away = std::hypot(p.x - std::clamp(p.x, 60.0, 150.0), p.y);
+    const double away = std::hypot(p.x - std::clamp(p.x, 60.0, 154.0), p.y);
     // A ring drawn every quarter of the radius leaves out less than one part in a hundred at the rim.
     if (away > 30.0) CHECK(is_left);
     if (away < 29.7) CHECK_FALSE(is_left);
@@ -105,6 +105,24 @@ TEST_CASE("thinning takes every other sample once, however often the brush passe
   const std::size_t first = bench.editor.document().sample_count();
   bench.around(1);
   CHECK(bench.editor.document().sample_count() < first * 3 / 4);
+}
+
+TEST_CASE("a small loop is left as it is, and too many samples are said to be too many, once a stroke") {
+  Bench bench;
+  REQUIRE(bench.editor.load({.positions = {{-10, 0}, {0, -10}, {10, 0}, {0, 10}}}));
+  bench.brush.mode = BrushMode::thin;
+  bench.stroke({{0, 0}, {3, 0}});
+  CHECK(bench.editor.document().sample_count() == 4);
+  SampleData many;
+  for (std::uint32_t i = 0; i < BrushStroke::kMostSamples + 10; ++i)
+    many.positions.push_back({1e-3 * static_cast<double>(i), 0.0});
+  REQUIRE(bench.editor.load(many));
+  std::vector<std::string> said;
+  bench.context.report = [&said](const Error& error) { said.push_back(error.text); };
+  bench.stroke({{0, 0}, {50, 0}, {100, 0}});
+  REQUIRE(said.size() == 1);
+  CHECK_THAT(said[0], Catch::Contains("zoom in"));
+  CHECK_FALSE(bench.editor.can_undo());
 }
 
 TEST_CASE("refining puts one sample between neighbours, on the curve") {

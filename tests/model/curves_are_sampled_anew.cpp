@@ -179,6 +179,40 @@ TEST_CASE("another document drops what is under way") {
   CHECK_FALSE(bench.editor.can_undo());
 }
 
+TEST_CASE("an undo while samples are taken drops them, so that redo is there") {
+  Bench bench;
+  bench.want(60, false);
+  SamplingRequest request = bench.sampler.request();
+  request.count = 77;
+  bench.sampler.want(request);
+  bench.editor.undo();
+  bench.finish(false);
+  CHECK(bench.editor.document().sample_count() == 40);
+  CHECK(bench.editor.can_redo());
+  bench.editor.redo();
+  CHECK(bench.editor.document().sample_count() == 60);
+}
+
+TEST_CASE("the epsilon that is asked for stays the one that is asked for") {
+  // Not proved at 1, so that a smaller epsilon is taken.
+  Bench bench;
+  PlaneCurve ellipse({3, 0});
+  ellipse.arc_to({{0, 0}, {3, 0}, {0, 0.2}, 0.0, 2 * std::numbers::pi}, {3, 0});
+  ellipse.close();
+  const auto curves = std::make_shared<const CurveSet>(CurveSet{.curves = {ellipse}});
+  const SamplingRequest few{.rule = SamplingRule::count, .count = 20};
+  REQUIRE(bench.editor.load(*taken_from(curves, *sample(*curves, few), few)));
+  SamplingRequest request = bench.sampler.request();
+  request.rule = SamplingRule::feature_size;
+  request.epsilon = 1.0;
+  bench.sampler.want(request);
+  bench.finish(true);
+  CHECK(bench.sampler.request() == request);
+  // The same wish again begins nothing.
+  bench.sampler.want(request);
+  CHECK_FALSE(bench.sampler.is_busy());
+}
+
 TEST_CASE("a wish that cannot be fulfilled says why and changes nothing") {
   Bench bench;
   SamplingRequest request = bench.sampler.request();
@@ -208,6 +242,8 @@ TEST_CASE("curves are laid through samples that have none, and nothing moves") {
   REQUIRE(bench.sampler.source() != nullptr);
   CHECK(places(bench.editor.document()) == plain.positions);
   CHECK(bench.sampler.source()->curves->curves.size() == 1);
+  CHECK(bench.sampler.take_notice() ==
+        "1 curve was laid through the samples; others can be taken on the page Curves");
   bench.want(48, false);
   CHECK(bench.editor.document().sample_count() == 48);
   bench.editor.undo();
@@ -230,6 +266,8 @@ TEST_CASE("corners are marked with their angles in one step") {
   REQUIRE(bench.sampler.mark_corners());
   CHECK(bench.editor.document().annotations()->size() == 4);
   CHECK(bench.editor.document().annotations()->front().text == "90\u00b0");
+  REQUIRE(bench.sampler.mark_corners());
+  CHECK(bench.editor.document().annotations()->size() == 4);
   bench.editor.undo();
   CHECK(bench.editor.document().annotations()->empty());
 }

@@ -42,9 +42,10 @@ void BrushTool::press(const Pointer& pointer) {
 void BrushTool::drag(const Pointer& pointer) {
   if (!is_active()) return;
   pointer_px_ = pointer.px;
-  // So many radii from one touch to the next leave nothing out along the middle, and hardly anything at the rim.
-  constexpr double kStep = 0.25;
-  const double step = std::max(1.0, kStep * context_.brush->radius_px);
+  // A quarter of the radius from one touch to the next leaves hardly anything out at the rim.
+  // Finding the curve takes longer, and it does not matter there.
+  const double share = context_.brush->mode == BrushMode::erase ? 0.25 : 0.5;
+  const double step = std::max(1.0, share * context_.brush->radius_px);
   const Pointer from = last_;
   const double way = distance(from.px, pointer.px);
   for (double passed = step; passed <= way; passed += step) {
@@ -58,6 +59,7 @@ void BrushTool::drag(const Pointer& pointer) {
 void BrushTool::release(const Pointer& pointer) {
   if (!is_active()) return;
   drag(pointer);
+  if (last_.px != pointer.px) touch(pointer);
   context_.editor.end_gesture();
   stroke_.reset();
 }
