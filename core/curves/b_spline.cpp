@@ -30,6 +30,9 @@ bool is_spline(const BSpline& spline) {
   if (spline.degree == 0 || spline.degree > kHighestDegree || count <= spline.degree) return false;
   if (spline.knots.size() != count + spline.degree + 1) return false;
   if (!spline.weights.empty() && spline.weights.size() != count) return false;
+  // Where so many knots are one the spline jumps.
+  for (std::size_t i = 1; i + spline.degree + 1 < spline.knots.size(); ++i)
+    if (spline.knots[i] == spline.knots[i + spline.degree]) return false;
   return std::ranges::all_of(spline.knots, [](double knot) { return std::isfinite(knot); }) &&
          std::ranges::is_sorted(spline.knots) &&
          std::ranges::all_of(spline.weights, [](double w) { return w > 0.0 && std::isfinite(w); }) &&

@@ -39,8 +39,10 @@ Cut cut_at(const MeasuredCurve& curve, const Stretch& stretch, double passed) {
   return {piece, curve.lengths[piece].parameter_at(passed)};
 }
 
-/// A stretch of which something is cut off at both ends.
+/// A stretch of which something is cut off at both ends; empty where nothing but rounding is left.
 std::vector<Piece> shortened(const MeasuredCurve& curve, const Stretch& stretch, double begin, double end) {
+  constexpr double kRounding = 1e-9;
+  if (begin > 0.0 && end > 0.0 && begin + end >= stretch.length * (1.0 - kRounding)) return {};
   const Cut from = begin > 0.0 ? cut_at(curve, stretch, begin) : Cut{stretch.first, 0.0};
   const Cut to =
       end > 0.0 ? cut_at(curve, stretch, stretch.length - end) : Cut{stretch.first + stretch.count - 1, 1.0};
@@ -98,16 +100,19 @@ PlaneCurve rounded(const PlaneCurve& curve, double corner_angle, double radius) 
     const double end = has_corner_after ? away[next] : 0.0;
     for (const Piece& piece : shortened(all, all.stretches[i], away[i], end)) pieces.push_back(piece);
     if (!has_corner_after || end == 0.0) continue;
+    // Each side as it is without the cut at its other end: what lies between two cuts may be nothing.
+    const std::vector<Piece> before = shortened(all, all.stretches[i], 0.0, end);
     const std::vector<Piece> after = shortened(all, all.stretches[next], away[next], 0.0);
-    const Vec2 from = pieces.empty() ? shortened(all, all.stretches[i], 0.0, end).back().to() : pieces.back().to();
-    const Vec2 to = after.empty() ? all.pieces[all.stretches[next].first].from() : after.front().from();
+    if (before.empty() || after.empty()) continue;
+    const Vec2 from = before.back().to();
+    const Vec2 to = after.front().from();
     if (from == to) continue;
     const Piece& side = last_piece(i);
     const Piece& other = all.pieces[all.stretches[next].first];
     const bool are_lines = side.kind == PieceKind::line && other.kind == PieceKind::line &&
                            end <= distance(side.from(), side.to()) && end <= distance(other.from(), other.to());
-    const Vec2 first = unit(pieces.empty() ? side.last_direction() : pieces.back().last_direction());
-    const Vec2 last = unit(after.empty() ? other.first_direction() : after.front().first_direction());
+    const Vec2 first = unit(before.back().last_direction());
+    const Vec2 last = unit(after.front().first_direction());
     pieces.push_back(are_lines ? rounding_arc(from, to, first, turn_between(first, last), end)
                                : rounding_cubic(from, to, first, last, end));
   }

@@ -53,7 +53,8 @@ class Ends {
     const auto index = [&](double x) {
       return static_cast<std::int64_t>(std::fmax(-kFar, std::fmin(kFar, std::floor(x / tolerance_))));
     };
-    return {index(p.x), index(p.y)};
+    const Vec2 origin = curves_.front().start();
+    return {index(p.x - origin.x), index(p.y - origin.y)};
   }
   // Cells that share a key are told apart by the distance of what lies there.
   static std::uint64_t key_of(std::int64_t x, std::int64_t y) {

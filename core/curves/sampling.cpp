@@ -19,8 +19,10 @@ namespace {
 
 // Of the adaptive rule: how many samples may lie where one would.
 constexpr double kFiner = 8.0;
+// Rules that look around take some hundred bytes for each sample.
+constexpr std::size_t kMostUneven = 1'000'000;
 // Of the rule by feature size, whose corners would ask for infinitely many.
-constexpr double kFinestFeature = 100.0;
+constexpr double kFinestFeature = 1000.0;
 // What has more pieces is sampled evenly when it is opened, in time that grows with their number and no faster.
 constexpr std::size_t kMostAdaptivePieces = 20'000;
 
@@ -235,6 +237,9 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
 /// By the rules under which spacings change along the curves.
 Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
                                Collector& out) {
+  if (request.count > std::min(kMostUneven, request.most))
+    return refused(ErrorCode::bad_input,
+                   fmt::format("by this rule there may be no more than {} samples", kMostUneven));
   const double negligible = negligible_length(curves, request);
   std::vector<MeasuredCurve> measured_curves;
   double all = 0.0;

@@ -32,7 +32,7 @@ enum class SamplingRule : std::uint8_t {
   curvature,  ///< as `count` or denser, so that no more than `turn` of direction lies between neighbours; at most eight
               ///< times as dense
   feature_size,  ///< half the distance of neighbours is at most `epsilon` times the feature size, as far as intervals
-                 ///< of a hundredth of the mean that `count` gives allow it
+                 ///< of a thousandth of the mean that `count` gives allow it
 };
 
 struct SamplingRuleDescriptor {
@@ -96,7 +96,7 @@ Expected<void> check(const SamplingRequest& request);
 
 /// Samples of all curves in their order, then the points that lie on none. Lengths of arc are right within 1e-11 of the
 /// length of a piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error:
-/// `bad_input` for more samples than `most`, and for coordinates that are not finite; `usage` for a request that makes
+/// `bad_input` for more samples than `most` (by the rules from `adaptive` on, for more than a million), and for coordinates that are not finite; `usage` for a request that makes
 /// no sense. The rule `feature_size` asks `sizes` some ten times; without it, that rule is `usage`.
 Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request,
                                const FeatureSizes& sizes = {});

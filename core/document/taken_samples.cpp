@@ -10,7 +10,16 @@
 namespace mes {
 namespace {
 
-/// Nothing, or why some coordinate is out of range.
+bool is_finite(const PlaneCurve& curve) {
+  return std::ranges::all_of(curve.points(), [](Vec2 p) { return mes::is_finite(p); }) &&
+         std::ranges::all_of(curve.arcs(), [](const EllipticArc& arc) {
+           return mes::is_finite(arc.center) && mes::is_finite(arc.u) && mes::is_finite(arc.v) &&
+                  mes::is_finite(Vec2{arc.start, arc.sweep});
+         });
+}
+
+}  // namespace
+
 std::string bring_into_range(std::vector<Vec2>& positions) {
   int most = Magnitudes{}.most;
   for (const Vec2 p : positions)
@@ -23,16 +32,6 @@ std::string bring_into_range(std::vector<Vec2>& positions) {
     }
   return {};
 }
-
-bool is_finite(const PlaneCurve& curve) {
-  return std::ranges::all_of(curve.points(), [](Vec2 p) { return mes::is_finite(p); }) &&
-         std::ranges::all_of(curve.arcs(), [](const EllipticArc& arc) {
-           return mes::is_finite(arc.center) && mes::is_finite(arc.u) && mes::is_finite(arc.v) &&
-                  mes::is_finite(Vec2{arc.start, arc.sweep});
-         });
-}
-
-}  // namespace
 
 Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledCurves samples,
                                 const SamplingRequest& request) {

@@ -7,12 +7,17 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/document/commands.h"
 #include "core/document/curve_source.h"
 
 namespace mes {
+
+/// Makes coordinates zero that are nothing but rounding beside the largest. Empty, or why some coordinate is out of range.
+std::string bring_into_range(std::vector<Vec2>& positions);
 
 /// The samples with their chains as contours, and the curves as their source; without a source where a number of the
 /// curves is not finite. Coordinates that are nothing but rounding beside the largest become zero. Error: `bad_input`

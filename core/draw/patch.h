@@ -61,7 +61,7 @@ struct LayerPatch {
   }
 };
 
-/// Some instances of one kind of one layer, on their way to someone who does not keep them.
+/// Some instances of one kind of one layer, on their way to a consumer that does not keep them.
 struct InstancePiece {
   LayerIndex layer = 0;
   PrimitiveKind kind = PrimitiveKind::point;

@@ -145,8 +145,9 @@ class TextReader {
       return wrong(fmt::format("a text has at most {} bytes, and this has {}", kLongestText, request_.text.size()));
     if (!(request_.size > 0.0 && std::isfinite(request_.size)))
       return wrong("the size of a text is a positive number");
-    if (!(request_.line_spacing >= 0.0 && std::isfinite(request_.line_spacing)))
-      return wrong("the distance of lines is a number from 0 up");
+    constexpr double kMostSpacing = 1000.0;
+    if (!(request_.line_spacing >= 0.0 && request_.line_spacing <= kMostSpacing))
+      return wrong("the distance of lines is a number from 0 to 1000");
     return {};
   }
 

@@ -17,9 +17,16 @@ namespace mes {
 ///     remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });
 class CountedRemarks {
  public:
-  /// `one` follows "1", `many` any other number. The place said is the first.
+  /// `one` follows "1", `many` any other number. The place said is the first. Kinds after the first two dozen, which a
+  /// file may make up, are one.
   void add(std::string one, std::string many, std::size_t place) {
-    const auto known = std::ranges::find(kinds_, one, &Kind::one);
+    constexpr std::size_t kMostKinds = 24;
+    auto known = std::ranges::find(kinds_, one, &Kind::one);
+    if (known == kinds_.end() && kinds_.size() >= kMostKinds) {
+      one = "thing of another kind is left out";
+      many = "things of other kinds are left out";
+      known = std::ranges::find(kinds_, one, &Kind::one);
+    }
     if (known != kinds_.end()) {
       ++known->count;
       known->place = std::min(known->place, place);

@@ -27,7 +27,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kDeepest = 32;
 constexpr std::size_t kMostEntities = 1'000'000;  // those of blocks counted each time
-constexpr std::size_t kMostPieces = 4'000'000;
+constexpr std::size_t kMostPieces = 1'000'000;
+constexpr std::size_t kMostPairs = 50'000'000;  // lines of entities, those of blocks counted each time
 constexpr std::string_view kBinary = "AutoCAD Binary DXF";
 
 struct Block {
@@ -65,8 +66,8 @@ class DxfReader {
     remarks_.for_each([&](const std::string& remark, std::size_t) { text += "; " + remark; });
     return bad_input(std::move(text), name_, 1, 1);
   }
-  void leave_out(DxfEntity entity, std::string_view why) {
-    remarks_.add(fmt::format("{} is left out", why), fmt::format("{}s are left out", why), entity.front().line);
+  void leave_out(DxfEntity entity, std::string_view one, std::string_view many) {
+    remarks_.add(fmt::format("{} is left out", one), fmt::format("{} are left out", many), entity.front().line);
   }
 
   /// The entity that begins at a pair with code 0.
@@ -173,6 +174,9 @@ class DxfReader {
       }
       const std::span<const DxfEntity> vertices = entities.subspan(i + 1, end - i - 1);
       i = end - 1;
+      looked_at_ += entity.size();
+      for (const DxfEntity vertex : vertices) looked_at_ += vertex.size();
+      if (looked_at_ > kMostPairs) return refuse(entity.front(), "blocks are inserted too often");
       if (is_hidden(entity)) continue;
       if (auto done = draw(entity, vertices, map, depth); !done) return done;
       if (pieces_ > kMostPieces)
@@ -221,7 +225,10 @@ class DxfReader {
     if (kind == "POLYLINE") return draw_old_polyline(entity, vertices, seen);
     if (kind == "INSERT") return draw_block(entity, seen, depth);
     constexpr std::string_view kSilent[]{"SEQEND", "VIEWPORT", "ATTDEF", "ATTRIB"};
-    if (std::ranges::find(kSilent, kind) == std::end(kSilent)) leave_out(entity, printable(kind.substr(0, 32)));
+    if (std::ranges::find(kSilent, kind) == std::end(kSilent)) {
+      const std::string name = printable(kind.substr(0, 32));
+      leave_out(entity, "entity " + name, "entities " + name);
+    }
     return {};
   }
 
@@ -276,7 +283,7 @@ class DxfReader {
     const auto to = number(entity, 51, 0.0);
     if (!to) return std::unexpected(to.error());
     if (!(*radius > 0.0)) {
-      leave_out(entity, "circle without a radius");
+      leave_out(entity, "circle without a radius", "circles without a radius");
       return {};
     }
     add_arc(*center, {*radius, 0.0}, {0.0, *radius}, is_circle ? 0.0 : kDegree * *from,
@@ -296,7 +303,7 @@ class DxfReader {
     const auto to = number(entity, 42, kTurn);
     if (!to) return std::unexpected(to.error());
     if (*major == Vec2{}) {
-      leave_out(entity, "ellipse without a major axis");
+      leave_out(entity, "ellipse without a major axis", "ellipses without a major axis");
       return {};
     }
     add_arc(*center, *major, (is_from_below ? -*ratio : *ratio) * perpendicular(*major), *from, *to, map);
@@ -354,7 +361,7 @@ class DxfReader {
     constexpr unsigned kMesh = 16U | 64U;
     constexpr unsigned kControl = 16U;
     if ((flags_of(entity) & kMesh) != 0) {
-      leave_out(entity, "mesh");
+      leave_out(entity, "mesh", "meshes");
       return {};
     }
     std::vector<Corner> corners;
@@ -386,9 +393,17 @@ class DxfReader {
                    .knots = *std::move(knots),
                    .weights = *std::move(weights)};
     for (std::size_t i = 0; i < std::min(x->size(), y->size()); ++i) spline.controls.push_back({(*x)[i], (*y)[i]});
+    // Of a high degree a span may become as many pieces.
+    constexpr std::size_t kPiecesOfASpan = 32;
+    if (spline.controls.size() * kPiecesOfASpan > kMostPieces)
+      return refuse(entity.front(),
+                    fmt::format("a spline has more than {} control points", kMostPieces / kPiecesOfASpan));
     auto curve = curve_of_spline(spline);
     if (!curve) {
-      leave_out(entity, spline.controls.empty() ? "spline without control points" : "spline whose knots do not fit");
+      if (spline.controls.empty())
+        leave_out(entity, "spline without control points", "splines without control points");
+      else
+        leave_out(entity, "spline whose knots do not fit", "splines whose knots do not fit");
       return {};
     }
     if (curve->piece_count() > 1 && curve->start() == curve->end()) curve->close();
@@ -400,7 +415,7 @@ class DxfReader {
     const auto name = dxf_text(entity, 2);
     const auto found = blocks_.find(std::string(name.value_or("")));
     if (found == blocks_.end()) {
-      leave_out(entity, "block that is not there");
+      leave_out(entity, "block that is not there", "blocks that are not there");
       return {};
     }
     if (depth >= kDeepest) return refuse(entity.front(), "blocks are nested too deeply");
@@ -450,6 +465,7 @@ class DxfReader {
   std::vector<DxfEntity> entities_;
   std::size_t drawn_ = 0;
   std::size_t pieces_ = 0;
+  std::size_t looked_at_ = 0;  // pairs of a code and a value
   CountedRemarks remarks_;
   CurveSet set_;
 };

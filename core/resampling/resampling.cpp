@@ -101,6 +101,7 @@ Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<Curve
   }();
   std::vector<bool> is_named(corners.size(), false);
   for (const Vec2 place : (*measured)->failures()) {
+    job.checkpoint();
     std::size_t nearest = corners.size();
     double away = reach;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -134,7 +135,10 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
                                     JobControl& job) {
   if (request.rule != SamplingRule::feature_size) return take_once(curves, request, request, {});
   const FeatureSizes sizes = [&job](std::span<const Vec2> positions) -> Expected<std::vector<double>> {
-    auto measured = Measured::of(positions, job);
+    std::vector<Vec2> places(positions.begin(), positions.end());
+    if (std::string fault = bring_into_range(places); !fault.empty())
+      return std::unexpected(Error{ErrorCode::bad_input, "of the samples, " + fault});
+    auto measured = Measured::of(places, job);
     if (!measured) return std::unexpected(measured.error());
     std::vector<double> out;
     out.reserve(positions.size());

@@ -39,7 +39,7 @@ struct TakenSamples {
 
 /// Samples of the curves. Of the rule `feature_size`: where the theorem is not proved for the epsilon that is asked for,
 /// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Cost: some ten
-/// crusts of as many samples. Throws `Cancelled`. Error: as of `sample` and `taken_from`.
+/// crusts of as many samples for each epsilon that is tried, 24 at most. Throws `Cancelled`. Error: as of `sample` and `taken_from`.
 Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
                                     JobControl& job);
 

@@ -36,7 +36,8 @@ void check_all_pairs(const Workbench& bench) {
     double least = std::numeric_limits<double>::infinity();
     for (const FaceSlot j : all) {
       const double more = delaunay.circumradius(j) - delaunay.circumradius(i);
-      if (more > 0.0) least = std::min(least, distance(delaunay.circumcenter(i), delaunay.circumcenter(j)) / more);
+      if (more > 0.0)
+        least = std::min(least, std::max(1.0, distance(delaunay.circumcenter(i), delaunay.circumcenter(j)) / more));
     }
     wrong += dates.date(i) == least ? 0U : 1U;
   }

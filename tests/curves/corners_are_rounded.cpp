@@ -109,6 +109,21 @@ TEST_CASE("round corners of a polygon are arcs of the radius, tangent to its sid
   // A radius that no side has room for: half of each side is given up.
   const CurveSet full = with_round_corners(square, kCorner, 50.0);
   CHECK(length_of(full.curves[0]) == Approx(4 * kPi).epsilon(1e-7));
+  // The largest radius of a square that stands anyhow: it becomes its circle, whatever is lost to rounding.
+  for (int degrees = 0; degrees < 360; degrees += 7) {
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 4; ++i) {
+      const double angle = kPi / 180.0 * (degrees + 90.0 * i);
+      corners.push_back({5 + std::sqrt(2.0) * std::cos(angle), 7 + std::sqrt(2.0) * std::sin(angle)});
+    }
+    for (const double radius : {1.0, 0.999999, 2.0}) {
+      const CurveSet circle = with_round_corners({.curves = {polygon(corners)}}, kCorner, radius);
+      const auto samples = sample(circle, {.rule = SamplingRule::count, .count = 60});
+      REQUIRE(samples);
+      CHECK(samples->positions.size() >= 50);
+      for (const Vec2 p : samples->positions) CHECK(distance(p, {5, 7}) == Approx(1.0).epsilon(1e-5));
+    }
+  }
   // An open curve keeps its ends.
   const CurveSet open = with_round_corners({.curves = {polygon({{0, 0}, {2, 0}, {2, 2}}, false)}}, kCorner, 0.5);
   CHECK(open.curves[0].start() == Vec2{0, 0});

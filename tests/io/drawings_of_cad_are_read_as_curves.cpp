@@ -152,10 +152,11 @@ TEST_CASE("what is hidden, or is no curve, is counted and left out") {
           "0 POINT 10 1 20 1 0 POINT 8 off 0 POINT 8 frozen 0 POINT 60 1 0 POINT 67 1 0 TEXT 1 Words 0 TEXT 1 More "
           "0 HATCH 0 SPLINE 71 3 11 0 21 0"));
   CHECK(file.data.positions == std::vector<Vec2>{{1, 1}});
-  CHECK(file.warnings == std::vector<std::string>{
-                             "a:32:1: 3 entities that are invisible or on layers that are off are left out",
-                             "a:44:1: 1 entity in paper space is left out", "a:48:1: 2 TEXTs are left out",
-                             "a:56:1: 1 HATCH is left out", "a:58:1: 1 spline without control points is left out"});
+  CHECK(file.warnings ==
+        std::vector<std::string>{"a:32:1: 3 entities that are invisible or on layers that are off are left out",
+                                 "a:44:1: 1 entity in paper space is left out",
+                                 "a:48:1: 2 entities TEXT are left out", "a:56:1: 1 entity HATCH is left out",
+                                 "a:58:1: 1 spline without control points is left out"});
 }
 
 TEST_CASE("DXF that is wrong is refused where it is wrong") {

@@ -65,6 +65,7 @@ AxisSampling::AxisSampling(SettingsSource& settings, Delaunay& delaunay, MedialA
 // A ball about a place of the edge touches both samples; its radius is the distance to the one that comes first.
 void AxisSampling::remake(EdgeSlot edge) {
   between_.drop(owner_of(edge));
+  if (made_with_ == kNone) return;
   const EdgeRow& row = delaunay_.edge(edge);
   if (!row.is_alive() || !axis_.is_axis_edge(edge) || axis_.is_zero_length(edge)) return;
   const Vec2 p = delaunay_.site_position(row.v[0]);
@@ -80,7 +81,7 @@ void AxisSampling::remake(EdgeSlot edge) {
 
 void AxisSampling::rebuild(JobControl& job) {
   made_with_ = angle();
-  halving_ = BallHalving(made_with_);
+  if (made_with_ != kNone) halving_ = BallHalving(made_with_);
   between_.reset();
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());

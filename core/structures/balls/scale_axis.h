@@ -33,13 +33,18 @@ class AxisSampling final : public Structure {
   StatList statistics() const override;
 
  private:
-  double angle() const { return settings_.current()[Parameter::medial_sampling_angle]; }
+  /// No balls between are wanted at a factor of 1.
+  double angle() const {
+    const ComputationSettings& settings = settings_.current();
+    return settings[Parameter::scale_axis_factor] == 1.0 ? kNone : settings[Parameter::medial_sampling_angle];
+  }
   void remake(EdgeSlot edge);
 
   const SettingsSource& settings_;
   const Delaunay& delaunay_;
   const MedialAxis& axis_;
-  double made_with_ = 0.0;
+  static constexpr double kNone = -1.0;
+  double made_with_ = kNone;
   BallHalving halving_;
   SampledBalls between_;
 };

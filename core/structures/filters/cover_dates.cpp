@@ -58,7 +58,8 @@ double CoverDates::search(const Ball& ball) const {
   double best = kNever;
   const auto look_at = [&](Vec2 center, double radius) {
     if (!(radius > ball.radius)) return;
-    const double date = distance(ball.center, center) / (radius - ball.radius);
+    // No inner ball lies inside another, as samples are on both and in neither: less than 1 is rounding.
+    const double date = std::max(1.0, distance(ball.center, center) / (radius - ball.radius));
     if (date < best) best = date;
   };
   for (const EdgeSlot edge : delaunay_.face(ball.face).e) {
@@ -85,7 +86,7 @@ double CoverDates::search(const Ball& ball) const {
     std::ranges::pop_heap(queue, is_later);
     const Waiting next = queue.back();
     queue.pop_back();
-    if (!(next.bound < best)) break;
+    if (!(next.bound < best) || best <= 1.0) break;
     const Node& node = tree_[next.node];
     if (node.child == 0) {
       for (std::uint32_t i = node.first; i < node.last; ++i) look_at(sorted_[i].center, sorted_[i].radius);

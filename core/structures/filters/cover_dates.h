@@ -12,8 +12,8 @@ namespace mes {
 
 /// What it guarantees, with c the centre and r the radius of a ball as doubles:
 ///  1. `date(i)` is the least of |c_i - c_j| / (r_j - r_i) over all balls j with r_j > r_i: at this factor the grown ball j
-///     holds the grown ball i. Infinite for the largest balls, which are never swallowed; elsewhere about 1 or more, as
-///     radii along the axis change no faster than centres.
+///     holds the grown ball i. Infinite for the largest balls, which are never swallowed; elsewhere 1 or more, as no inner
+///     ball lies inside another; what rounding brings below 1 is 1.
 ///  2. It is the least of the same doubles that looking at all pairs gives, bit for bit.
 ///
 /// Not to be confused with the scale axis, which is of the union of grown balls.
