@@ -56,17 +56,19 @@ std::vector<std::string_view> nearest_names(std::string_view word, std::span<con
   constexpr std::size_t kLongestWord = 64;
   constexpr std::size_t kMost = 3;
   word = word.substr(0, kLongestWord);
-  const auto score = [word](std::string_view name) -> std::size_t {
+  // Of names that hold the word the shortest come first.
+  const auto score = [word](std::string_view name) -> std::pair<std::size_t, std::size_t> {
     const bool one_in_other = word.size() >= 3 && (name.contains(word) || word.contains(name));
-    return one_in_other ? 1 : edit_distance(word, name);
+    return one_in_other ? std::pair(std::size_t{1}, name.size())
+                        : std::pair(edit_distance(word, name), std::size_t{0});
   };
-  std::vector<std::pair<std::size_t, std::string_view>> ranked;
+  std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::string_view>> ranked;
   for (const std::string_view name : names) ranked.emplace_back(score(name), name);
-  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
+  std::ranges::stable_sort(ranked, {}, [](const auto& one) { return one.first; });
   std::vector<std::string_view> out;
-  for (const auto& [distance, name] : ranked) {
+  for (const auto& [order, name] : ranked) {
     // Beside a good guess the poor ones are noise.
-    if (out.size() == kMost || (!out.empty() && distance > ranked.front().first + 2)) break;
+    if (out.size() == kMost || (!out.empty() && order.first > ranked.front().first.first + 2)) break;
     out.push_back(name);
   }
   return out;

@@ -15,7 +15,8 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 /// End 2 i is the start of curve i, and 2 i + 1 its end.
 class Ends {
  public:
-  Ends(const std::vector<PlaneCurve>& curves, double tolerance) : curves_(curves), tolerance_(tolerance) {
+  Ends(const std::vector<PlaneCurve>& curves, double tolerance)
+      : curves_(curves), tolerance_(tolerance), origin_(curves.empty() ? Vec2{} : curves.front().start()) {
     for (std::size_t i = 0; i < curves.size(); ++i) {
       if (curves[i].is_closed()) continue;
       for (const std::size_t end : {2 * i, 2 * i + 1}) {
@@ -53,8 +54,7 @@ class Ends {
     const auto index = [&](double x) {
       return static_cast<std::int64_t>(std::fmax(-kFar, std::fmin(kFar, std::floor(x / tolerance_))));
     };
-    const Vec2 origin = curves_.front().start();
-    return {index(p.x - origin.x), index(p.y - origin.y)};
+    return {index(p.x - origin_.x), index(p.y - origin_.y)};
   }
   // Cells that share a key are told apart by the distance of what lies there.
   static std::uint64_t key_of(std::int64_t x, std::int64_t y) {
@@ -66,6 +66,7 @@ class Ends {
 
   const std::vector<PlaneCurve>& curves_;
   double tolerance_;
+  Vec2 origin_;  // cells are counted from there
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 

@@ -27,7 +27,7 @@ TEST_CASE("a drawing is sampled by local feature size, and the theorem is proved
   REQUIRE(computed.exit_code == 0);
   const Json out = Json::parse(computed.out);
   CHECK(out["input"]["contours"] == 1);
-  CHECK(out["theorem"] == "green");
+  CHECK(out["diagnostics"]["theorem"] == "green");
 }
 
 TEST_CASE("rules are what options ask for, and can be named") {
