@@ -28,7 +28,7 @@ SampleData rectangle() {
   return {.positions = test::rounded_rectangle(3.0, 2.0, 0.5, 0.05, {0.3, 0.0, 1}).data.positions};
 }
 
-/// Follows until the table is that of the state; the job's thread wakes nobody here.
+/// Follows until the table is that of the state; the job's thread has nothing to wake here.
 void wait_for(BranchDesk& desk, const BranchDesk::State& state, const SampleData& data) {
   while (!desk.is_current() || desk.state() != state) desk.follow(state, [&] { return data; });
 }
