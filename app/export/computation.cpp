@@ -134,6 +134,9 @@ Expected<ComputationReport> run_to_end(EngineStep step, const ComputationRequest
     bell.wait(kBetweenLooks);
   }
 
+  // What the run says of itself needs room, too.
+  if (is_complete && (result.nodes.empty() || result.reports.empty()))
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory"});
   std::erase_if(result.nodes, [](const NodeReport& node) { return node.state == NodeState::inactive; });
   const auto is_good = [](NodeState state) { return state == NodeState::up_to_date || state == NodeState::inactive; };
   const bool all_good = is_complete && std::ranges::all_of(result.nodes, is_good, &NodeReport::state) &&
