@@ -46,7 +46,7 @@ class BranchDesk {
   const State& state() const { return state_; }
   bool is_current() const { return table_ != nullptr && state_ == wanted_; }
   bool is_under_way() const { return job_.is_under_way(); }
-  /// Why there is no table of the state asked for; empty if there is one or will be.
+  /// Why the computation of the table failed; empty if it did not.
   const std::string& problem() const { return problem_; }
 
   /// Row of the table.

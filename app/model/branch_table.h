@@ -86,7 +86,7 @@ class BranchFilter {
 std::vector<std::size_t> rows_of(const BranchTable& table, const BranchFilter& filter, BranchColumn by,
                                  bool is_descending);
 
-/// The branch whose line passes nearest to the place, if it is no farther than `reach`; else the size of the table.
+/// The branch whose line passes nearest to the place, if it is no farther than `reach`; otherwise the number of branches.
 std::size_t branch_near(const BranchTable& table, Vec2 place, double reach);
 
 /// Lengths in equal steps of the value, from 0 to the largest.

@@ -34,7 +34,7 @@ double curvature(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 /// Between a and b, on an arc whose curvature is the mean of those at both; in the middle of the line where that would
-/// be more than a sixth of a turn, as at corners. Null: there is no neighbour.
+/// be more than a sixth of a turn, as at corners. A neighbour is null where the curve ends.
 Vec2 middle_of_arc(const Vec2* before, Vec2 a, Vec2 b, const Vec2* after) {
   const Vec2 middle = 0.5 * (a + b);
   double bend = 0.0;

@@ -63,7 +63,7 @@ void DocumentFlow::open_shape(const SampleShape& shape) {
   });
 }
 
-// One that the program makes is no document: it is presented beside what is open.
+// A lesson that the program makes is presented beside the document that is open.
 void DocumentFlow::open_lesson(const ShippedLesson& lesson) {
   if (lesson.file.empty()) {
     if (files_.is_reading() || files_.is_saving()) return;

@@ -24,7 +24,7 @@ struct BSpline {
 
 /// Up to rounding the spline itself where its degree is at most 3 and its weights are equal; else cubic pieces that have
 /// its places and tangents at 32 places of each span, off by less than 1e-6 of its size where weights are
-/// of one magnitude. Nothing for what is no spline:
+/// of one magnitude. Nothing for an invalid spline:
 /// knots that are too few or decrease, a degree of 0 or above 15, weights that are not positive, numbers that are not
 /// finite.
 ///

@@ -56,7 +56,7 @@ class Ends {
     };
     return {index(p.x - origin_.x), index(p.y - origin_.y)};
   }
-  // Cells that share a key are told apart by the distance of what lies there.
+  // Cells that share a key are distinguished by the distance of the ends in them.
   static std::uint64_t key_of(std::int64_t x, std::int64_t y) {
     constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
     std::uint64_t key = static_cast<std::uint64_t>(x) * kOdd;
