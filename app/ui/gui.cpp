@@ -148,7 +148,8 @@ bool Gui::wants_pointer(Vec2 px) const {
   // By the stack of open popups, because their windows exist for a frame longer.
   constexpr int kNotPanels = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
   for (const ImGuiWindow* window : context.Windows) {
-    if (!window->Active || window->Hidden || (window->Flags & kNotPanels) != 0) continue;
+    // The library's own window for what belongs to none is active from the beginning of each frame to its end.
+    if (!window->Active || window->Hidden || window->IsFallbackWindow || (window->Flags & kNotPanels) != 0) continue;
     if (window->OuterRectClipped.Contains(at)) return true;
   }
   return false;
