@@ -20,6 +20,7 @@ struct Name {
 };
 constexpr auto kNames = std::to_array<Name>({
     {"samples", "the samples"},
+    {"contours", "the contours"},
     {"balls", "your own balls"},
     {"scaled-balls", "your own balls"},
     {"settings", "the parameters"},

@@ -23,7 +23,7 @@ void PointedElement::follow(Engine& engine, const Scene& scene) {
   is_asking_ = true;
   ProvenanceQuestion question = question_at(pointer, scene.layers);
   question.ticket = ++ticket_;
-  question.wants_story = false;
+  question.wish = ProvenanceWish::shape;
   engine.ask(std::move(question));
 }
 

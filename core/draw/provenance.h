@@ -33,6 +33,7 @@ enum class ElementKind : std::uint8_t {
   v_edge,
   boundary_arc,
   power_edge,
+  contour_link,  ///< between neighbours on a contour of the document
 };
 
 struct ElementType {
@@ -45,13 +46,22 @@ struct Element {
   RowNumber row = 0xffffffffU;
 };
 
+enum class ProvenanceWish : std::uint8_t {
+  story,              ///< what lies there, where it comes from and where it leads
+  shape,              ///< the first line of that alone, with the shape and no text
+  insertion,          ///< what a further sample there would change; no layers are looked at
+  sources_of_values,  ///< what those elements of the layer come from whose value is in a range; the place does not matter
+};
+
 /// What lies at a place, nearest in the topmost layer that has something within reach.
 struct ProvenanceQuestion {
   std::uint64_t ticket = 0;  ///< of the asker; the answer repeats it
   Vec2 at{};
   double reach = 0.0;              ///< in units of the document
   std::vector<LayerIndex> layers;  ///< to look at, top first
-  bool wants_story = true;         ///< false: the first line alone, with the shape and no text
+  ProvenanceWish wish = ProvenanceWish::story;
+  double low = 0.0;  ///< the range of values, both ends included
+  double high = 0.0;
 };
 
 struct ProvenanceShape {
@@ -65,6 +75,7 @@ struct ProvenanceLine {
   ProvenanceRole role = ProvenanceRole::itself;
   std::string text;  ///< no full stop
   std::vector<ProvenanceShape> shapes;
+  bool is_heavy = false;  ///< what matters most among those of its role
 };
 
 struct Provenance {

@@ -141,6 +141,8 @@ class Graph {
   void report_lack_of_memory(FramePatch& out);
   void give_up_for_lack_of_memory(FramePatch& out);
   Provenance answer(const ProvenanceQuestion& question) const;
+  std::vector<ProvenanceLine> sources_of_values(const ProvenanceQuestion& question,
+                                                const std::function<bool(const Structure&)>& is_current) const;
   double lap_ms();
 
   std::vector<std::unique_ptr<Variant>> variants_;  // the main one first

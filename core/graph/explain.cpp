@@ -32,7 +32,7 @@ void Explanation::about(const Element& element) {
 
 void Explanation::say_itself(std::string name, std::string rest, ProvenanceShapes& shapes) {
   named_ = lines_.size();
-  lines_.push_back({{ProvenanceRole::itself, std::move(name) + rest, shapes.take()}, std::move(rest)});
+  lines_.push_back({{ProvenanceRole::itself, std::move(name) + rest, shapes.take(), false}, std::move(rest)});
 }
 
 void Explanation::rename(std::string name) {
@@ -46,7 +46,7 @@ void Explanation::say_any(ProvenanceRole role, const std::string& one, const std
   if (shapes.size() == 0) return;
   auto draft =
       std::ranges::find_if(lines_, [&](const Draft& other) { return other.line.role == role && other.key == one; });
-  if (draft == lines_.end()) draft = lines_.insert(draft, {{role, {}, {}}, one});
+  if (draft == lines_.end()) draft = lines_.insert(draft, {{role, {}, {}, false}, one});
   std::ranges::move(shapes.take(), std::back_inserter(draft->line.shapes));
   draft->line.text = count_text(draft->line.shapes.size(), one, many);
 }

@@ -61,8 +61,8 @@ class Explanation {
     return is_current_(structure) ? &structure : nullptr;
   }
 
-  void say(ProvenanceRole role, std::string text, ProvenanceShapes& shapes) {
-    lines_.push_back({{role, std::move(text), shapes.take()}, {}});
+  void say(ProvenanceRole role, std::string text, ProvenanceShapes& shapes, bool is_heavy = false) {
+    lines_.push_back({{role, std::move(text), shapes.take(), is_heavy}, {}});
   }
   /// What the element is, as its name and the rest of the line. A structure that knows more calls it by another name.
   void say_itself(std::string name, std::string rest, ProvenanceShapes& shapes);
@@ -91,5 +91,11 @@ class Explanation {
 /// dead. O(size of the neighbourhood), O(n) where rows are found by looking at all.
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
                                     const Element& element);
+
+/// What a further sample at a place would change, as far as the structures are current: its Voronoi cell (itself), what
+/// goes (origin) and what comes (product); edges of the curve are heavy. Empty below dimension 2, where a sample is
+/// already, and where no number may be. Defined in core/structures/crust/explain_insertion.cpp. O(location + changes).
+std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
+                                              const std::function<bool(const Structure&)>& is_current, Vec2 at);
 
 }  // namespace mes

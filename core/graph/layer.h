@@ -97,8 +97,9 @@ class LayerPart {
   virtual void update(LayerPatch& patch) = 0;
   /// Rows whose primitive is lost, because its coordinates are not finite.
   virtual std::size_t lost() const = 0;
-  /// Shows every instance to the search; O(rows).
-  virtual void look_for(HitSearch& search) const = 0;
+  /// Shows every instance; O(rows). Values are as in core/draw/primitives.h, the scalar last.
+  using Visit = std::function<void(PrimitiveKind kind, const double* values, const Element& element)>;
+  virtual void for_each_instance(const Visit& visit) const = 0;
 };
 
 class InstancePlaces {
@@ -280,13 +281,13 @@ class TablePart final : public LayerPart {
 
   std::size_t lost() const override { return lost_.size(); }
 
-  void look_for(HitSearch& search) const override {
+  void for_each_instance(const Visit& visit) const override {
     const std::size_t rows = rows_();
     Instance instance;
     for (RowNumber row = 0; row < rows; ++row) {
       instance.clear();
       emit_(Row(row), instance);
-      if (instance.is_set()) search.look_at(instance.kind(), instance.begin(), element_, row);
+      if (instance.is_set()) visit(instance.kind(), instance.begin(), {element_, row});
     }
   }
 

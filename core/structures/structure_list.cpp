@@ -24,6 +24,7 @@
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/lambda_axis.h"
+#include "core/structures/inputs/contours.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/scaled_user_balls.h"
 #include "core/structures/inputs/settings_source.h"
@@ -54,6 +55,7 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<SettingsSource>(set);
   if (has_own) add<UserBalls>(set);
   add<ScaledUserBalls, SettingsSource, UserBalls>(set);
+  add<Contours, Samples>(set);
   add<Delaunay, Samples>(set);
   add<OneStepCrust, Delaunay>(set);
   add<Labels, Delaunay, OneStepCrust>(set);

@@ -109,9 +109,16 @@ void Workbench::run() {
 }
 
 Provenance Workbench::ask(Vec2 at, double reach, const std::vector<std::string_view>& layers) {
-  static std::uint64_t ticket = 0;
-  ProvenanceQuestion question{++ticket, at, reach, {}};
+  ProvenanceQuestion question;
+  question.at = at;
+  question.reach = reach;
   for (const std::string_view layer : layers) question.layers.push_back(find_layer(layer));
+  return ask(std::move(question));
+}
+
+Provenance Workbench::ask(ProvenanceQuestion question) {
+  static std::uint64_t ticket = 0;
+  question.ticket = ++ticket;
   graph_.ask(std::move(question));
   run();
   REQUIRE(patch_.provenance);

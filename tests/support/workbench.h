@@ -78,6 +78,8 @@ class Workbench {
 
   /// What lies there in the layers, top first; up to `reach` away.
   Provenance ask(Vec2 at, double reach, const std::vector<std::string_view>& layers);
+  /// Any question; its ticket is set here.
+  Provenance ask(ProvenanceQuestion question);
 
   /// Empty when the rows are sound and everything equals a fresh graph of the same samples and balls, given in
   /// reverse order; otherwise what does not.

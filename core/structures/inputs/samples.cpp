@@ -69,7 +69,9 @@ bool Samples::update(JobControl&) {
   for (const auto& delta : pending_)
     if (delta->replaces_all()) return false;
   make_room();
+  const std::shared_ptr<const CurveOrder> before = curve_;
   for (const auto& delta : pending_) apply(*delta);
+  has_other_contours_ = before != curve_;
   pending_.clear();
   recorder_.finish(changes_, [this](SampleSlot slot) { return id_[slot].is_valid(); });
   return true;

@@ -26,7 +26,8 @@ class Samples final : public SourceStructure {
   Vec2 position(SampleSlot slot) const { return position_[slot]; }
   SampleId id(SampleSlot slot) const { return id_[slot]; }
   std::size_t count() const { return count_; }
-  const CurveOrder& curve_order() const { return *curve_; }
+  /// Never null; the same pointer as long as no contour changes.
+  const std::shared_ptr<const CurveOrder>& curve_order_shared() const { return curve_; }
   std::uint64_t document_revision() const { return document_revision_; }
   Box2 extent() const override { return extent_; }
 
@@ -34,8 +35,12 @@ class Samples final : public SourceStructure {
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
-  void clear_changes() override { changes_.clear(); }
-  std::size_t touched() const override { return changes_.size(); }
+  void clear_changes() override {
+    changes_.clear();
+    has_other_contours_ = false;
+  }
+  /// Other contours count as one.
+  std::size_t touched() const override { return changes_.size() + (has_other_contours_ ? 1 : 0); }
   StatList statistics() const override;
 
  private:
@@ -47,6 +52,7 @@ class Samples final : public SourceStructure {
   Table<SampleSlot, SampleId> id_;
   std::shared_ptr<const CurveOrder> curve_;
   std::size_t count_ = 0;
+  bool has_other_contours_ = false;  // than before the last run
   std::uint64_t document_revision_ = 0;
   Box2 extent_;
   ChangeRecorder<SampleSlot> recorder_;

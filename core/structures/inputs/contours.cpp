@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/inputs/contours.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/graph/explain.h"
+
+namespace mes {
+namespace {
+
+// Below this many, the last place is linked to the first already.
+constexpr std::uint32_t kLeastOfLoop = 3;
+
+}  // namespace
+
+Contours::Contours(Samples& samples) : Structure("contours", {&samples}), samples_(samples) {}
+
+bool Contours::has_link(ContourSlot row) const {
+  const Place& place = places_[row];
+  if (place.sample == kNoSlot || place.sample == places_[place.next].sample) return false;
+  const Contour& contour = contours_[place.contour];
+  return place.next > row || (contour.closed && contour.live >= kLeastOfLoop);
+}
+
+std::pair<SampleSlot, SampleSlot> Contours::link(ContourSlot row) const {
+  return {places_[row].sample, places_[places_[row].next].sample};
+}
+
+double Contours::share(ContourSlot row) const {
+  const Contour& contour = contours_[places_[row].contour];
+  return static_cast<double>(row.index() - contour.first) / static_cast<double>(contour.size);
+}
+
+template <class Visit>
+void Contours::for_each_place(SampleId id, Visit visit) const {
+  const auto first = [](const auto& entry) { return entry.first; };
+  for (const auto& [other, row] : std::ranges::equal_range(of_sample_, id, {}, first)) visit(row);
+}
+
+// The rows whose links begin or end at a live place.
+void Contours::note_around(ContourSlot row) {
+  note(row);
+  note(places_[row].previous);
+}
+
+// A loop gains or loses the link from its last place to its first with the third place.
+void Contours::note_all_if(const Contour& contour, ContourSlot row, std::uint32_t live) {
+  if (contour.live != live) return;
+  for (std::uint32_t i = 0; i < live; ++i, row = places_[row].next) note(row);
+}
+
+void Contours::kill(ContourSlot row) {
+  Place& place = places_[row];
+  Contour& contour = contours_[place.contour];
+  note_around(row);
+  note_all_if(contour, row, kLeastOfLoop);
+  places_[place.previous].next = place.next;
+  places_[place.next].previous = place.previous;
+  place.sample = kNoSlot;
+  --contour.live;
+}
+
+// Itself where no other is alive.
+ContourSlot Contours::live_before(ContourSlot row) const {
+  const Contour& contour = contours_[places_[row].contour];
+  if (contour.live == 0) return row;
+  std::uint32_t at = row.index();
+  do {
+    at = (at == contour.first ? contour.first + contour.size : at) - 1;
+  } while (places_[ContourSlot(at)].sample == kNoSlot);
+  return ContourSlot(at);
+}
+
+void Contours::revive(ContourSlot row, SampleSlot sample) {
+  Place& place = places_[row];
+  Contour& contour = contours_[place.contour];
+  note(row);
+  const ContourSlot previous = live_before(row);
+  place.sample = sample;
+  place.previous = place.next = row;
+  if (previous != row) {
+    note(previous);
+    note_all_if(contour, previous, kLeastOfLoop - 1);
+    place.previous = previous;
+    place.next = places_[previous].next;
+    places_[place.next].previous = row;
+    places_[previous].next = row;
+  }
+  ++contour.live;
+}
+
+void Contours::rebuild(JobControl&) {
+  changes_.clear();
+  order_ = samples_.curve_order_shared();
+  contours_.clear();
+  places_.clear();
+  of_sample_.clear();
+  id_.assign(samples_.row_count(), SampleId{});
+  std::size_t count = 0;
+  for (const CurveOrder::Contour& contour : order_->contours) count += contour.samples.size();
+  places_.reserve(count);
+  of_sample_.reserve(count);
+  for (const CurveOrder::Contour& contour : order_->contours) {
+    const auto number = static_cast<std::uint32_t>(contours_.size());
+    contours_.push_back({static_cast<std::uint32_t>(places_.size()),
+                         static_cast<std::uint32_t>(contour.samples.size()), 0, contour.closed});
+    for (const SampleId id : contour.samples) {
+      of_sample_.emplace_back(id, places_.next());
+      places_.push_back({id, kNoSlot, number, {}, {}});
+    }
+  }
+  recorder_.begin(count);
+  std::ranges::sort(of_sample_);
+  if (count == 0) return;
+  for (const SampleSlot slot : slots_below<SampleSlot>(samples_.row_count())) {
+    if (!samples_.is_alive(slot)) continue;
+    for_each_place(samples_.id(slot), [&](ContourSlot row) {
+      places_[row].sample = slot;
+      id_[slot] = samples_.id(slot);
+    });
+  }
+  // In the order of the rows a live place is put behind the one before.
+  for (const ContourSlot row : places_.rows())
+    if (const SampleSlot slot = std::exchange(places_[row].sample, kNoSlot); slot != kNoSlot) revive(row, slot);
+}
+
+bool Contours::update(JobControl&) {
+  if (order_ != samples_.curve_order_shared()) return false;
+  recorder_.begin(places_.size());
+  if (id_.size() < samples_.row_count()) id_.resize(samples_.row_count());
+  std::vector<std::pair<ContourSlot, SampleSlot>> revived;
+  const auto take = [&](SampleSlot slot) {
+    const SampleId before = id_[slot];
+    const SampleId now = samples_.id(slot);
+    if (before == now) {
+      if (before.is_valid()) for_each_place(before, [&](ContourSlot row) { note_around(row); });
+      return;
+    }
+    if (before.is_valid()) for_each_place(before, [&](ContourSlot row) { kill(row); });
+    id_[slot] = SampleId{};
+    if (!now.is_valid()) return;
+    for_each_place(now, [&](ContourSlot row) {
+      revived.emplace_back(row, slot);
+      id_[slot] = now;
+    });
+  };
+  for (const SampleSlot slot : samples_.changes().removed) take(slot);
+  for (const SampleSlot slot : samples_.changes().touched) take(slot);
+  // In this order the way back to a live place is gone once for all places on it.
+  std::ranges::sort(revived);
+  for (const auto& [row, slot] : revived) revive(row, slot);
+  recorder_.finish(changes_, [this](ContourSlot row) { return has_link(row); });
+  return true;
+}
+
+StatList Contours::statistics() const {
+  std::int64_t contours = 0, closed = 0, links = 0;
+  for (const Contour& contour : contours_) {
+    if (contour.live == 0) continue;
+    ++contours;
+    if (contour.closed) ++closed;
+  }
+  for (const ContourSlot row : places_.rows()) links += has_link(row) ? 1 : 0;
+  return {{"contours", contours}, {"closed", closed}, {"links", links}};
+}
+
+void Contours::explain(ElementKind kind, RowNumber number, Explanation& out) const {
+  const ContourSlot row(number);
+  if (kind != ElementKind::contour_link || !places_.has(row) || !has_link(row)) return;
+  const auto [from, to] = link(row);
+  const std::uint32_t which = contour(row);
+  ProvenanceShapes itself, ends;
+  itself.segment(samples_.position(from), samples_.position(to));
+  out.say(ProvenanceRole::itself,
+          fmt::format("Link of contour {}, which is {} and has {}", which + 1, is_closed(which) ? "closed" : "open",
+                      count_text(contours_[which].live, "sample", "samples")),
+          itself);
+  ends.point(samples_.position(from));
+  ends.point(samples_.position(to));
+  out.say(ProvenanceRole::origin, "2 samples, neighbours on the contour", ends);
+}
+
+}  // namespace mes

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contours of the document: which sample follows which on the curves that came with the samples, or were made by hand.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/base/change_set.h"
+#include "core/base/table.h"
+#include "core/graph/structure.h"
+#include "core/structures/inputs/samples.h"
+
+namespace mes {
+
+using ContourSlot = Slot<struct ContourTag>;
+
+/// One row for each place on a contour, in the order of the contours. A place whose sample is alive has a link to the
+/// next such place; the last one of a closed contour is linked to the first if there are at least three. Ids of samples
+/// that are not alive are passed over, and count again when the sample comes back. A sample is never linked to itself.
+///
+/// Cost: an edit looks at the places of its samples and at their neighbours; other contours are a rebuild, O(places).
+class Contours final : public Structure {
+ public:
+  explicit Contours(Samples& samples);
+
+  std::size_t row_count() const { return places_.size(); }
+  bool has_link(ContourSlot row) const;
+  /// Of a row with a link: the two samples, in the sense of the contour.
+  std::pair<SampleSlot, SampleSlot> link(ContourSlot row) const;
+  /// How far along its contour the place is: 0 at the beginning, below 1.
+  double share(ContourSlot row) const;
+  /// Its contour, from 0.
+  std::uint32_t contour(ContourSlot row) const { return places_[row].contour; }
+  bool is_closed(std::uint32_t contour) const { return contours_[contour].closed; }
+  const ChangeSet<ContourSlot>& changes() const { return changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { changes_.clear(); }
+  std::size_t touched() const override { return changes_.size(); }
+  StatList statistics() const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+
+ private:
+  struct Place {
+    SampleId id;
+    SampleSlot sample;  // none: not alive
+    std::uint32_t contour = 0;
+    ContourSlot next;  // of a live one, the live places around it; of the last one, the first
+    ContourSlot previous;
+  };
+  struct Contour {
+    std::uint32_t first = 0;
+    std::uint32_t size = 0;
+    std::uint32_t live = 0;
+    bool closed = true;
+  };
+  template <class Visit>
+  void for_each_place(SampleId id, Visit visit) const;
+  void note(ContourSlot row) { recorder_.note(row, has_link(row)); }
+  void note_around(ContourSlot row);
+  void note_all_if(const Contour& contour, ContourSlot row, std::uint32_t live);
+  void kill(ContourSlot row);
+  void revive(ContourSlot row, SampleSlot sample);
+  ContourSlot live_before(ContourSlot row) const;
+
+  Samples& samples_;
+  std::shared_ptr<const CurveOrder> order_;
+  std::vector<Contour> contours_;
+  Table<ContourSlot, Place> places_;
+  std::vector<std::pair<SampleId, ContourSlot>> of_sample_;  // sorted
+  Table<SampleSlot, SampleId> id_;                           // of samples on contours
+  ChangeRecorder<ContourSlot> recorder_;
+  ChangeSet<ContourSlot> changes_;
+};
+
+}  // namespace mes
