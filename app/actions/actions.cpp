@@ -68,6 +68,8 @@ constexpr auto kEditRows = std::to_array<Row>({
      always, kRepeats},
     {Id::shrink_selection, "shrink-selection", "Shrink selection",
      "Take out of the selection what is next to something else on the curve", "<", always, kRepeats},
+    {Id::select_sources, "select-sources", "Select the samples of what was clicked",
+     "Select the samples, or balls, that the element on the card is or comes from"},
     {Id::copy, "copy", "Copy", "Put what is selected on the clipboard, as text: a line of numbers a sample",
      "Ctrl+C"},
     {Id::cut, "cut", "Cut", "Put what is selected on the clipboard, and remove it", "Ctrl+X"},
@@ -99,6 +101,20 @@ constexpr auto kEditRows = std::to_array<Row>({
      "Move what is selected to doubles near by that are cocircular as real numbers"},
     {Id::add_circle, "add-circle", "Circle through three",
      "Add the ball whose circle goes through the three that are selected"},
+    {nth(Id::first_contour_change, 0), "join-contours", "Join contours",
+     "Link the two selected samples, each the end of an open contour or on none; the two ends of one close it", "J"},
+    {nth(Id::first_contour_change, 1), "cut-contours", "Cut contours",
+     "Take away the links of contours between selected neighbours", "Shift+J"},
+    {nth(Id::first_contour_change, 2), "close-contours", "Close contours",
+     "Close the open contours with a selected sample"},
+    {nth(Id::first_contour_change, 3), "open-contours", "Open contours",
+     "Open the closed contours with a selected sample: between selected neighbours, or before the selected sample"},
+    {nth(Id::first_contour_change, 4), "reverse-contours", "Turn contours around",
+     "Reverse the order of the contours with a selected sample"},
+    {nth(Id::first_contour_change, 5), "forget-contours", "Forget contours",
+     "Take away the contours with a selected sample; the samples stay"},
+    {Id::contours_along_crust, "contours-along-crust", "Contours along the crust",
+     "Make contours of the chains of the crust: of those with a selected sample, or of all"},
 });
 
 constexpr auto kToolsRows = std::to_array<Row>({
@@ -130,6 +146,12 @@ constexpr auto kToolsRows = std::to_array<Row>({
      "Put what is inserted or moved exactly on samples, centres, Voronoi vertices, circles or the grid near by; Ctrl "
      "held: not there",
      "Shift+S"},
+    {Id::toggle_handles, "toggle-handles", "Handles of the selection",
+     "Show or hide the frame around what is selected, whose handles scale, mirror and turn it", "H"},
+    {Id::toggle_insertion_preview, "toggle-insertion-preview", "Preview of an insertion",
+     "Show what a sample at the cursor would change: the Delaunay triangles that go, the edges that come and its "
+     "Voronoi cell",
+     "Shift+I"},
 });
 
 constexpr auto kViewRows = std::to_array<Row>({
@@ -214,6 +236,10 @@ constexpr auto kComputeRows = std::to_array<Row>({
     {Id::cancel_computation, "cancel", "Cancel computation", "Stop computing; what is there stays on screen",
      "Ctrl+."},
     {Id::resume_computation, "resume", "Resume computation", "Compute what was cancelled"},
+    {Id::hold_update, "hold-update", "Hold the update",
+     "Edit while all structures stay as they are; released, they follow at once. Alt held while dragging does the "
+     "same",
+     "Ctrl+H"},
     {Id::precision_naive, "precision-naive", "Naive: plain doubles",
      "Plain doubles everywhere; wrong on degenerate input, to see why it matters"},
     {Id::precision_fast, "precision-fast", "Fast: exact decisions on doubles",
@@ -364,7 +390,7 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 20> table{{
+  static constexpr std::array<GestureDescriptor, 22> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
@@ -375,6 +401,9 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Shift + click or box", "add to the selection"},
       {"Ctrl + Shift + click or box", "take out of the selection"},
       {"Drag a sample or a ball", "move it, with the selection it belongs to"},
+      {"Drag a handle of the frame",
+       "scale, mirror or turn the selection; Shift: about its middle, in steps of 15 degrees"},
+      {"Alt + drag or click", "edit, and let all structures follow when Alt is released"},
       {"Drag empty space", "select what the box holds"},
       {"Ctrl + drag empty space", "select what the lasso goes around; add it with Shift at the end"},
       {"Drag with the spray tool", "draw a stroke"},

@@ -40,6 +40,7 @@ enum class ActionId : std::uint8_t {
   select_curve,
   grow_selection,
   shrink_selection,
+  select_sources,
   copy,
   cut,
   paste,
@@ -53,6 +54,9 @@ enum class ActionId : std::uint8_t {
   put_on_line,
   put_on_circle,
   add_circle,
+  first_contour_change,  // in the order of `ContourChange`
+  last_contour_change = first_contour_change + 5,
+  contours_along_crust,
   first_nudge,  // left, right, up, down by a pixel, then the same by ten
   last_nudge = first_nudge + 7,
   tool_select,
@@ -67,6 +71,8 @@ enum class ActionId : std::uint8_t {
   tool_annotate,
   keep_measurement,
   toggle_snap,
+  toggle_handles,
+  toggle_insertion_preview,
   zoom_in,
   zoom_out,
   fit,
@@ -111,6 +117,7 @@ enum class ActionId : std::uint8_t {
   undo_bundles,
   cancel_computation,
   resume_computation,
+  hold_update,
   precision_naive,  // the four in the order of `Precision`
   precision_fast,
   precision_exact,

@@ -2,63 +2,36 @@
 #include "app/model/curve_selector.h"
 
 #include <algorithm>
-#include <string>
-
-#include "core/base/job_control.h"
-#include "core/evolutions/moving_curve.h"
 
 namespace mes {
 
 void CurveSelector::begin(Wish wish) {
-  const Document& document = editor_.document();
   if (editor_.selection().sample_count() == 0) return;
-  if (curve_ && curve_of_ == document.revision()) {
-    select(wish);
+  if (const auto* const curve = crust_.now()) {
+    select(*curve, wish);
     return;
   }
-  const bool is_awaited = job_.is_under_way() && wished_at_ == document.revision();
-  if (!is_awaited) wishes_.clear();
+  if (crust_.find()) wishes_.clear();
   wishes_.push_back(wish);
-  if (is_awaited) return;
-  wished_at_ = document.revision();
-  const std::vector<SampleSlot> slots = document.slots_in_input_order();
-  std::vector<Vec2> positions;
-  positions.reserve(slots.size());
-  for (const SampleSlot slot : slots) positions.push_back(document.position(slot));
-  job_.begin([slots, positions = std::move(positions)](const std::stop_token& stop) -> std::shared_ptr<const Curve> {
-    JobControl job(stop);
-    const MovingCurve found = crust_curve(positions, job);
-    auto out = std::make_shared<Curve>();
-    for (const MovingCurve::Chain& chain : found.chains) {
-      Curve::Chain& rows = out->chains.emplace_back();
-      rows.closed = chain.closed;
-      for (const std::uint32_t place : chain.points) rows.samples.push_back(slots[place]);
-    }
-    for (const auto& [follower, other] : found.followers) out->followers.emplace_back(slots[follower], slots[other]);
-    return out;
-  });
 }
 
-Expected<void> CurveSelector::follow() try {
-  auto found = job_.poll();
-  if (!found) return {};
-  curve_ = *std::move(found);
-  curve_of_ = wished_at_;
+Expected<void> CurveSelector::follow() {
+  const Expected<bool> is_found = crust_.follow();
+  if (!is_found) return std::unexpected(is_found.error());
+  if (!*is_found) return {};
   const std::vector<Wish> wishes = std::exchange(wishes_, {});
-  if (curve_of_ != editor_.document().revision()) return {};
-  for (const Wish wish : wishes) select(wish);
+  if (const auto* const curve = crust_.now())
+    for (const Wish wish : wishes) select(*curve, wish);
   return {};
-} catch (const GeometryError& problem) {
-  return std::unexpected(Error{ErrorCode::cannot_compute, problem.what()});
 }
 
-void CurveSelector::select(Wish wish) {
+void CurveSelector::select(const CrustChains::Curve& curve, Wish wish) {
   Selection& selection = editor_.selection();
-  for (const auto& [follower, other] : curve_->followers)
+  for (const auto& [follower, other] : curve.followers)
     if (selection.contains(follower)) selection.add(other);
   std::vector<SampleSlot> changed;
   const bool is_added = wish != Wish::shrink;
-  for (const Curve::Chain& chain : curve_->chains) {
+  for (const CrustChains::Curve::Chain& chain : curve.chains) {
     const std::vector<SampleSlot>& at = chain.samples;
     const auto is_selected = [&](std::size_t i) { return selection.contains(at[i]); };
     if (wish == Wish::whole) {
@@ -79,7 +52,7 @@ void CurveSelector::select(Wish wish) {
     else
       selection.remove(slot);
   }
-  for (const auto& [follower, other] : curve_->followers) {
+  for (const auto& [follower, other] : curve.followers) {
     if (selection.contains(other))
       selection.add(follower);
     else if (!is_added)

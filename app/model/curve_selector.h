@@ -4,27 +4,24 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "app/model/editor.h"
-#include "app/system/background_job.h"
+#include "app/model/crust_chains.h"
 
 namespace mes {
 
-/// What it guarantees: the curve is the one-step crust of the samples, whatever is shown. It is found on a thread of its
-/// own, once for each state of the document; until then nothing is selected, and a document that changes meanwhile drops
-/// the wish. Balls stay selected or not.
+/// What it guarantees: the curve is the one-step crust of the samples, whatever is shown (app/model/crust_chains.h). Until
+/// it is found nothing is selected, and a document that changes meanwhile drops the wish. Balls stay selected or not.
 ///
 /// Smallest use:
 ///     selector.begin(CurveSelector::Wish::whole);
 ///     ... once a turn: selector.follow();
 ///
-/// Cost: O(n log n) on the thread, O(rows) on that of the window. Threads: the window's; `wake` is called from the other.
+/// Cost: O(rows) on the window's thread. Threads: the window's; `wake` is called from another.
 class CurveSelector {
  public:
-  CurveSelector(Editor& editor, std::function<void()> wake) : editor_(editor), job_(std::move(wake)) {}
+  CurveSelector(Editor& editor, std::function<void()> wake) : editor_(editor), crust_(editor, std::move(wake)) {}
 
   enum class Wish : std::uint8_t {
     whole,   ///< every curve with a selected sample on it
@@ -32,29 +29,16 @@ class CurveSelector {
     shrink,  ///< not what is next to something that is not selected
   };
   void begin(Wish wish);
-  bool is_under_way() const { return job_.is_under_way(); }
+  bool is_under_way() const { return crust_.is_under_way(); }
   /// Takes the curve when it was found, and selects. Error: the crust could not be computed.
   Expected<void> follow();
 
  private:
-  /// Chains of rows: neighbours are neighbours on the curve.
-  struct Curve {
-    struct Chain {
-      bool closed = true;
-      std::vector<SampleSlot> samples;
-    };
-    std::vector<Chain> chains;
-    /// A sample and the one at the same place that stands for it in the chains.
-    std::vector<std::pair<SampleSlot, SampleSlot>> followers;
-  };
-  void select(Wish wish);
+  void select(const CrustChains::Curve& curve, Wish wish);
 
   Editor& editor_;
-  BackgroundJob<std::shared_ptr<const Curve>> job_;
+  CrustChains crust_;
   std::vector<Wish> wishes_;
-  std::uint64_t wished_at_ = 0;  // revision of the document
-  std::shared_ptr<const Curve> curve_;
-  std::uint64_t curve_of_ = ~std::uint64_t{0};
 };
 
 }  // namespace mes

@@ -200,6 +200,9 @@ Settings from_json(const json& object) {
   out.snap.circles = flag_in(object, "snaps_to_circles", out.snap.circles);
   out.snap.curves = flag_in(object, "snaps_to_curves", out.snap.curves);
   out.snap.grid = flag_in(object, "snaps_to_grid", out.snap.grid);
+  out.snap.pixels = flag_in(object, "snaps_to_pixels", out.snap.pixels);
+  out.show_handles = flag_in(object, "show_handles", out.show_handles);
+  out.show_insertion_preview = flag_in(object, "show_insertion_preview", out.show_insertion_preview);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
   out.last_folder = text_in(object, "last_folder");
@@ -292,6 +295,9 @@ json to_json(const Settings& settings) {
           {"snaps_to_circles", settings.snap.circles},
           {"snaps_to_curves", settings.snap.curves},
           {"snaps_to_grid", settings.snap.grid},
+          {"snaps_to_pixels", settings.snap.pixels},
+          {"show_handles", settings.show_handles},
+          {"show_insertion_preview", settings.show_insertion_preview},
           {"show_evolution", settings.show_evolution},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},

@@ -59,6 +59,8 @@ struct Settings {
   std::optional<PaperPlace> legend_at;  ///< where it was dragged to
   ScaleMarks marks{};                   ///< scale bar, axes and grid
   SnapSettings snap{};
+  bool show_handles = true;             ///< of the frame around what is selected
+  bool show_insertion_preview = false;  ///< what a sample at the cursor would change
   bool show_evolution = false;
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser

@@ -12,6 +12,7 @@ struct SnapSettings {
   bool circles = true;   ///< of own balls
   bool curves = true;    ///< that samples were taken from
   bool grid = true;      ///< lines of the grid, and where they cross
+  bool pixels = false;   ///< round numbers, at most a pixel of the screen apart
   friend bool operator==(const SnapSettings&, const SnapSettings&) = default;
 };
 

@@ -13,7 +13,13 @@ std::optional<Snap> Snapper::at(Vec2 p, double reach, const Except& except) cons
   const auto on_circle = circle_at(p, reach, except);
   const auto on_curve = curve_at(p, on_circle ? distance(p, on_circle->place) : reach);
   if (on_curve) return on_curve;
-  return on_circle ? on_circle : grid_at(p, reach);
+  if (on_circle) return on_circle;
+  const Steps steps = steps_();
+  if (settings_.grid)
+    if (const auto on_grid = lines_at(p, reach, steps.grid)) return on_grid;
+  auto pixel = settings_.pixels ? lines_at(p, steps.pixel, steps.pixel) : std::nullopt;
+  if (pixel) pixel->name = "pixel";
+  return pixel;
 }
 
 std::optional<Snap> Snapper::curve_at(Vec2 p, double reach) const {
@@ -64,9 +70,7 @@ std::optional<Snap> Snapper::circle_at(Vec2 p, double reach, const Except& excep
   return best;
 }
 
-std::optional<Snap> Snapper::grid_at(Vec2 p, double reach) const {
-  if (!settings_.grid) return std::nullopt;
-  const double step = grid_step_();
+std::optional<Snap> Snapper::lines_at(Vec2 p, double reach, double step) {
   if (!(step > 0.0)) return std::nullopt;
   // A step below 1 is the inverse of a whole number, which is exact down to steps of 1e-22; a quotient of two exact
   // numbers is rounded once.

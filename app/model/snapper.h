@@ -20,17 +20,21 @@ struct Snap {
 };
 
 /// What it guarantees: of samples, centres and vertices within reach the nearest one is taken, else the nearest place on a
-/// circle or a curve that samples were taken from, else a crossing of the grid or a place on one of its lines. Coordinates of
-/// the grid are the doubles nearest to the decimal numbers that the axes show, for steps from 1e-22 to 1e22.
+/// circle or a curve that samples were taken from, else a crossing of the grid or a place on one of its lines, else round
+/// numbers that a pixel has. Coordinates of the grid, and of pixels, are the doubles nearest to the decimal numbers that the axes show, for steps from 1e-22 to 1e22.
 ///
 /// Cost: a search among the samples near by; balls are looked at one by one. Threads: the window's.
 class Snapper {
  public:
-  /// `grid_step`: the distance of lines of the grid at present, in units; 0 or less where there is no grid. All that is
-  /// named outlives it.
+  /// Distances of lines at present, in units, each 1, 2 or 5 times a power of ten; 0 or less where there are none.
+  struct Steps {
+    double grid = 0.0;
+    double pixel = 0.0;
+  };
+  /// All that is named outlives it.
   Snapper(const Editor& editor, const AnnotationDesk& vertices, const SnapSettings& settings,
-          std::function<double()> grid_step)
-      : editor_(editor), vertices_(vertices), settings_(settings), grid_step_(std::move(grid_step)) {}
+          std::function<Steps()> steps)
+      : editor_(editor), vertices_(vertices), settings_(settings), steps_(std::move(steps)) {}
 
   /// What places do not snap to: things that move with the pointer, and vertices of samples that move.
   struct Except {
@@ -45,12 +49,12 @@ class Snapper {
   std::optional<Snap> point_at(Vec2 p, double reach, const Except& except) const;
   std::optional<Snap> curve_at(Vec2 p, double reach) const;
   std::optional<Snap> circle_at(Vec2 p, double reach, const Except& except) const;
-  std::optional<Snap> grid_at(Vec2 p, double reach) const;
+  static std::optional<Snap> lines_at(Vec2 p, double reach, double step);
 
   const Editor& editor_;
   const AnnotationDesk& vertices_;
   const SnapSettings& settings_;
-  std::function<double()> grid_step_;
+  std::function<Steps()> steps_;
 };
 
 }  // namespace mes

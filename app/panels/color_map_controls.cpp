@@ -102,12 +102,34 @@ void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
   tooltip(gui_, "Give this layer the range that was copied");
 }
 
+void ColorMapControls::draw_selection(LayerIndex layer) {
+  const float unit = gui_.unit();
+  const render::ScalarRange now = picture_.scene().scalar_range(layer);
+  if (!select_ || now.is_empty()) return;
+  const auto typed = wanted_.find(layer);
+  render::ScalarRange range = typed == wanted_.end() ? now : typed->second;
+  const auto field = [&](const char* label, double& value) {
+    ImGui::SetNextItemWidth(kFieldWidth * unit);
+    return number_field(label, value, "%.5g");
+  };
+  const bool has_low = field("##from", range.low);
+  tooltip(gui_, "The least value of what is to be selected");
+  ImGui::SameLine(0, 4 * unit);
+  const bool has_high = field("##to", range.high);
+  tooltip(gui_, "The largest value of what is to be selected");
+  if (has_low || has_high) wanted_[layer] = range;
+  ImGui::SameLine(0, 6 * unit);
+  if (ImGui::Button("Select")) select_(layer, range.low, range.high);
+  tooltip(gui_, "Select the samples, or balls, that the elements with a value between these two come from");
+}
+
 void ColorMapControls::draw(LayerIndex layer, LayerStyle& style) {
   const std::string_view scalar = layers_.descriptor(layer).scalar;
   if (scalar.empty()) return;
   draw_choice(style);
   tooltip(gui_, "Colours by " + spoken_scalar(scalar));
   if (!style.color_map.empty()) draw_range(layer, style);
+  draw_selection(layer);
 }
 
 }  // namespace mes

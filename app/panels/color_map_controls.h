@@ -2,7 +2,10 @@
 // The part of a layer's style that is about its colour map.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "app/model/layer_stack.h"
 #include "app/picture/picture.h"
@@ -19,17 +22,22 @@ class ColorMapControls {
   ColorMapControls(const Gui& gui, const LayerStack& layers, const Picture& picture)
       : gui_(gui), layers_(layers), picture_(picture) {}
 
+  /// What is to be done when elements with values in a range are wanted selected.
+  void set_select(std::function<void(LayerIndex, double low, double high)> select) { select_ = std::move(select); }
   /// Draws choice of the map and range, and changes the style by them; nothing for a layer without scalar.
   void draw(LayerIndex layer, LayerStyle& style);
 
  private:
   void draw_choice(LayerStyle& style) const;
   void draw_range(LayerIndex layer, LayerStyle& style);
+  void draw_selection(LayerIndex layer);
 
   const Gui& gui_;
   const LayerStack& layers_;
   const Picture& picture_;
   std::optional<render::ScalarRange> copied_;
+  std::function<void(LayerIndex, double, double)> select_;
+  std::map<LayerIndex, render::ScalarRange> wanted_;  // values to be selected, where they were typed
 };
 
 }  // namespace mes

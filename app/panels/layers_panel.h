@@ -30,6 +30,10 @@ class LayersPanel {
         color_maps_(gui, layers, picture) {}
 
   void draw(const PanelArea& area);
+  /// Selects what elements of a layer with values in a range come from.
+  void set_select(std::function<void(LayerIndex, double, double)> select) {
+    color_maps_.set_select(std::move(select));
+  }
   /// Asks for a file for the geometry of a layer.
   void set_export(std::function<void(LayerIndex, const LayerTextFormat&)> ask) { ask_export_ = std::move(ask); }
 

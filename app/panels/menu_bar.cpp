@@ -9,6 +9,7 @@
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/document/contour_edit.h"
 #include "core/edit/arrangement.h"
 #include "render/convert.h"
 
@@ -81,6 +82,14 @@ void arrange_menu(const MenuBar& menu) {
   ImGui::EndMenu();
 }
 
+void contours_menu(const MenuBar& menu) {
+  if (!ImGui::BeginMenu("Contours")) return;
+  for (std::size_t i = 0; i < kContourChanges; ++i) action_item(menu, nth(ActionId::first_contour_change, i));
+  ImGui::Separator();
+  action_item(menu, ActionId::contours_along_crust);
+  ImGui::EndMenu();
+}
+
 void edit_menu(const MenuBar& menu) {
   const auto with_step = [](const char* verb, const std::string& step) {
     return step.empty() ? std::string(verb) : std::string(verb) + ": " + step;
@@ -92,7 +101,8 @@ void edit_menu(const MenuBar& menu) {
        {ActionId::copy, ActionId::cut, ActionId::paste, ActionId::duplicate, ActionId::delete_selection})
     action_item(menu, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::select_all, ActionId::invert_selection, ActionId::deselect})
+  for (const ActionId id :
+       {ActionId::select_all, ActionId::invert_selection, ActionId::select_sources, ActionId::deselect})
     action_item(menu, id);
   if (ImGui::BeginMenu("Along the curve")) {
     for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
@@ -104,6 +114,7 @@ void edit_menu(const MenuBar& menu) {
   ImGui::Separator();
   for (const ActionId id : {ActionId::toggle_selection, ActionId::toggle_curves}) action_item(menu, id);
   arrange_menu(menu);
+  contours_menu(menu);
 }
 
 void snap_menu(const MenuBar& menu) {
@@ -118,6 +129,8 @@ void snap_menu(const MenuBar& menu) {
   tooltip(menu.gui, "The curves of a drawing, map, picture or shape, from which samples were taken");
   ImGui::MenuItem("Grid", nullptr, &snap.grid);
   tooltip(menu.gui, "Lines at round numbers, also where they are not shown");
+  ImGui::MenuItem("Pixels", nullptr, &snap.pixels);
+  tooltip(menu.gui, "Where nothing else is near: coordinates with as few digits as tell pixels of the screen apart");
   ImGui::EndMenu();
 }
 
@@ -273,6 +286,7 @@ float MenuBar::draw() const {
     ImGui::Separator();
     action_item(*this, ActionId::toggle_snap);
     snap_menu(*this);
+    for (const ActionId id : {ActionId::toggle_handles, ActionId::toggle_insertion_preview}) action_item(*this, id);
     ImGui::Separator();
     if (ImGui::BeginMenu("Number type")) {
       for (const ActionId id : {ActionId::precision_naive, ActionId::precision_fast, ActionId::precision_exact,
@@ -283,7 +297,8 @@ float MenuBar::draw() const {
     for (const ActionId id : {ActionId::toggle_union_shortcut, ActionId::toggle_pole_propagation})
       action_item(*this, id);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::cancel_computation, ActionId::resume_computation}) action_item(*this, id);
+    for (const ActionId id : {ActionId::hold_update, ActionId::cancel_computation, ActionId::resume_computation})
+      action_item(*this, id);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Shapes")) {

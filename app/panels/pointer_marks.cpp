@@ -26,6 +26,7 @@ class Pen {
         unit_(marks.gui.unit()),
         shift_(marks.pane.shift),
         color_(marks.color),
+        paper_(marks.background.value_or(Rgb{255, 255, 255})),
         ink_(to_imgui(marks.color)) {}
 
   void ring(Vec2 world) const { list_.AddCircle(at(to_px(world)), kRing * unit_, ink_, 0, 2.0F * unit_); }
@@ -42,6 +43,31 @@ class Pen {
     points.reserve(world.size());
     for (const Vec2 p : world) points.push_back(at(to_px(p)));
     polyline(list_, points, ink_, true, 1.2F * unit_);
+  }
+  void frame(Vec2 low, Vec2 high) const {
+    const ImVec2 a = at(to_px(low));
+    const ImVec2 b = at(to_px(high));
+    list_.AddRect({a.x, b.y}, {b.x, a.y}, to_imgui(color_, 0.5), 0.0F, 0, unit_);
+  }
+  void hairline(Vec2 a, Vec2 b) const { list_.AddLine(at(to_px(a)), at(to_px(b)), to_imgui(color_, 0.5), unit_); }
+  /// A square, or a disk; filled where it is taken.
+  void handle(Vec2 world, bool is_round, bool is_taken) const {
+    const ImVec2 p = at(to_px(world));
+    const float r = 4.0F * unit_;
+    const ImU32 inside = is_taken ? ink_ : to_imgui(paper_);
+    if (is_round) {
+      list_.AddCircleFilled(p, r + unit_, inside);
+      list_.AddCircle(p, r + unit_, ink_, 0, 1.2F * unit_);
+    } else {
+      list_.AddRectFilled({p.x - r, p.y - r}, {p.x + r, p.y + r}, inside);
+      list_.AddRect({p.x - r, p.y - r}, {p.x + r, p.y + r}, ink_, 0.0F, 0, 1.2F * unit_);
+    }
+  }
+  void saltire(Vec2 world) const {
+    const ImVec2 p = at(to_px(world));
+    const float arm = 4.0F * unit_;
+    list_.AddLine({p.x - arm, p.y - arm}, {p.x + arm, p.y + arm}, ink_, 1.5F * unit_);
+    list_.AddLine({p.x - arm, p.y + arm}, {p.x + arm, p.y - arm}, ink_, 1.5F * unit_);
   }
   /// A cross with what it is on.
   void snap(const Snap& snap) const {
@@ -80,6 +106,7 @@ class Pen {
   float unit_;
   ImVec2 shift_;
   Rgb color_;
+  Rgb paper_;
   ImU32 ink_;
 };
 
@@ -137,6 +164,40 @@ void PointerMarks::draw_measurement() const {
   paint_on_canvas(gui, words,
                   {beside(at.x, static_cast<float>(words.width) * unit, end.x),
                    beside(at.y, static_cast<float>(words.height) * unit, end.y)});
+}
+
+void PointerMarks::draw_frame() const {
+  const auto mark = canvas.tool().feedback().frame;
+  if (!mark) return;
+  const Pen pen(*this);
+  const HandleFrame frame(mark->box, canvas.content_scale() * pane.camera.units_per_pixel());
+  const Box2& outline = frame.outline();
+  pen.frame(outline.low, outline.high);
+  const Vec2 stem{0.5 * (outline.low.x + outline.high.x), outline.high.y};
+  pen.hairline(stem, frame.at(Handle::turn));
+  for (std::size_t i = 0; i < kHandles; ++i) {
+    const auto handle = static_cast<Handle>(i);
+    if (frame.has(handle)) pen.handle(frame.at(handle), handle == Handle::turn, mark->taken == handle);
+  }
+  if (mark->words.empty()) return;
+  const ImVec2 at = pen.on_screen({outline.high.x, outline.low.y});
+  ImGui::GetBackgroundDrawList()->AddText({at.x + 10 * gui.unit(), at.y + 6 * gui.unit()}, to_imgui(color),
+                                          mark->words.c_str());
+}
+
+void PointerMarks::draw_waiting(const UpdateHold& hold) const {
+  constexpr std::size_t kMost = 4000;
+  const Pen pen(*this);
+  std::size_t marks = 0;
+  for (const auto& delta : hold.waiting()) {
+    for (const SampleEdit& edit : delta->edits) {
+      if (++marks > kMost) return;
+      if (edit.kind == SampleEdit::Kind::remove)
+        pen.saltire(edit.from);
+      else if (const SampleSlot slot = document.slot_of(edit.id); slot != kNoSlot)
+        pen.dot(document.position(slot));
+    }
+  }
 }
 
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/canvas/canvas.h"
+#include "app/model/update_hold.h"
 #include "app/panels/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/base/color.h"
@@ -24,6 +25,10 @@ struct PointerMarks {
   void draw() const;
   /// The places that the tool measures between, lines, the circle, and the numbers.
   void draw_measurement() const;
+  /// The frame around what is selected, with its handles.
+  void draw_frame() const;
+  /// Dots where samples were put whose structures are behind, crosses where others were taken away.
+  void draw_waiting(const UpdateHold& hold) const;
 };
 
 }  // namespace mes

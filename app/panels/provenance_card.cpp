@@ -182,6 +182,8 @@ void ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor, 
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const bool is_closed = draw_head(gui, width);
   const ProvenanceLine* const followed = draw_lines(gui, width);
+  if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
+  tooltip(gui, "Select the samples, or balls, that this is or comes from");
   ImGui::End();
   ImGui::PopStyleVar();
   if (followed != nullptr) {

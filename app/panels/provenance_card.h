@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/tool.h"
@@ -34,6 +35,10 @@ class ProvenanceCard {
 
   /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is.
   void draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room);
+  /// `select_sources` was called for what is shown: the new selection does not take it away. O(1).
+  void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
+  /// The button that selects what it comes from was pressed since the last call.
+  bool wants_sources() { return std::exchange(wants_sources_, false); }
 
  private:
   void draw_shapes(const Gui& gui, const Canvas& canvas) const;
@@ -47,6 +52,7 @@ class ProvenanceCard {
   std::uint64_t document_revision_ = 0;
   std::uint64_t selection_revision_ = 0;
   ImVec2 moved_{};  ///< from its corner, by hand
+  bool wants_sources_ = false;
   std::unique_ptr<Provenance> answer_;
   std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none
 };

@@ -75,6 +75,16 @@ bool WorkInProgress::draw() const {
     tooltip(gui, "Make no video; the frames stay");
     return true;
   }
+  if (hold.is_held()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+    ImGui::TextUnformatted(hold.waiting().empty() ? "Update held" : "Update held; structures are behind");
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    if (actions.is_checked(ActionId::hold_update) && ImGui::SmallButton("Release"))
+      actions.run(ActionId::hold_update);
+    tooltip(gui, actions.tooltip_of(ActionId::hold_update));
+    return true;
+  }
   const EngineStatus status = engine.status();
   if (status.cancelled) {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
+#include "app/model/update_hold.h"
 #include "app/recording/record_desk.h"
 #include "app/store/file_desk.h"
 #include "app/ui/gui.h"
@@ -16,6 +17,7 @@ struct WorkInProgress {
   const Engine& engine;
   FileDesk& files;
   RecordDesk& record;
+  const UpdateHold& hold;
 
   /// A red dot and how many frames there are, while recording.
   void draw_recording() const;

@@ -180,4 +180,9 @@ double grid_step(double units_per_pixel) {
   return round_number_from(kLeastStep * units_per_pixel);
 }
 
+// Of the numbers 1, 2, 5, 10, ... each is at most two and a half times the one before.
+double pixel_step(double units_per_pixel) {
+  return round_number_from(0.4 * units_per_pixel);
+}
+
 }  // namespace mes

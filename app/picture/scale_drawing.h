@@ -41,6 +41,8 @@ PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane,
 
 /// The distance of lines of the grid, in units.
 double grid_step(double units_per_pixel);
+/// The largest such number that is at most a pixel, or the one before it.
+double pixel_step(double units_per_pixel);
 
 /// Where the marks are, in logical pixels.
 struct MarksPlace {

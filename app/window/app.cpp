@@ -99,12 +99,12 @@ void App::deselect() {
 double App::next_wait() const {
   const double now = ImGui::GetTime();
   const FileDesk& files = documents_.files();
-  const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() ||
-                       work_.curve_selector().is_under_way() || work_.curve_sampler().is_busy() ||
-                       work_.branches().is_under_way() || work_.resampling().is_under_way() ||
-                       work_.scale_events().is_under_way() || files.is_reading() || files.is_saving() ||
-                       board_.traced().is_reading() || documents_.figures().is_busy() ||
-                       documents_.tracing().is_busy() || screen_.gui.is_about_to_rest() || recording_.holds_input();
+  const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || work_.is_finding_crust() ||
+                       work_.curve_sampler().is_busy() || work_.branches().is_under_way() ||
+                       work_.resampling().is_under_way() || work_.scale_events().is_under_way() ||
+                       files.is_reading() || files.is_saving() || board_.traced().is_reading() ||
+                       documents_.figures().is_busy() || documents_.tracing().is_busy() ||
+                       screen_.gui.is_about_to_rest() || recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
                             work_.evolution().next_due(now), panels_.presenter().next_due(now)},
                            is_busy);
@@ -150,12 +150,24 @@ void App::deliver_events() try {
   refuse_for_memory();
 }
 
+// From Alt pressed over the canvas until it is released. A recording has a frame of each change, and each change has to
+// be complete for that.
+void App::follow_hold() try {
+  const Canvas& canvas = board_.canvas();
+  is_held_by_key_ = ImGui::GetIO().KeyAlt && !recording_.desk().is_recording() &&
+                    (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
+  work_.follow_hold(is_held_by_key_);
+} catch (const std::bad_alloc&) {
+  refuse_for_memory();
+}
+
 void App::turn() {
+  follow_hold();
   deliver_events();
   documents_.take_results();
   recording_.note_if_complete(documents_.files().is_reading());
   board_.take_results();
-  work_.follow_selection();
+  work_.follow_crust();
   work_.follow_curves(ImGui::IsAnyItemActive());
   work_.follow_resampling();
   work_.follow_evolution(board_.picture().document_revision(), ImGui::GetTime());

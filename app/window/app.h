@@ -45,6 +45,7 @@ class App {
   double next_wait() const;
   void wait_for_event();
   void turn();
+  void follow_hold();
   void deliver_events();
   void refuse_for_memory() noexcept;
   void frame();
@@ -67,6 +68,7 @@ class App {
   Panels panels_;
   WindowInput input_;
   int turns_at_rest_ = 0;  // in a row
+  bool is_held_by_key_ = false;
 };
 
 }  // namespace mes

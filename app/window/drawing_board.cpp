@@ -18,8 +18,13 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       settings_(settings),
       messages_(messages),
       screen_(screen),
+      values_(work.editor()),
       snapper_(work.editor(), work.annotations(), settings.snap,
-               [this] { return grid_step(canvas_.pointer().units_per_px); }),
+               [this] {
+                 const double units = canvas_.pointer().units_per_px;
+                 return Snapper::Steps{grid_step(units), pixel_step(units)};
+               }),
+      frame_(work.editor()),
       tool_context_{work.editor(),
                     work.annotations(),
                     settings.spray_spacing_px,
@@ -35,7 +40,9 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                       return annotation_at(annotations_, px, kReach);
                     },
                     &snapper_,
-                    &settings.brush},
+                    &settings.brush,
+                    &frame_,
+                    &settings.show_handles},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
       traced_(work.editor(), work.layers(), picture_, messages, wake),
@@ -65,6 +72,8 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_tool(ActionId::tool_ball, ToolId::ball);
   bind_tool(ActionId::tool_measure, ToolId::measure);
   bind_tool(ActionId::tool_annotate, ToolId::annotate);
+  actions.bind(ActionId::select_sources,
+               {[this] { select_sources(); }, [this] { return provenance_.shown() != nullptr; }});
   actions.bind(ActionId::keep_measurement,
                {[this] { keep_measurement(); }, [this] { return canvas_.tool().measurement().has_value(); }});
 }
@@ -122,8 +131,29 @@ bool DrawingBoard::is_at_rest() const {
 
 void DrawingBoard::take_results() {
   if (picture_.take_from(work_.engine())) watch_memory();
-  auto answer = picture_.take_provenance();
-  if (answer && !pointed_.take(*answer)) provenance_.take(std::move(answer));
+  if (auto answer = picture_.take_provenance()) take_answer(std::move(answer));
+  if (provenance_.wants_sources()) select_sources();
+}
+
+// An answer to any question ends all that wait: a later one takes the place of an earlier one.
+void DrawingBoard::take_answer(std::unique_ptr<Provenance> answer) {
+  const bool is_of_pointer = pointed_.take(*answer);
+  const bool is_of_preview = preview_.take(*answer);
+  const auto selected = values_.take(*answer);
+  if (selected && !selected->empty()) messages_.remark(*selected);
+  if (!is_of_pointer && !is_of_preview && !selected) provenance_.take(std::move(answer));
+}
+
+void DrawingBoard::select_sources() {
+  const Provenance* const shown = provenance_.shown();
+  if (shown == nullptr) return;
+  const std::size_t count = mes::select_sources(work_.editor(), *shown);
+  provenance_.keep_for(work_.editor());
+  const Selection& selection = work_.editor().selection();
+  if (count == 0)
+    messages_.problem("It comes from no sample and no ball that could be selected");
+  else
+    messages_.remark("Selected " + counted(selection.sample_count(), selection.ball_count()));
 }
 
 void DrawingBoard::watch_memory() {
@@ -241,6 +271,9 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
   if (!is_hidden) screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
   const bool is_marked = over_canvas && !frame.hides_pointer;
   pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
+  preview_.follow(work_.engine(), canvas_, work_.editor(),
+                  is_marked && settings_.show_insertion_preview && canvas_.tool_id() == ToolId::insert &&
+                      !provenance_.is_asking());
   draw_marks_in_panes(is_marked);
   if (screen_.gui.lacks_letters()) screen_.clock.want(1);
 }
@@ -275,6 +308,7 @@ void DrawingBoard::draw_marks(std::size_t number, const PanePart& pane, bool is_
   // What is asked about lies in the main computation, and the pointer in one pane.
   const bool is_pointed_in = canvas_.views().is_own(canvas_.pane()) ? number == canvas_.pane() : number == 0;
   if (is_pointed_in && is_main_document) pointed_.draw(screen_.gui, pane, canvas_.content_scale());
+  if (is_main_document) preview_.draw(screen_.gui, pane, canvas_.content_scale());
   if (shows_annotations()) {
     const CanvasAnnotations shown = annotations_in(document, pane);
     const bool is_laid_out = is_main_document && pane.camera == canvas_.view_at_pointer().camera();
@@ -285,7 +319,10 @@ void DrawingBoard::draw_marks(std::size_t number, const PanePart& pane, bool is_
   const PointerMarks marks{screen_.gui,       canvas_, work_.document(), mark_color(picture_.canvas()),
                            picture_.canvas(), pane};
   if (is_marked) marks.draw();
+  if (is_main_document) marks.draw_waiting(work_.hold());
+  if (is_main_document && !canvas_.tool().feedback().annotation) marks.draw_frame();
   marks.draw_measurement();
+  if (is_pointed_in && is_main_document) preview_.draw_words(screen_.gui, pane, canvas_);
 }
 
 // The tool that writes them shows them.

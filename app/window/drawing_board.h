@@ -8,8 +8,10 @@
 #include "app/canvas/canvas.h"
 #include "app/model/memory_watch.h"
 #include "app/model/settings.h"
+#include "app/model/source_selection.h"
 #include "app/model/view_fitter.h"
 #include "app/panels/canvas_annotations.h"
+#include "app/panels/insertion_preview.h"
 #include "app/panels/pointed_element.h"
 #include "app/panels/provenance_card.h"
 #include "app/picture/annotation_drawing.h"
@@ -33,6 +35,7 @@ class DrawingBoard {
   const Canvas& canvas() const { return canvas_; }
   ViewMotion& view() { return canvas_.view(); }
   const ViewMotion& view() const { return canvas_.view(); }
+  ValueSelector& value_selector() { return values_; }
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
   TracedPicture& traced() { return traced_; }
@@ -91,6 +94,8 @@ class DrawingBoard {
   void draw_marks(std::size_t number, const PanePart& pane, bool is_marked);
   void fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once = false);
   void keep_measurement();
+  void select_sources();
+  void take_answer(std::unique_ptr<Provenance> answer);
 
   Workspace& work_;
   const Settings& settings_;
@@ -99,7 +104,10 @@ class DrawingBoard {
   Picture picture_;
   ProvenanceCard provenance_;
   PointedElement pointed_;
+  InsertionPreview preview_;
+  ValueSelector values_;
   Snapper snapper_;
+  SelectionFrame frame_;
   ToolContext tool_context_;
   Canvas canvas_;
   ViewFitter fitter_;

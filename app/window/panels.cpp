@@ -47,7 +47,8 @@ Panels::Panels(const Uses& uses)
                   uses.board.picture(),
                   uses.work.computation(),
                   uses.messages,
-                  {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk()},
+                  {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk(),
+                   uses.work.hold()},
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.work.document(),
                    uses.work.computation().settings(), uses.board.picture(), uses.board.canvas()}},
       toolbar_{uses.screen.gui,
@@ -73,6 +74,9 @@ Panels::Panels(const Uses& uses)
                          [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
                          uses.work.document(), uses.board.picture()})) {
+  layers_panel_.set_select([&work = uses.work, &board = uses.board](LayerIndex layer, double low, double high) {
+    board.value_selector().ask(work.engine(), layer, low, high);
+  });
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });
@@ -133,6 +137,8 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_grid, settings.marks.grid);
   bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
   bind_toggle(ActionId::toggle_snap, settings.snap.is_on);
+  bind_toggle(ActionId::toggle_handles, settings.show_handles);
+  bind_toggle(ActionId::toggle_insertion_preview, settings.show_insertion_preview);
   actions.bind(ActionId::toggle_differences, {[&settings] { settings.show_differences = !settings.show_differences; },
                                               [&work = uses_.work] { return !work.panes().is_empty(); },
                                               [&settings] { return settings.show_differences; }});

@@ -16,8 +16,10 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       engine_({.wake = wake}),
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets, layers_),
-      editor_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }, &layers_),
+      hold_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
+      editor_([this](std::shared_ptr<const DocumentDelta> delta) { hold_.post(std::move(delta)); }, &layers_),
       curve_selector_(editor_, wake),
+      contour_desk_(editor_, layers_, wake),
       curve_sampler_(editor_, wake),
       branches_(wake),
       resampling_(editor_, wake),
@@ -32,6 +34,22 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
 
 void Workspace::report(const Expected<void>& done) {
   if (!done) messages_.problem(done.error().message());
+}
+
+void Workspace::report(const Expected<std::string>& done) {
+  if (done)
+    messages_.remark(*done);
+  else
+    messages_.problem(done.error().message());
+}
+
+void Workspace::follow_crust() {
+  report(curve_selector_.follow());
+  const auto made = contour_desk_.follow();
+  if (!made)
+    messages_.problem(made.error().message());
+  else if (*made)
+    messages_.remark(**made);
 }
 
 void Workspace::follow_resampling() {
@@ -51,6 +69,7 @@ void Workspace::follow_curves(bool is_held) {
 }
 
 void Workspace::leave_document() {
+  is_held_by_action_ = false;
   annotations_.forget();
   resampling_.forget();
   computation_.give_back();

@@ -12,6 +12,7 @@
 #include "app/model/ball_families.h"
 #include "app/model/branch_desk.h"
 #include "app/model/computation_control.h"
+#include "app/model/contour_desk.h"
 #include "app/model/curve_sampler.h"
 #include "app/model/curve_selector.h"
 #include "app/model/editor.h"
@@ -25,6 +26,7 @@
 #include "app/model/scale_events.h"
 #include "app/model/selection_desk.h"
 #include "app/model/settings.h"
+#include "app/model/update_hold.h"
 #include "app/store/bundle_desk.h"
 #include "core/engine/engine.h"
 #include "core/io/session.h"
@@ -58,7 +60,8 @@ class Workspace {
   const ResampleDesk& resampling() const { return resampling_; }
   BranchDesk& branches() { return branches_; }
   const BranchDesk& branches() const { return branches_; }
-  const CurveSelector& curve_selector() const { return curve_selector_; }
+  /// The crust is being found, to select along it or to make contours of it.
+  bool is_finding_crust() const { return curve_selector_.is_under_way() || contour_desk_.is_under_way(); }
   CurveSampler& curve_sampler() { return curve_sampler_; }
   const CurveSampler& curve_sampler() const { return curve_sampler_; }
   EvolutionPlayer& evolution() { return evolution_; }
@@ -96,8 +99,12 @@ class Workspace {
   void import_bundles(const std::filesystem::path& file);
   void export_bundles(const std::filesystem::path& file, std::optional<std::size_t> index);
 
-  /// Once a turn: selects along the curve when it was found.
-  void follow_selection() { report(curve_selector_.follow()); }
+  /// Changes that the engine does not hear of yet.
+  const UpdateHold& hold() const { return hold_; }
+  /// Once a turn: holds the update while the action or a key that is held wants that, else releases it.
+  void follow_hold(bool is_held_by_key) { hold_.set_held(is_held_by_action_ || is_held_by_key); }
+  /// Once a turn: selects along the crust, or makes contours of it, when it was found.
+  void follow_crust();
   /// The same of samples of curves. `is_held`: a control of the panels is held.
   void follow_curves(bool is_held);
   /// Once a turn: inserts or removes the samples that were found.
@@ -122,6 +129,7 @@ class Workspace {
             {evolution_.choice(), evolution_.first_value()}};
   }
   void report(const Expected<void>& done);
+  void report(const Expected<std::string>& done);
   void show_family();
   void follow_family();
 
@@ -130,10 +138,13 @@ class Workspace {
   ComputationControl computation_{engine_};
   LayerStack layers_;
   BundleDesk bundles_;
+  UpdateHold hold_;
+  bool is_held_by_action_ = false;
   Editor editor_;
   AnnotationDesk annotations_{editor_};
   SelectionDesk selection_desk_{editor_};
   CurveSelector curve_selector_;
+  ContourDesk contour_desk_;
   CurveSampler curve_sampler_;
   BranchDesk branches_;
   ResampleDesk resampling_;

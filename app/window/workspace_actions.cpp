@@ -48,6 +48,12 @@ void Workspace::bind_editing(ActionBindings& actions) {
   bind_along_curve(ActionId::select_curve, CurveSelector::Wish::whole);
   bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
   bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);
+  for (std::size_t i = 0; i < kContourChanges; ++i)
+    actions.bind(nth(ActionId::first_contour_change, i),
+                 {[this, i] { report(contour_desk_.change(static_cast<ContourChange>(i))); },
+                  [this] { return editor_.selection().sample_count() != 0; }});
+  actions.bind(ActionId::contours_along_crust,
+               {[this] { contour_desk_.begin_along_crust(); }, [this] { return document().sample_count() > 1; }});
   const auto bind_resampling = [&](ActionId id, ResampleDesk::Wish wish) {
     actions.bind(id, {[this, wish] { resampling_.begin(wish); },
                       [this] { return document().sample_count() != 0 && !resampling_.is_under_way(); }});
@@ -99,6 +105,12 @@ void Workspace::bind_computation(ActionBindings& actions) {
                {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
   actions.bind(ActionId::resume_computation,
                {[this] { engine_.resume(); }, [this] { return engine_.status().cancelled; }});
+  actions.bind(ActionId::hold_update, {[this] {
+                                         is_held_by_action_ = !is_held_by_action_;
+                                         follow_hold(false);
+                                       },
+                                       {},
+                                       [this] { return is_held_by_action_; }});
   for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors) {
     const Precision precision = descriptor.precision;
     const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::precision_naive) +

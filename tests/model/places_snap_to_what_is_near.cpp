@@ -22,7 +22,7 @@ struct Bench {
   AnnotationDesk annotations{editor};
   SnapSettings settings{.is_on = true};
   double grid = 0.5;
-  Snapper snapper{editor, annotations, settings, [this] { return grid; }};
+  Snapper snapper{editor, annotations, settings, [this] { return Snapper::Steps{grid, 0.01}; }};
   double spacing = 10.0;
   ToolContext context{editor, annotations, spacing, [](const Error& error) { FAIL(error.message()); }};
 
@@ -177,4 +177,18 @@ TEST_CASE("tools put things where they snap, and Ctrl holds that off") {
   ball.release(at(0.0, 0.0));
   CHECK(document.disk(BallSlot(1)).center == Vec2{-2.0, -3.0});
   CHECK(document.disk(BallSlot(1)).radius == distance({-2.0, -3.0}, {0.013, 0.017}));
+}
+
+TEST_CASE("where nothing else is near, coordinates have as few digits as pixels need") {
+  Bench bench;
+  CHECK_FALSE(bench.snap({2.2313, 1.1987}));
+  bench.settings.pixels = true;
+  const auto pixel = bench.snap({2.2313, 1.1987});
+  REQUIRE(pixel);
+  CHECK(pixel->name == "pixel");
+  CHECK(pixel->place == Vec2{2.23, 1.2});
+  CHECK(bench.snap({3.05, 0.03})->name == "sample");
+  CHECK(bench.snap({2.51, 1.49})->name == "grid");
+  bench.settings.grid = false;
+  CHECK(bench.snap({2.514, 1.488})->place == Vec2{2.51, 1.49});
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/canvas/tools/select_tool.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,16 @@ namespace {
 
 constexpr double kRadiusPerStep = 1.1;
 constexpr double kLassoStepPx = 3.0;
+constexpr double kHandleReachPx = 8.0;
+
+// As the window shows it beside the pointer.
+std::string words_of(Handle handle, const Dragged& result) {
+  if (handle == Handle::turn) return fmt::format("{:.1f} degrees", result.degrees);
+  const bool is_side = result.factor.x != result.factor.y;
+  const double factor = result.factor.x == 1.0 ? result.factor.y : result.factor.x;
+  const char* const coordinate = !is_side ? "" : result.factor.x == 1.0 ? "y " : "x ";
+  return fmt::format("{}times {:.4g}", coordinate, factor);
+}
 
 // Many window managers take Alt with a click for themselves.
 bool asks_about(Modifiers modifiers) {
@@ -60,6 +72,15 @@ void SelectTool::press(const Pointer& pointer) {
   wheel_px_.reset();
   start_ = now_ = pointer;
   pressed_ = pick(pointer);
+  if (const auto handle = handle_at(pointer, pressed_)) {
+    state_ = State::handling;
+    handle_ = *handle;
+    handled_ = *frame_box();
+    note_places();
+    context_.editor.begin_gesture((handle_ == Handle::turn ? "Turn " : "Scale ") +
+                                  noun_of(context_.editor.selection()));
+    return;
+  }
   if (!pressed_.is_any()) {
     state_ = State::pressed_empty;
     return;
@@ -71,7 +92,7 @@ void SelectTool::press(const Pointer& pointer) {
   if (mode != Mode::replace || !was_selected_) select_one(pressed_, mode);
 }
 
-void SelectTool::begin_move() {
+void SelectTool::note_places() {
   const Document& document = context_.editor.document();
   const Selection& selection = context_.editor.selection();
   from_.clear();
@@ -79,8 +100,63 @@ void SelectTool::begin_move() {
   from_balls_.clear();
   for (const BallSlot slot : selection.ball_slots())
     from_balls_.emplace_back(document.ball_id(slot), document.disk(slot));
-  context_.editor.begin_gesture("Move " + noun_of(selection));
+}
+
+void SelectTool::begin_move() {
+  note_places();
+  context_.editor.begin_gesture("Move " + noun_of(context_.editor.selection()));
   state_ = State::moving;
+}
+
+Snapper::Except SelectTool::beside_selection() const {
+  const Selection& selection = context_.editor.selection();
+  return {[&selection](SampleSlot slot) { return selection.contains(slot); },
+          [&selection](BallSlot slot) { return selection.contains_ball(slot); }, true};
+}
+
+std::optional<Box2> SelectTool::frame_box() const {
+  const bool is_shown = context_.frame != nullptr && context_.shows_frame != nullptr && *context_.shows_frame;
+  return is_shown ? context_.frame->box() : std::nullopt;
+}
+
+// What is nearer to the pointer is taken, a handle or a thing.
+std::optional<Handle> SelectTool::handle_at(const Pointer& pointer, const Hit& hit) const {
+  const auto box = frame_box();
+  if (!box || pointer.modifiers != Modifiers{}) return std::nullopt;
+  double reach = kHandleReachPx * pointer.units_per_px;
+  const Document& document = context_.editor.document();
+  if (hit.sample != kNoSlot) reach = std::min(reach, distance(document.position(hit.sample), pointer.world));
+  if (hit.ball != kNoSlot) reach = std::min(reach, distance(document.disk(hit.ball).center, pointer.world));
+  return HandleFrame(*box, pointer.units_per_px).handle_at(pointer.world, reach);
+}
+
+void SelectTool::drag_handle(const Pointer& pointer) {
+  HandleDrag drag{handle_, start_.world, pointer.world, pointer.modifiers.shift, pointer.modifiers.shift};
+  if (handle_ != Handle::turn) {
+    drag.from = held_place(handled_, handle_);
+    drag.to = snapped(pointer, drag.from + (pointer.world - start_.world), beside_selection());
+  }
+  std::vector<Vec2> places;
+  places.reserve(from_.size() + from_balls_.size());
+  for (const auto& [id, position] : from_) places.push_back(position);
+  for (const auto& [id, disk] : from_balls_) places.push_back(disk.center);
+  const auto result = dragged(places, handled_, drag);
+  if (!result) return;
+  targets_.clear();
+  for (std::size_t i = 0; i < from_.size(); ++i) targets_.emplace_back(from_[i].first, result->places[i]);
+  ball_targets_.clear();
+  for (std::size_t i = 0; i < from_balls_.size(); ++i)
+    ball_targets_.emplace_back(from_balls_[i].first, Disk{result->places[from_.size() + i],
+                                                          result->radius_factor * from_balls_[i].second.radius});
+  handle_words_ = words_of(handle_, *result);
+  accepted(context_.editor.move(targets_, ball_targets_, {}));
+}
+
+std::optional<FrameMark> SelectTool::frame_mark() const {
+  if (state_ == State::moving || state_ == State::boxing || state_ == State::lassoing) return std::nullopt;
+  const auto box = frame_box();
+  if (!box) return std::nullopt;
+  return state_ == State::handling ? FrameMark{*box, handle_, handle_words_} : FrameMark{*box, hovered_handle_, {}};
 }
 
 void SelectTool::drag(const Pointer& pointer) {
@@ -95,6 +171,7 @@ void SelectTool::drag(const Pointer& pointer) {
     lasso_.push_back(pointer.world);
     lasso_px_ = pointer.px;
   }
+  if (state_ == State::handling && is_far) drag_handle(pointer);
   if (state_ == State::pressed_thing && is_far && is_selected(pressed_)) begin_move();
   if (state_ != State::moving) return;
   const Vec2 offset = snapped_offset(pointer);
@@ -131,10 +208,7 @@ Vec2 SelectTool::snapped_offset(const Pointer& pointer) {
     if (sample == from_.end()) return offset;
     from = sample->second;
   }
-  const Selection& selection = context_.editor.selection();
-  const Vec2 to = snapped(pointer, from + offset,
-                          {[&](SampleSlot slot) { return selection.contains(slot); },
-                           [&](BallSlot slot) { return selection.contains_ball(slot); }, true});
+  const Vec2 to = snapped(pointer, from + offset, beside_selection());
   return snap_ ? to - from : offset;
 }
 
@@ -177,7 +251,9 @@ void SelectTool::release(const Pointer& pointer) {
     case State::boxing: select_box(pointer); break;
     case State::lassoing: select_lasso(pointer); break;
     case State::moving:
+    case State::handling:
       context_.editor.end_gesture();
+      handle_words_.clear();
       snap_.reset();
       break;
   }
@@ -186,7 +262,8 @@ void SelectTool::release(const Pointer& pointer) {
 }
 
 void SelectTool::cancel() {
-  if (state_ == State::moving) context_.editor.cancel_gesture();
+  if (state_ == State::moving || state_ == State::handling) context_.editor.cancel_gesture();
+  handle_words_.clear();
   snap_.reset();
   state_ = State::idle;
 }
@@ -209,10 +286,13 @@ void SelectTool::hover(const Pointer& pointer) {
   if (wheel_px_ && distance(*wheel_px_, pointer.px) > kDragThresholdPx) wheel_px_.reset();
   now_ = pointer;
   hovered_ = pick(pointer);
+  hovered_handle_ = handle_at(pointer, hovered_);
+  if (hovered_handle_) hovered_ = {};
 }
 
 void SelectTool::leave() {
   hovered_ = {};
+  hovered_handle_.reset();
   wheel_px_.reset();
 }
 
@@ -232,16 +312,19 @@ ToolFeedback SelectTool::feedback() const {
     return out;
   }
   out.snap = snap_;
+  out.frame = frame_mark();
   const Document& document = context_.editor.document();
   if (document.is_alive(shown.sample)) out.hovered = shown.sample;
   if (document.is_ball_alive(shown.ball)) out.hovered_ball = shown.ball;
-  out.asks = state_ == State::idle && !shown.is_any() && context_.ask_about && !now_.modifiers.shift;
+  out.asks =
+      state_ == State::idle && !shown.is_any() && !hovered_handle_ && context_.ask_about && !now_.modifiers.shift;
   return out;
 }
 
 PointerShape SelectTool::pointer_shape() const {
-  return state_ == State::moving || (state_ == State::idle && hovered_.is_any()) ? PointerShape::hand
-                                                                                 : PointerShape::arrow;
+  const bool holds = state_ == State::moving || state_ == State::handling;
+  return holds || (state_ == State::idle && (hovered_.is_any() || hovered_handle_)) ? PointerShape::hand
+                                                                                    : PointerShape::arrow;
 }
 
 }  // namespace mes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Click, box and lasso to select; drag a sample or a ball to move it, with the selection it belongs to; turn the wheel on a
-// selected ball to change its radius.
+// Click, box and lasso to select; drag a sample or a ball to move it, with the selection it belongs to; drag a handle of the
+// frame to scale, mirror or turn the selection; turn the wheel on a selected ball to change its radius.
 #pragma once
 
 #include <utility>
@@ -38,6 +38,7 @@ class SelectTool final : public Tool {
     pressed_thing,  ///< a click on a sample or a ball, until the pointer moves away
     pressed_empty,
     moving,
+    handling,  ///< a handle of the frame is held
     boxing,
     lassoing,
   };
@@ -55,6 +56,13 @@ class SelectTool final : public Tool {
   void select(const Hit& hit, Mode mode);
   void select_one(const Hit& hit, Mode mode);
   Vec2 snapped_offset(const Pointer& pointer);
+  /// Where the selected things are now.
+  void note_places();
+  Snapper::Except beside_selection() const;
+  std::optional<Box2> frame_box() const;
+  std::optional<Handle> handle_at(const Pointer& pointer, const Hit& hit) const;
+  void drag_handle(const Pointer& pointer);
+  std::optional<FrameMark> frame_mark() const;
   void select_box(const Pointer& pointer);
   void select_lasso(const Pointer& pointer);
   Hit pick(const Pointer& pointer) const;
@@ -65,9 +73,13 @@ class SelectTool final : public Tool {
   Hit pressed_;
   bool was_selected_ = false;
   Hit hovered_;
-  std::optional<Vec2> wheel_px_;                 // where the wheel is being turned on balls
-  std::vector<Vec2> lasso_;                      // in the world
-  Vec2 lasso_px_;                                // its last corner on the canvas
+  std::optional<Vec2> wheel_px_;  // where the wheel is being turned on balls
+  std::vector<Vec2> lasso_;       // in the world
+  Vec2 lasso_px_;                 // its last corner on the canvas
+  std::optional<Handle> hovered_handle_;
+  Handle handle_ = Handle::turn;  // that is held
+  Box2 handled_;                  // the box when it was pressed
+  std::string handle_words_;
   std::vector<std::pair<SampleId, Vec2>> from_;  // where the moved samples were
   std::vector<std::pair<BallId, Disk>> from_balls_;
   std::vector<std::pair<SampleId, Vec2>> targets_;  // kept for their memory

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,8 +13,10 @@
 #include "app/model/annotation_desk.h"
 #include "app/model/brush_settings.h"
 #include "app/model/editor.h"
+#include "app/model/selection_frame.h"
 #include "app/model/snapper.h"
 #include "core/base/box2.h"
+#include "core/edit/frame_handles.h"
 
 namespace mes {
 
@@ -38,6 +41,15 @@ struct ToolContext {
   std::function<std::optional<std::size_t>(Vec2)> annotation_at{};
   const Snapper* snapper = nullptr;  ///< none: places are where the pointer is
   const BrushSettings* brush = &kUsualBrush;
+  const SelectionFrame* frame = nullptr;  ///< none: the selection has no handles
+  const bool* shows_frame = nullptr;      ///< with `frame`
+};
+
+/// The frame around what is selected.
+struct FrameMark {
+  Box2 box{};                     ///< around the places; the frame goes around it
+  std::optional<Handle> taken{};  ///< that a press would take, or that is held
+  std::string words{};            ///< what the drag does; empty between drags
 };
 
 /// What the canvas shows of a tool besides the drawing.
@@ -55,6 +67,7 @@ struct ToolFeedback {
   std::optional<Vec2> ringed{};                 ///< the place in the world of an element that a press would be on
   std::optional<std::pair<Vec2, Vec2>> line{};  ///< in the world, being drawn
   std::optional<Snap> snap{};                   ///< where a place is put instead of under the pointer
+  std::optional<FrameMark> frame{};
 };
 
 enum class PointerShape : std::uint8_t { arrow, crosshair, hand };

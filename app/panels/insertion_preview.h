@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a sample at the cursor would change, before it is inserted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/canvas/canvas.h"
+#include "app/model/editor.h"
+#include "app/panels/pane_part.h"
+#include "app/ui/gui.h"
+#include "core/engine/engine.h"
+
+namespace mes {
+
+/// What it guarantees: at most one question is under way, and none while the engine computes, the view moves or a
+/// gesture has the pointer; so it may trail a fast pointer, and nothing waits for it. What is shown is of the document
+/// that is on screen, or gone. Threads: the window's.
+class InsertionPreview {
+ public:
+  /// Once a frame. `is_wanted`: it is to be shown, the pointer is over the canvas, and the tool inserts.
+  void follow(Engine& engine, const Canvas& canvas, const Editor& editor, bool is_wanted);
+  /// True when the answer was to a question of this object.
+  bool take(const Provenance& answer);
+  void draw(const Gui& gui, const PanePart& pane, double content_scale) const;
+  /// What goes and what comes, as lines beside the place, clear of the panels.
+  void draw_words(const Gui& gui, const PanePart& pane, const Canvas& canvas) const;
+
+ private:
+  struct Place {
+    Vec2 world{};
+    std::uint64_t document = 0;
+    friend bool operator==(const Place&, const Place&) = default;
+  };
+
+  // Between those of cards and those of pointed elements.
+  static constexpr std::uint64_t kFirstTicket = std::uint64_t{1} << 62U;
+  std::uint64_t ticket_ = kFirstTicket;
+  bool is_asking_ = false;
+  std::optional<Place> asked_;  // empty: nothing is shown
+  std::vector<ProvenanceLine> lines_;
+};
+
+}  // namespace mes
