@@ -56,9 +56,8 @@ Expected<std::string> ContourDesk::change(ContourChange change) {
   const Words& words = kWords[static_cast<std::size_t>(change)];
   if (auto done = put(*contours, words.step); !done) return std::unexpected(done.error());
   const std::size_t after = contours->contours.size();
-  return std::string(words.done) + ": " +
-         (before == after ? counted_contours(after)
-                          : counted_contours(after) + " instead of " + std::to_string(before));
+  return std::string(words.done) + ": the document has " + counted_contours(after) +
+         (before == after ? "" : " instead of " + std::to_string(before));
 }
 
 void ContourDesk::begin_along_crust() {

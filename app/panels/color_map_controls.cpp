@@ -119,7 +119,7 @@ void ColorMapControls::draw_selection(LayerIndex layer) {
   tooltip(gui_, "The largest value of what is to be selected");
   if (has_low || has_high) wanted_[layer] = range;
   ImGui::SameLine(0, 6 * unit);
-  if (ImGui::Button("Select")) select_(layer, range.low, range.high);
+  if (ImGui::Button("Select values")) select_(layer, range.low, range.high);
   tooltip(gui_, "Select the samples, or balls, that the elements with a value between these two come from");
 }
 

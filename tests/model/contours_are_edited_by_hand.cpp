@@ -53,7 +53,7 @@ TEST_CASE("a contour is closed in one step, with its layer, and undone with it")
   const LayerIndex layer = find_layer("contours");
   REQUIRE_FALSE(bench.layers.is_visible(layer));
   bench.select({26});
-  CHECK(bench.desk.change(ContourChange::close) == "Closed: 1 contour");
+  CHECK(bench.desk.change(ContourChange::close) == "Closed: the document has 1 contour");
   CHECK(bench.contours().front().closed);
   CHECK(bench.layers.is_visible(layer));
   CHECK(bench.editor.undo_name() == "Close contours");
