@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMarginPx = 12.0;
 constexpr double kLeastPx = 40.0;  // of the frame, so that its handles are apart
-constexpr double kStemPx = 16.0;   // from the frame to the handle that turns
+constexpr double kStemPx = 18.0;   // from the frame to the handle that turns
 constexpr double kStep = 15.0;     // degrees
 
 // Which end of the box a handle is at: -1, 0 for the middle, 1.

@@ -29,8 +29,8 @@ inline constexpr std::size_t kHandles = 9;
 ///
 /// Smallest use:
 ///     const HandleFrame frame(box, units_per_pixel);
-///     if (const auto handle = frame.handle_at(pointer, 7.0 * units_per_pixel))
-///       places = dragged(places, box, {*handle, frame.at(*handle), pointer}).places;
+///     if (const auto handle = frame.handle_at(pointer, 8.0 * units_per_pixel))
+///       places = dragged(places, box, {*handle, held_place(box, *handle), to}).value().places;
 class HandleFrame {
  public:
   HandleFrame(const Box2& box, double units_per_pixel);

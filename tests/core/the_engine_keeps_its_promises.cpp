@@ -505,7 +505,7 @@ TEST_CASE("answering a question is not computing: the engine is not busy with it
   client.demand({"points"});
   client.replace({{0, 0}, {1, 0}, {0, 1}});
   client.sync();
-  client.engine().ask({7, {1.0, 0.1}, 0.2, {find_layer("points")}, false});
+  client.engine().ask({7, {1.0, 0.1}, 0.2, {find_layer("points")}, ProvenanceWish::shape});
   CHECK_FALSE(client.engine().status().busy);
   const auto patch = client.engine().sync();
   REQUIRE(patch);
@@ -519,7 +519,7 @@ TEST_CASE("answering a question is not computing: the engine is not busy with it
   CHECK(patch->provenance->lines.front().shapes.front().values[0] == 1.0);
   CHECK_FALSE(client.engine().status().cancelled);
   // With nothing being computed there is nothing to cancel.
-  client.engine().ask({8, {5.0, 5.0}, 0.2, {find_layer("points")}, false});
+  client.engine().ask({8, {5.0, 5.0}, 0.2, {find_layer("points")}, ProvenanceWish::shape});
   client.engine().cancel();
   CHECK_FALSE(client.engine().status().cancelled);
   const auto next = client.engine().sync();

@@ -24,6 +24,7 @@
 #include "core/document/taken_samples.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
+#include "core/edit/frame_handles.h"
 #include "core/engine/engine.h"
 #include "core/engine/graph.h"
 #include "core/evolutions/evolution_run.h"
@@ -557,4 +558,16 @@ TEST_CASE("files become curves as their headers show") {
   const auto outlines = outlines_of_text({.text = "B", .font = *font});
   REQUIRE(outlines);
   CHECK(outlines->curves.curves.size() == 3);
+}
+
+TEST_CASE("core/edit/frame_handles.h") {
+  std::vector<Vec2> places{{0, 0}, {4, 2}};
+  const Box2 box{{0, 0}, {4, 2}};
+  const double units_per_pixel = 0.01;
+  const Vec2 pointer{4.13, 1.02};
+  const Vec2 to{5.0, 1.0};
+  const HandleFrame frame(box, units_per_pixel);
+  if (const auto handle = frame.handle_at(pointer, 8.0 * units_per_pixel))
+    places = dragged(places, box, {*handle, held_place(box, *handle), to}).value().places;
+  CHECK(places == std::vector<Vec2>{{0, 0}, {5, 2}});
 }
