@@ -37,6 +37,12 @@ class BoxTree {
   }
   bool is_empty() const { return nodes_.empty(); }
 
+  /// The items in the order in which visits meet those that are near to each other.
+  std::span<const std::uint32_t> order() const { return items_; }
+  /// From now on an item is its position in `order`: of a list that was put into that order, neighbours are visited one
+  /// after the other, which the caches like.
+  void number_by_order() { std::iota(items_.begin(), items_.end(), std::uint32_t{0}); }
+
   /// Calls `visit(item)` for items the square of whose box's distance from `p` is not above `bound`, which `visit` may
   /// lower; near ones tend to come first.
   template <class Visit>

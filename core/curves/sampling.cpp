@@ -100,8 +100,18 @@ double spacing_for_count(const std::vector<Outline>& curves, std::size_t count, 
 /// Adds samples, and takes those of the curve last begun that come twice out again.
 class Collector {
  public:
+  explicit Collector(JobControl* job) : job_(job) {}
+  /// Throws `Cancelled`.
+  void checkpoint() const {
+    if (job_ != nullptr) job_->checkpoint();
+  }
+  JobControl* job() const { return job_; }
   void begin_curve(bool is_closed) { out_.chains.push_back({is_closed, out_.positions.size(), 0}); }
-  void add(Vec2 position) { out_.positions.push_back(position); }
+  void add(Vec2 position) {
+    constexpr std::size_t kOften = 4096;
+    if (out_.positions.size() % kOften == 0) checkpoint();
+    out_.positions.push_back(position);
+  }
 
   void end_curve() {
     SampledCurves::Chain& chain = out_.chains.back();
@@ -139,6 +149,7 @@ class Collector {
     out_.positions.erase(kept_end, out_.positions.end());
   }
 
+  JobControl* job_;
   SampledCurves out_;
 };
 
@@ -189,14 +200,14 @@ void add_evenly(const MeasuredCurve& curve, const PlaneCurve& source, double spa
   out.end_curve();
 }
 
-/// A curve by the spacings of its stretches.
-void add_adaptively(const MeasuredCurve& curve, const PlaneCurve& source, const std::vector<StretchSpacing>& spacings,
-                    Collector& out) {
+/// A curve by the places of samples in its stretches.
+void add_stretches(const MeasuredCurve& curve, const PlaneCurve& source,
+                   const std::vector<std::vector<double>>& places, Collector& out) {
   out.begin_curve(curve.is_closed);
   if (curve.stretches.empty()) out.add(source.start());
   for (std::size_t i = 0; i < curve.stretches.size(); ++i) {
     const bool adds_end = !curve.is_closed && i + 1 == curve.stretches.size();
-    add_places(curve, curve.stretches[i], spacings[i].places(), adds_end, out);
+    add_places(curve, curve.stretches[i], places[i], adds_end, out);
   }
   out.end_curve();
 }
@@ -222,7 +233,7 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
   outlines.reserve(curves.curves.size());
   const double negligible = negligible_length(curves, request);
   for (const PlaneCurve& curve : curves.curves) {
-    outlines.push_back(outline_of(measured(curve, request.corner_angle, negligible)));
+    outlines.push_back(outline_of(measured(curve, request.corner_angle, negligible, out.job())));
     if (!std::isfinite(outlines.back().length)) return beyond_range();
   }
   const double spacing = request.rule == SamplingRule::spacing
@@ -230,11 +241,56 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
                              : spacing_for_count(outlines, request.count, request.least_each);
   if (auto fits = check_count(sample_count(outlines, spacing, request.least_each), request); !fits) return fits;
   for (const PlaneCurve& curve : curves.curves)
-    add_evenly(measured(curve, request.corner_angle, negligible), curve, spacing, request, out);
+    add_evenly(measured(curve, request.corner_angle, negligible, out.job()), curve, spacing, request, out);
   return {};
 }
 
+/// Lengths of arc of samples, of each curve, of each of its stretches.
+using Places = std::vector<std::vector<std::vector<double>>>;
+
+Expected<Places> places_of(const std::vector<std::vector<StretchSpacing>>& spacings, const SamplingRequest& request) {
+  double count = 0.0;
+  for (const std::vector<StretchSpacing>& curve : spacings)
+    for (const StretchSpacing& stretch : curve) count += stretch.count();
+  if (auto fits = check_count(count, request); !fits) return std::unexpected(fits.error());
+  Places out;
+  for (const std::vector<StretchSpacing>& curve : spacings) {
+    std::vector<std::vector<double>>& here = out.emplace_back();
+    for (const StretchSpacing& stretch : curve) here.push_back(stretch.places());
+  }
+  return out;
+}
+
 /// By the rules under which spacings change along the curves.
+Expected<Places> uneven_places(std::span<const MeasuredCurve> curves, double length, const SamplingRequest& request,
+                               const FeatureSizes& sizes, JobControl* job) {
+  const auto widest_for = [&](std::size_t count) {
+    return length / static_cast<double>(std::max<std::size_t>(count, 1));
+  };
+  SpacingLimits limits;
+  limits.widest = widest_for(request.count);
+  limits.finest = limits.widest / kFiner;
+  limits.share = request.share;
+  limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
+  if (request.rule == SamplingRule::curvature) {
+    limits.share = request.turn;
+    return places_of(spacings_by_curvature(curves, limits), request);
+  }
+  if (request.rule != SamplingRule::feature_size) return places_of(spacings_of(curves, limits, job), request);
+  // What follows is measured anyway, so few places will do to look around at first.
+  constexpr std::size_t kFirstLook = 2000;
+  SpacingLimits first = limits;
+  first.widest = widest_for(std::min(request.count, kFirstLook));
+  first.finest = first.widest / kFiner;
+  const SpacingLimits wider{.widest = length,
+                            .finest = limits.widest / kFinestFeature,
+                            .share = request.epsilon,
+                            .least_each = limits.least_each};
+  auto found = places_by_feature_size(curves, spacings_of(curves, first, job), wider, request.most, sizes, job);
+  if (!found) return std::unexpected(found.error());
+  return std::move(found->places);
+}
+
 Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
                                Collector& out) {
   if (request.count > std::min(kMostUneven, request.most))
@@ -244,37 +300,18 @@ Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& re
   std::vector<MeasuredCurve> measured_curves;
   double all = 0.0;
   for (const PlaneCurve& curve : curves.curves) {
-    measured_curves.push_back(measured(curve, request.corner_angle, negligible));
+    measured_curves.push_back(measured(curve, request.corner_angle, negligible, out.job()));
     all += measured_curves.back().length();
   }
   if (!std::isfinite(all)) return beyond_range();
-  SpacingLimits limits;
-  limits.widest = all / static_cast<double>(std::max<std::size_t>(request.count, 1));
-  limits.finest = limits.widest / kFiner;
-  limits.share = request.share;
-  limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
-  std::vector<std::vector<StretchSpacing>> spacings(curves.curves.size());
-  if (all > 0.0 && request.rule == SamplingRule::curvature) {
-    limits.share = request.turn;
-    spacings = spacings_by_curvature(measured_curves, limits);
-  } else if (all > 0.0) {
-    spacings = spacings_of(measured_curves, limits);
-  }
-  if (all > 0.0 && request.rule == SamplingRule::feature_size) {
-    SpacingLimits wider{.widest = all,
-                        .finest = limits.widest / kFinestFeature,
-                        .share = request.epsilon,
-                        .least_each = limits.least_each};
-    auto found = spacings_by_feature_size(measured_curves, std::move(spacings), wider, request.most, sizes);
+  Places places(curves.curves.size());
+  if (all > 0.0) {
+    auto found = uneven_places(measured_curves, all, request, sizes, out.job());
     if (!found) return std::unexpected(found.error());
-    spacings = std::move(found->spacings);
+    places = *std::move(found);
   }
-  double count = 0.0;
-  for (const std::vector<StretchSpacing>& curve : spacings)
-    for (const StretchSpacing& stretch : curve) count += stretch.count();
-  if (auto fits = check_count(count, request); !fits) return fits;
   for (std::size_t i = 0; i < measured_curves.size(); ++i)
-    add_adaptively(measured_curves[i], curves.curves[i], spacings[i], out);
+    add_stretches(measured_curves[i], curves.curves[i], places[i], out);
   return {};
 }
 
@@ -328,16 +365,17 @@ Expected<void> check(const SamplingRequest& request) {
   return {};
 }
 
-Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes) {
+Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
+                               JobControl* job) {
   if (auto good = check(request); !good) return std::unexpected(good.error());
   if (request.rule == SamplingRule::feature_size && !sizes)
     return refused(ErrorCode::usage, "there is nothing here to measure feature sizes with");
   if (request.corner_radius > 0.0) {
     SamplingRequest rest = request;
     rest.corner_radius = 0.0;
-    return sample(with_round_corners(curves, request.corner_angle, request.corner_radius), rest, sizes);
+    return sample(with_round_corners(curves, request.corner_angle, request.corner_radius), rest, sizes, job);
   }
-  Collector out;
+  Collector out(job);
   const bool is_even = request.rule == SamplingRule::spacing || request.rule == SamplingRule::count;
   auto done = request.rule == SamplingRule::vertices ? sample_vertices(curves, request, out)
               : is_even                              ? sample_evenly(curves, request, out)

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/curves/curve.h"
 
 namespace mes {
@@ -88,7 +89,8 @@ struct SampledCurves {
 };
 
 /// Local feature sizes: the distance of each place to the axis of the curve that runs through all of them; infinite
-/// where there is none. An error of it becomes that of the sampling.
+/// where there is none. The places of a call are often those of the call before, in the same order, and some more. An
+/// error of it becomes that of the sampling.
 using FeatureSizes = std::function<Expected<std::vector<double>>(std::span<const Vec2>)>;
 
 /// Nothing, or why the request makes no sense.
@@ -97,8 +99,9 @@ Expected<void> check(const SamplingRequest& request);
 /// Samples of all curves in their order, then the points that lie on none. Lengths of arc are right within 1e-11 of the
 /// length of a piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error:
 /// `bad_input` for more samples than `most` (by the rules from `adaptive` on, for more than a million), and for coordinates that are not finite; `usage` for a request that makes
-/// no sense. The rule `feature_size` asks `sizes` some ten times; without it, that rule is `usage`.
-Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request,
-                               const FeatureSizes& sizes = {});
+/// no sense. The rule `feature_size` asks `sizes` some ten times; without it, that rule is `usage`. Throws `Cancelled` if
+/// there is a job, which is looked at every few thousand places.
+Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes = {},
+                               JobControl* job = nullptr);
 
 }  // namespace mes

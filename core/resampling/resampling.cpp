@@ -22,20 +22,24 @@
 namespace mes {
 namespace {
 
-/// Crust, axis and what is proved of samples, from scratch.
+/// Crust, axis and what is proved of samples.
 class Measured {
  public:
   /// Error: a coordinate out of range.
   static Expected<std::unique_ptr<Measured>> of(std::span<const Vec2> positions, JobControl& job) {
     auto out = std::make_unique<Measured>();
-    const auto delta = insert_samples(Document(), positions);
-    if (!delta) return std::unexpected(delta.error());
-    out->samples_.post(std::make_shared<const DocumentDelta>(*delta));
-    out->rebuild(job, {&out->samples_, &out->delaunay_, &out->crust_, &out->sizes_});
+    if (auto done = out->post(positions); !done) return std::unexpected(done.error());
+    out->bring_up_to_date(job, {&out->samples_, &out->delaunay_, &out->crust_, &out->sizes_}, false);
     return out;
   }
+  /// More samples, numbered on; what it costs depends on these and what they change. Not after `certify`. The same error.
+  Expected<void> insert(std::span<const Vec2> positions, JobControl& job) {
+    if (auto done = post(positions); !done) return done;
+    bring_up_to_date(job, {&samples_, &delaunay_, &crust_, &sizes_}, true);
+    return {};
+  }
   /// Needed for what is asked of the certificate.
-  void certify(JobControl& job) { rebuild(job, {&labels_, &vertices_, &balls_, &certificate_}); }
+  void certify(JobControl& job) { bring_up_to_date(job, {&labels_, &vertices_, &balls_, &certificate_}, false); }
 
   double size_at(std::uint32_t sample) const {
     const SiteSlot site = delaunay_.site_of_sample(SampleSlot(sample));
@@ -62,13 +66,23 @@ class Measured {
   }
 
  private:
-  static void rebuild(JobControl& job, std::initializer_list<Structure*> structures) {
+  Expected<void> post(std::span<const Vec2> positions) {
+    auto delta = insert_samples(document_, positions);
+    if (!delta) return std::unexpected(delta.error());
+    document_.apply(*delta);
+    samples_.post(std::make_shared<const DocumentDelta>(*std::move(delta)));
+    return {};
+  }
+  static void bring_up_to_date(JobControl& job, std::initializer_list<Structure*> structures, bool may_update) {
+    for (Structure* structure : structures) structure->clear_changes();
     for (Structure* structure : structures) {
       job.checkpoint();
-      structure->rebuild(job);
+      may_update = may_update && structure->update(job);
+      if (!may_update) structure->rebuild(job);
     }
   }
 
+  Document document_;
   Samples samples_;
   Delaunay delaunay_{samples_};
   OneStepCrust crust_{delaunay_};
@@ -79,11 +93,67 @@ class Measured {
   AxisCertificate certificate_{delaunay_, labels_, balls_};
 };
 
+/// Measures lists of samples one after the other, each of which may be the one before and some more.
+class Meter {
+ public:
+  explicit Meter(JobControl& job) : job_(job) {}
+
+  /// Feature sizes; infinite where there is none.
+  Expected<std::vector<double>> sizes(std::span<const Vec2> positions) {
+    std::vector<Vec2> places(positions.begin(), positions.end());
+    if (std::string fault = bring_into_range(places); !fault.empty())
+      return std::unexpected(Error{ErrorCode::bad_input, "of the samples, " + fault});
+    if (auto done = measure(std::move(places)); !done) return std::unexpected(done.error());
+    std::vector<double> out;
+    out.reserve(places_.size());
+    for (std::uint32_t i = 0; i < places_.size(); ++i) out.push_back(measured_->size_at(i));
+    return out;
+  }
+
+  /// Of these positions, in whatever order and however often each; certified. Valid until the next call.
+  Expected<const Measured*> certified(const std::vector<Vec2>& positions) {
+    if (!measured_ || distinct(positions) != distinct(places_))
+      if (auto done = measure(positions); !done) return std::unexpected(done.error());
+    measured_->certify(job_);
+    places_.clear();  // no more can be inserted
+    return measured_.get();
+  }
+
+ private:
+  static std::vector<Vec2> distinct(std::vector<Vec2> positions) {
+    std::ranges::sort(positions, lexicographically_less);
+    positions.erase(std::ranges::unique(positions).begin(), positions.end());
+    return positions;
+  }
+
+  Expected<void> measure(std::vector<Vec2> places) {
+    // Beyond such a share making it anew is quicker.
+    constexpr std::size_t kMany = 128;
+    const std::size_t before = places_.size();
+    const bool goes_on = before != 0 && before <= places.size() && kMany * (places.size() - before) < before &&
+                         std::equal(places_.begin(), places_.end(), places.begin());
+    if (goes_on) {
+      if (auto done = measured_->insert(std::span(places).subspan(before), job_); !done) return done;
+    } else {
+      measured_.reset();
+      auto made = Measured::of(places, job_);
+      if (!made) return std::unexpected(made.error());
+      measured_ = *std::move(made);
+    }
+    places_ = std::move(places);
+    return {};
+  }
+
+  JobControl& job_;
+  std::unique_ptr<Measured> measured_;
+  std::vector<Vec2> places_;
+};
+
 /// What the samples of the data give.
-Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<CurveCorner>& corners, JobControl& job) {
-  auto measured = Measured::of(taken.data.positions, job);
+Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<CurveCorner>& corners, Meter& meter,
+                     JobControl& job) {
+  const auto measured = meter.certified(taken.data.positions);
   if (!measured) return std::unexpected(measured.error());
-  (*measured)->certify(job);
   taken.is_certified = (*measured)->is_certified();
   (*measured)->for_each_epsilon([&](double epsilon) {
     if (epsilon <= wanted)
@@ -121,8 +191,8 @@ Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<Curve
 
 /// `asked` stays with the samples as the way in which they were taken.
 Expected<TakenSamples> take_once(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
-                                 const SamplingRequest& asked, const FeatureSizes& sizes) {
-  auto samples = sample(*curves, request, sizes);
+                                 const SamplingRequest& asked, const FeatureSizes& sizes, JobControl& job) {
+  auto samples = sample(*curves, request, sizes, &job);
   if (!samples) return std::unexpected(samples.error());
   auto data = taken_from(curves, *std::move(samples), asked);
   if (!data) return std::unexpected(data.error());
@@ -133,18 +203,9 @@ Expected<TakenSamples> take_once(const std::shared_ptr<const CurveSet>& curves, 
 
 Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
                                     JobControl& job) {
-  if (request.rule != SamplingRule::feature_size) return take_once(curves, request, request, {});
-  const FeatureSizes sizes = [&job](std::span<const Vec2> positions) -> Expected<std::vector<double>> {
-    std::vector<Vec2> places(positions.begin(), positions.end());
-    if (std::string fault = bring_into_range(places); !fault.empty())
-      return std::unexpected(Error{ErrorCode::bad_input, "of the samples, " + fault});
-    auto measured = Measured::of(places, job);
-    if (!measured) return std::unexpected(measured.error());
-    std::vector<double> out;
-    out.reserve(positions.size());
-    for (std::uint32_t i = 0; i < positions.size(); ++i) out.push_back((*measured)->size_at(i));
-    return out;
-  };
+  if (request.rule != SamplingRule::feature_size) return take_once(curves, request, request, {}, job);
+  Meter meter(job);
+  const FeatureSizes sizes = [&meter](std::span<const Vec2> positions) { return meter.sizes(positions); };
   const std::vector<CurveCorner> corners =
       request.corner_radius > 0.0 ? std::vector<CurveCorner>() : corners_of(*curves, request.corner_angle);
   // A jitter is what is not on the curve: there is nothing to prove by being denser.
@@ -153,10 +214,10 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
   std::optional<TakenSamples> first;
   SamplingRequest finer = request;
   for (int i = 0; i < tries; ++i, finer.epsilon = std::max(kLeastEpsilon, kFiner * finer.epsilon)) {
-    auto taken = take_once(curves, finer, request, sizes);
+    auto taken = take_once(curves, finer, request, sizes, job);
     if (!taken && first) break;  // more samples than there may be
     if (!taken) return taken;
-    if (auto done = judge(*taken, finer.epsilon, corners, job); !done) return std::unexpected(done.error());
+    if (auto done = judge(*taken, finer.epsilon, corners, meter, job); !done) return std::unexpected(done.error());
     if (taken->is_certified) return taken;
     if (!first) first = *std::move(taken);
     // More samples do not help where nothing but corners is in the way.

@@ -38,8 +38,8 @@ struct TakenSamples {
 };
 
 /// Samples of the curves. Of the rule `feature_size`: where the theorem is not proved for the epsilon that is asked for,
-/// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Cost: some ten
-/// crusts of as many samples for each epsilon that is tried, 24 at most. Throws `Cancelled`. Error: as of `sample` and `taken_from`.
+/// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Cost: some five
+/// crusts of as many samples for each epsilon that is tried, 20 at most, and insertions. Throws `Cancelled`. Error: as of `sample` and `taken_from`.
 Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
                                     JobControl& job);
 

@@ -25,6 +25,13 @@ inline double own_us() {
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
+/// Of all threads of this process.
+inline double process_us() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
 inline std::vector<LayerIndex> layers_named(std::initializer_list<std::string_view> ids) {
   std::vector<LayerIndex> out;
   for (const std::string_view id : ids) out.push_back(find_layer(id));

@@ -95,12 +95,51 @@ TEST_CASE("what is said of feature sizes counts: an error ends the sampling, wit
   CHECK_FALSE(sample({.curves = {ellipse()}}, few, [](auto places) -> Expected<std::vector<double>> {
     return std::vector<double>(places.size(), 0.0);
   }));
-  // Without an axis the fewest will do.
+  // Without an axis as many as the bends ask for, of which there is a whole turn.
   const auto line = sample({.curves = {ellipse()}}, request, [](auto places) -> Expected<std::vector<double>> {
     return std::vector<double>(places.size(), std::numeric_limits<double>::infinity());
   });
   REQUIRE(line);
-  CHECK(line->positions.size() <= 12);
+  CHECK(line->positions.size() >= 12);
+  CHECK(line->positions.size() <= 16);
+}
+
+TEST_CASE("waves that lie between the samples of the first look are found") {
+  // Feature sizes as the samples show them: of a circle, as long as there are too few samples to show the waves.
+  constexpr int kWaves = 3000;
+  const auto place = [](double turn) {
+    const double radius = 1.0 + 1e-4 * std::cos(kWaves * turn);
+    return Vec2{radius * std::cos(turn), radius * std::sin(turn)};
+  };
+  PlaneCurve waves(place(0.0));
+  constexpr int kPieces = 12 * kWaves;
+  for (int i = 1; i < kPieces; ++i) waves.line_to(place(2.0 * kPi * i / kPieces));
+  waves.close();
+  const auto of_circle = [](auto places) -> Expected<std::vector<double>> {
+    return std::vector<double>(places.size(), 1.0);
+  };
+  const auto samples = sample({.curves = {waves}}, {.rule = SamplingRule::feature_size, .count = 400}, of_circle);
+  REQUIRE(samples);
+  // Each wave turns by four times the arc tangent of its slope, 0.3, and a sample stands for 0.45 of a radian at most.
+  CHECK(samples->positions.size() > 2.5 * kWaves);
+}
+
+TEST_CASE("a stop that is requested ends the sampling of one curve, whatever the rule") {
+  PlaneCurve circle({1, 0});
+  constexpr int kPieces = 100'000;
+  for (int i = 1; i < kPieces; ++i)
+    circle.line_to({std::cos(2.0 * kPi * i / kPieces), std::sin(2.0 * kPi * i / kPieces)});
+  circle.close();
+  const CurveSet curves{.curves = {circle}};
+  const auto none = [](auto places) -> Expected<std::vector<double>> {
+    return std::vector<double>(places.size(), 1.0);
+  };
+  for (const SamplingRuleDescriptor& rule : sampling_rules()) {
+    JobControl job;
+    job.stop_at_look(5);
+    const SamplingRequest request{.rule = rule.rule, .spacing = 1e-4, .count = 50'000};
+    CHECK_THROWS_AS(sample(curves, request, none, &job), Cancelled);
+  }
 }
 
 TEST_CASE("samples by curvature turn no more than asked for, and are as wide apart as they may be elsewhere") {

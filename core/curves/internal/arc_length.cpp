@@ -14,6 +14,14 @@ constexpr double kTolerance = 1e-12;
 constexpr int kLeastDepth = 2;
 constexpr int kMostDepth = 40;
 
+/// `length`, ten times as fast where squares are normal doubles.
+double speed_of(Vec2 v) {
+  constexpr double kLeast = 0x1p-900;
+  constexpr double kMost = 0x1p900;
+  const double squared = dot(v, v);
+  return squared > kLeast && squared < kMost ? std::sqrt(squared) : length(v);
+}
+
 /// The length between two parameters. Source of nodes and weights: Abramowitz and Stegun, table 25.4.
 double quadrature(const Piece& piece, double begin, double end) {
   constexpr std::array<std::pair<double, double>, 4> kNodes{{{0.183434642495649805, 0.362683783378361983},
@@ -24,7 +32,8 @@ double quadrature(const Piece& piece, double begin, double end) {
   const double half = 0.5 * (end - begin);
   double sum = 0.0;
   for (const auto& [node, weight] : kNodes)
-    sum += weight * (length(piece.derivative(middle - half * node)) + length(piece.derivative(middle + half * node)));
+    sum += weight *
+           (speed_of(piece.derivative(middle - half * node)) + speed_of(piece.derivative(middle + half * node)));
   return half * sum;
 }
 
@@ -77,10 +86,12 @@ double PieceLength::parameter_at(double wanted) const {
   double high = interval->end;
   double t = begin + (high - begin) * (wanted - reached) / (interval->length - reached);
   constexpr int kMostSteps = 60;
+  constexpr double kReached = 1e-14;  // of the length: nearer is rounding
   for (int step = 0; step < kMostSteps; ++step) {
     const double error = reached + quadrature(piece_, begin, t) - wanted;
+    if (std::abs(error) <= kReached * total_) return t;
     (error > 0.0 ? high : low) = t;
-    const double speed = length(piece_.derivative(t));
+    const double speed = speed_of(piece_.derivative(t));
     double next = t - error / speed;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - t) <= 1e-16 || next == t) return next;

@@ -4,33 +4,54 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
 #include <utility>
+
+#include "core/curves/internal/bend_spacing.h"
 
 namespace mes {
 namespace {
 
-// Rounds until samples are where they should be: each halves or doubles spacings at most a few times.
-constexpr int kMostRounds = 24;
+// Rounds in which all samples are placed anew: each shortens or lengthens spacings at most so many times.
+constexpr int kMostRounds = 12;
+constexpr double kMostGrowth = 4.0;
 // From this round on spacings do not grow any more: where the crust is right only if samples are dense, they would
 // become sparse again and again.
-constexpr int kFirstSteadyRound = 6;
+constexpr int kFirstSteadyRound = 5;
+// Rounds in which intervals are divided.
+constexpr int kMostDivisions = 48;
 // Between two samples the feature size may be smaller than at both; what is asked for is denser than what must be had.
 constexpr double kMargin = 0.9;
-// The most that a spacing changes in a round, as a factor.
-constexpr double kMostGrowth = 4.0;
+// A share of the intervals that is too long is divided rather than placed anew.
+constexpr double kFew = 0.1;
 // Fewer samples than that share of what there are would do: worth another round.
-constexpr double kSettled = 0.95;
+constexpr double kSettled = 0.9;
+constexpr double kRounding = 1e-9;
 
 using Field = std::vector<std::vector<StretchSpacing>>;
 
-double interpolated(const StretchSpacing& field, double at) {
-  const auto after = std::ranges::upper_bound(field.at, at);
-  if (after == field.at.begin()) return field.spacing.front();
-  if (after == field.at.end()) return field.spacing.back();
-  const auto i = static_cast<std::size_t>(after - field.at.begin());
-  const double share = (at - field.at[i - 1]) / (field.at[i] - field.at[i - 1]);
-  return field.spacing[i - 1] + share * (field.spacing[i] - field.spacing[i - 1]);
-}
+/// Values of a field at places of a stretch that increase.
+class FieldWalk {
+ public:
+  explicit FieldWalk(const StretchSpacing& field) : field_(field) {}
+  double at(double place) {
+    while (next_ + 1 < field_.at.size() && field_.at[next_] <= place) ++next_;
+    const double begin = field_.at[next_ - 1];
+    const double end = field_.at[next_];
+    if (place <= begin) return field_.spacing[next_ - 1];
+    if (place >= end) return field_.spacing[next_];
+    const double before = field_.spacing[next_ - 1];
+    const double after = field_.spacing[next_];
+    if (!std::isfinite(before) || !std::isfinite(after)) return std::min(before, after);
+    return before + (place - begin) / (end - begin) * (after - before);
+  }
+
+ private:
+  const StretchSpacing& field_;
+  std::size_t next_ = 1;
+};
 
 double count_of(const Field& field) {
   double out = 0.0;
@@ -39,93 +60,218 @@ double count_of(const Field& field) {
   return out;
 }
 
-/// Samples of all stretches, one after the other, each with both its ends.
-struct Placed {
-  std::vector<Vec2> positions;
-  std::vector<double> at;  // of each, along its stretch
-};
-
-Placed placed(std::span<const MeasuredCurve> curves, const Field& field) {
-  Placed out;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    for (std::size_t s = 0; s < field[c].size(); ++s) {
-      const Stretch& stretch = curves[c].stretches[s];
-      const std::vector<double> places = field[c][s].places();
-      for_each_place(curves[c], stretch, places, [&](Vec2 p) { out.positions.push_back(p); });
-      out.positions.push_back(curves[c].pieces[stretch.first + stretch.count - 1].to());
-      out.at.insert(out.at.end(), places.begin(), places.end());
-      out.at.push_back(stretch.length);
-    }
-  }
+/// No more than the other anywhere, with the nodes of both.
+StretchSpacing least_of(const StretchSpacing& a, const StretchSpacing& b) {
+  StretchSpacing out{a.length, {}, {}};
+  out.at.reserve(a.at.size() + b.at.size());
+  std::ranges::merge(a.at, b.at, std::back_inserter(out.at));
+  out.at.erase(std::ranges::unique(out.at).begin(), out.at.end());
+  FieldWalk first(a);
+  FieldWalk second(b);
+  for (const double at : out.at) out.spacing.push_back(std::min(first.at(at), second.at(at)));
   return out;
 }
 
-struct Judged {
-  Field next;              // what the sizes ask for
-  bool is_reached = true;  // by the samples that were measured
+struct StretchSample {
+  double at = 0.0;  // along the stretch
+  std::uint32_t number = 0;
 };
 
-Judged judged(std::span<const MeasuredCurve> curves, const Field& field, const Placed& samples,
-              const std::vector<double>& sizes, const SpacingLimits& limits, bool may_grow) {
-  constexpr double kRounding = 1e-9;
-  Judged out{.next = Field(field.size())};
-  std::size_t i = 0;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const double widest = std::min(limits.widest, curves[c].length() / limits.least_each);
-    const double finest = std::min(limits.finest, widest);
-    for (const StretchSpacing& before : field[c]) {
-      StretchSpacing& next = out.next[c].emplace_back(StretchSpacing{before.length, {}, {}});
-      for (bool is_at_end = false; !is_at_end; ++i) {
-        const double at = samples.at[i];
-        is_at_end = at == before.length;
-        // What an interval that is too long must be multiplied by, at both its ends.
-        double shorter = 1.0;
-        if (!next.at.empty()) {
-          const double half = 0.5 * distance(samples.positions[i - 1], samples.positions[i]);
-          const double least = limits.share * std::min(sizes[i - 1], sizes[i]);
-          if (half > least && at - next.at.back() > finest * (1.0 + kRounding)) {
-            out.is_reached = false;
-            shorter = std::max(kMargin * least / half, 1.0 / kMostGrowth);
-          }
-        }
-        const double now = interpolated(before, at);
-        const double most = may_grow ? kMostGrowth * now : now;
-        const double wanted = std::clamp(2.0 * kMargin * limits.share * sizes[i], now / kMostGrowth, most);
-        next.at.push_back(at);
-        next.spacing.push_back(std::clamp(shorter < 1.0 ? std::min(wanted, shorter * now) : wanted, finest, widest));
-        if (shorter < 1.0) {
-          double& before_it = next.spacing[next.spacing.size() - 2];
-          before_it =
-              std::max(finest, std::min(before_it, shorter * interpolated(before, next.at[next.at.size() - 2])));
+/// Samples of all stretches, each with both its ends, and what was measured of them.
+class PlacedSamples {
+ public:
+  using OfStretch = std::vector<StretchSample>;
+
+  PlacedSamples(std::span<const MeasuredCurve> curves, const Field& field, JobControl* job) : curves_(curves) {
+    of_stretch_.resize(curves.size());
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      for (std::size_t s = 0; s < field[c].size(); ++s) {
+        if (job != nullptr) job->checkpoint();
+        const Stretch& stretch = curves[c].stretches[s];
+        OfStretch& out = of_stretch_[c].emplace_back();
+        const std::vector<double> places = field[c][s].places();
+        for (const double at : places)
+          out.push_back({at, static_cast<std::uint32_t>(positions_.size() + out.size())});
+        for_each_place(curves[c], stretch, places, [&](Vec2 p) { positions_.push_back(p); });
+        out.push_back({stretch.length, static_cast<std::uint32_t>(positions_.size())});
+        positions_.push_back(curves[c].pieces[stretch.first + stretch.count - 1].to());
+      }
+  }
+
+  Expected<void> measure(const FeatureSizes& sizes) {
+    auto found = sizes(positions_);
+    if (!found) return std::unexpected(found.error());
+    sizes_ = *std::move(found);
+    return {};
+  }
+
+  std::size_t size() const { return positions_.size(); }
+  const std::vector<OfStretch>& of_curve(std::size_t curve) const { return of_stretch_[curve]; }
+  double feature_size(const StretchSample& sample) const { return sizes_[sample.number]; }
+  /// Half of what is between two neighbours over the most that it may be; above 1: too much.
+  double excess(const StretchSample& a, const StretchSample& b, double epsilon) const {
+    const double half = 0.5 * distance(positions_[a.number], positions_[b.number]);
+    return half / (epsilon * std::min(sizes_[a.number], sizes_[b.number]));
+  }
+
+  /// Adds samples at even lengths of arc within intervals of a stretch: `parts(a, b)` says into how many an interval is
+  /// divided. True if there are any.
+  template <class Parts>
+  bool divide(std::size_t curve, std::size_t stretch, Parts parts) {
+    OfStretch& samples = of_stretch_[curve][stretch];
+    added_.clear();
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      const double begin = samples[i - 1].at;
+      const int count = parts(samples[i - 1], samples[i]);
+      for (int k = 1; k < count; ++k) added_.push_back(begin + (samples[i].at - begin) * k / count);
+    }
+    if (added_.empty()) return false;
+    const std::size_t old = samples.size();
+    for (std::size_t i = 0; i < added_.size(); ++i)
+      samples.push_back({added_[i], static_cast<std::uint32_t>(positions_.size() + i)});
+    for_each_place(curves_[curve], curves_[curve].stretches[stretch], added_,
+                   [&](Vec2 p) { positions_.push_back(p); });
+    std::ranges::inplace_merge(samples, samples.begin() + static_cast<std::ptrdiff_t>(old), {}, &StretchSample::at);
+    return true;
+  }
+
+ private:
+  std::span<const MeasuredCurve> curves_;
+  std::vector<Vec2> positions_;
+  std::vector<double> sizes_;
+  std::vector<std::vector<OfStretch>> of_stretch_;  // in order along it
+  std::vector<double> added_;
+};
+
+/// What samples by a field show.
+struct Judged {
+  Field next{};  // what their sizes ask for
+  std::size_t intervals = 0;
+  std::size_t too_long = 0;
+};
+
+class FeatureSampler {
+ public:
+  FeatureSampler(std::span<const MeasuredCurve> curves, const SpacingLimits& limits)
+      : curves_(curves), limits_(limits), bends_(spacings_by_bends(curves, 2.0 * kMargin * limits.share)) {
+    for (const MeasuredCurve& curve : curves)
+      widest_.push_back(std::min(limits.widest, curve.length() / limits.least_each));
+    for (std::size_t c = 0; c < bends_.size(); ++c)
+      for (StretchSpacing& stretch : bends_[c])
+        for (double& spacing : stretch.spacing) spacing = std::clamp(spacing, finest(c), widest(c));
+  }
+
+  /// The field, with no more than the bends allow.
+  Field bounded(const Field& field) const {
+    Field out(field.size());
+    for (std::size_t c = 0; c < field.size(); ++c)
+      for (std::size_t s = 0; s < field[c].size(); ++s) out[c].push_back(least_of(field[c][s], bends_[c][s]));
+    return out;
+  }
+
+  Judged judged(const Field& field, const PlacedSamples& samples, bool may_grow) const {
+    Judged out{.next = Field(field.size())};
+    for (std::size_t c = 0; c < curves_.size(); ++c)
+      for (std::size_t s = 0; s < field[c].size(); ++s) judge(c, s, field[c][s], samples, may_grow, out);
+    return out;
+  }
+
+  /// Into how many parts an interval is to be divided; 1 where it is short enough.
+  int parts(std::size_t curve, const PlacedSamples& samples, const StretchSample& a, const StretchSample& b) const {
+    constexpr double kMost = 4.0;
+    const double excess = samples.excess(a, b, limits_.share);
+    const double along = b.at - a.at;
+    if (!(excess > 1.0) || along <= finest(curve) * (1.0 + kRounding)) return 1;
+    return static_cast<int>(std::clamp(std::ceil(std::min(excess, along / finest(curve))), 2.0, kMost));
+  }
+
+ private:
+  double widest(std::size_t curve) const { return widest_[curve]; }
+  double finest(std::size_t curve) const { return std::min(limits_.finest, widest(curve)); }
+
+  void judge(std::size_t c, std::size_t s, const StretchSpacing& before, const PlacedSamples& samples, bool may_grow,
+             Judged& out) const {
+    StretchSpacing& next = out.next[c].emplace_back(StretchSpacing{before.length, {}, {}});
+    FieldWalk was(before);
+    FieldWalk bend(bends_[c][s]);
+    double previous = 0.0;
+    const std::vector<StretchSample>& here = samples.of_curve(c)[s];
+    next.at.reserve(here.size());
+    next.spacing.reserve(here.size());
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      const double now = was.at(here[i].at);
+      // What an interval that is too long must be multiplied by, at both its ends.
+      double shorter = 1.0;
+      if (i != 0) {
+        ++out.intervals;
+        const double excess = samples.excess(here[i - 1], here[i], limits_.share);
+        if (excess > 1.0 && here[i].at - here[i - 1].at > finest(c) * (1.0 + kRounding)) {
+          ++out.too_long;
+          shorter = std::max(kMargin / excess, 1.0 / kMostGrowth);
+          next.spacing.back() = std::max(finest(c), std::min(next.spacing.back(), shorter * previous));
         }
       }
+      const double most = std::min(may_grow ? kMostGrowth * now : now, bend.at(here[i].at));
+      const double wanted = 2.0 * kMargin * limits_.share * samples.feature_size(here[i]);
+      double spacing = std::clamp(wanted, std::min(now / kMostGrowth, most), most);
+      if (shorter < 1.0) spacing = std::min(spacing, shorter * now);
+      next.at.push_back(here[i].at);
+      next.spacing.push_back(std::clamp(spacing, finest(c), widest(c)));
+      previous = now;
     }
   }
-  return out;
+
+  std::span<const MeasuredCurve> curves_;
+  SpacingLimits limits_;
+  std::vector<double> widest_;  // of each curve
+  Field bends_;
+};
+
+std::unexpected<Error> too_many(double count, std::size_t most) {
+  return std::unexpected(
+      Error{ErrorCode::bad_input,
+            fmt::format("the curves would have {:.6g} samples; {} are as many as there may be", count, most)});
 }
 
 }  // namespace
 
-Expected<FeatureSpacings> spacings_by_feature_size(std::span<const MeasuredCurve> curves, Field first,
-                                                   const SpacingLimits& limits, std::size_t most,
-                                                   const FeatureSizes& sizes) {
-  FeatureSpacings out{.spacings = std::move(first)};
-  double count = count_of(out.spacings);
+Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> curves, Field first,
+                                               const SpacingLimits& limits, std::size_t most,
+                                               const FeatureSizes& sizes, JobControl* job) {
+  const FeatureSampler sampler(curves, limits);
+  Field field = sampler.bounded(first);
+  std::optional<PlacedSamples> samples;
   for (int round = 0; round < kMostRounds; ++round) {
-    if (count > static_cast<double>(most))
-      return std::unexpected(
-          Error{ErrorCode::bad_input,
-                fmt::format("the curves would have {:.6g} samples; {} are as many as there may be", count, most)});
-    const Placed samples = placed(curves, out.spacings);
-    const auto found = sizes(samples.positions);
-    if (!found) return std::unexpected(found.error());
-    Judged now = judged(curves, out.spacings, samples, *found, limits, round < kFirstSteadyRound);
-    const double next_count = count_of(now.next);
-    out.is_reached = now.is_reached;
-    if (now.is_reached && (round >= kFirstSteadyRound || next_count > kSettled * count)) break;
-    out.spacings = std::move(now.next);
-    count = next_count;
+    const double count = count_of(field);
+    if (count > static_cast<double>(most)) return too_many(count, most);
+    samples.emplace(curves, field, job);
+    if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
+    const bool may_grow = round < kFirstSteadyRound;
+    Judged now = sampler.judged(field, *samples, may_grow);
+    const bool is_near = static_cast<double>(now.too_long) <= kFew * static_cast<double>(now.intervals);
+    if (is_near && (!may_grow || count_of(now.next) > kSettled * count)) break;
+    field = std::move(now.next);
   }
+
+  FeaturePlaces out{.is_reached = false};
+  for (int round = 0; round < kMostDivisions && !out.is_reached; ++round) {
+    out.is_reached = true;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      for (std::size_t s = 0; s < samples->of_curve(c).size(); ++s)
+        if (samples->divide(c, s, [&](const StretchSample& a, const StretchSample& b) {
+              return sampler.parts(c, *samples, a, b);
+            }))
+          out.is_reached = false;
+    if (samples->size() > most) return too_many(static_cast<double>(samples->size()), most);
+    if (out.is_reached) break;
+    if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
+  }
+  out.places.resize(curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (const std::vector<StretchSample>& stretch : samples->of_curve(c)) {
+      std::vector<double>& places = out.places[c].emplace_back();
+      for (std::size_t i = 0; i + 1 < stretch.size(); ++i) places.push_back(stretch[i].at);
+    }
   return out;
 }
 

@@ -147,7 +147,7 @@ std::vector<double> StretchSpacing::places() const {
 }
 
 std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
-                                                     const SpacingLimits& limits) {
+                                                     const SpacingLimits& limits, JobControl* job) {
   const double step = 0.5 * limits.finest;
   std::vector<Probe> probes;
   std::vector<double> lengths;
@@ -170,8 +170,11 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
     const double finest = std::min(limits.finest, widest);
     for (const Stretch& stretch : curves[i].stretches) {
       StretchSpacing& here = out[i].emplace_back(even_nodes(stretch.length, step));
-      for (double& spacing : here.spacing)
+      for (double& spacing : here.spacing) {
+        constexpr std::size_t kOften = 1024;
+        if (job != nullptr && next % kOften == 0) job->checkpoint();
         spacing = std::clamp(limits.share * surroundings.distance_to_others(probes[next++]), finest, widest);
+      }
     }
   }
   return out;

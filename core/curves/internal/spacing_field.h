@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/curves/internal/stretches.h"
 
 namespace mes {
@@ -32,9 +33,9 @@ struct SpacingLimits {
 /// For each curve, for each of its stretches. Near a place is what lies on another curve, and what is farther away
 /// along the same curve than one and a half times the distance, so that neither a bend wider than the spacing nor a
 /// right angle is near itself. Cost: O(n) places of half the finest spacing, each compared with those within
-/// `widest / share`.
+/// `widest / share`. Throws `Cancelled` if there is a job.
 std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
-                                                     const SpacingLimits& limits);
+                                                     const SpacingLimits& limits, JobControl* job = nullptr);
 
 /// The same, with a share of the radius of curvature as the spacing. It changes along a curve by at most half of what
 /// is passed. Cost: O(n) places of half the finest spacing.

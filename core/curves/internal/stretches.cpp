@@ -46,10 +46,13 @@ double MeasuredCurve::length() const {
   return sum;
 }
 
-MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible) {
+MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible, JobControl* job) {
+  constexpr std::size_t kOften = 1024;
+  std::size_t count = 0;
   MeasuredCurve out;
   out.is_closed = curve.is_closed();
   curve.for_each_piece([&](const Piece& piece) {
+    if (job != nullptr && count++ % kOften == 0) job->checkpoint();
     PieceLength length(piece);
     if (length.total() == 0.0) return;
     out.pieces.push_back(piece);

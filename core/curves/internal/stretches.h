@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/curves/curve.h"
 #include "core/curves/internal/arc_length.h"
 
@@ -41,7 +42,7 @@ void for_each_place(const MeasuredCurve& curve, const Stretch& stretch, const st
 }
 
 /// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than `negligible`, and those below
-/// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates.
-MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible);
+/// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates. Throws `Cancelled` if there is a job.
+MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible, JobControl* job = nullptr);
 
 }  // namespace mes

@@ -76,16 +76,20 @@ void FeatureSize::make_line_tree() {
   std::vector<EdgeSlot> edges;
   for (const EdgeSlot edge : is_line_.rows())
     if (is_line_[edge] != 0) edges.push_back(edge);
-  lines_.resize(edges.size());
+  std::vector<AxisLine> lines(edges.size());
   recent_lines_.clear();
   std::vector<Box2> boxes(edges.size());
   parallel_for(edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
-      lines_[i] = line_of(edges[i]);
-      boxes[i] = lines_[i].box();
+      lines[i] = line_of(edges[i]);
+      boxes[i] = lines[i].box();
     }
   });
   line_tree_.build(boxes);
+  lines_.clear();
+  lines_.reserve(lines.size());
+  for (const std::uint32_t item : line_tree_.order()) lines_.push_back(lines[item]);
+  line_tree_.number_by_order();
 }
 
 void FeatureSize::make_ball_tree() {
@@ -107,9 +111,8 @@ void FeatureSize::make_ball_tree() {
 FeatureSize::Found FeatureSize::search(Vec2 p, const AxisLine* guess) const {
   Found best{kInfinity, {}};
   const auto look_at = [&](const AxisLine& line) {
-    if (!is_current(line)) return;
     const double squared = line.squared_distance(p);
-    if (!(squared < best.squared)) return;
+    if (!(squared < best.squared) || !is_current(line)) return;
     best = {squared, line.edge};
   };
   if (guess != nullptr) look_at(*guess);
