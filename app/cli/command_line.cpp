@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/cli/command_help.h"
+#include "app/cli/command_options.h"
 #include "app/cli/manual.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
@@ -71,15 +72,6 @@ struct Arguments {
   CompletionsRequest completions;
 };
 
-std::string ids_of(const auto& descriptors) {
-  std::string out;
-  for (const auto& descriptor : descriptors) {
-    if (!out.empty()) out += ", ";
-    out += descriptor.id;
-  }
-  return out;
-}
-
 /// In lines of some hundred characters, all but the first indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
   constexpr std::size_t kWidth = 100;
@@ -98,19 +90,6 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   }
   out.pop_back();
   return out;
-}
-
-/// How a picture becomes samples.
-void add_trace(CLI::App& command, TraceOptions& trace) {
-  command.add_option("--threshold", trace.threshold,
-                     "Of a picture (PNG, JPEG, BMP, PGM): what is traced parts from the rest between the\n"
-                     "grey values N and N + 1, from 0 to 254; default: found by Otsu's method");
-  command.add_option("--specks", trace.specks,
-                     "Of a picture: outlines and holes around less than so many square pixels are left out;\n"
-                     "default: 16, or a ten-thousandth of the picture if that is more");
-  command.add_option("--figure-side", trace.figure,
-                     "Of a picture: trace what is dark or what is light; default: what there is less of along\n"
-                     "its edge");
 }
 
 void add_source(CLI::App& command, Source& source) {
@@ -140,10 +119,6 @@ std::string picture_extension_words() {
   std::string out(kPixelExtension);
   for (const figure::Format& format : figure::formats()) out += ", " + std::string(format.extension);
   return out;
-}
-
-void add_force(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "Overwrite the output even if it was read and has changed since");
 }
 
 /// What stands on a picture to explain it.
@@ -209,28 +184,6 @@ void add_film(CLI::App& command, FilmRequest& film) {
   add_title(command, film.title);
   command.add_option("--shard", film.shard,
                      "I/N: only every Nth picture, beginning with the Ith, under the same names");
-}
-
-void describe_text(CLI::App& app, TextCommand& to) {
-  CLI::App* const text = app.add_subcommand("text", "Samples of the outlines of a text, as POFF");
-  text->add_option("TEXT", to.text, "The text; lines end at line feeds")->required();
-  text->add_option("--font", to.font,
-                   "Name of an installed font, such as \"DejaVu Serif:bold\" (mesecina list fonts),\n"
-                   "or a file with a slash in its name; default: the font of the program's window");
-  text->add_option("--size", to.size, "Height of an em, in units of the plane")->capture_default_str();
-  text->add_option("--line-spacing", to.line_spacing, "From line to line, as a multiple of what the font says")
-      ->capture_default_str();
-  text->add_flag("--no-kerning", to.no_kerning, "Leave letters as far apart as without their neighbours");
-  CLI::Option* const samples =
-      text->add_option("--samples", to.samples,
-                       "How many samples, evenly along curves; default: some 400, more where parts are\n"
-                       "near to each other");
-  text->add_option("--spacing", to.spacing, "Between samples along curves, at most")->excludes(samples);
-  text->add_option("--jitter", to.jitter, "Move each sample by up to so many mean spacings")->capture_default_str();
-  text->add_option("--seed", to.seed, "Of the jitter")->capture_default_str();
-  text->add_option("-o,--output", to.output, "Write to this file instead of standard output");
-  add_force(*text, to.force);
-  text->footer("Contours that overlap become one. Characters that the font has no glyph for are left out and named.");
 }
 
 void describe_commands(CLI::App& app, Arguments& to) {
@@ -475,56 +428,9 @@ void describe_commands(CLI::App& app, Arguments& to) {
   evolve->add_option("-o,--output", to.evolve.output, "Write to this file instead of standard output");
   add_force(*evolve, to.evolve.force);
 
-  CLI::App* const shape =
-      app.add_subcommand("shape", "Samples of a shape with parameters, as POFF; of balls, as WPOFF");
-  shape->add_option("NAME", to.shape.name, "Shape id (mesecina list shapes)")->required();
-  shape
-      ->add_option("--set", to.shape.settings,
-                   "Set a parameter of the shape, KEY=VALUE (mesecina list shapes);\n"
-                   "may be repeated. Formulas know t, pi and the usual functions, as in\n"
-                   "--set \"r=1 + 0.3*cos(5*t)\"")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* const samples =
-      shape->add_option("--samples", to.shape.samples,
-                        "How many samples, evenly along curves; default: some 400 of curves, more where parts\n"
-                        "are near to each other");
-  shape->add_option("--spacing", to.shape.spacing, "Between samples along curves, at most")->excludes(samples);
-  shape->add_option("--jitter", to.shape.jitter, "Move each sample by up to so many mean spacings")
-      ->capture_default_str();
-  shape->add_option("--seed", to.shape.seed, "Of random points and of the jitter")->capture_default_str();
-  shape->add_option("-o,--output", to.shape.output, "Write to this file instead of standard output");
-  add_force(*shape, to.shape.force);
-
-  CLI::App* const sample = app.add_subcommand(
-      "sample",
-      "Other samples of the curves of a drawing, a map or a picture, or of a curve through samples, as POFF");
-  sample->add_option("FILE", to.sample.file, "File to read, or - for standard input")->required();
-  sample->add_option("--from", to.sample.from,
-                     "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_trace(*sample, to.sample.trace);
-  sample->add_option("--rule", to.sample.rule,
-                     "Where samples lie: " + ids_of(sampling_rules()) +
-                         ";\n"
-                         "default: what the other options ask for, or nearness");
-  sample->add_option("--samples", to.sample.samples,
-                     "How many, or as many as there would be if they were even; default: 400");
-  sample->add_option("--spacing", to.sample.spacing, "Between samples along curves, at most");
-  sample->add_option("--epsilon", to.sample.epsilon,
-                     "Of the rule feature-size: half the distance of neighbours over their local feature size,\n"
-                     "at most; from 0.01 to 1, default: 0.25. Smaller ones are tried until the theorem is\n"
-                     "proved, or it is said where and why it is not");
-  sample->add_option("--turn", to.sample.turn,
-                     "Of the rule curvature: how much the direction turns between samples, at most, in degrees;\n"
-                     "default: 11.5");
-  sample->add_option("--corner-angle", to.sample.corner_angle,
-                     "Where the direction turns by more is a corner, and a sample; in degrees, default: 28.6");
-  sample->add_option("--corner-radius", to.sample.corner_radius, "Round corners with arcs of this radius");
-  sample->add_option("--jitter", to.sample.jitter, "Move each sample by up to so many mean spacings");
-  sample->add_option("--seed", to.sample.seed, "Of the jitter")->capture_default_str();
-  sample->add_option("-o,--output", to.sample.output, "Write to this file instead of standard output");
-  add_force(*sample, to.sample.force);
-  describe_text(app, to.text);
+  CLI::App* const shape = describe_shape(app, to.shape);
+  CLI::App* const sample = describe_sample(app, to.sample);
+  CLI::App* const text = describe_text(app, to.text);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
@@ -543,7 +449,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
   for (CLI::App* const command : {compute, sweep, branches, repair, decimate, exported, render, play, demo, lesson,
-                                  evolve, shape, sample, app.get_subcommand("text"), list, manual, completions})
+                                  evolve, shape, sample, text, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };

@@ -41,13 +41,12 @@ SliderRange range_of(const ParameterDescriptor& parameter) {
 
 void ShapeDialog::open() {
   is_open_ = true;
-  is_accepted_ = false;
   if (values_.empty())
     for (const ShapeDescriptor& shape : shapes()) values_.push_back(values_of(shape));
 }
 
 void ShapeDialog::press(const KeyChord& chord) {
-  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) is_accepted_ = true;
+  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) maker_.accept();
 }
 
 void ShapeDialog::draw_list(const Gui& gui) {
@@ -85,42 +84,10 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
 
 void ShapeDialog::follow() {
   ShapeRequest request{.values = values_[chosen_], .sampling = sampling_.sampling()};
-  if (made_of_ == chosen_ && made_for_ == request) return;
-  made_ = make_shape(shape(), request);
-  made_for_ = std::move(request);
-  made_of_ = chosen_;
-}
-
-void ShapeDialog::draw_facts(const Gui& gui) const {
-  if (!made_) return;
-  ImGui::PushTextWrapPos(0.0F);
-  if (*made_) {
-    const std::size_t balls = (*made_)->balls.size();
-    ImGui::TextDisabled("%s", balls != 0 ? fmt::format("{} balls", balls).c_str()
-                                         : fmt::format("{} samples", (*made_)->positions.size()).c_str());
-  } else {
-    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    ImGui::TextUnformatted(made_->error().text.c_str());
-    ImGui::PopStyleColor();
-  }
-  ImGui::PopTextWrapPos();
-}
-
-void ShapeDialog::draw_buttons(const Gui& gui) {
-  const bool is_possible = made_ && made_->has_value();
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
-  ImGui::BeginDisabled(!is_possible);
-  const bool is_clicked = default_button(gui, "Make", size, true);
-  ImGui::EndDisabled();
-  tooltip(gui, "The shape takes the place of the samples and balls that are there: one step of undo");
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel", size)) cancel();
-  if ((is_clicked || is_accepted_) && is_possible) {
-    is_open_ = false;
-    make_(**made_, std::string(shape().name));
-  }
-  is_accepted_ = false;
+  if (wished_of_ == chosen_ && wished_for_ == request) return;
+  maker_.want([chosen = &shape(), request] { return SampleMaking::Made{make_shape(*chosen, request)}; });
+  wished_for_ = std::move(request);
+  wished_of_ = chosen_;
 }
 
 void ShapeDialog::draw(const Gui& gui) {
@@ -139,13 +106,15 @@ void ShapeDialog::draw(const Gui& gui) {
     ImGui::Dummy({1, 2 * unit});
     sampling_.draw(gui);
     follow();
-    draw_facts(gui);
+    maker_.draw_facts(gui);
     ImGui::EndChild();
-    draw_buttons(gui);
+    if (maker_.draw_buttons(gui, std::string(shape().name),
+                            "The shape takes the place of the samples and balls that are there: one step of undo"))
+      cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");
-    draw_sample_preview(gui, made_ && *made_ ? &**made_ : nullptr);
+    maker_.draw_preview(gui);
     ImGui::EndChild();
   });
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/sample_maker.h"
 #include "app/panels/sampling_controls.h"
 #include "app/ui/dialog.h"
 #include "core/shapes/shape.h"
@@ -16,15 +17,21 @@ namespace mes {
 /// Threads: the window's.
 class ShapeDialog final : public Dialog {
  public:
-  /// What is done with the shape: called with its name.
-  using Make = std::function<void(const SampleData&, const std::string& name)>;
-  void set_make(Make make) { make_ = std::move(make); }
+  /// What is done with the samples, and what wakes the window.
+  void set_uses(SampleMaker::Make make, std::function<void()> wake) {
+    maker_.set_uses(std::move(make), std::move(wake));
+  }
 
   /// As it was when it was closed.
   void open();
 
   bool is_open() const override { return is_open_; }
-  void cancel() override { is_open_ = false; }
+  bool is_busy() const { return maker_.is_busy(); }
+  void cancel() override {
+    is_open_ = false;
+    maker_.stop();
+    wished_for_.reset();
+  }
   void draw(const Gui& gui) override;
   /// Enter makes the shape, unless something is being typed.
   void press(const KeyChord& chord) override;
@@ -32,21 +39,17 @@ class ShapeDialog final : public Dialog {
  private:
   void draw_list(const Gui& gui);
   void draw_parameters(const Gui& gui);
-  void draw_facts(const Gui& gui) const;
-  void draw_buttons(const Gui& gui);
-  /// Computes it again if a parameter is another than before.
+  /// Wishes for it again if a parameter is another than before.
   void follow();
   const ShapeDescriptor& shape() const { return shapes()[chosen_]; }
 
-  Make make_;
   bool is_open_ = false;
-  bool is_accepted_ = false;
   std::size_t chosen_ = 0;
   std::vector<ShapeValues> values_;  // of each shape
   SamplingControls sampling_;
-  std::optional<ShapeRequest> made_for_;
-  std::size_t made_of_ = 0;  // place in `shapes()`
-  std::optional<Expected<SampleData>> made_;
+  SampleMaker maker_;
+  std::optional<ShapeRequest> wished_for_;
+  std::size_t wished_of_ = 0;  // place in `shapes()`
 };
 
 }  // namespace mes

@@ -28,18 +28,12 @@ constexpr double kMostLineSpacing = 4.0;
 
 void TextDialog::open() {
   is_open_ = true;
-  is_accepted_ = false;
   families_ = font_families();
   if (!own_font_ && wish_.family.empty() && !families_.empty()) wish_.family = families_.front();
 }
 
 void TextDialog::press(const KeyChord& chord) {
-  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) is_accepted_ = true;
-}
-
-Expected<FontFile> TextDialog::font() const {
-  if (wish_.family.empty() && own_font_) return *own_font_;
-  return find_font(font_name(wish_.family, wish_.is_bold, wish_.is_italic));
+  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) maker_.accept();
 }
 
 void TextDialog::draw_fonts(const Gui& gui) {
@@ -85,51 +79,18 @@ void TextDialog::draw_settings(const Gui& gui) {
 
 void TextDialog::follow() {
   wish_.sampling = sampling_.sampling();
-  if (made_for_ == wish_) return;
-  made_for_ = wish_;
-  remarks_.clear();
-  const auto font = this->font();
-  if (!font) {
-    made_ = std::unexpected(font.error());
-    return;
-  }
-  TextRequest request = wish_.request;
-  request.font = *font;
-  const auto outlines = outlines_of_text(request);
-  if (!outlines) {
-    made_ = std::unexpected(outlines.error());
-    return;
-  }
-  remarks_ = outlines->remarks;
-  made_ = sample_curves(outlines->curves, wish_.sampling);
-}
-
-void TextDialog::draw_facts(const Gui& gui) const {
-  if (!made_) return;
-  ImGui::PushTextWrapPos(0.0F);
-  if (*made_) ImGui::TextDisabled("%s", fmt::format("{} samples", (*made_)->positions.size()).c_str());
-  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  if (!*made_) ImGui::TextUnformatted(made_->error().text.c_str());
-  for (const std::string& remark : remarks_) ImGui::TextUnformatted(remark.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
-}
-
-void TextDialog::draw_buttons(const Gui& gui) {
-  const bool is_possible = made_ && made_->has_value();
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
-  ImGui::BeginDisabled(!is_possible);
-  const bool is_clicked = default_button(gui, "Make", size, true);
-  ImGui::EndDisabled();
-  tooltip(gui, "The text takes the place of the samples and balls that are there: one step of undo");
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel", size)) cancel();
-  if ((is_clicked || is_accepted_) && is_possible) {
-    is_open_ = false;
-    make_(**made_, "Text");
-  }
-  is_accepted_ = false;
+  if (wished_for_ == wish_) return;
+  wished_for_ = wish_;
+  maker_.want([wish = wish_, own = own_font_]() -> SampleMaking::Made {
+    auto font = wish.family.empty() && own ? Expected<FontFile>(*own)
+                                           : find_font(font_name(wish.family, wish.is_bold, wish.is_italic));
+    if (!font) return {std::unexpected(std::move(font.error()))};
+    TextRequest request = wish.request;
+    request.font = *std::move(font);
+    auto outlines = outlines_of_text(request);
+    if (!outlines) return {std::unexpected(std::move(outlines.error()))};
+    return {sample_curves(outlines->curves, wish.sampling), std::move(outlines->remarks)};
+  });
 }
 
 void TextDialog::draw(const Gui& gui) {
@@ -143,13 +104,15 @@ void TextDialog::draw(const Gui& gui) {
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_settings(gui);
     follow();
-    draw_facts(gui);
+    maker_.draw_facts(gui);
     ImGui::EndChild();
-    draw_buttons(gui);
+    if (maker_.draw_buttons(gui, "Text",
+                            "The text takes the place of the samples and balls that are there: one step of undo"))
+      cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");
-    draw_sample_preview(gui, made_ && *made_ ? &**made_ : nullptr);
+    maker_.draw_preview(gui);
     ImGui::EndChild();
   });
 }

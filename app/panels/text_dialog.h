@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/sample_maker.h"
 #include "app/panels/sampling_controls.h"
 #include "app/ui/dialog.h"
 #include "core/glyphs/text_outlines.h"
@@ -17,9 +18,10 @@ namespace mes {
 /// Threads: the window's.
 class TextDialog final : public Dialog {
  public:
-  /// What is done with the samples: called with a name for the step.
-  using Make = std::function<void(const SampleData&, const std::string& name)>;
-  void set_make(Make make) { make_ = std::move(make); }
+  /// What is done with the samples, and what wakes the window.
+  void set_uses(SampleMaker::Make make, std::function<void()> wake) {
+    maker_.set_uses(std::move(make), std::move(wake));
+  }
   /// The font of the program, first in the list; it has none where this is not set.
   void set_own_font(FontFile font) { own_font_ = std::move(font); }
 
@@ -27,7 +29,12 @@ class TextDialog final : public Dialog {
   void open();
 
   bool is_open() const override { return is_open_; }
-  void cancel() override { is_open_ = false; }
+  bool is_busy() const { return maker_.is_busy(); }
+  void cancel() override {
+    is_open_ = false;
+    maker_.stop();
+    wished_for_.reset();
+  }
   void draw(const Gui& gui) override;
   /// Enter makes the samples, unless something is being typed.
   void press(const KeyChord& chord) override;
@@ -35,11 +42,8 @@ class TextDialog final : public Dialog {
  private:
   void draw_fonts(const Gui& gui);
   void draw_settings(const Gui& gui);
-  void draw_facts(const Gui& gui) const;
-  void draw_buttons(const Gui& gui);
-  /// Computes it again if something is another than before.
+  /// Wishes for it again if something is another than before.
   void follow();
-  Expected<FontFile> font() const;
 
   struct Wish {
     std::string family;  // empty: the program's own
@@ -50,17 +54,14 @@ class TextDialog final : public Dialog {
     friend bool operator==(const Wish&, const Wish&) = default;
   };
 
-  Make make_;
   std::optional<FontFile> own_font_;
   std::vector<std::string> families_;
   std::string filter_;
   Wish wish_{.family = {}, .request = {.text = "Mesecina"}};
   SamplingControls sampling_;
+  SampleMaker maker_;
   bool is_open_ = false;
-  bool is_accepted_ = false;
-  std::optional<Wish> made_for_;
-  std::optional<Expected<SampleData>> made_;
-  std::vector<std::string> remarks_;
+  std::optional<Wish> wished_for_;
 };
 
 }  // namespace mes

@@ -45,6 +45,9 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
                 [this] { return files_.title(); }, [this] { return browse_folder(); }},
                wake),
       tracing_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages}, wake) {
+  const auto make = [this](const SampleData& data, const std::string& name) { take_shape(data, name); };
+  uses_.dialogs.shape.set_uses(make, wake);
+  uses_.dialogs.text.set_uses(make, wake);
   if (auto font = own_font(assets)) uses_.dialogs.text.set_own_font(*std::move(font));
 }
 
@@ -86,12 +89,10 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                  uses_.board.canvas().cancel_gesture();
                  uses_.dialogs.shape.open();
                }});
-  uses_.dialogs.shape.set_make([this](const SampleData& data, const std::string& name) { take_shape(data, name); });
   actions.bind(ActionId::write_text, {[this] {
                  uses_.board.canvas().cancel_gesture();
                  uses_.dialogs.text.open();
                }});
-  uses_.dialogs.text.set_make([this](const SampleData& data, const std::string& name) { take_shape(data, name); });
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});

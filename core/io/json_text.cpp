@@ -76,7 +76,12 @@ Expected<void> check_json(std::string_view text, const std::string& file) {
     return bad_json(text, at, "this JSON is nested too deeply", file);
   Listener listener;
   if (json::sax_parse(text, &listener)) return {};
-  if (!listener.is_syntax) return bad_json(text, 0, "a number in this JSON is too large", file);
+  if (!listener.is_syntax) {
+    // The parser has read the number and no more.
+    std::size_t begin = std::min(listener.bytes_read, text.size());
+    while (begin > 0 && std::string_view("+-.0123456789Ee").contains(text[begin - 1])) --begin;
+    return bad_json(text, begin, "a number in this JSON is too large", file);
+  }
   // The number of bytes read, the offending one included.
   return bad_json(text, listener.bytes_read == 0 ? 0 : listener.bytes_read - 1, "this is not JSON", file);
 }

@@ -54,8 +54,10 @@ class ShapeFileReader {
   /// `unit` is what is known of the numbers.
   Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit) {
     if (match(bytes_) == Match::no) return fail("this is not a shapefile");
-    for (at_ = kHeader; at_ < bytes_.size(); ++record_)
+    for (at_ = kHeader; at_ < bytes_.size(); ++record_) {
       if (auto done = read_record(); !done) return std::unexpected(done.error());
+      pass_over_padding();
+    }
     auto file = std::move(shapes_).load(name_, unit.value_or(MapShapes::Unit::plane));
     if (!file) return file;
     if (has_heights_) remark(*file, "heights and measures are left out");
@@ -72,6 +74,16 @@ class ShapeFileReader {
   std::unexpected<Error> fail(std::string text) const { return bad_input(std::move(text), name_, 0, 0); }
   std::unexpected<Error> fail_here(const std::string& text) const {
     return fail(fmt::format("record {} at byte {}: {}", record_, at_, text));
+  }
+
+  /// Records follow each other, but some programs fill up with zeros. A record has a number, which is not zero.
+  void pass_over_padding() {
+    const std::size_t begin = at_;
+    while (bytes_.size() - at_ >= 4 && big(bytes_, at_) == 0) at_ += 2;
+    if (at_ != begin && bytes_.find_first_not_of('\0', at_) == std::string_view::npos) at_ = bytes_.size();
+    if (at_ != begin)
+      remarks_.add("gap of zeros between records is passed over", "gaps of zeros between records are passed over",
+                   begin);
   }
 
   Expected<void> read_record() {
@@ -93,7 +105,7 @@ class ShapeFileReader {
     }
     constexpr std::uint32_t kTen = 10;
     constexpr std::uint32_t kMostTens = 2;
-    if (number / kTen <= kMostTens && number > kTen) {
+    if (number / kTen <= kMostTens && number > kTen && number % kTen != 0) {
       has_heights_ = true;
       number %= kTen;
     }

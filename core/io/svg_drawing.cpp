@@ -21,7 +21,7 @@ namespace mes {
 namespace {
 
 constexpr std::size_t kMostElements = 1'000'000;
-constexpr std::size_t kMostPieces = 4'000'000;
+constexpr std::size_t kMostPieces = 4'000'000;  // or as many as the file has bytes
 constexpr std::size_t kDeepest = 200;
 
 using pugi::xml_node;
@@ -48,7 +48,8 @@ std::string_view prefix_of(std::string_view name) {
 
 class DrawingReader {
  public:
-  DrawingReader(std::string_view bytes, const std::string& name) : source_(bytes, name) {}
+  DrawingReader(std::string_view bytes, const std::string& name)
+      : source_(bytes, name), most_pieces_(std::max(kMostPieces, bytes.size())) {}
 
   Expected<SvgDrawing> read() {
     const auto parsed = source_.parse();
@@ -292,8 +293,8 @@ class DrawingReader {
 
   Expected<void> add(PlaneCurve curve, xml_node node, const Context& context) {
     pieces_ += curve.piece_count();
-    if (pieces_ > kMostPieces)
-      return refuse(place_of(node), fmt::format("the drawing has more than {} pieces of curves", kMostPieces));
+    if (pieces_ > most_pieces_)
+      return refuse(place_of(node), fmt::format("the drawing has more than {} pieces of curves", most_pieces_));
     close_what_looks_closed(curve, context);
     curve.transform(context.map);
     curve.name = node.attribute("id").value();
@@ -319,6 +320,7 @@ class DrawingReader {
   bool has_style_sheet_ = false;
   std::size_t elements_ = 0;
   std::size_t pieces_ = 0;
+  std::size_t most_pieces_;
   SvgDrawing out_;
 };
 

@@ -179,10 +179,13 @@ Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<Curve
         away = d;
         nearest = i;
       }
-    if (nearest == corners.size())
-      ++taken.other_places;
-    else
+    // Failures side by side are one place.
+    constexpr double kBeside = 0.1;
+    const auto is_near = [&](Vec2 other) { return distance(other, place) < kBeside * reach; };
+    if (nearest != corners.size())
       is_named[nearest] = true;
+    else if (std::ranges::none_of(taken.other_places, is_near))
+      taken.other_places.push_back(place);
   }
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (is_named[i]) taken.corners.push_back(corners[i]);
@@ -221,7 +224,7 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
     if (taken->is_certified) return taken;
     if (!first) first = *std::move(taken);
     // More samples do not help where nothing but corners is in the way.
-    if (first->other_places == 0) break;
+    if (first->other_places.empty()) break;
   }
   return *std::move(first);
 }
@@ -254,7 +257,7 @@ std::string remark_of(const TakenSamples& taken, const SamplingRequest& request)
     epsilon += fmt::format(", but for {} {} at corners and bends", taken.sparse_intervals,
                            taken.sparse_intervals == 1 ? "interval" : "intervals");
   if (taken.is_certified) return epsilon + "; the theorem is proved for these samples";
-  if (taken.corners.empty() && taken.other_places == 0) return epsilon + "; there is nothing to prove";
+  if (taken.corners.empty() && taken.other_places.empty()) return epsilon + "; there is nothing to prove";
   std::string out = epsilon + "; the theorem is not proved";
   if (!taken.corners.empty()) {
     const auto sharpest = std::ranges::min_element(taken.corners, {}, &CurveCorner::angle);
@@ -263,9 +266,15 @@ std::string remark_of(const TakenSamples& taken, const SamplingRequest& request)
                        taken.corners.size(), taken.corners.size() == 1 ? "corner" : "corners",
                        kDegrees * sharpest->angle, sharpest->place.x, sharpest->place.y);
   }
-  if (taken.other_places != 0)
-    out += fmt::format("{} at {} other {}", taken.corners.empty() ? "" : ", and", taken.other_places,
-                       taken.other_places == 1 ? "place" : "places");
+  if (!taken.other_places.empty()) {
+    constexpr std::size_t kNamed = 4;
+    const std::size_t count = taken.other_places.size();
+    out += fmt::format("{} at {} other {} (", taken.corners.empty() ? "" : ", and", count,
+                       count == 1 ? "place" : "places");
+    for (std::size_t i = 0; i < std::min(count, kNamed); ++i)
+      out += fmt::format("{}{:.6g} {:.6g}", i == 0 ? "" : ", ", taken.other_places[i].x, taken.other_places[i].y);
+    out += count > kNamed ? ", ...)" : ")";
+  }
   return out;
 }
 

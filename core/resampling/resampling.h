@@ -32,9 +32,9 @@ struct TakenSamples {
   std::size_t sparse_intervals = 0;
   /// Of the rule `feature_size`: the theorem is proved for these samples (AxisCertificate).
   bool is_certified = false;
-  /// Why it is not: corners next to places where the proof fails, each once, and how many places are at none.
+  /// Why it is not: corners next to places where the proof fails, each once, and the places that are at none.
   std::vector<CurveCorner> corners{};
-  std::size_t other_places = 0;
+  std::vector<Vec2> other_places{};
 };
 
 /// Samples of the curves. Of the rule `feature_size`: where the theorem is not proved for the epsilon that is asked for,

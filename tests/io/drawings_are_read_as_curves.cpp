@@ -259,6 +259,15 @@ TEST_CASE("a drawing that grows without bounds is refused in one line") {
   CHECK(laughs.warnings.size() == 1);
 }
 
+TEST_CASE("a drawing may have as many pieces as its file spells out") {
+  constexpr std::size_t kSteps = 2'100'000;
+  std::string path = "M0 0";
+  for (std::size_t i = 0; i < kSteps; ++i) path += "h1v1";
+  const SvgDrawing read = read_good("<svg><path fill='none' d='" + path + "'/></svg>");
+  REQUIRE(read.curves.curves.size() == 1);
+  CHECK(read.curves.curves[0].piece_count() >= 2 * kSteps);
+}
+
 TEST_CASE("a drawing is found by its content, and gives samples with their curves") {
   const std::string text =
       "\xEF\xBB\xBF<?xml version='1.0'?>\n<!-- a > b -->\n"

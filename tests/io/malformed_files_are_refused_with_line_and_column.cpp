@@ -170,7 +170,7 @@ TEST_CASE("maps that are wrong are refused where they are wrong") {
       {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 2", 1, 39, "not JSON"},
       {"a.geojson", "{\"type\": \"Point\",\n \"coordinates\": [1]}", 2, 17, "two numbers"},
       {"a.geojson", "{\"type\": \"Point\",\n \"coordinates\": [1, \"2\"]}", 2, 21, "expected a number"},
-      {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 1e400]}", 1, 1, "too large"},
+      {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 1e400]}", 1, 38, "too large"},
       {"a.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 1e200]}", 1, 38, "too large"},
       {"a.geojson", "{\"type\": \"Point\", \"coordinates\": []}", 1, 1, "nothing in it"},
       {"a.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[0, 0], [1, 0]]}", 1, 38, "list of coordinates"},

@@ -138,6 +138,13 @@ TEST_CASE("lists of rings in JSON are read, and a list of points") {
   CHECK(points.data.contours.empty());
 }
 
+TEST_CASE("a number of GeoJSON that no double holds is refused with its place") {
+  const auto read =
+      read_sample_bytes("{\"type\":\"Polygon\",\n\"coordinates\":[[[0,0],[-1e999,0],[1,1]]]}", "a.geojson");
+  REQUIRE_FALSE(read);
+  CHECK(read.error().message() == "a.geojson:2:24: a number in this JSON is too large");
+}
+
 TEST_CASE("what looks like a map by its name only is read as what it is") {
   CHECK(read_good("POFF 1 0 0 1 2", "a.wkt").format == "poff");
   CHECK(read_good("point,x,y\n1,2,3\n2,4,5\n", "a.csv").format == "csv");

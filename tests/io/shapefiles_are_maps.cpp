@@ -118,6 +118,20 @@ TEST_CASE("heights and measures are left out with a warning, and so are surfaces
                                                   "a: 1 surface in space (multipatch) is left out"});
 }
 
+TEST_CASE("zeros between records and at the end are passed over, with a warning") {
+  const std::string one = file_of({point(1, {1000, 1})});
+  const std::string two = file_of({point(1, {1000, 1}), point(1, {2, 3})});
+  const std::string second = two.substr(one.size());
+  for (const std::size_t zeros : {2U, 4U, 6U, 16U, 100U}) {
+    const LoadedFile between = good(read_sample_bytes(one + std::string(zeros, '\0') + second, "a"));
+    CHECK(between.data.positions == std::vector<Vec2>{{1000, 1}, {2, 3}});
+    CHECK(between.warnings == std::vector<std::string>{"a: 1 gap of zeros between records is passed over"});
+    if (zeros < 4) continue;  // less may be the beginning of a record
+    const LoadedFile after = good(read_sample_bytes(one + std::string(zeros, '\0'), "a"));
+    CHECK(after.data.positions == std::vector<Vec2>{{1000, 1}});
+  }
+}
+
 TEST_CASE("the .prj beside it says whether positions are degrees") {
   const test::TemporaryFolder folder;
   const auto path = folder.write("a.shp", file_of({parts(5, {{{9, 50}, {11, 50}, {11, 51}, {9, 51}, {9, 50}}})}));
@@ -150,6 +164,8 @@ TEST_CASE("a shapefile that is wrong is refused with its record and byte") {
   check_refused(good_file.substr(0, 130), "record 2 at byte 128: the file ends within its header");
   check_refused(good_file.substr(0, 200), "record 2 at byte 128: the file ends within it");
   check_refused(file_of({number(7)}), "record 1 at byte 100: there is no type 7");
+  check_refused(file_of({number(10)}), "record 1 at byte 100: there is no type 10");
+  check_refused(file_of({number(20)}), "record 1 at byte 100: there is no type 20");
   check_refused(file_of({""}), "record 1 at byte 100: it has no type");
   check_refused(file_of({number(1)}), "record 1 at byte 100: it is too short for a point");
   check_refused(file_of({point(1, {NAN, 1})}), "record 1 at byte 100: nan is not a finite number");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of samples by local feature size is true where formulas say what the axis is.
+#include <fmt/core.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -113,6 +114,24 @@ TEST_CASE("where the theorem is not proved, the corner that is in the way is nam
   REQUIRE_FALSE(samples.corners.empty());
   for (const CurveCorner& corner : samples.corners) CHECK(corner.angle < 1.0);
   CHECK_THAT(remark_of(samples, by_feature_size(0.25)), Catch::Contains("not proved at"));
+}
+
+TEST_CASE("where the theorem is not proved beside no corner, the place is said") {
+  // A stroke that begins within a circle and leaves it.
+  PlaneCurve stroke({1, 0});
+  stroke.line_to({6, 0});
+  CurveSet curves;
+  curves.curves = {ellipse({0, 0}, 2, 2), stroke};
+  const SamplingRequest request = by_feature_size(0.25);
+  const TakenSamples samples = taken(std::make_shared<const CurveSet>(curves), request);
+  REQUIRE_FALSE(samples.is_certified);
+  CHECK(samples.corners.empty());
+  REQUIRE_FALSE(samples.other_places.empty());
+  const Vec2 place = samples.other_places.front();
+  CHECK_THAT(remark_of(samples, request),
+             Catch::Contains(fmt::format("other {} ({:.6g} {:.6g}",
+                                         samples.other_places.size() == 1 ? "place" : "places", place.x, place.y)));
+  for (const Vec2 one : samples.other_places) CHECK(distance(one, {2, 0}) < 1.5);
 }
 
 TEST_CASE("the same curves elsewhere and in another unit are sampled the same") {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/sample_maker.h"
+
+#include <fmt/core.h>
+#include <utility>
+
+#include "app/panels/sampling_controls.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+
+SampleMaker::SampleMaker()
+    : making_([this] {
+        if (wake_) wake_();
+      }) {}
+
+void SampleMaker::set_uses(Make make, std::function<void()> wake) {
+  make_ = std::move(make);
+  wake_ = std::move(wake);
+}
+
+void SampleMaker::draw_facts(const Gui& gui) const {
+  const SampleMaking::Made* made = making_.made();
+  if (made == nullptr) return;
+  ImGui::PushTextWrapPos(0.0F);
+  if (made->data) {
+    const std::size_t balls = made->data->balls.size();
+    ImGui::TextDisabled("%s", balls != 0 ? fmt::format("{} balls", balls).c_str()
+                                         : fmt::format("{} samples", made->data->positions.size()).c_str());
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+  if (!made->data) ImGui::TextUnformatted(made->data.error().text.c_str());
+  for (const std::string& remark : made->remarks) ImGui::TextUnformatted(remark.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+}
+
+bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const char* explanation) {
+  making_.follow();
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
+  ImGui::BeginDisabled(!making_.is_possible() || making_.is_accepted());
+  if (default_button(gui, "Make", size, true)) making_.accept();
+  ImGui::EndDisabled();
+  tooltip(gui, explanation);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", size)) return true;
+  if (!making_.is_accepted_and_ready()) return false;
+  make_(*making_.made()->data, name);
+  return true;
+}
+
+void SampleMaker::draw_preview(const Gui& gui) const {
+  const SampleMaking::Made* made = making_.made();
+  draw_sample_preview(gui, made != nullptr && made->data ? &*made->data : nullptr);
+}
+
+}  // namespace mes

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the dialogs that make samples have in common: what the samples are, how they look, and the answer.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/model/sample_making.h"
+#include "app/ui/gui.h"
+
+namespace mes {
+
+/// Smallest use, in each frame:
+///     if (wish != wished) maker.want([wish] { return SampleMaking::Made{sample_curves(wish)}; });
+///     maker.draw_facts(gui);
+///     if (maker.draw_buttons(gui, "Circle", "The shape ...")) is_open = false;
+///     maker.draw_preview(gui);
+///
+/// Threads: the window's.
+class SampleMaker {
+ public:
+  /// What is done with the samples: called with a name for the step.
+  using Make = std::function<void(const SampleData&, const std::string& name)>;
+
+  SampleMaker();
+  void set_uses(Make make, std::function<void()> wake);
+
+  void want(SampleMaking::Call call) { making_.want(std::move(call)); }
+  bool is_busy() const { return making_.is_busy(); }
+  /// The key Enter, say.
+  void accept() { making_.accept(); }
+  void stop() { making_.stop(); }
+
+  void draw_facts(const Gui& gui) const;
+  /// True when the dialog is to be closed: samples were made, or it was cancelled.
+  bool draw_buttons(const Gui& gui, const std::string& name, const char* explanation);
+  void draw_preview(const Gui& gui) const;
+
+ private:
+  Make make_;
+  std::function<void()> wake_;
+  SampleMaking making_;
+};
+
+}  // namespace mes
