@@ -121,7 +121,7 @@ TEST_CASE("waves that lie between the samples of the first look are found") {
   const auto samples = sample({.curves = {waves}}, {.rule = SamplingRule::feature_size, .count = 400}, of_circle);
   REQUIRE(samples);
   // Each wave turns by four times the arc tangent of its slope, 0.3, and a sample stands for 0.45 of a radian at most.
-  CHECK(samples->positions.size() > 2.5 * kWaves);
+  CHECK(static_cast<double>(samples->positions.size()) > 2.5 * kWaves);
 }
 
 TEST_CASE("a stop that is requested ends the sampling of one curve, whatever the rule") {
