@@ -1,84 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Things in the plane by their boxes: which of them are near a place.
+// Things in the plane by their boxes: which of them are near a place, while things come and go.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/base/parallel.h"
+#include "core/base/radix_sort.h"
 
 namespace mes {
 
-/// A tree over boxes that do not change; boxes may reach to infinity. Items are the positions in the list it was built
-/// of.
+/// An order in which near boxes mostly follow each other: along a Z curve through their middles.
 ///
-/// What it guarantees: a visit leaves an item out only if its box is farther away than asked for, by more than what
-/// rounding does to distances at such coordinates. So what is found does not depend on the tree.
-///
-/// Cost: building O(n log n), some 0.1 us an item; a visit O(log n + visited). Threads: visits may run side by side.
-///
-/// Smallest use:
-///     BoxTree tree;
-///     tree.build(boxes);
-///     double nearest = std::numeric_limits<double>::infinity();  // squared
-///     tree.visit_near(p, nearest, [&](std::uint32_t item) { nearest = std::min(nearest, squared_to(item, p)); });
-class BoxTree {
- public:
-  void build(std::span<const Box2> boxes);
-  void clear() {
-    items_.clear();
-    nodes_.clear();
-  }
-  bool is_empty() const { return nodes_.empty(); }
-
-  /// The items in the order in which visits meet those that are near to each other.
-  std::span<const std::uint32_t> order() const { return items_; }
-  /// From now on an item is its position in `order`: of a list that was put into that order, neighbours are visited one
-  /// after the other, which the caches like.
-  void number_by_order() { std::iota(items_.begin(), items_.end(), std::uint32_t{0}); }
-
-  /// Calls `visit(item)` for items the square of whose box's distance from `p` is not above `bound`, which `visit` may
-  /// lower; near ones tend to come first.
-  template <class Visit>
-  void visit_near(Vec2 p, const double& bound, Visit visit) const;
-  /// Calls `visit(item)` for all items below nodes whose boxes `may_hold` what is looked for.
-  template <class MayHold, class Visit>
-  void visit_where(MayHold may_hold, Visit visit) const;
-
- private:
-  static constexpr std::size_t kLeaf = 8;
-  struct Node {
-    Box2 box;
-    std::uint32_t first = 0;  ///< child, or item of a leaf
-    std::uint16_t count = 0;
-    bool is_leaf = false;
-  };
-  /// A lower bound of the squared distance, whatever rounding did; `slack` is that of the coordinates of p.
-  static double squared_below(const Box2& box, Vec2 p, double slack) {
-    const auto gap = [slack](double below, double above) {
-      const double outside = std::max({below, above, 0.0});
-      return std::max(0.0, outside - 0x1p-47 * outside - slack);
-    };
-    const double dx = gap(box.low.x - p.x, p.x - box.high.x);
-    const double dy = gap(box.low.y - p.y, p.y - box.high.y);
-    return dx * dx + dy * dy;
-  }
-
-  std::vector<std::uint32_t> items_;
-  std::vector<Node> nodes_;  ///< the root is the last
-};
-
-inline void BoxTree::build(std::span<const Box2> boxes) {
-  clear();
-  if (boxes.empty()) return;
-  // Along a Z curve through the finite corners.
-  Box2 extent;
+/// Cost: O(n), some 15 ns a box.
+inline std::vector<std::uint32_t> order_along_z_curve(std::span<const Box2> boxes) {
   const auto place = [](const Box2& box) {
     const auto middle = [](double low, double high) {
       if (!std::isfinite(low)) return std::isfinite(high) ? high : 0.0;
@@ -86,18 +28,26 @@ inline void BoxTree::build(std::span<const Box2> boxes) {
     };
     return Vec2{middle(box.low.x, box.high.x), middle(box.low.y, box.high.y)};
   };
-  // A few boxes very far away would leave all others in one cell: they count as at the rim of the others.
+  // A few boxes very far away would leave all others in one cell: they count as at the rim of the others. The rim is
+  // that of every 16th box.
   std::vector<double> reach;
-  reach.reserve(boxes.size());
-  for (const Box2& box : boxes) {
-    const Vec2 at = place(box);
+  for (std::size_t i = 0; i < boxes.size(); i += 16) {
+    const Vec2 at = place(boxes[i]);
     reach.push_back(std::max(std::abs(at.x), std::abs(at.y)));
   }
   const auto most = reach.begin() + static_cast<std::ptrdiff_t>(reach.size() - 1 - reach.size() / 16);
   std::ranges::nth_element(reach, most);
   const double rim = 2.0 * *most;
   const auto inside = [rim](double x) { return std::clamp(x, -rim, rim); };
-  for (const Box2& box : boxes) extent.add(Vec2{inside(place(box).x), inside(place(box).y)});
+  std::vector<Box2> extents(chunk_count(boxes.size()));
+  parallel_for(boxes.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec2 at = place(boxes[i]);
+      extents[chunk].add(Vec2{inside(at.x), inside(at.y)});
+    }
+  });
+  Box2 extent;
+  for (const Box2& one : extents) extent.add(one);
   const double size = std::max(extent.width(), extent.height());
   const auto spread = [](std::uint64_t x) {
     x = (x | (x << 16U)) & 0x0000ffff0000ffffU;
@@ -110,80 +60,324 @@ inline void BoxTree::build(std::span<const Box2> boxes) {
     const double share = size > 0.0 ? (inside(x) - low) / size : 0.0;
     return static_cast<std::uint64_t>(share * 4294967295.0);
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
-  keys.reserve(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    const Vec2 at = place(boxes[i]);
-    keys.emplace_back(spread(cell(at.x, extent.low.x)) | (spread(cell(at.y, extent.low.y)) << 1U), i);
-  }
-  std::ranges::sort(keys);
-  items_.reserve(boxes.size());
-  for (const auto& [key, item] : keys) items_.push_back(item);
-  const auto add_level = [this](std::size_t count, std::size_t group, bool is_leaf, auto box_of) {
-    const std::size_t begin = nodes_.size();
-    for (std::size_t first = 0; first < count; first += group) {
-      Node node;
-      node.first = static_cast<std::uint32_t>(first);
-      node.count = static_cast<std::uint16_t>(std::min(group, count - first));
-      node.is_leaf = is_leaf;
-      for (std::size_t i = first; i < first + node.count; ++i) node.box.add(box_of(i));
-      nodes_.push_back(node);
+  std::vector<RadixKey> keys(boxes.size());
+  parallel_for(boxes.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec2 at = place(boxes[i]);
+      keys[i] = {spread(cell(at.x, extent.low.x)) | (spread(cell(at.y, extent.low.y)) << 1U),
+                 static_cast<std::uint32_t>(i)};
     }
-    return begin;
-  };
-  std::size_t begin = add_level(items_.size(), kLeaf, true, [&](std::size_t i) { return boxes[items_[i]]; });
-  while (nodes_.size() - begin > 1) {
-    const std::size_t below = begin;
-    begin = add_level(nodes_.size() - below, 4, false, [&](std::size_t i) { return nodes_[below + i].box; });
-    for (std::size_t i = begin; i < nodes_.size(); ++i) nodes_[i].first += static_cast<std::uint32_t>(below);
-  }
+  });
+  radix_sort(keys);
+  std::vector<std::uint32_t> out(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) out[i] = keys[i].item;
+  return out;
 }
 
+/// What a tree knows of an item.
+struct TreeBounds {
+  Box2 box;            ///< may reach to infinity
+  double reach = 0.0;  ///< of the item beyond its box; only `visit_where` asks for it
+
+  void add(const TreeBounds& other) {
+    box.add(other.box);
+    reach = std::max(reach, other.reach);
+  }
+};
+
+/// A tree over items with bounds.
+///
+/// What it guarantees:
+///  1. `visit_near` leaves an item out only if its bounds say that it is farther away than asked for, its box by more than
+///     what rounding does to distances at such coordinates. So what is found does not depend on the tree.
+///  2. An item lies at one place from when it is named to `moved` until it is named again or removed.
+///
+/// Boxes of nodes grow with what comes and do not shrink with what goes; `is_worn` says when it is time to build anew.
+///
+/// Cost: building O(n log n), some 30 ns an item; a visit O(log n + visited), some 10 ns a node; inserting and removing
+/// O(log n). Threads: visits may run side by side.
+///
+/// Smallest use:
+///     BoxTree<Vec2> tree;
+///     tree.build(places, [](Vec2 at) { return TreeBounds{{at, at}}; }, [](Vec2, std::uint32_t) {});
+///     double nearest = std::numeric_limits<double>::infinity();  // squared
+///     tree.visit_near(p, nearest, [&](Vec2 at) { nearest = std::min(nearest, dot(at - p, at - p)); });
+template <class Item>
+class BoxTree {
+ public:
+  /// `bounds_of(item)`; `moved(item, place)` is called for each item, on several threads.
+  template <class BoundsOf, class Moved>
+  void build(std::span<const Item> items, BoundsOf bounds_of, Moved moved);
+  void clear() {
+    items_.clear();
+    counts_.clear();
+    nodes_.clear();
+    root_ = kNone;
+    size_ = built_ = come_ = 0;
+    is_deep_ = false;
+  }
+  bool is_empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  bool is_worn() const { return is_deep_ || come_ > 256 + built_ / 2; }
+  const Item& at(std::uint32_t place) const { return items_[place]; }
+
+  /// `moved` is called for the new item, and for others that find another place.
+  template <class BoundsOf, class Moved>
+  void insert(const Item& item, BoundsOf bounds_of, Moved moved);
+  template <class Moved>
+  void remove(std::uint32_t place, Moved moved);
+
+  /// Calls `visit(item)` for items the square of whose distance from `p` is not above `bound` by their bounds; `visit` may
+  /// lower it. Near ones tend to come first.
+  template <class Visit>
+  void visit_near(Vec2 p, const double& bound, Visit visit) const;
+  /// Calls `visit(item)` for all items below nodes that `may_hold(box, reach)` what is looked for: the box of their boxes,
+  /// and the largest of their reaches.
+  template <class MayHold, class Visit>
+  void visit_where(MayHold may_hold, Visit visit) const;
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  static constexpr std::uint32_t kLeafBit = 0x80000000U;
+  static constexpr std::uint32_t kLeaf = 8;
+  static constexpr std::uint32_t kFilled = 6;  ///< items of a leaf that is built
+  static constexpr std::size_t kDeepest = 40;
+  static constexpr int kChildren = 4;
+
+  /// The children side by side, so that all are looked at in a few instructions.
+  struct Node {
+    std::array<double, kChildren> low_x, low_y, high_x, high_y, reach;
+    std::array<std::uint32_t, kChildren> child;
+
+    Node() {
+      for (std::size_t i = 0; i < kChildren; ++i) set(i, kNone, TreeBounds{});
+    }
+    Box2 box(std::size_t i) const { return {{low_x[i], low_y[i]}, {high_x[i], high_y[i]}}; }
+    void set(std::size_t i, std::uint32_t to, const TreeBounds& bounds) {
+      child[i] = to;
+      low_x[i] = bounds.box.low.x;
+      low_y[i] = bounds.box.low.y;
+      high_x[i] = bounds.box.high.x;
+      high_y[i] = bounds.box.high.y;
+      reach[i] = bounds.reach;
+    }
+    void grow(std::size_t i, const TreeBounds& by) {
+      TreeBounds all{box(i), reach[i]};
+      all.add(by);
+      set(i, child[i], all);
+    }
+  };
+  std::uint32_t new_leaf() {
+    counts_.push_back(0);
+    items_.resize(items_.size() + kLeaf);
+    return static_cast<std::uint32_t>(counts_.size() - 1);
+  }
+  template <class Moved>
+  void put(std::uint32_t leaf, const Item& item, Moved& moved) {
+    const std::uint32_t place = leaf * kLeaf + counts_[leaf]++;
+    items_[place] = item;
+    moved(items_[place], place);
+  }
+  template <class BoundsOf>
+  TreeBounds bounds_of_leaf(std::uint32_t leaf, BoundsOf& bounds_of) const {
+    TreeBounds out;
+    for (std::uint32_t i = 0; i < counts_[leaf]; ++i) out.add(bounds_of(items_[leaf * kLeaf + i]));
+    return out;
+  }
+
+  std::vector<Item> items_;  ///< `kLeaf` a leaf
+  std::vector<std::uint8_t> counts_;
+  std::vector<Node> nodes_;
+  std::uint32_t root_ = kNone;  ///< a node, or a leaf with `kLeafBit`
+  std::size_t size_ = 0;
+  std::size_t built_ = 0;
+  std::size_t come_ = 0;
+  bool is_deep_ = false;
+};
+
+template <class Item>
+template <class BoundsOf, class Moved>
+void BoxTree<Item>::build(std::span<const Item> items, BoundsOf bounds_of, Moved moved) {
+  clear();
+  size_ = built_ = items.size();
+  if (items.empty()) return;
+  std::vector<TreeBounds> bounds(items.size());
+  parallel_for(items.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) bounds[i] = bounds_of(items[i]);
+  });
+  std::vector<Box2> boxes(items.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = bounds[i].box;
+  const std::vector<std::uint32_t> order = order_along_z_curve(boxes);
+  const std::size_t leaves = (items.size() + kFilled - 1) / kFilled;
+  items_.resize(leaves * kLeaf);
+  counts_.resize(leaves);
+  std::vector<TreeBounds> below(leaves);
+  parallel_for(leaves, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf) {
+      const std::size_t first = leaf * kFilled;
+      for (std::size_t i = first; i < std::min(items.size(), first + kFilled); ++i) {
+        const auto place = static_cast<std::uint32_t>(leaf * kLeaf + counts_[leaf]++);
+        items_[place] = items[order[i]];
+        moved(items_[place], place);
+        below[leaf].add(bounds[order[i]]);
+      }
+    }
+  });
+  // Each level is a row of nodes over the one before.
+  std::uint32_t first_below = kLeafBit;
+  while (below.size() > 1) {
+    const auto first = static_cast<std::uint32_t>(nodes_.size());
+    std::vector<TreeBounds> level((below.size() + kChildren - 1) / kChildren);
+    nodes_.resize(first + level.size());
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      nodes_[first + i / kChildren].set(i % kChildren, first_below + static_cast<std::uint32_t>(i), below[i]);
+      level[i / kChildren].add(below[i]);
+    }
+    first_below = first;
+    below = std::move(level);
+  }
+  root_ = first_below;
+}
+
+template <class Item>
+template <class BoundsOf, class Moved>
+void BoxTree<Item>::insert(const Item& item, BoundsOf bounds_of, Moved moved) {
+  ++size_;
+  ++come_;
+  if (root_ == kNone) root_ = kLeafBit | new_leaf();
+  const TreeBounds bounds = bounds_of(item);
+  const Box2& box = bounds.box;
+  // Where the boxes grow least.
+  const auto growth = [&box](const Node& node, std::size_t i) {
+    return std::max(0.0, node.low_x[i] - box.low.x) + std::max(0.0, node.low_y[i] - box.low.y) +
+           std::max(0.0, box.high.x - node.high_x[i]) + std::max(0.0, box.high.y - node.high_y[i]);
+  };
+  std::uint32_t at = root_;
+  std::uint32_t parent = kNone;
+  std::size_t way = 0;  // from the parent
+  std::size_t depth = 0;
+  while ((at & kLeafBit) == 0) {
+    Node& node = nodes_[at];
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < kChildren; ++i)
+      if (node.child[i] != kNone && growth(node, i) < growth(node, best)) best = i;
+    node.grow(best, bounds);
+    parent = at;
+    way = best;
+    at = node.child[best];
+    ++depth;
+  }
+  is_deep_ = is_deep_ || depth >= kDeepest;
+  const std::uint32_t leaf = at & ~kLeafBit;
+  if (counts_[leaf] < kLeaf) return put(leaf, item, moved);
+  // A full leaf becomes two.
+  std::array<Item, kLeaf + 1> all;
+  std::copy_n(items_.begin() + leaf * kLeaf, kLeaf, all.begin());
+  all.back() = item;
+  Box2 whole;
+  for (const Item& one : all) whole.add(bounds_of(one).box);
+  const bool by_x = whole.width() >= whole.height();
+  std::ranges::sort(all, {}, [&](const Item& one) {
+    const Vec2 low = bounds_of(one).box.low;
+    return by_x ? low.x : low.y;
+  });
+  const std::uint32_t other = new_leaf();
+  counts_[leaf] = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) put(i < all.size() / 2 ? leaf : other, all[i], moved);
+  const TreeBounds mine = bounds_of_leaf(leaf, bounds_of);
+  const TreeBounds its = bounds_of_leaf(other, bounds_of);
+  if (parent != kNone) {
+    Node& node = nodes_[parent];
+    const auto free = std::ranges::find(node.child, kNone);
+    if (free != node.child.end()) {
+      node.set(way, kLeafBit | leaf, mine);
+      node.set(static_cast<std::size_t>(free - node.child.begin()), kLeafBit | other, its);
+      return;
+    }
+  }
+  const auto between = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  nodes_.back().set(0, kLeafBit | leaf, mine);
+  nodes_.back().set(1, kLeafBit | other, its);
+  (parent == kNone ? root_ : nodes_[parent].child[way]) = between;
+}
+
+template <class Item>
+template <class Moved>
+void BoxTree<Item>::remove(std::uint32_t place, Moved moved) {
+  --size_;
+  const std::uint32_t leaf = place / kLeaf;
+  const std::uint32_t last = leaf * kLeaf + --counts_[leaf];
+  if (place == last) return;
+  items_[place] = items_[last];
+  moved(items_[place], place);
+}
+
+template <class Item>
 template <class Visit>
-void BoxTree::visit_near(Vec2 p, const double& bound, Visit visit) const {
-  if (nodes_.empty()) return;
+void BoxTree<Item>::visit_near(Vec2 p, const double& bound, Visit visit) const {
+  if (root_ == kNone) return;
   const double slack = 0x1p-47 * std::max(std::abs(p.x), std::abs(p.y));
   struct Waiting {
     double squared;
     std::uint32_t node;
   };
-  std::array<Waiting, 64> stack;  // four children a level, sixteen levels
+  std::array<Waiting, (kDeepest + 20) * kChildren> stack;
   std::size_t height = 0;
-  stack[height++] = {squared_below(nodes_.back().box, p, slack), static_cast<std::uint32_t>(nodes_.size() - 1)};
+  stack[height++] = {0.0, root_};
   while (height != 0) {
     const Waiting next = stack[--height];
     if (next.squared > bound) continue;
-    const Node& node = nodes_[next.node];
-    if (node.is_leaf) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(items_[i]);
+    if ((next.node & kLeafBit) != 0) {
+      const std::uint32_t leaf = next.node & ~kLeafBit;
+      const Item* const first = items_.data() + leaf * kLeaf;
+      for (std::uint32_t i = 0; i < counts_[leaf]; ++i) visit(first[i]);
       continue;
     }
+    // Lower bounds of the squared distances, whatever rounding did.
+    const Node& node = nodes_[next.node];
+    std::array<double, kChildren> squared;
+    for (std::size_t i = 0; i < kChildren; ++i) {
+      const double below_x = node.low_x[i] - p.x;
+      const double above_x = p.x - node.high_x[i];
+      const double below_y = node.low_y[i] - p.y;
+      const double above_y = p.y - node.high_y[i];
+      double dx = below_x > above_x ? below_x : above_x;
+      double dy = below_y > above_y ? below_y : above_y;
+      dx -= 0x1p-47 * dx + slack;
+      dy -= 0x1p-47 * dy + slack;
+      dx = dx > 0.0 ? dx : 0.0;
+      dy = dy > 0.0 ? dy : 0.0;
+      squared[i] = dx * dx + dy * dy;
+    }
     const std::size_t begin = height;
-    for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
-      const double squared = squared_below(nodes_[child].box, p, slack);
-      if (!(squared <= bound)) continue;
+    for (std::size_t i = 0; i < kChildren; ++i) {
+      if (!(squared[i] <= bound) || node.child[i] == kNone) continue;
       std::size_t at = height++;
-      for (; at > begin && stack[at - 1].squared < squared; --at) stack[at] = stack[at - 1];
-      stack[at] = {squared, child};
+      for (; at > begin && stack[at - 1].squared < squared[i]; --at) stack[at] = stack[at - 1];
+      stack[at] = {squared[i], node.child[i]};
     }
   }
 }
 
+template <class Item>
 template <class MayHold, class Visit>
-void BoxTree::visit_where(MayHold may_hold, Visit visit) const {
-  if (nodes_.empty()) return;
-  std::array<std::uint32_t, 64> stack;
+void BoxTree<Item>::visit_where(MayHold may_hold, Visit visit) const {
+  if (root_ == kNone) return;
+  std::array<std::uint32_t, (kDeepest + 20) * kChildren> stack;
   std::size_t height = 0;
-  stack[height++] = static_cast<std::uint32_t>(nodes_.size() - 1);
+  stack[height++] = root_;
   while (height != 0) {
-    const Node& node = nodes_[stack[--height]];
-    if (!may_hold(node.box)) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (node.is_leaf)
-        visit(items_[i]);
-      else
-        stack[height++] = i;
+    const std::uint32_t next = stack[--height];
+    if ((next & kLeafBit) != 0) {
+      const std::uint32_t leaf = next & ~kLeafBit;
+      for (std::uint32_t i = 0; i < counts_[leaf]; ++i) visit(items_[leaf * kLeaf + i]);
+      continue;
     }
+    const Node& node = nodes_[next];
+    for (std::size_t i = 0; i < kChildren; ++i)
+      if (node.child[i] != kNone && may_hold(node.box(i), node.reach[i])) stack[height++] = node.child[i];
   }
 }
 

@@ -85,32 +85,81 @@ TEST_CASE("a tree of boxes leaves nothing out that is near, boxes without end in
       if (rng.below(60) == 0) box.high.x = 1e12;
       boxes.push_back(box);
     }
-    BoxTree tree;
-    tree.build(boxes);
-    REQUIRE(tree.is_empty() == boxes.empty());
-    const auto squared_to = [&](std::uint32_t item, Vec2 p) {
-      const double dx = std::max({boxes[item].low.x - p.x, 0.0, p.x - boxes[item].high.x});
-      const double dy = std::max({boxes[item].low.y - p.y, 0.0, p.y - boxes[item].high.y});
-      return dx * dx + dy * dy;
-    };
-    for (int round = 0; round < 200; ++round) {
-      const Vec2 p{rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)};
-      double expected = std::numeric_limits<double>::infinity();
-      for (std::uint32_t i = 0; i < count; ++i) expected = std::min(expected, squared_to(i, p));
-      double nearest = std::numeric_limits<double>::infinity();
-      std::size_t visits = 0;
-      tree.visit_near(p, nearest, [&](std::uint32_t item) {
-        ++visits;
-        nearest = std::min(nearest, squared_to(item, p));
-      });
-      REQUIRE(nearest == expected);
-      if (count == 3000) REQUIRE(visits < 1500);
-      std::size_t found = 0;
-      tree.visit_where([&](const Box2& box) { return box.contains(p); },
-                       [&](std::uint32_t item) { found += boxes[item].contains(p) ? 1U : 0U; });
-      REQUIRE(found == static_cast<std::size_t>(
-                           std::ranges::count_if(boxes, [&](const Box2& box) { return box.contains(p); })));
+    // Built, or with half of the items coming later and others going.
+    for (const bool comes_later : {false, true}) {
+      BoxTree<std::uint32_t> tree;
+      std::vector<std::uint32_t> place(count + 1, 0);
+      const auto bounds_of = [&](std::uint32_t item) { return TreeBounds{boxes[item]}; };
+      const auto moved = [&](std::uint32_t item, std::uint32_t at) { place[item] = at; };
+      std::vector<std::uint32_t> items;
+      std::vector<bool> is_there(count, true);
+      for (std::uint32_t i = 0; i < (comes_later ? count / 2 : count); ++i) items.push_back(i);
+      tree.build(std::span<const std::uint32_t>(items), bounds_of, moved);
+      if (comes_later) {
+        for (auto i = static_cast<std::uint32_t>(items.size()); i < count; ++i) {
+          tree.insert(i, bounds_of, moved);
+          const auto gone = static_cast<std::uint32_t>(rng.below(i));
+          if (!is_there[gone] || rng.below(2) == 0) continue;
+          tree.remove(place[gone], moved);
+          is_there[gone] = false;
+        }
+        for (std::uint32_t i = 0; i < count; ++i)
+          if (is_there[i]) REQUIRE(tree.at(place[i]) == i);
+      }
+      REQUIRE(tree.size() == static_cast<std::size_t>(std::ranges::count(is_there, true)));
+      const auto squared_to = [&](std::uint32_t item, Vec2 p) {
+        const double dx = std::max({boxes[item].low.x - p.x, 0.0, p.x - boxes[item].high.x});
+        const double dy = std::max({boxes[item].low.y - p.y, 0.0, p.y - boxes[item].high.y});
+        return dx * dx + dy * dy;
+      };
+      for (int round = 0; round < 200; ++round) {
+        const Vec2 p{rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)};
+        double expected = std::numeric_limits<double>::infinity();
+        std::size_t holding = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          if (!is_there[i]) continue;
+          expected = std::min(expected, squared_to(i, p));
+          holding += boxes[i].contains(p) ? 1U : 0U;
+        }
+        double nearest = std::numeric_limits<double>::infinity();
+        std::size_t visits = 0;
+        tree.visit_near(p, nearest, [&](std::uint32_t item) {
+          ++visits;
+          nearest = std::min(nearest, squared_to(item, p));
+        });
+        REQUIRE(nearest == expected);
+        if (count == 3000) REQUIRE(visits < 1500);
+        std::size_t found = 0;
+        tree.visit_where([&](const Box2& box, double) { return box.contains(p); },
+                         [&](std::uint32_t item) { found += boxes[item].contains(p) ? 1U : 0U; });
+        REQUIRE(found == holding);
+      }
     }
+  }
+}
+
+TEST_CASE("sizes are the same at both ends of the range of coordinates") {
+  Rng rng(5);
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 80; ++i) samples.push_back({rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)});
+  const auto sizes_of = [](const std::vector<Vec2>& at) {
+    Workbench bench;
+    show_density(bench);
+    bench.replace(at);
+    bench.move(bench.ids()[3], 0.5 * at[3]);
+    std::vector<double> out;
+    const auto& delaunay = bench.get<Delaunay>();
+    for (const SiteSlot site : delaunay.site_slots())
+      if (delaunay.is_site(site)) out.push_back(bench.get<FeatureSize>().size(site));
+    std::ranges::sort(out);
+    return out;
+  };
+  const std::vector<double> expected = sizes_of(samples);
+  for (const int exponent : {-450, 450}) {
+    std::vector<Vec2> scaled;
+    for (const Vec2 p : samples) scaled.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)});
+    const std::vector<double> found = sizes_of(scaled);
+    for (std::size_t i = 0; i < found.size(); ++i) REQUIRE(found[i] == std::ldexp(expected[i], exponent));
   }
 }
 

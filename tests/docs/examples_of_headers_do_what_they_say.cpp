@@ -10,6 +10,7 @@
 #include "core/base/box_tree.h"
 #include "core/base/coordinate_range.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/radix_sort.h"
 #include "core/base/rng.h"
 #include "core/base/task_queue.h"
 #include "core/curves/b_spline.h"
@@ -384,16 +385,26 @@ TEST_CASE("core/io/json_view.h") {
   CHECK_FALSE(count_timeline("{"));
 }
 
+TEST_CASE("core/base/radix_sort.h") {
+  std::vector<RadixKey> keys{{7, 0}, {3, 1}};
+  radix_sort(keys);  // item 1, then item 0
+  CHECK(keys.front().item == 1);
+  CHECK(keys.back().item == 0);
+}
+
 TEST_CASE("core/base/box_tree.h") {
-  const std::vector<Vec2> places{{5, 5}, {1, 2}, {-3, 0}};
-  std::vector<Box2> boxes(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) boxes[i].add(places[i]);
-  const auto squared_to = [&](std::uint32_t item, Vec2 q) { return dot(places[item] - q, places[item] - q); };
+  const std::vector<Vec2> some{{5, 5}, {1, 2}, {-3, 0}};
+  const std::span<const Vec2> places(some);
   const Vec2 p{1, 1};
-  BoxTree tree;
-  tree.build(boxes);
+  BoxTree<Vec2> tree;
+  tree.build(
+      places,
+      [](Vec2 at) {
+        return TreeBounds{{at, at}};
+      },
+      [](Vec2, std::uint32_t) {});
   double nearest = std::numeric_limits<double>::infinity();  // squared
-  tree.visit_near(p, nearest, [&](std::uint32_t item) { nearest = std::min(nearest, squared_to(item, p)); });
+  tree.visit_near(p, nearest, [&](Vec2 at) { nearest = std::min(nearest, dot(at - p, at - p)); });
   CHECK(nearest == 1.0);
 }
 

@@ -2,9 +2,14 @@
 #include "core/structures/density/feature_size.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <span>
 #include <string>
+#include <utility>
 
+#include "core/base/coordinate_range.h"
 #include "core/base/parallel.h"
 #include "core/kernel/corner_angle.h"
 
@@ -13,10 +18,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// When so much has come since a tree was made, it is made anew.
-bool is_much(std::size_t recent, std::size_t in_tree) {
-  return recent > 64 + in_tree / 64;
-}
+/// By so much may coordinates be larger than those that the unit was chosen for, or smaller, before another one is.
+constexpr int kExponentsApart = 200;
+/// Sites that ask together at most, and the size of their box over the smallest distance that one of them has to begin
+/// with.
+constexpr std::size_t kGroup = 8;
+constexpr double kSpread = 0.5;
 
 }  // namespace
 
@@ -35,23 +42,42 @@ double FeatureSize::epsilon(EdgeSlot edge) const {
          std::min(size(row.v[0]), size(row.v[1]));
 }
 
+// Coordinates have exponents of 500 in either direction, and squares of distances must not leave the range of doubles.
+// A unit that is a power of two changes no last bit, so any will do that is not too far from the coordinates.
+bool FeatureSize::fits(SiteSlot site) const {
+  const Vec2 at = delaunay_.site_position(site);
+  return std::ranges::all_of(std::array{at.x, at.y}, [this](double x) {
+    return x == 0.0 || std::abs(exponent_of(x) - exponent_) < kExponentsApart;
+  });
+}
+
+void FeatureSize::choose_unit() {
+  double most = 0.0;
+  for (const SiteSlot site : delaunay_.site_slots()) {
+    if (!delaunay_.is_site(site)) continue;
+    const Vec2 at = delaunay_.site_position(site);
+    most = std::max({most, std::abs(at.x), std::abs(at.y)});
+  }
+  exponent_ = most > 0.0 ? exponent_of(most) : 0;
+  unit_ = std::ldexp(1.0, -exponent_);
+}
+
 // Heights are half the edge times the cotangent of the angle opposite, as in `Delaunay::dual_length`: from differences
 // of samples, not from centres, which may be far away.
 FeatureSize::AxisLine FeatureSize::line_of(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
-  int first = 0;
-  if (lexicographically_less(delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[0]))) first = 1;
+  const Vec2 ends[2] = {place_of(row.v[0]), place_of(row.v[1])};
+  const int first = lexicographically_less(ends[1], ends[0]) ? 1 : 0;
   AxisLine out;
   out.edge = edge;
-  out.stamp = stamp_[edge];
-  out.q = delaunay_.site_position(row.v[first]);
-  const Vec2 r = delaunay_.site_position(row.v[1 - first]);
+  out.q = ends[first];
+  const Vec2 r = ends[1 - first];
   const double length = distance(out.q, r);
   out.along = {(r.x - out.q.x) / length, (r.y - out.q.y) / length};
   out.half = 0.5 * length;
   const auto height = [&](FaceSlot face) {
     const SiteSlot apex = delaunay_.apex(face, edge);
-    return apex == kInfiniteSite ? kInfinity : out.half * cotangent_at(delaunay_.site_position(apex), out.q, r);
+    return apex == kInfiniteSite ? kInfinity : out.half * cotangent_at(place_of(apex), out.q, r);
   };
   // A triangle lies on the left of q -> r, the other on the right; without one the bisector goes on.
   const double left = height(row.f[first]);
@@ -61,63 +87,51 @@ FeatureSize::AxisLine FeatureSize::line_of(EdgeSlot edge) const {
   return out;
 }
 
-Box2 FeatureSize::AxisLine::box() const {
+TreeBounds FeatureSize::AxisLine::bounds() const {
   const Vec2 middle = q + half * along;
   const Vec2 up = perpendicular(along);
   const auto at = [](double from, double step, double height) {
     return step == 0.0 ? from : from + step * height;  // the height may be infinite
   };
-  Box2 out;
-  for (const double height : {low, high}) out.add(Vec2{at(middle.x, up.x, height), at(middle.y, up.y, height)});
+  TreeBounds out;
+  for (const double height : {low, high}) out.box.add(Vec2{at(middle.x, up.x, height), at(middle.y, up.y, height)});
   return out;
 }
 
 void FeatureSize::make_line_tree() {
   std::vector<EdgeSlot> edges;
-  for (const EdgeSlot edge : is_line_.rows())
-    if (is_line_[edge] != 0) edges.push_back(edge);
+  for (const EdgeSlot edge : delaunay_.edge_slots())
+    if (is_axis(edge)) edges.push_back(edge);
   std::vector<AxisLine> lines(edges.size());
-  recent_lines_.clear();
-  std::vector<Box2> boxes(edges.size());
   parallel_for(edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      lines[i] = line_of(edges[i]);
-      boxes[i] = lines[i].box();
-    }
+    for (std::size_t i = begin; i < end; ++i) lines[i] = line_of(edges[i]);
   });
-  line_tree_.build(boxes);
-  lines_.clear();
-  lines_.reserve(lines.size());
-  for (const std::uint32_t item : line_tree_.order()) lines_.push_back(lines[item]);
-  line_tree_.number_by_order();
+  line_at_.assign(delaunay_.edge_rows(), kNowhere);
+  lines_.build(
+      std::span<const AxisLine>(lines), [](const AxisLine& line) { return line.bounds(); },
+      [this](const AxisLine& line, std::uint32_t place) { line_at_[line.edge] = place; });
 }
 
 void FeatureSize::make_ball_tree() {
-  balls_.clear();
-  recent_balls_.clear();
-  std::vector<Box2> boxes;
-  for (const SiteSlot site : squared_.rows()) {
-    boxed_[site] = -1.0;
-    if (!delaunay_.is_site(site) || !has_size(site)) continue;
-    const Vec2 p = delaunay_.site_position(site);
-    const double reach = size(site);
-    boxed_[site] = squared_[site];
-    balls_.push_back(site);
-    boxes.push_back({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}});
-  }
-  ball_tree_.build(boxes);
+  std::vector<Ball> balls;
+  ball_at_.assign(delaunay_.site_rows(), kNowhere);
+  reach_ = squared_;
+  for (const SiteSlot site : squared_.rows())
+    if (delaunay_.is_site(site) && has_size(site)) balls.push_back({place_of(site), site});
+  balls_.build(
+      std::span<const Ball>(balls),
+      [this](const Ball& ball) {
+        return TreeBounds{{ball.center, ball.center}, std::sqrt(reach_[ball.site])};
+      },
+      [this](const Ball& ball, std::uint32_t place) { ball_at_[ball.site] = place; });
 }
 
-FeatureSize::Found FeatureSize::search(Vec2 p, const AxisLine* guess) const {
-  Found best{kInfinity, {}};
-  const auto look_at = [&](const AxisLine& line) {
+FeatureSize::Found FeatureSize::search(Vec2 p) const {
+  Found best;
+  lines_.visit_near(p, best.squared, [&](const AxisLine& line) {
     const double squared = line.squared_distance(p);
-    if (!(squared < best.squared) || !is_current(line)) return;
-    best = {squared, line.edge};
-  };
-  if (guess != nullptr) look_at(*guess);
-  for (const AxisLine& line : recent_lines_) look_at(line);
-  line_tree_.visit_near(p, best.squared, [&](std::uint32_t item) { look_at(lines_[item]); });
+    if (squared < best.squared) best = {squared, line.edge};
+  });
   return best;
 }
 
@@ -142,119 +156,223 @@ void FeatureSize::detach(SiteSlot site) {
   (links.before != kNoSlot ? links_[links.before].after : first_site_[edge]) = links.after;
 }
 
+// Sites that lie together ask the tree together: what none of them is near to is passed over once, by the distance from
+// the middle of the group. `sites` are along a curve through the plane; a group ends where it would become large against
+// the distances it asks for.
+void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
+  struct Group {
+    std::array<Vec2, kGroup> at;
+    std::array<double, kGroup> aside;  // from the middle
+    std::array<Found, kGroup> found;
+    std::size_t count = 0;
+  };
+  Group group;
+  EdgeSlot guess{};
+  for (std::size_t first = 0; first < sites.size(); first += group.count) {
+    group.count = 0;
+    Box2 box;
+    double room = kInfinity;
+    while (group.count < kGroup && first + group.count < sites.size()) {
+      const SiteSlot site = sites[first + group.count];
+      const Vec2 p = place_of(site);
+      Found found;
+      const auto look_at = [&](const AxisLine& line) {
+        const double squared = line.squared_distance(p);
+        if (squared < found.squared) found = {squared, line.edge};
+      };
+      for (const EdgeSlot edge : {guess, nearest_[site]})
+        if (edge != kNoSlot) look_at(lines_.at(line_at_[edge]));
+      Box2 larger = box;
+      larger.add(p);
+      const double size = std::max(larger.width(), larger.height());
+      room = std::min(room, found.squared);
+      if (group.count != 0 && size * size > kSpread * kSpread * room) break;
+      box = larger;
+      group.at[group.count] = p;
+      group.found[group.count++] = found;
+    }
+    const Vec2 middle = box.center();
+    double radius = 0.0;
+    for (std::size_t i = 0; i < group.count; ++i) {
+      group.aside[i] = distance(middle, group.at[i]) * (1.0 + 0x1p-40);
+      radius = std::max(radius, group.aside[i]);
+    }
+    // What is farther from the middle than this is nearest to none.
+    double bound = kInfinity;
+    const auto lower_bound = [&] {
+      double far = 0.0;
+      for (std::size_t i = 0; i < group.count; ++i)
+        far = std::max(far, std::sqrt(group.found[i].squared) + group.aside[i]);
+      bound = far * far * (1.0 + 0x1p-40);
+    };
+    lower_bound();
+    lines_.visit_near(middle, bound, [&](const AxisLine& line) {
+      if (line.squared_distance(middle) > bound) return;
+      bool is_nearer = false;
+      for (std::size_t i = 0; i < group.count; ++i) {
+        const double squared = line.squared_distance(group.at[i]);
+        if (!(squared < group.found[i].squared)) continue;
+        group.found[i] = {squared, line.edge};
+        is_nearer = true;
+      }
+      if (is_nearer) lower_bound();
+    });
+    for (std::size_t i = 0; i < group.count; ++i) {
+      squared_[sites[first + i]] = group.found[i].squared;
+      nearest_[sites[first + i]] = group.found[i].edge;
+    }
+    guess = group.found[group.count - 1].edge;
+  }
+}
+
 void FeatureSize::rebuild(JobControl& job) {
   clear_changes();
+  is_ready_ = false;
   squared_.assign(delaunay_.site_rows(), kInfinity);
   nearest_.assign(delaunay_.site_rows(), kNoSlot);
-  links_.assign(delaunay_.site_rows(), {});
-  boxed_.assign(delaunay_.site_rows(), -1.0);
-  first_site_.assign(delaunay_.edge_rows(), kNoSlot);
-  stamp_.assign(delaunay_.edge_rows(), 0);
-  is_line_.assign(delaunay_.edge_rows(), 0);
+  lines_.clear();
   balls_.clear();
-  recent_balls_.clear();
-  ball_tree_.clear();
-  line_count_ = 0;
-  if (delaunay_.dimension() == 2) {
-    for (const EdgeSlot edge : delaunay_.edge_slots()) {
-      is_line_[edge] = is_axis(edge) ? 1 : 0;
-      line_count_ += is_line_[edge];
-    }
-  }
+  if (delaunay_.dimension() != 2) return;
+  choose_unit();
   make_line_tree();
   job.checkpoint();
-  std::vector<Found> found(delaunay_.site_rows());
-  parallel_for(found.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    job.checkpoint();
-    // The next site is often on the same part of the curve.
-    AxisLine guess;
-    bool has_guess = false;
-    for (const SiteSlot site : slots_between<SiteSlot>(begin, end)) {
-      if (!delaunay_.is_site(site)) continue;
-      const Found& at = found[site.index()] = search(delaunay_.site_position(site), has_guess ? &guess : nullptr);
-      has_guess = at.edge != kNoSlot;
-      if (has_guess && guess.edge != at.edge) guess = line_of(at.edge);
+  // To begin with, some edge of the site's own cell.
+  for (const EdgeSlot edge : line_at_.rows())
+    if (line_at_[edge] != kNowhere)
+      for (const SiteSlot site : delaunay_.edge(edge).v) nearest_[site] = edge;
+  std::vector<SiteSlot> sites;
+  std::vector<Box2> boxes;
+  sites.reserve(delaunay_.site_count());
+  boxes.reserve(delaunay_.site_count());
+  for (const SiteSlot site : delaunay_.site_slots())
+    if (delaunay_.is_site(site)) {
+      sites.push_back(site);
+      boxes.push_back({place_of(site), place_of(site)});
     }
+  std::vector<SiteSlot> sorted;
+  sorted.reserve(sites.size());
+  for (const std::uint32_t i : order_along_z_curve(boxes)) sorted.push_back(sites[i]);
+  parallel_for(sorted.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    job.checkpoint();
+    search_in_groups(std::span(sorted).subspan(begin, end - begin));
   });
+}
+
+void FeatureSize::get_ready_to_update(JobControl& job) {
+  if (is_ready_ || lines_.is_empty()) return;
+  links_.assign(squared_.size(), {});
+  first_site_.assign(line_at_.size(), kNoSlot);
   for (const SiteSlot site : squared_.rows())
-    if (delaunay_.is_site(site)) attach(site, found[site.index()]);
+    if (nearest_[site] != kNoSlot) attach(site, {squared_[site], nearest_[site]});
+  job.checkpoint();
+  make_ball_tree();
+  is_ready_ = true;
+}
+
+void FeatureSize::add_line(const AxisLine& line) {
+  lines_.insert(
+      line, [](const AxisLine& one) { return one.bounds(); },
+      [this](const AxisLine& one, std::uint32_t place) { line_at_[one.edge] = place; });
+}
+
+void FeatureSize::remove_line(EdgeSlot edge) {
+  lines_.remove(line_at_[edge], [this](const AxisLine& line, std::uint32_t place) { line_at_[line.edge] = place; });
+  line_at_[edge] = kNowhere;
+}
+
+void FeatureSize::add_ball(SiteSlot site) {
+  reach_[site] = squared_[site];
+  balls_.insert(
+      Ball{place_of(site), site},
+      [this](const Ball& ball) {
+        return TreeBounds{{ball.center, ball.center}, std::sqrt(reach_[ball.site])};
+      },
+      [this](const Ball& ball, std::uint32_t place) { ball_at_[ball.site] = place; });
+}
+
+void FeatureSize::remove_ball(SiteSlot site) {
+  if (ball_at_[site] == kNowhere) return;
+  balls_.remove(ball_at_[site], [this](const Ball& ball, std::uint32_t place) { ball_at_[ball.site] = place; });
+  ball_at_[site] = kNowhere;
 }
 
 void FeatureSize::search_anew(SiteSlot site) {
   const double before = squared_[site];
   detach(site);
-  attach(site, search(delaunay_.site_position(site), nullptr));
+  attach(site, search(place_of(site)));
   if (squared_[site] != before) site_recorder_.note(site, true);
-  if (squared_[site] <= boxed_[site]) return;
-  boxed_[site] = kInfinity;
-  recent_balls_.push_back(site);
+  const bool is_in_tree = ball_at_[site] != kNowhere;
+  if (is_in_tree && squared_[site] <= reach_[site]) return;
+  remove_ball(site);
+  if (!has_size(site)) return;
+  add_ball(site);
+  if (balls_.is_worn()) make_ball_tree();
 }
 
 void FeatureSize::shrink_balls_at(const AxisLine& line) {
-  const auto look_at = [&](SiteSlot site) {
-    if (!delaunay_.is_site(site)) return;
-    const double squared = line.squared_distance(delaunay_.site_position(site));
-    if (!(squared < squared_[site])) return;
-    detach(site);
-    attach(site, {squared, line.edge});
-    site_recorder_.note(site, true);
-  };
-  for (const SiteSlot site : recent_balls_) look_at(site);
   // A box that the line meets is within its half diagonal of it, about its centre.
-  const auto may_hold = [&line](const Box2& box) {
+  const auto may_hold = [&line](const Box2& box, double reach) {
     const double x = 0.5 * box.width();
     const double y = 0.5 * box.height();
     const Vec2 center = box.center();
-    const double reach =
-        std::sqrt(x * x + y * y) * (1.0 + 0x1p-40) + 0x1p-44 * std::max(std::abs(center.x), std::abs(center.y));
-    return line.squared_distance(center) <= reach * reach;
+    const double far = (std::sqrt(x * x + y * y) + reach) * (1.0 + 0x1p-40) +
+                       0x1p-44 * std::max(std::abs(center.x), std::abs(center.y));
+    return line.squared_distance(center) <= far * far;
   };
-  ball_tree_.visit_where(may_hold, [&](std::uint32_t item) { look_at(balls_[item]); });
-}
-
-void FeatureSize::follow_edge(EdgeSlot edge, bool is_alive) {
-  ++stamp_[edge];
-  if (is_line_[edge] != 0) {
-    --line_count_;
-    for (SiteSlot site = first_site_[edge]; site != kNoSlot; site = links_[site].after) queue_search(site);
-  }
-  is_line_[edge] = is_alive && is_axis(edge) ? 1 : 0;
-  if (is_line_[edge] == 0) return;
-  ++line_count_;
-  recent_lines_.push_back(line_of(edge));
+  balls_.visit_where(may_hold, [&](const Ball& ball) {
+    const double squared = line.squared_distance(ball.center);
+    if (!(squared < squared_[ball.site])) return;
+    detach(ball.site);
+    attach(ball.site, {squared, line.edge});
+    site_recorder_.note(ball.site, true);
+  });
 }
 
 bool FeatureSize::update(JobControl& job) {
-  if (delaunay_.dimension() != 2 || line_count_ == 0) return false;
+  if (delaunay_.dimension() != 2 || lines_.is_empty()) return false;
+  if (!std::ranges::all_of(delaunay_.site_changes().touched, [this](SiteSlot site) { return fits(site); }))
+    return false;
+  // Of a new edge, all samples ask for it; so many are slower than all samples asking for all edges.
+  if (delaunay_.edge_changes().touched.size() > 64 + delaunay_.edge_rows() / 8) return false;
+  get_ready_to_update(job);
   squared_.resize(delaunay_.site_rows(), kInfinity);
   nearest_.resize(delaunay_.site_rows(), kNoSlot);
   links_.resize(delaunay_.site_rows());
-  boxed_.resize(delaunay_.site_rows(), -1.0);
+  ball_at_.resize(delaunay_.site_rows(), kNowhere);
+  reach_.resize(delaunay_.site_rows(), 0.0);
   first_site_.resize(delaunay_.edge_rows(), kNoSlot);
-  stamp_.resize(delaunay_.edge_rows(), 0);
-  is_line_.resize(delaunay_.edge_rows(), 0);
-  if (ball_tree_.is_empty() || is_much(recent_balls_.size(), balls_.size())) make_ball_tree();
+  line_at_.resize(delaunay_.edge_rows(), kNowhere);
   job.checkpoint();
   site_recorder_.begin(delaunay_.site_rows());
   edge_recorder_.begin(delaunay_.edge_rows());
   to_search_.begin(delaunay_.site_rows());
   searches_.clear();
-  const std::size_t old_lines = recent_lines_.size();
-  for (const EdgeSlot edge : delaunay_.edge_changes().removed) follow_edge(edge, false);
-  for (const EdgeSlot edge : delaunay_.edge_changes().touched) follow_edge(edge, true);
+  new_lines_.clear();
+  for (const auto* edges : {&delaunay_.edge_changes().removed, &delaunay_.edge_changes().touched})
+    for (const EdgeSlot edge : *edges) {
+      if (line_at_[edge] == kNowhere) continue;
+      for (SiteSlot site = first_site_[edge]; site != kNoSlot; site = links_[site].after) queue_search(site);
+      remove_line(edge);
+    }
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched) {
+    if (!is_axis(edge)) continue;
+    new_lines_.push_back(line_of(edge));
+    if (!lines_.is_worn()) add_line(new_lines_.back());
+  }
+  if (lines_.is_worn()) make_line_tree();
   for (const SiteSlot site : delaunay_.site_changes().removed) {
     detach(site);
+    remove_ball(site);
     site_recorder_.note(site, true);
   }
   for (const SiteSlot site : delaunay_.site_changes().touched) {
+    remove_ball(site);
     site_recorder_.note(site, true);
-    boxed_[site] = -1.0;
     queue_search(site);
   }
   for (const SiteSlot site : searches_)
     if (delaunay_.is_site(site)) search_anew(site);
-  for (std::size_t i = old_lines; i < recent_lines_.size(); ++i) shrink_balls_at(recent_lines_[i]);
-  if (is_much(recent_lines_.size(), lines_.size())) make_line_tree();
+  for (const AxisLine& line : new_lines_) shrink_balls_at(line);
   finish_changes();
   return true;
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "core/base/box_tree.h"
@@ -26,18 +28,17 @@ inline constexpr double kDenseEpsilon = 0.25;
 ///  1. `size(site)` is the distance to the nearest point of that axis: all of its edges, with rays and lines.
 ///  2. `epsilon(edge)` of a crust edge is half its length over the smaller size of its ends. The largest of all is what
 ///     the samples achieve by this estimate.
-///  3. Numbers that are there are finite and above 0 as long as squares of sizes are normal doubles, which they are for
-///     sizes from 2^-511. Without an axis there are none.
+///  3. Numbers that are there are finite and above 0. Without an axis there are none.
 ///
-/// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically; an update O(changed edges times
-/// what their search meets), and now and then O(n log n), when much has changed since the trees were made.
+/// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically, in a tree of all edges; an update O(changed edges
+/// times what their search meets).
 /// Source: Amenta, Bern and Eppstein, "The crust and the beta-skeleton", 1998.
 class FeatureSize final : public Structure {
  public:
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust);
 
   bool has_size(SiteSlot site) const { return nearest_.has(site) && nearest_[site] != kNoSlot; }
-  double size(SiteSlot site) const { return std::sqrt(squared_[site]); }
+  double size(SiteSlot site) const { return std::sqrt(squared_[site]) / unit_; }
   /// The crust edge has an epsilon: both its ends have a size.
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
@@ -49,21 +50,21 @@ class FeatureSize final : public Structure {
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
+  void get_ready_to_update(JobControl& job) override;
   void clear_changes() override;
   std::size_t touched() const override { return site_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
 
  private:
   /// An edge of the axis on the bisector of q and r: the points at height `low` to `high` over the middle of qr, on the
-  /// left of q -> r.
-  struct AxisLine {
-    EdgeSlot edge{};
-    std::uint32_t stamp = 0;  ///< of the edge when this was made
+  /// left of q -> r. In scaled units.
+  struct alignas(64) AxisLine {
     Vec2 q{};
     Vec2 along{};  ///< unit vector from q to r
     double half = 0.0;
     double low = 0.0;
     double high = 0.0;
+    EdgeSlot edge{};
 
     double squared_distance(Vec2 p) const {
       const Vec2 u = p - q;
@@ -72,54 +73,65 @@ class FeatureSize final : public Structure {
       const double rest = height - (height < low ? low : (height > high ? high : height));
       return aside * aside + rest * rest;
     }
-    Box2 box() const;
+    TreeBounds bounds() const;
   };
   struct Found {
-    double squared = 0.0;
+    double squared = std::numeric_limits<double>::infinity();
     EdgeSlot edge{};
   };
 
   bool is_axis(EdgeSlot edge) const { return delaunay_.edge(edge).is_alive() && !crust_.is_crust(edge); }
+  Vec2 place_of(SiteSlot site) const {
+    const Vec2 at = delaunay_.site_position(site);
+    return {at.x * unit_, at.y * unit_};
+  }
+  bool fits(SiteSlot site) const;
+  void choose_unit();
   AxisLine line_of(EdgeSlot edge) const;
-  bool is_current(const AxisLine& line) const { return stamp_[line.edge] == line.stamp; }
-  void make_line_tree();
-  void make_ball_tree();
-  Found search(Vec2 p, const AxisLine* guess) const;
+  Found search(Vec2 p) const;
+  void search_in_groups(std::span<const SiteSlot> sites);
   void attach(SiteSlot site, const Found& found);
   void detach(SiteSlot site);
   void search_anew(SiteSlot site);
-  void follow_edge(EdgeSlot edge, bool is_alive);
+  void add_line(const AxisLine& line);
+  void remove_line(EdgeSlot edge);
+  void make_line_tree();
+  void add_ball(SiteSlot site);
+  void remove_ball(SiteSlot site);
+  void make_ball_tree();
   void shrink_balls_at(const AxisLine& line);
   void queue_search(SiteSlot site) {
     if (to_search_.insert(site)) searches_.push_back(site);
   }
   void finish_changes();
 
+  static constexpr std::uint32_t kNowhere = 0xffffffffU;
+
   Delaunay& delaunay_;
   OneStepCrust& crust_;
-  Table<SiteSlot, double> squared_;  ///< of the size; infinite without one
+  double unit_ = 1.0;                ///< a power of two: squares of what is multiplied by it are normal doubles
+  int exponent_ = 0;                 ///< of the largest coordinate when it was chosen
+  Table<SiteSlot, double> squared_;  ///< of the size in scaled units; infinite without one
   Table<SiteSlot, EdgeSlot> nearest_;
-  // The sites of one nearest edge, as a list through the table of sites.
+  BoxTree<AxisLine> lines_;
+  Table<EdgeSlot, std::uint32_t> line_at_;  ///< its place in the tree
+
+  // What updates alone need. The sites of one nearest edge, as a list through the table of sites:
+  bool is_ready_ = false;
   Table<EdgeSlot, SiteSlot> first_site_;
   struct Links {
     SiteSlot before{};
     SiteSlot after{};
   };
   Table<SiteSlot, Links> links_;
-  Table<EdgeSlot, std::uint32_t> stamp_;  ///< another one whenever the edge changes
-  Table<EdgeSlot, std::uint8_t> is_line_;
-  std::size_t line_count_ = 0;
-
-  // What was there when the trees were made, and what came since. What is out of date stays in the trees and is passed
-  // over.
-  std::vector<AxisLine> lines_;
-  std::vector<AxisLine> recent_lines_;
-  BoxTree line_tree_;
-  std::vector<SiteSlot> balls_;
-  std::vector<SiteSlot> recent_balls_;
-  BoxTree ball_tree_;
-  /// Square of the size in `ball_tree_`; infinite in `recent_balls_`, which are looked at one by one; below 0: in neither.
-  Table<SiteSlot, double> boxed_;
+  /// Disks about sites up to their nearest point, or larger ones, as points with a reach.
+  struct Ball {
+    Vec2 center{};
+    SiteSlot site{};
+  };
+  BoxTree<Ball> balls_;
+  Table<SiteSlot, std::uint32_t> ball_at_;
+  Table<SiteSlot, double> reach_;  ///< in the tree, squared
 
   ChangeRecorder<SiteSlot> site_recorder_;
   ChangeRecorder<EdgeSlot> edge_recorder_;
@@ -127,6 +139,7 @@ class FeatureSize final : public Structure {
   ChangeSet<EdgeSlot> edge_changes_;
   SlotMarks<SiteSlot> to_search_;
   std::vector<SiteSlot> searches_;
+  std::vector<AxisLine> new_lines_;
 };
 
 }  // namespace mes
