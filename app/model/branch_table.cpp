@@ -12,6 +12,7 @@
 #include "core/draw/layer_descriptor.h"
 #include "core/engine/graph.h"
 #include "core/io/text_numbers.h"
+#include "core/structures/balls/kept_union.h"
 
 namespace mes {
 namespace {
@@ -70,6 +71,7 @@ std::string_view layer_of(BranchAxis axis) {
   switch (axis) {
     case BranchAxis::whole: return "medial-axis";
     case BranchAxis::lambda: return "lambda-medial-axis";
+    case BranchAxis::cover: return "cover-medial-axis";
     case BranchAxis::angle: break;
   }
   return "angle-medial-axis";
@@ -94,7 +96,11 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
   Graph graph;
-  graph.set_demand(std::array{find_layer("lambda-medial-axis"), find_layer("angle-medial-axis")});
+  const std::string_view boundary = axis == BranchAxis::angle   ? "angle-kept-boundary"
+                                    : axis == BranchAxis::cover ? "cover-kept-boundary"
+                                                                : "lambda-kept-boundary";
+  graph.set_demand(
+      std::array{find_layer("lambda-medial-axis"), find_layer("angle-medial-axis"), find_layer(boundary)});
   graph.post_settings(chosen);
   graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
   FramePatch patch;
@@ -105,7 +111,13 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
           Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
   const auto& lambda = graph.structures().get<LambdaAxis>();
   const auto& angle = graph.structures().get<AngleAxis>();
-  const AxisFilter& filter = axis == BranchAxis::angle ? static_cast<const AxisFilter&>(angle) : lambda;
+  const AxisFilter& filter = axis == BranchAxis::angle   ? static_cast<const AxisFilter&>(angle)
+                             : axis == BranchAxis::cover ? graph.structures().get<CoverAxis>()
+                                                         : static_cast<const AxisFilter&>(lambda);
+  const KeptUnion& kept =
+      axis == BranchAxis::angle   ? static_cast<const KeptUnion&>(graph.structures().get<AngleUnion>())
+      : axis == BranchAxis::cover ? graph.structures().get<CoverUnion>()
+                                  : static_cast<const KeptUnion&>(graph.structures().get<LambdaUnion>());
   BranchTable out;
   out.branches = branches_of(filter, graph.structures().get<InnerBalls>(), lambda, angle);
   out.lines.reserve(out.branches.size());
@@ -114,8 +126,26 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
     out.length += branch.length;
   }
   out.reason = filter.reason();
+  for (const Stat& stat : filter.statistics()) {
+    if (stat.key == "components") out.components = std::get<std::int64_t>(stat.value);
+    if (stat.key == "cycles") out.cycles = std::get<std::int64_t>(stat.value);
+  }
+  for (const Stat& stat : kept.statistics()) {
+    if (stat.key == "area") out.area = std::get<double>(stat.value);
+    if (stat.key == "share_of_shape") out.share_of_shape = std::get<double>(stat.value);
+  }
   add_shares(graph, out);
   return out;
+}
+
+std::string kept_in_words(const BranchTable& table) {
+  const auto counted = [](std::int64_t count, const char* one, const char* more) {
+    return fmt::format("{} {}", count, count == 1 ? one : more);
+  };
+  return fmt::format("{}, length {:.6g}, {}, {}, {:.4g} % of the shape",
+                     counted(std::ssize(table.branches), "branch", "branches"), table.length,
+                     counted(table.components, "component", "components"), counted(table.cycles, "cycle", "cycles"),
+                     100.0 * table.share_of_shape);
 }
 
 std::string branches_as_csv(std::span<const AxisBranch> branches) {

@@ -17,8 +17,15 @@ std::optional<FamilyKind> family_of(EvolutionIndex evolution) {
   switch (move->parameter) {
     case Parameter::a_scale: return FamilyKind::inner;
     case Parameter::p_scale: return FamilyKind::polar;
+    case Parameter::scale_axis_factor: return std::nullopt;
     default: return FamilyKind::own;
   }
+}
+
+/// It scales the balls along the axis, of which the scale axis is made.
+bool is_of_scale_axis(EvolutionIndex evolution) {
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  return move != nullptr && move->parameter == Parameter::scale_axis_factor;
 }
 
 }  // namespace
@@ -29,10 +36,12 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
     const LayerDescriptor& descriptor = layers.descriptor(layer);
     const auto of = mes::family_of(descriptor);
     if (descriptor.kinds.empty()) return false;
+    if (is_of_scale_axis(evolution)) return descriptor.group == LayerGroup::scale_axis;
     return family ? of == family : of != FamilyKind::own;
   };
   if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
   std::vector<std::string> ids{"points", "curve"};
+  if (is_of_scale_axis(evolution)) ids = {"scale-axis-grown-disks", "scale-axis-boundary", "scale-axis"};
   if (family) {
     const std::string letter = *family == FamilyKind::inner ? "a-" : *family == FamilyKind::polar ? "p-" : "b-";
     ids = {letter + "inner-disks", letter + "union-boundary", letter + "ball-medial-axis"};
@@ -44,6 +53,7 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
 }
 
 std::string what_moves(EvolutionIndex evolution) {
+  if (is_of_scale_axis(evolution)) return "the balls along the axis";
   const auto family = family_of(evolution);
   if (!family) return "the samples";
   switch (*family) {

@@ -31,7 +31,7 @@ constexpr std::array<Column, kBranchColumns> kColumns{
      {BranchColumn::lambda, "lambda", "Largest lambda along it"},
      {BranchColumn::angle, "angle", "Largest object angle along it, in degrees"}}};
 
-constexpr std::array<const char*, kBranchAxes.size()> kAxes{"Whole axis", "Lambda axis", "Angle axis"};
+constexpr std::array<const char*, kBranchAxes.size()> kAxes{"Whole axis", "Lambda axis", "Angle axis", "Cover axis"};
 constexpr std::size_t kBins = 96;
 constexpr float kHistogramHeight = 64.0F;  // logical pixels
 constexpr float kLeastTable = 150.0F;
@@ -190,9 +190,15 @@ void BranchesPanel::draw_table() {
     ImGui::PopTextWrapPos();
     return;
   }
-  ImGui::TextDisabled("%s", fmt::format("{} of {} branches, together {:.6g} long{}", rows_.size(),
-                                        table.branches.size(), table.length, is_current ? "" : "; computing")
-                                .c_str());
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing").c_str());
+  ImGui::PopTextWrapPos();
+  tooltip(uses_.gui,
+          "Share of the shape: the area of the union of the balls along what is kept, over that of all inner "
+          "balls");
+  if (rows_.size() != table.branches.size())
+    ImGui::TextDisabled("%s",
+                        fmt::format("{} of {} branches are listed", rows_.size(), table.branches.size()).c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (is_current ? 1.0F : 0.5F));
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX |
                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit |

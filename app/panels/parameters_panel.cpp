@@ -155,6 +155,59 @@ void ParametersPanel::draw_scale_events(double& factor) {
   tooltip(gui_, words);
 }
 
+void ParametersPanel::draw_critical_values(double& limit) {
+  const float unit = gui_.unit();
+  const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
+    return layer_descriptors()[layer].scalar == "lambda" || layer_descriptors()[layer].id == "lambda-kept-boundary";
+  });
+  if (!is_shown) return critical_values_.rest();
+  const Document& document = editor_.document();
+  critical_values_.follow(document.revision(), [&document] { return data_of(document); });
+  const std::vector<double>* const values = critical_values_.values();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  // Below the slider, which ends before its number.
+  const float number = 80 * unit;
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x - number), 12 * unit};
+  const bool is_clicked = ImGui::InvisibleButton("critical", size);
+  const double end = longest();
+  const auto x_of = [&](double value) {
+    return at.x + size.x * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
+  };
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
+  const std::string problem = critical_values_.problem();
+  std::string words = !problem.empty()    ? "Critical values cannot be found: " + problem
+                      : values == nullptr ? "Looking for critical values of the distance to the samples"
+                      : values->empty()   ? "The distance to the samples has no critical value on the axis"
+                                          : "Critical values of the distance to the samples; the first, in green, is "
+                                            "the estimate of the weak feature size, below which the lambda axis has "
+                                            "the topology of the shape. A click goes to the nearest";
+  if (values != nullptr && !values->empty()) {
+    const float mouse = ImGui::GetIO().MousePos.x;
+    float drawn = at.x - 1.0F;
+    const double* nearest = nullptr;
+    for (const double& value : *values) {
+      const float x = x_of(value);
+      if (value > end) break;
+      if (nearest == nullptr || std::abs(x - mouse) < std::abs(x_of(*nearest) - mouse)) nearest = &value;
+      // One line a pixel is enough.
+      if (&value != &values->front() && x - drawn < 1.0F) continue;
+      drawn = x;
+      const bool is_first = &value == &values->front();
+      list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(is_first ? palette::green : palette::purple),
+                   (is_first ? 3 : 1) * unit);
+    }
+    if (nearest != nullptr && std::abs(x_of(*nearest) - mouse) <= 4 * unit && ImGui::IsItemHovered()) {
+      words = fmt::format("{:.4g}: {}", *nearest,
+                          nearest == &values->front() ? "estimate of the weak feature size" : "critical value");
+      if (is_clicked) limit = *nearest;
+    }
+  }
+  const float now = x_of(limit);
+  list.AddTriangleFilled({now - 4 * unit, at.y}, {now + 4 * unit, at.y}, {now, at.y + 6 * unit}, gui_.colors().text);
+  tooltip(gui_, words);
+}
+
 void ParametersPanel::draw_parameter(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
   const float unit = gui_.unit();
@@ -189,6 +242,7 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   draw_animation(parameter);
   if (!is_switch(descriptor)) draw_value(descriptor, value);
   if (parameter == Parameter::scale_axis_factor) draw_scale_events(value);
+  if (parameter == Parameter::lambda_limit) draw_critical_values(value);
   ImGui::PopID();
   if (settings != computation_.settings()) {
     if (runs) computation_.animation().stop();

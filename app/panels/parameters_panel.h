@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/model/computation_control.h"
+#include "app/model/critical_values.h"
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
 #include "app/model/scale_events.h"
@@ -16,13 +17,14 @@ namespace mes {
 class ParametersPanel {
  public:
   ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture, const Editor& editor,
-                  const LayerStack& layers, ScaleEvents& events)
+                  const LayerStack& layers, ScaleEvents& events, CriticalValues& critical)
       : gui_(gui),
         computation_(computation),
         picture_(picture),
         editor_(editor),
         layers_(layers),
-        scale_events_(events) {}
+        scale_events_(events),
+        critical_values_(critical) {}
 
   void draw();
   void search(const std::string& text) { search_ = text; }
@@ -33,6 +35,8 @@ class ParametersPanel {
   void draw_animation(Parameter parameter);
   /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.
   void draw_scale_events(double& factor);
+  /// Critical values of lambda, while a layer of it is shown; a click sets the limit.
+  void draw_critical_values(double& limit);
   /// A length that no radius of what is drawn exceeds by much.
   double longest() const;
 
@@ -42,6 +46,7 @@ class ParametersPanel {
   const Editor& editor_;
   const LayerStack& layers_;
   ScaleEvents& scale_events_;
+  CriticalValues& critical_values_;
   std::string search_;
 };
 

@@ -65,7 +65,7 @@ Panels::Panels(const Uses& uses)
           uses.screen.gui, uses.actions, uses.settings.details,
           {uses.screen.gui, uses.board.picture(), uses.screen.times},
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.scale_events()},
+           uses.work.scale_events(), uses.work.critical_values()},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
@@ -219,7 +219,10 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   follow_lesson();
   if (!are_shown_ || uses_.settings.details != DetailsPage::branches) uses_.work.branches().rest();
-  if (!are_shown_ || uses_.settings.details != DetailsPage::parameters) uses_.work.scale_events().rest();
+  if (!are_shown_ || uses_.settings.details != DetailsPage::parameters) {
+    uses_.work.scale_events().rest();
+    uses_.work.critical_values().rest();
+  }
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_lesson(sides);
   draw_over(sides);

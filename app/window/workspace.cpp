@@ -24,6 +24,7 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       branches_(wake),
       resampling_(editor_, wake),
       scale_events_(wake),
+      critical_values_(wake),
       evolution_(editor_,
                  {[this](Parameter parameter) { return computation_.settings()[parameter]; },
                   [this](Parameter parameter, double value) { computation_.set(parameter, value); }},

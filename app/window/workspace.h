@@ -13,6 +13,7 @@
 #include "app/model/branch_desk.h"
 #include "app/model/computation_control.h"
 #include "app/model/contour_desk.h"
+#include "app/model/critical_values.h"
 #include "app/model/curve_sampler.h"
 #include "app/model/curve_selector.h"
 #include "app/model/editor.h"
@@ -54,6 +55,8 @@ class Workspace {
   AnnotationDesk& annotations() { return annotations_; }
   const AnnotationDesk& annotations() const { return annotations_; }
   SelectionDesk& selection_desk() { return selection_desk_; }
+  CriticalValues& critical_values() { return critical_values_; }
+  const CriticalValues& critical_values() const { return critical_values_; }
   ScaleEvents& scale_events() { return scale_events_; }
   const ScaleEvents& scale_events() const { return scale_events_; }
   ResampleDesk& resampling() { return resampling_; }
@@ -149,6 +152,7 @@ class Workspace {
   BranchDesk branches_;
   ResampleDesk resampling_;
   ScaleEvents scale_events_;
+  CriticalValues critical_values_;
   EvolutionPlayer evolution_;
   PaneList panes_;
   PaneDocuments pane_documents_;

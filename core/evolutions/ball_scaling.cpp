@@ -52,4 +52,15 @@ Evolution b_shrinking_evolution() {
                    Parameter::b_scale);
 }
 
+Evolution scale_axis_growing_evolution() {
+  return growing("scale-axis-growing", "Balls along the axis: grow",
+                 "Balls sampled along the medial axis grow, and the scale axis of their union with them",
+                 Parameter::scale_axis_factor);
+}
+Evolution scale_axis_shrinking_evolution() {
+  return shrinking("scale-axis-shrinking", "Balls along the axis: shrink",
+                   "Balls sampled along the medial axis, grown by scale-axis-factor, shrink back to their size",
+                   Parameter::scale_axis_factor);
+}
+
 }  // namespace mes

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lambda and object angle leave of the one-step axis, with its disks and circles, and what they take away.
+// What lambda, object angle and cover date leave of the one-step axis, with its disks, circles and their union, and what
+// they take away.
 #include <string_view>
 #include <vector>
 
+#include "core/layers/parts/family.h"
 #include "core/layers/parts/helpers.h"
+#include "core/structures/balls/kept_union.h"
 #include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/lambda_axis.h"
 
 namespace mes {
@@ -15,7 +19,7 @@ struct FilterLayer {
 };
 struct FilterLayers {
   std::string_view scalar;
-  FilterLayer axis, disks, circles, removed;
+  FilterLayer axis, disks, circles, removed, boundary;
 };
 
 constexpr FilterLayers kLambda{
@@ -27,7 +31,9 @@ constexpr FilterLayers kLambda{
     {"lambda-medial-circles", "Lambda medial circles",
      "Inner circles whose samples need an enclosing circle of radius lambda-limit or more"},
     {"removed-by-lambda", "Removed by lambda",
-     "The rest of the medial axis, which the lambda medial axis is without"}};
+     "The rest of the medial axis, which the lambda medial axis is without"},
+    {"lambda-kept-boundary", "Lambda kept boundary",
+     "Boundary of the union of the balls along the lambda medial axis: the part of the shape that is kept"}};
 constexpr FilterLayers kAngle{
     "angle (degrees)",
     {"angle-medial-axis", "Angle medial axis",
@@ -36,7 +42,21 @@ constexpr FilterLayers kAngle{
      "Inner disks with two samples that the centre sees under at least twice angle-limit"},
     {"angle-medial-circles", "Angle medial circles",
      "Inner circles with two samples that the centre sees under at least twice angle-limit"},
-    {"removed-by-angle", "Removed by angle", "The rest of the medial axis, which the angle medial axis is without"}};
+    {"removed-by-angle", "Removed by angle", "The rest of the medial axis, which the angle medial axis is without"},
+    {"angle-kept-boundary", "Angle kept boundary",
+     "Boundary of the union of the balls along the angle medial axis: the part of the shape that is kept"}};
+constexpr FilterLayers kCover{
+    "1 - 1/s",
+    {"cover-medial-axis", "Cover medial axis",
+     "Axis edges whose balls no other swallows while all grow by scale-axis-factor, or what pruning leaves"},
+    {"cover-medial-disks", "Cover medial disks",
+     "Inner disks that no other swallows while all grow by scale-axis-factor"},
+    {"cover-medial-circles", "Cover medial circles",
+     "Inner circles that no other swallows while all grow by scale-axis-factor"},
+    {"removed-by-cover", "Removed by cover date",
+     "The rest of the medial axis, which the cover medial axis is without"},
+    {"cover-kept-boundary", "Cover kept boundary",
+     "Boundary of the union of the balls along the cover medial axis: the part of the shape that is kept"}};
 
 LayerDescriptor descriptor_of(const FilterLayer& layer, std::string_view scalar, PrimitiveKind kind,
                               LayerStyle style) {
@@ -98,12 +118,24 @@ Layer kept_circles(const AxisFilter& filter, const FilterLayers& layers) {
                     [](Instance& out, Vec2 c, double r, double value) { out.circle(c, r, value); });
 }
 
+Layer kept_boundary(const KeptUnion& balls, const FilterLayers& layers) {
+  return make_layer(
+      descriptor_of(layers.boundary, {}, PrimitiveKind::arc, {.color = palette::orange, .line_width_px = 1.5}),
+      {&balls},
+      union_part({PrimitiveKind::arc}, balls, &UnionTables::arcs, balls.changes().arcs,
+                 [&balls](const BoundaryArc& arc, Instance& out) {
+                   if (!arc.is_alive()) return;
+                   if (const auto drawn = drawn_arc(arc, balls.family().disk(arc.ball))) out.arc(*drawn);
+                 }));
+}
+
 /// `make(filter, layers)` for each filter.
 template <class Make>
 std::vector<Layer> for_each_filter(const StructureSet& set, Make make) {
   std::vector<Layer> out;
   out.push_back(make(set.get<LambdaAxis>(), kLambda));
   out.push_back(make(set.get<AngleAxis>(), kAngle));
+  out.push_back(make(set.get<CoverAxis>(), kCover));
   return out;
 }
 
@@ -114,6 +146,13 @@ std::vector<Layer> make_filtered_disk_layers(const StructureSet& set) {
 }
 std::vector<Layer> make_filtered_circle_layers(const StructureSet& set) {
   return for_each_filter(set, kept_circles);
+}
+std::vector<Layer> make_kept_boundary_layers(const StructureSet& set) {
+  std::vector<Layer> out;
+  out.push_back(kept_boundary(set.get<LambdaUnion>(), kLambda));
+  out.push_back(kept_boundary(set.get<AngleUnion>(), kAngle));
+  out.push_back(kept_boundary(set.get<CoverUnion>(), kCover));
+  return out;
 }
 std::vector<Layer> make_removed_axis_layers(const StructureSet& set) {
   return for_each_filter(set, removed);

@@ -11,6 +11,7 @@
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/kept_union.h"
 #include "core/structures/balls/precision_difference.h"
 #include "core/structures/balls/scale_axis.h"
 #include "core/structures/certificate/axis_certificate.h"
@@ -22,6 +23,7 @@
 #include "core/structures/delaunay/last_change.h"
 #include "core/structures/density/feature_size.h"
 #include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "core/structures/inputs/contours.h"
@@ -68,6 +70,7 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
   add<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
   add<CoverDates, Delaunay, InnerBalls>(set);
+  add<CoverAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, CoverDates>(set);
   add<FeatureSize, Delaunay, OneStepCrust>(set);
   add<LastChange, Delaunay>(set);
   add<AxisCertificate, Delaunay, Labels, InnerBalls>(set);
@@ -94,6 +97,9 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<ScaleUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisSampling,
       AxisCertificate>(set);
   add<ScaleBallSampling, SettingsSource, ScaleUnion>(set);
+  add<LambdaUnion, SettingsSource, Delaunay, Labels, InnerBalls, LambdaAxis>(set);
+  add<AngleUnion, SettingsSource, Delaunay, Labels, InnerBalls, AngleAxis>(set);
+  add<CoverUnion, SettingsSource, Delaunay, Labels, InnerBalls, CoverAxis>(set);
   return set;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/structures/balls/kept_union.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "tests/support/shapes.h"
@@ -21,13 +22,16 @@ using namespace mes::test;
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kLayers{
-    "lambda-medial-axis", "lambda-medial-disks", "lambda-medial-circles", "removed-by-lambda",
-    "angle-medial-axis",  "angle-medial-disks",  "angle-medial-circles",  "removed-by-angle"};
+constexpr std::array<std::string_view, 15> kLayers{
+    "lambda-medial-axis",   "lambda-medial-disks", "lambda-medial-circles", "removed-by-lambda",
+    "angle-medial-axis",    "angle-medial-disks",  "angle-medial-circles",  "removed-by-angle",
+    "cover-medial-axis",    "cover-medial-disks",  "cover-medial-circles",  "removed-by-cover",
+    "lambda-kept-boundary", "angle-kept-boundary", "cover-kept-boundary"};
 
 void show_filters(Workbench& bench) {
   bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4], kLayers[5], kLayers[6], kLayers[7],
-              "medial-axis", "axis-nodes"});
+              kLayers[8], kLayers[9], kLayers[10], kLayers[11], kLayers[12], kLayers[13], kLayers[14], "medial-axis",
+              "axis-nodes"});
 }
 
 ComputationSettings limits(double lambda, double angle, bool keep_topology, AngleMode mode = AngleMode::clip) {
@@ -170,7 +174,7 @@ void check_against_fresh(const Workbench& bench, const ComputationSettings& sett
     INFO(layer);
     REQUIRE(bench.mirror().digest(find_layer(layer)) == fresh.mirror().digest(find_layer(layer)));
   }
-  for (const std::string_view filter : {"lambda-axis", "angle-axis"})
+  for (const std::string_view filter : {"lambda-axis", "angle-axis", "cover-axis"})
     for (const std::string_view key : {"nodes", "edges", "components", "cycles", "isolated", "leaves"})
       REQUIRE(bench.count(filter, key) == fresh.count(filter, key));
 }
@@ -392,6 +396,7 @@ TEST_CASE("after every edit, and every change of a limit, all is as in a fresh c
             settings[Parameter::lambda_limit] = lattice ? 0.5 * static_cast<double>(rng.below(4)) : rng.uniform();
             settings[Parameter::angle_limit] =
                 lattice ? 45.0 * static_cast<double>(rng.below(3)) : 90.0 * rng.uniform();
+            settings[Parameter::scale_axis_factor] = 1.0 + 0.5 * static_cast<double>(rng.below(4));
             bench.choose(settings);
             break;
           default:
@@ -404,6 +409,119 @@ TEST_CASE("after every edit, and every change of a limit, all is as in a fresh c
       }
     }
   }
+}
+
+TEST_CASE("the cover axis keeps what no other ball swallows, by all pairs of balls") {
+  for (const double factor : {1.0, 1.05, 1.3, 2.0, 3.0}) {
+    for (const bool keeps_topology : {false, true}) {
+      INFO("factor " << factor << ", topology " << keeps_topology);
+      ComputationSettings settings;
+      settings[Parameter::scale_axis_factor] = factor;
+      settings[Parameter::keep_topology] = keeps_topology ? 1.0 : 0.0;
+      Workbench bench;
+      show_filters(bench);
+      bench.choose(settings);
+      bench.replace(noisy_ring(60, 6.0, 4));
+      check_finite(bench);
+      const auto& delaunay = bench.get<Delaunay>();
+      const auto& axis = bench.get<MedialAxis>();
+      const auto& cover = bench.get<CoverAxis>();
+      std::vector<Disk> disks;
+      std::vector<FaceSlot> nodes;
+      for (const FaceSlot node : delaunay.face_slots()) {
+        if (!delaunay.face(node).is_alive() || !axis.is_node(node)) continue;
+        nodes.push_back(node);
+        disks.push_back({delaunay.circumcenter(node), delaunay.circumradius(node)});
+      }
+      const auto is_swallowed = [&](const Disk& small) {
+        return std::ranges::any_of(disks, [&](const Disk& large) {
+          return distance(small.center, large.center) + factor * small.radius < factor * large.radius * (1.0 - 1e-12);
+        });
+      };
+      std::size_t swallowed = 0;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!is_swallowed(disks[i])) {
+          REQUIRE((keeps_topology || cover.is_kept(nodes[i])));
+          continue;
+        }
+        ++swallowed;
+        REQUIRE((keeps_topology || !cover.is_kept(nodes[i])));
+        REQUIRE(cover.value(nodes[i]) < 1.0 - 1.0 / factor);
+      }
+      if (factor == 1.0) REQUIRE(swallowed == 0);
+      if (factor >= 1.3) REQUIRE(swallowed > 10);
+      if (keeps_topology) {
+        REQUIRE(bench.count("cover-axis", "components") == bench.count("medial-axis", "components"));
+        REQUIRE(bench.count("cover-axis", "cycles") == bench.count("medial-axis", "cycles"));
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "what is kept holds a share of the shape that falls from one, and is that of a disk where one ball is kept") {
+  Workbench bench;
+  bench.show({"lambda-kept-boundary", "angle-kept-boundary", "cover-kept-boundary", "a-union-boundary"});
+  bench.replace(noisy_curve(150, 4.0, 2));
+  for (const std::string_view balls : {"lambda-union", "angle-union", "cover-union"}) {
+    CHECK(bench.measure(balls, "share_of_shape") == Approx(1.0).epsilon(1e-12));
+    CHECK(bench.measure(balls, "area") == Approx(bench.measure("a-union", "area")).epsilon(1e-12));
+  }
+  double before = 1.0;
+  for (const double limit : {5.0, 20.0, 40.0, 60.0}) {
+    bench.choose(limits(limit, limit, false));
+    const double share = bench.measure("lambda-union", "share_of_shape");
+    CHECK(share <= before * (1.0 + 1e-12));
+    CHECK(share > 0.0);
+    before = share;
+  }
+  CHECK(before < 0.9);
+  // Below the angle at the ends of the kept parts, cuts are balls too: as much as points along the edges hold.
+  bench.choose(limits(0.0, 60.0, false));
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& angle = bench.get<AngleAxis>();
+  std::vector<Disk> along;
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
+    if (!delaunay.edge(edge).is_alive() || !angle.is_kept(edge)) continue;
+    for (int i = 0; i <= 8; ++i) {
+      const Vec2 a = angle.kept_end(edge, 0);
+      const Vec2 at = a + (i / 8.0) * (angle.kept_end(edge, 1) - a);
+      along.push_back({at, distance(at, delaunay.site_position(delaunay.edge(edge).v[0]))});
+    }
+  }
+  for (const FaceSlot node : delaunay.face_slots())
+    if (delaunay.is_finite_face(node) && angle.is_kept(node))
+      along.push_back({delaunay.circumcenter(node), delaunay.circumradius(node)});
+  Rng rng(9);
+  std::size_t inside = 0;
+  constexpr std::size_t kThrown = 200000;
+  for (std::size_t i = 0; i < kThrown; ++i) {
+    const Vec2 p{rng.uniform(-140.0, 140.0), rng.uniform(-140.0, 140.0)};
+    inside += std::ranges::any_of(along, [&](const Disk& disk) { return distance(disk.center, p) <= disk.radius; });
+  }
+  const double area = 280.0 * 280.0 * static_cast<double>(inside) / static_cast<double>(kThrown);
+  CHECK(bench.measure("angle-union", "area") == Approx(area).epsilon(0.01));
+}
+
+TEST_CASE("critical values are the radius of a rectangle, and half the width of a neck") {
+  Workbench bench;
+  bench.show({"lambda-medial-axis"});
+  CHECK(bench.get<LambdaAxis>().critical_values().empty());
+  bench.replace({{0, 0}, {4, 0}, {4, 2}, {0, 2}});
+  // One node, whose circle has the radius sqrt(5).
+  const std::vector<double> values = bench.get<LambdaAxis>().critical_values();
+  REQUIRE(values.size() == 1);
+  CHECK(values.front() == Approx(std::sqrt(5.0)));
+  // A dumb-bell: the neck is a saddle, and each end a maximum.
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 40; ++i) {
+    const double x = -10.0 + 0.5 * i + 0.25;
+    const double y = 1.0 + 0.03 * x * x;
+    samples.push_back({x, y});
+    samples.push_back({x, -y});
+  }
+  bench.replace(samples);
+  CHECK(bench.measure("lambda-axis", "weak_feature_size") == Approx(1.0).margin(0.01));
 }
 
 TEST_CASE("where nothing is kept the statistics say why") {

@@ -10,8 +10,10 @@
 namespace mes {
 
 AxisFilter::AxisFilter(std::string_view id, SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust,
-                       Labels& labels, InnerBalls& balls, MedialAxis& axis, Parameter limit)
-    : Structure(id, {&settings, &delaunay, &crust, &labels, &balls, &axis}),
+                       Labels& labels, InnerBalls& balls, MedialAxis& axis, Parameter limit, Structure* measure)
+    : Structure(id, measure == nullptr
+                        ? std::vector<Structure*>{&settings, &delaunay, &crust, &labels, &balls, &axis}
+                        : std::vector<Structure*>{&settings, &delaunay, &crust, &labels, &balls, &axis, measure}),
       delaunay_(delaunay),
       crust_(crust),
       labels_(labels),

@@ -72,8 +72,9 @@ class AxisFilter : public Structure {
     friend bool operator==(const Wish&, const Wish&) = default;
   };
 
+  /// `measure`: one more structure that values are taken of.
   AxisFilter(std::string_view id, SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
-             InnerBalls& balls, MedialAxis& axis, Parameter limit);
+             InnerBalls& balls, MedialAxis& axis, Parameter limit, Structure* measure = nullptr);
 
   const Wish& wish() const { return wish_; }
   virtual int mode(const ComputationSettings&) const { return 0; }

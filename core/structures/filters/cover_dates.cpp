@@ -18,7 +18,10 @@ constexpr std::uint32_t kLeaf = 8;  // balls
 double distance_to(const Box2& box, Vec2 p) {
   const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
   const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
-  return length(Vec2{x, y});
+  if (x == 0.0 || y == 0.0) return x + y;
+  // Only a bound: the last bits do not matter, but the range does.
+  const double squared = x * x + y * y;
+  return squared > 0x1p-900 && squared < 0x1p900 ? std::sqrt(squared) : length(Vec2{x, y});
 }
 
 }  // namespace
@@ -53,15 +56,22 @@ void CoverDates::build(std::uint32_t at) {
 
 // Nodes are passed over when no ball in them can do better: the distance to their box over the largest difference of radii
 // bounds every quotient, and so do the rounded ones up to the last bits, for which the bound gives way.
-double CoverDates::search(const Ball& ball) const {
+double CoverDates::search(const Ball& ball, std::uint32_t& guess) const {
   constexpr double kGivesWay = 1.0 - 0x1p-48;
   double best = kNever;
   const auto look_at = [&](Vec2 center, double radius) {
-    if (!(radius > ball.radius)) return;
+    if (!(radius > ball.radius)) return false;
+    // Most are too far by one coordinate alone.
+    const double aside = std::max(std::abs(center.x - ball.center.x), std::abs(center.y - ball.center.y));
+    if (aside * kGivesWay > best * (radius - ball.radius)) return false;
     // No inner ball lies inside another, as samples are on both and in neither: less than 1 is rounding.
     const double date = std::max(1.0, distance(ball.center, center) / (radius - ball.radius));
-    if (date < best) best = date;
+    if (!(date < best)) return false;
+    best = date;
+    return true;
   };
+  // Balls near to each other are mostly swallowed by the same one.
+  look_at(sorted_[guess].center, sorted_[guess].radius);
   for (const EdgeSlot edge : delaunay_.face(ball.face).e) {
     if (edge == kNoSlot) continue;
     for (const FaceSlot face : delaunay_.edge(edge).f) {
@@ -89,7 +99,8 @@ double CoverDates::search(const Ball& ball) const {
     if (!(next.bound < best) || best <= 1.0) break;
     const Node& node = tree_[next.node];
     if (node.child == 0) {
-      for (std::uint32_t i = node.first; i < node.last; ++i) look_at(sorted_[i].center, sorted_[i].radius);
+      for (std::uint32_t i = node.first; i < node.last; ++i)
+        if (look_at(sorted_[i].center, sorted_[i].radius)) guess = i;
       continue;
     }
     for (const std::uint32_t child : {node.child, node.child + 1}) {
@@ -117,9 +128,10 @@ void CoverDates::rebuild(JobControl& job) {
   build(0);
   job.checkpoint();
   parallel_for(sorted_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    auto guess = static_cast<std::uint32_t>(begin);
     for (std::size_t i = begin; i < end; ++i) {
       if ((i & 0x3ffU) == 0) job.checkpoint();
-      date_[sorted_[i].face] = search(sorted_[i]);
+      date_[sorted_[i].face] = search(sorted_[i], guess);
     }
   });
 }

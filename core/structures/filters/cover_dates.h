@@ -50,7 +50,8 @@ class CoverDates final : public Structure {
   };
   bool is_node(FaceSlot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }
   void build(std::uint32_t node);
-  double search(const Ball& ball) const;
+  /// `guess`: position of a ball that may swallow it early; becomes that of the one that does, if found in the tree.
+  double search(const Ball& ball, std::uint32_t& guess) const;
 
   const Delaunay& delaunay_;
   const InnerBalls& balls_;

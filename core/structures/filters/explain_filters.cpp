@@ -4,6 +4,7 @@
 
 #include "core/graph/explain.h"
 #include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/lambda_axis.h"
 
 namespace mes {
@@ -14,6 +15,11 @@ std::string LambdaAxis::spoken(double value) const {
 
 std::string AngleAxis::spoken(double value) const {
   return "object angle " + number_text(value) + " degrees";
+}
+
+std::string CoverAxis::spoken(double value) const {
+  return value < 1.0 ? "swallowed when balls grow by " + number_text(1.0 / (1.0 - value))
+                     : std::string("never swallowed");
 }
 
 void AxisFilter::explain(ElementKind kind, RowNumber row, Explanation& out) const {

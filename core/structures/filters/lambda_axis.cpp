@@ -62,33 +62,38 @@ int LambdaAxis::compare(EdgeSlot a, EdgeSlot b) const {
                          delaunay_.site_position(row_b.v[0]), delaunay_.site_position(row_b.v[1]));
 }
 
-void LambdaAxis::add_statistics(StatList& out) const {
-  double largest = 0.0;
-  double critical = std::numeric_limits<double>::infinity();
-  std::int64_t critical_values = 0;
-  const auto add_critical = [&](double at) {
-    ++critical_values;
-    critical = std::min(critical, at);
-  };
+std::vector<double> LambdaAxis::critical_values() const {
+  std::vector<double> out;
   for (const FaceSlot node : delaunay_.face_slots()) {
     if (!delaunay_.face(node).is_alive() || !axis_.is_node(node)) continue;
-    largest = std::max(largest, value(node));
     bool is_maximum = false;
     for_each_face_of(node, [&](FaceSlot face) {
       const auto [a, b, c] = corners(face);
       is_maximum = is_maximum || !is_right_or_obtuse(a, b, c);
     });
-    if (is_maximum) add_critical(delaunay_.circumradius(node));
+    if (is_maximum) out.push_back(delaunay_.circumradius(node));
   }
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    if (!is_edge(edge)) continue;
+    // Edges of length zero, too: the diagonals of samples on one circle are crossed where the centre lies on them.
+    if (!delaunay_.edge(edge).is_alive() || !axis_.is_axis_edge(edge)) continue;
     const EdgeCorners at = crust_.corners(edge);
     if (dot(at.q - at.p, at.r - at.p) >= 0.0 && at.s && dot(at.r - *at.s, at.q - *at.s) >= 0.0)
-      add_critical(value(edge));
+      out.push_back(value(edge));
   }
-  out.push_back({"largest", largest > 0.0 ? largest : std::numeric_limits<double>::infinity()});
-  out.push_back({"critical_values", critical_values});
-  out.push_back({"weak_feature_size", critical});
+  std::ranges::sort(out);
+  out.erase(std::ranges::unique(out).begin(), out.end());
+  return out;
+}
+
+void LambdaAxis::add_statistics(StatList& out) const {
+  double largest = 0.0;
+  for (const FaceSlot node : delaunay_.face_slots())
+    if (delaunay_.face(node).is_alive() && axis_.is_node(node)) largest = std::max(largest, value(node));
+  const std::vector<double> critical = critical_values();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  out.push_back({"largest", largest > 0.0 ? largest : kInfinity});
+  out.push_back({"critical_values", static_cast<std::int64_t>(critical.size())});
+  out.push_back({"weak_feature_size", critical.empty() ? kInfinity : critical.front()});
 }
 
 }  // namespace mes

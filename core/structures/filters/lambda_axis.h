@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "core/structures/filters/axis_filter.h"
 
@@ -29,6 +31,8 @@ class LambdaAxis final : public AxisFilter {
   double value(EdgeSlot edge) const override;
   double value(FaceSlot node) const override;
   std::string spoken(double value) const override;
+  /// Of the distance to the samples on the axis, ascending, each once.
+  std::vector<double> critical_values() const;
   std::string_view kernel() const override { return "doubles with a proved bound, rationals"; }
 
  protected:

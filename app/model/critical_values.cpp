@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/model/critical_values.h"
+
+#include <array>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "core/draw/layer_descriptor.h"
+#include "core/engine/graph.h"
+#include "core/structures/filters/lambda_axis.h"
+
+namespace mes {
+
+Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job) {
+  const Document document;
+  auto delta = replace_all(document, {.positions = data.positions});
+  if (!delta) return std::unexpected(delta.error());
+  Graph graph;
+  graph.set_demand(std::array{find_layer("lambda-medial-axis")});
+  graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
+  FramePatch patch;
+  if (!graph.run(patch, job)) throw Cancelled{};
+  for (const NodeReport& node : patch.nodes)
+    if (node.state == NodeState::failed)
+      return std::unexpected(
+          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
+  return graph.structures().get<LambdaAxis>().critical_values();
+}
+
+void CriticalValues::follow(std::uint64_t document, const std::function<SampleData()>& data) {
+  wanted_ = document;
+  if (auto found = job_.poll()) found_ = *std::move(found);
+  // One at a time: while samples are dragged, the next begins when this one has ended.
+  if (job_.is_under_way() || job_.is_ending() || (found_ && found_->document == wanted_)) return;
+  job_.begin([document, samples = data()](const std::stop_token& stop) -> Found {
+    Found out{document, {}, {}};
+    JobControl job(stop);
+    try {
+      if (auto values = critical_values_of(samples, job))
+        out.values = *std::move(values);
+      else
+        out.problem = values.error().text;
+    } catch (const Cancelled&) {
+      // The result is dropped.
+    } catch (const std::bad_alloc&) {
+      out.problem = "there is not enough memory";
+    }
+    return out;
+  });
+}
+
+}  // namespace mes

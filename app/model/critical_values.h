@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Critical values of the distance to the samples on the axis, at which the lambda axis may change its topology.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/system/background_job.h"
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/document/commands.h"
+
+namespace mes {
+
+/// Ascending, each once (`LambdaAxis::critical_values`); the first is the estimate of the weak feature size. Throws
+/// `Cancelled`. Error: a structure failed. Cost: of the axis from scratch.
+Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job);
+
+/// Those of the document, found on a thread of their own, one at a time, while they are looked at. Threads: the
+/// window's; `wake` is called from the other.
+class CriticalValues {
+ public:
+  explicit CriticalValues(std::function<void()> wake) : job_(std::move(wake)) {}
+
+  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
+  void follow(std::uint64_t document, const std::function<SampleData()>& data);
+  /// They are not looked at any more.
+  void rest() { job_.give_up(); }
+  bool is_under_way() const { return job_.is_under_way() || job_.is_ending(); }
+  /// Of the document followed last; null while they are not known.
+  const std::vector<double>* values() const {
+    return found_ && found_->document == wanted_ && found_->problem.empty() ? &found_->values : nullptr;
+  }
+  /// Why they cannot be had; empty: they can.
+  std::string problem() const { return found_ && found_->document == wanted_ ? found_->problem : std::string(); }
+
+ private:
+  struct Found {
+    std::uint64_t document = 0;
+    std::vector<double> values;
+    std::string problem;
+  };
+  BackgroundJob<Found> job_;
+  std::uint64_t wanted_ = 0;
+  std::optional<Found> found_;
+};
+
+}  // namespace mes
