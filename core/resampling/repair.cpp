@@ -55,14 +55,20 @@ class RepairedChain {
  public:
   RepairedChain(const MovingCurve::Chain& chain, std::span<const Vec2> positions, const std::vector<bool>& is_corner)
       : is_closed_(chain.closed && chain.points.size() > 2) {
-    const std::size_t n = chain.points.size();
-    const auto place = [&](std::size_t i) { return positions[chain.points[i % n]]; };
-    for (std::size_t i = 0; i < n; ++i) knots_.push_back({chain.points[i], i, 0.0});
+    // A place that is named twice in a row is one; between its two samples there is nothing to halve.
+    std::vector<std::uint32_t> points;
+    for (const std::uint32_t sample : chain.points)
+      if (points.empty() || positions[points.back()] != positions[sample]) points.push_back(sample);
+    while (is_closed_ && points.size() > 1 && positions[points.back()] == positions[points.front()]) points.pop_back();
+    is_closed_ = is_closed_ && points.size() > 2;
+    const std::size_t n = points.size();
+    const auto place = [&](std::size_t i) { return positions[points[i % n]]; };
+    for (std::size_t i = 0; i < n; ++i) knots_.push_back({points[i], i, 0.0});
     for (std::size_t i = 0; i < (is_closed_ ? n : n - 1); ++i) {
       SplinePiece piece{place(i), place(i + 1), place(i + 1) - place(i), place(i + 1) - place(i)};
-      if ((is_closed_ || i > 0) && !is_corner[chain.points[i]])
+      if ((is_closed_ || i > 0) && !is_corner[points[i]])
         piece.tangent_a = tangent_at(place(i + n - 1), piece.a, piece.b, piece.b);
-      if ((is_closed_ || i + 2 < n) && !is_corner[chain.points[(i + 1) % n]])
+      if ((is_closed_ || i + 2 < n) && !is_corner[points[(i + 1) % n]])
         piece.tangent_b = tangent_at(piece.a, piece.b, place(i + 2), piece.a);
       pieces_.push_back(piece);
     }

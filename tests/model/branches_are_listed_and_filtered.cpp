@@ -8,6 +8,7 @@
 #include "app/model/branch_table.h"
 #include "app/model/editor.h"
 #include "app/model/resample_desk.h"
+#include "app/model/critical_values.h"
 #include "app/model/scale_events.h"
 #include "tests/support/shapes.h"
 
@@ -182,6 +183,34 @@ TEST_CASE("a repaired and a decimated sampling are one step of undo each, and ed
   while (!late) late = desk.follow();
   CHECK(late->is_problem);
   CHECK(editor.document().sample_count() == 17);
+}
+
+TEST_CASE("critical values are those of the lambda axis, found beside the window") {
+  SampleData rectangle;
+  rectangle.positions = {{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  JobControl job;
+  const auto values = critical_values_of(rectangle, job);
+  REQUIRE(values.has_value());
+  REQUIRE(values->size() == 1);
+  CHECK(values->front() == Approx(std::sqrt(5.0)));
+  CHECK(critical_values_of({}, job)->empty());
+}
+
+TEST_CASE("what is kept is said in one line, for each filter") {
+  SampleData rectangle;
+  rectangle.positions = {{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  JobControl job;
+  for (const BranchAxis axis : kBranchAxes) {
+    const auto table = branch_table_of(rectangle, {}, axis, job);
+    REQUIRE(table.has_value());
+    CHECK(table->area == Approx(5.0 * std::numbers::pi));
+    CHECK(kept_in_words(*table) == "1 branch, length 0, 1 component, 0 cycles, 100 % of the shape");
+  }
+  const auto none = branch_table_of({}, {}, BranchAxis::cover, job);
+  REQUIRE(none.has_value());
+  CHECK(none->branches.empty());
+  CHECK_FALSE(none->reason.empty());
+  CHECK(none->share_of_shape == 0.0);
 }
 
 TEST_CASE("events of the scale axis are where disks touch and holes are filled") {

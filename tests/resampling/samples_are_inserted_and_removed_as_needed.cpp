@@ -123,6 +123,21 @@ TEST_CASE("what is dense enough is left alone, and repaired samples need no seco
   CHECK(repaired(once.data).inserted == 0);
 }
 
+TEST_CASE("a place that a loop names twice in a row is one") {
+  const std::vector<Vec2> once = ellipse_points(16);
+  const Repair expected = repaired(loop_of(once));
+  for (const std::size_t at : {std::size_t{3}, std::size_t{15}}) {
+    std::vector<Vec2> twice = once;
+    twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(at), once[at]);
+    const Repair found = repaired(loop_of(twice));
+    CHECK(found.inserted == expected.inserted);
+    CHECK(found.light_after == expected.light_after);
+  }
+  std::vector<Vec2> closing = once;
+  closing.push_back(once.front());
+  CHECK(repaired(loop_of(closing)).inserted == expected.inserted);
+}
+
 TEST_CASE("a corner cannot be repaired, and its angle is said") {
   for (const int per_side : {6, 12}) {
     INFO(per_side << " samples a side");

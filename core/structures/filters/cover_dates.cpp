@@ -32,20 +32,30 @@ CoverDates::CoverDates(Delaunay& delaunay, InnerBalls& balls)
 void CoverDates::build(std::uint32_t at) {
   Box2 box;
   double most = 0.0;
+  double least = kNever;
   const std::uint32_t first = tree_[at].first;
   const std::uint32_t last = tree_[at].last;
   for (std::uint32_t i = first; i < last; ++i) {
     box.add(sorted_[i].center);
     most = std::max(most, sorted_[i].radius);
+    least = std::min(least, sorted_[i].radius);
   }
   tree_[at].box = box;
   tree_[at].most = most;
   if (last - first <= kLeaf) return;
-  const bool by_x = box.width() >= box.height();
+  // A node whose balls differ in radius promises the largest at the nearest place: radii are split as places are.
   const std::uint32_t middle = first + (last - first) / 2;
-  std::nth_element(
-      sorted_.begin() + first, sorted_.begin() + middle, sorted_.begin() + last,
-      [by_x](const Ball& a, const Ball& b) { return by_x ? a.center.x < b.center.x : a.center.y < b.center.y; });
+  const auto split_by = [&](auto number_of) {
+    std::nth_element(sorted_.begin() + first, sorted_.begin() + middle, sorted_.begin() + last,
+                     [number_of](const Ball& a, const Ball& b) { return number_of(a) < number_of(b); });
+  };
+  const double range = most - least;
+  if (range >= box.width() && range >= box.height())
+    split_by([](const Ball& ball) { return ball.radius; });
+  else if (box.width() >= box.height())
+    split_by([](const Ball& ball) { return ball.center.x; });
+  else
+    split_by([](const Ball& ball) { return ball.center.y; });
   const auto child = static_cast<std::uint32_t>(tree_.size());
   tree_[at].child = child;
   tree_.push_back({{}, 0.0, first, middle, 0});
