@@ -59,7 +59,8 @@ class RepairedChain {
     std::vector<std::uint32_t> points;
     for (const std::uint32_t sample : chain.points)
       if (points.empty() || positions[points.back()] != positions[sample]) points.push_back(sample);
-    while (is_closed_ && points.size() > 1 && positions[points.back()] == positions[points.front()]) points.pop_back();
+    while (is_closed_ && points.size() > 1 && positions[points.back()] == positions[points.front()])
+      points.pop_back();
     is_closed_ = is_closed_ && points.size() > 2;
     const std::size_t n = points.size();
     const auto place = [&](std::size_t i) { return positions[points[i % n]]; };

@@ -193,11 +193,13 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
   client.sync();
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < client.last().layer_count; ++i) {
-    // Diagrams of balls, what is made of all poles, and what any ball may swallow, are made anew.
+    // Diagrams of balls, what is made of all poles, what any ball may swallow, and unions of what filters keep, are made
+    // anew.
     const LayerIndex layer = client.last().layers[i].layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     if (std::ranges::any_of(descriptor.structures, [](std::string_view s) {
-          return s.ends_with("diagram") || s == "p-union" || s == "power-crust" || s == "cover-dates";
+          return s.ends_with("diagram") || s == "p-union" || s == "power-crust" || s.starts_with("cover-") ||
+                 s == "lambda-union" || s == "angle-union";
         }))
       continue;
     for (const KindPatch& kind : client.last().layers[i].kinds) {

@@ -6,9 +6,9 @@
 
 #include "app/model/branch_desk.h"
 #include "app/model/branch_table.h"
+#include "app/model/critical_values.h"
 #include "app/model/editor.h"
 #include "app/model/resample_desk.h"
-#include "app/model/critical_values.h"
 #include "app/model/scale_events.h"
 #include "tests/support/shapes.h"
 
