@@ -2,7 +2,8 @@
 // Ipe 7, the XML format of the extensible drawing editor (its manual, "The Ipe file format"): a layer a layer.
 //
 // Ipe has no opacity of groups: each path of a flat layer that is one path has it instead, which is the same where the
-// layer has one colour.
+// layer has one colour. A flat layer of several colours is a picture.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -16,12 +17,21 @@
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/text_tools.h"
+#include "render/figure/raster.h"
 #include "render/figure/writers.h"
 
 namespace mes::figure {
 namespace {
 
 constexpr int kColorDecimals = 4;
+
+constexpr double kDotsPerInch = 300.0;
+
+/// Its shapes hide each other and are laid on the page with one opacity.
+bool is_flat_in_colors(const Group& group) {
+  return group.opacity < 1.0 &&
+         std::ranges::any_of(group.runs, [&](const Run& run) { return run.color != group.runs.front().color; });
+}
 
 class IpeWriter {
  public:
@@ -224,7 +234,13 @@ class IpeWriter {
 }  // namespace
 
 Expected<std::string> ipe_of(const Figure& figure) {
-  return IpeWriter(figure).write();
+  std::vector<std::string> pictures;
+  for (const FigureLayer& layer : figure.layers)
+    if (std::ranges::any_of(layer.groups, is_flat_in_colors)) pictures.push_back(layer.id);
+  if (pictures.empty()) return IpeWriter(figure).write();
+  Figure drawn = figure;
+  if (auto done = rasterize_layers(drawn, pictures, kDotsPerInch); !done) return std::unexpected(done.error());
+  return IpeWriter(drawn).write();
 }
 
 }  // namespace mes::figure

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TikZ, as a LaTeX document that compiles by itself, with what texlive-pictures brings: a scope a layer. What is between
-// \begin{tikzpicture} and \end{tikzpicture}, with the colours above it, can be copied into a paper.
+// TikZ, with what texlive-pictures brings: a scope a layer. The file is a LaTeX document that compiles by itself, and
+// within another document, where it is read by \input, the picture alone.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -36,8 +36,13 @@ class TikzWriter {
     if (figure_.background) body_ += "\\fill[" + color(*figure_.background) + "] " + page + ";\n";
     for (const FigureLayer& layer : figure_.layers) write(layer);
     legend();
+    // LaTeX makes \@nodocument \relax where the document begins.
     std::string out =
-        "% Compiles by itself, on a page of its size: pdflatex FILE.tex\n"
+        "% By itself, on a page of its size: pdflatex FILE.tex\n"
+        "% In a document with \\usepackage{tikz}: \\input{FILE.tex}\n"
+        "\\expandafter\\ifx\\csname @nodocument\\endcsname\\relax\n"
+        "\\def\\finishpicture{}%\n"
+        "\\else\n"
         "\\documentclass{article}\n"
         "\\usepackage[paperwidth=" +
         length(figure_.width) + ",paperheight=" + length(figure_.height) +
@@ -45,15 +50,18 @@ class TikzWriter {
         "\\usepackage{tikz}\n"
         "\\pagestyle{empty}\n"
         "\\setlength{\\parindent}{0pt}\n"
-        "\\setlength{\\topskip}{0pt}\n";
+        "\\setlength{\\topskip}{0pt}\n"
+        "\\def\\finishpicture{\\end{document}}%\n"
+        "\\begin{document}\n"
+        "\\fi\n";
     for (const auto& [name, number] : colors_) {
       std::string digits = name.substr(1);
       std::ranges::transform(digits, digits.begin(), [](char c) { return c >= 'a' ? static_cast<char>(c - 32) : c; });
-      out += "\\definecolor{" + color_name(number) + "}{HTML}{" + digits + "}\n";
+      out += "\\definecolor{" + color_name(number) + "}{HTML}{" + digits + "}%\n";
     }
-    out += "\\begin{document}\n\\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round]\n";
+    out += "\\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round]\n";
     out += "\\path[use as bounding box] " + page + ";\n\\clip " + page + ";\n";
-    return out + body_ + "\\end{tikzpicture}\n\\end{document}\n";
+    return out + body_ + "\\end{tikzpicture}%\n\\finishpicture%\n";
   }
 
  private:

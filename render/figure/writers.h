@@ -11,6 +11,7 @@
 // format cannot have.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,10 +38,11 @@ Expected<std::string> pdf_of(const Figure& figure);
 Expected<std::string> ps_of(const Figure& figure);
 Expected<std::string> eps_of(const Figure& figure);
 
-/// Ipe 7: a layer a layer. A flat layer of several colours is not flat there.
+/// Ipe 7: a layer a layer. A flat layer of several colours is a picture of 300 dots an inch.
 Expected<std::string> ipe_of(const Figure& figure);
 
-/// A LaTeX document of one TikZ picture, that compiles by itself: a scope a layer. Without the picture to trace.
+/// A TikZ picture, a scope a layer: a LaTeX document by itself, and the picture alone where another document reads it by
+/// \\input. Without the picture to trace.
 Expected<std::string> tikz_of(const Figure& figure);
 
 struct Format {
@@ -50,6 +52,12 @@ struct Format {
   bool has_images = true;        ///< else the picture to trace is left out
   bool carries_session = false;  ///< that of the figure
 };
+
+/// Bytes of the largest file that is written.
+inline constexpr std::size_t kMostFigureBytes = 2'000'000'000;
+
+/// The bytes of the file. Error: as the writer; `usage` for more than `most` bytes.
+Expected<std::string> bytes_of(const Figure& figure, const Format& format, std::size_t most = kMostFigureBytes);
 
 /// In the order in which help and manual name them.
 std::span<const Format> formats();

@@ -152,6 +152,38 @@ TEST_CASE("an Ipe file has a layer for each layer, with the shapes that it holds
   CHECK(count_of(ipe, "<group") == count_of(ipe, "</group>"));
 }
 
+TEST_CASE("a flat layer of several colours is a picture in Ipe, and one of one colour is not") {
+  Figure figure = some_layers().figure();
+  const std::string before = text_of(".ipe", figure);
+  CHECK(count_of(before, "<image") == 0);
+  Group* flat = nullptr;
+  for (FigureLayer& layer : figure.layers)
+    for (Group& group : layer.groups)
+      if (group.opacity < 1.0) flat = &group;
+  REQUIRE(flat != nullptr);
+  Run other = flat->runs.front();
+  other.color = {1, 2, 3};
+  flat->runs.push_back(other);
+  const std::string after = text_of(".ipe", figure);
+  CHECK(count_of(after, "<image") == 1);
+  CHECK(count_of(after, "<layer name=") == count_of(before, "<layer name="));
+}
+
+TEST_CASE("a figure that would be too large is refused, before it takes memory") {
+  const Figure figure = some_layers().figure();
+  for (const Format& format : formats()) {
+    INFO(format.name);
+    const auto whole = bytes_of(figure, format);
+    REQUIRE(whole);
+    CHECK(bytes_of(figure, format, whole->size()));
+    for (const std::size_t most : {std::size_t{0}, std::size_t{8}, whole->size() - 1}) {
+      const auto refused = bytes_of(figure, format, most);
+      REQUIRE_FALSE(refused);
+      CHECK(refused.error().code == ErrorCode::usage);
+    }
+  }
+}
+
 TEST_CASE("a TikZ picture has a scope for each layer, with the shapes that it holds") {
   const std::string tex = text_of(".tex", some_layers().figure());
   for (const char* const layer : {"% layer scalars:", "% layer plain:", "% layer third:"})
@@ -171,7 +203,7 @@ TEST_CASE("every colour of a TikZ picture is defined above it") {
   figure.background = Rgb{1, 2, 3};
   figure.legend.boxes.push_back({{0, 0}, 10, 10, {4, 5, 6}});
   const std::string tex = text_of(".tex", figure);
-  const std::size_t begin = tex.find("\\begin{document}");
+  const std::size_t begin = tex.find("\\begin{tikzpicture}");
   const std::string definitions = tex.substr(0, begin);
   std::size_t used = 0;
   for (std::size_t at = tex.find("mesecina", begin); at != std::string::npos; at = tex.find("mesecina", at + 1)) {
