@@ -158,9 +158,8 @@ class Studio {
 
   // As `mesecina render --compare` lays them out, with the caption in the first one.
   Expected<CapturedPicture> draw_panes(const Player& player) {
-    auto requests = panes_.requests({player.document(), player.history(), player.layers(), player.settings()});
-    if (!requests) return std::unexpected(requests.error());
-    Comparison comparison = compare(std::move(*requests));
+    Comparison comparison =
+        compare(panes_.requests({player.document(), player.history(), player.layers(), player.settings()}));
     for (const LayerIndex layer : held_) scene_.forget(layer);
     held_ = comparison.demand;
     LayerMirror mirror;

@@ -12,47 +12,74 @@
 namespace mes {
 namespace {
 
-SampleData before_last_edit(const SessionPanes::Moment& now) {
+// Of a parameter; its range holds no more.
+constexpr std::uint64_t kMostSteps = 100'000;
+
+Document before_last_edit(const SessionPanes::Moment& now) {
   Document before = now.document;
   for (const DocumentDelta& back : now.history.way_before_last_edit()) before.apply(back);
-  return data_of(before);
+  return before;
+}
+
+/// What the steps of an evolution are counted from.
+EvolutionState state_0(const SessionPanes::Moment& now) {
+  return state_of(names_a_state(now.history.name_of_last_edit()) ? before_last_edit(now) : now.document);
+}
+
+/// State 0 of a parameter: its default where the value is one that steps from there make, as for the window that opens
+/// the session.
+double first_value(const ParameterMove& move, double value, const EvolutionChoice& choice, std::uint64_t steps) {
+  const double first = descriptor_of(move.parameter).default_value;
+  for (std::uint64_t k = 1; k <= steps; ++k) {
+    const auto moved = moved_value(move, first, k, choice.values);
+    if (!moved) break;
+    if (*moved == value) return first;
+  }
+  return value;
 }
 
 }  // namespace
 
 SessionPanes::SessionPanes(const Session& session)
-    : evolution_(choice_of(session.evolution)), views_(session.pane_views) {
+    : evolution_(choice_of(session.evolution)),
+      steps_(std::min(session.evolution.step, kMostSteps)),
+      views_(session.pane_views) {
   list_.set(session.panes);
   // What a session in memory lacks is everything.
   if (!views_.empty()) views_.resize(list_.panes().size());
 }
 
-Expected<std::vector<PaneRequest>> SessionPanes::requests(const Moment& now) const {
+std::vector<PaneRequest> SessionPanes::requests(const Moment& now) const {
   PaneEvolution evolution{.choice = evolution_};
   if (const ParameterMove* const move = evolutions()[evolution_.evolution].moved_parameter(); move != nullptr)
-    evolution.first = now.settings[move->parameter];
+    evolution.first = first_value(*move, now.settings[move->parameter], evolution_, steps_);
   const ShownPanes shown = shown_panes(list_, now.layers, now.settings, evolution);
   const auto data = std::make_shared<const SampleData>(data_of(now.document));
-  EvolutionStates states(state_of(now.document), evolution_);
+  EvolutionStates states(state_0(now), evolution_);
   std::vector<std::shared_ptr<const SampleData>> versions;
+  std::vector<std::string> problems(shown.versions.size());
   for (const std::optional<VersionChoice>& version : shown.versions) {
     if (!version) {
       versions.push_back(nullptr);
     } else if (const auto* const evolved = std::get_if<EvolvedChoice>(&*version); evolved != nullptr) {
       JobControl job;
       const auto state = states.at(evolved->step, job);
-      if (!state) return std::unexpected(state.error());
-      versions.push_back(std::make_shared<const SampleData>(version_of(*data, **state)));
+      if (!state) problems[versions.size()] = state.error().text;
+      versions.push_back(std::make_shared<const SampleData>(state ? version_of(*data, **state) : SampleData{}));
     } else {
-      versions.push_back(std::make_shared<const SampleData>(before_last_edit(now)));
+      versions.push_back(std::make_shared<const SampleData>(data_of(before_last_edit(now))));
     }
   }
   const FamilyKind family = family_of(now.layers.configuration()).value_or(FamilyKind::inner);
-  return pane_requests({shown, now.layers, now.settings, words_of(list_, {now.settings, family})}, data,
-                       [&](std::size_t pane) -> std::shared_ptr<const SampleData> {
-                         const VariantIndex variant = shown.variant[pane];
-                         return variant == kMainVariant ? nullptr : versions[variant - 1];
-                       });
+  auto out = pane_requests({shown, now.layers, now.settings, words_of(list_, {now.settings, family})}, data,
+                           [&](std::size_t pane) -> std::shared_ptr<const SampleData> {
+                             const VariantIndex variant = shown.variant[pane];
+                             return variant == kMainVariant ? nullptr : versions[variant - 1];
+                           });
+  for (std::size_t i = 1; i < out.size(); ++i)
+    if (const VariantIndex variant = shown.variant[i - 1]; variant != kMainVariant && !problems[variant - 1].empty())
+      out[i].words += ": " + problems[variant - 1];
+  return out;
 }
 
 }  // namespace mes

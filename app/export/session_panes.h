@@ -3,12 +3,12 @@
 //
 // Smallest use:
 //     const SessionPanes panes(session);
-//     auto requests = panes.requests({document, history, layers, settings});
-//     Comparison comparison = compare(std::move(*requests));
+//     Comparison comparison = compare(panes.requests({document, history, layers, settings}));
 //
 // Cost: O(document) a call, beside the steps of an evolution that a pane shows a state of. Threads: any.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "app/export/comparison.h"
@@ -32,17 +32,19 @@ class SessionPanes {
   const std::vector<Box2>& views() const { return views_; }
 
   struct Moment {
-    const Document& document;  ///< state 0 of the evolution
-    const History& history;    ///< of it
+    const Document& document;
+    const History& history;  ///< of it
     const LayerStack& layers;
     const ComputationSettings& settings;
   };
-  /// All panes, the main one first. Error: the evolution has no such state of this document.
-  Expected<std::vector<PaneRequest>> requests(const Moment& now) const;
+  /// All panes, the main one first. Steps of the evolution are counted from its state 0: where the last edit is a state of
+  /// an evolution, from what was before. A pane whose step cannot be computed is empty, and its words say why.
+  std::vector<PaneRequest> requests(const Moment& now) const;
 
  private:
   PaneList list_;
   EvolutionChoice evolution_;
+  std::uint64_t steps_ = 0;  ///< of the session at its end
   std::vector<Box2> views_;
 };
 

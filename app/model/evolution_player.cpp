@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/evolution_player.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
+
+#include "app/model/session_evolution.h"
 
 namespace mes {
 
@@ -160,7 +161,7 @@ void EvolutionPlayer::cancel() {
 }
 
 void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
-  const std::string name = fmt::format("{}, {} {}", descriptor().name, k, k == 1 ? "step" : "steps");
+  const std::string name = name_of_state(descriptor(), k);
   // Contours change only where samples were added; all states of the others share those of the document.
   const bool has_new_loops = state.curve != beginning_.curve;
   if (auto done = editor_.evolve(state.positions,

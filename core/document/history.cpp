@@ -200,6 +200,11 @@ std::optional<std::uint64_t> History::revision_before_last_edit() const {
   return edit != nullptr ? std::optional(edit->deltas.front().from_revision) : std::nullopt;
 }
 
+std::string History::name_of_last_edit() const {
+  const Step* const edit = newest_edit();
+  return edit != nullptr ? edit->name : std::string();
+}
+
 void History::step_back() {
   if (can_undo()) --position_;
 }

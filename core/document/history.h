@@ -89,6 +89,8 @@ class History {
   std::vector<DocumentDelta> way_before_last_edit() const;
   /// The revision of that document.
   std::optional<std::uint64_t> revision_before_last_edit() const;
+  /// Name of the last edit, changes of layers after it passed over; empty: there is none.
+  std::string name_of_last_edit() const;
   /// What `undo` (`redo`) would give.
   std::vector<DocumentDelta> deltas_of_undo() const { return can_undo() ? back_of(steps_[position_ - 1]) : Deltas(); }
   std::vector<DocumentDelta> deltas_of_redo() const { return can_redo() ? steps_[position_].deltas : Deltas(); }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -146,6 +147,55 @@ TEST_CASE("a film of a session with panes shows all of them, each as it is at th
   const std::vector<Image> free = film("free", R"("panes":[{"precision":"exact","view":[-1,-1,11,4]}],)");
   CHECK(part(free[0], 0) == part(same[0], 0));
   CHECK(part(free[0], 316) != part(same[0], 316));
+}
+
+TEST_CASE("panes of a film count the steps of an evolution from its beginning, and say what cannot be made") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name, const std::string& evolution, const std::string& panes,
+                        const std::string& timeline) {
+    const std::string session = (folder / (name + ".json")).string();
+    std::ofstream(session) << R"({"mesecina":"session","schema":1,"view":[-1,-1,5,4],
+      "data":{"samples":[0,0,4,0,4,3,0,3],"contours":[{"closed":true,"points":[0,1,2,3]}]},"evolution":{"id":")"
+                           << evolution << R"("},"panes":[)" << panes << R"(],"timeline":[)" << timeline << "]}";
+    const RunResult result = run({"play", session, "--frames", (folder / name).string(), "--size", "616x330"});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    const auto frames = json::parse(contents_of(folder / name / "manifest.json"))["frames"].size();
+    std::vector<Image> out;
+    for (std::size_t i = 1; i <= frames; ++i)
+      out.push_back(read_png(folder / name / ("0000" + std::to_string(i) + ".png")));
+    return out;
+  };
+  // Without the frame around the pane.
+  const auto part = [](const Image& image, int left) {
+    std::vector<std::uint8_t> out;
+    for (int y = 2; y < 298; ++y)
+      out.insert(out.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(image.offset(left + 2, y)),
+                 image.rgba.begin() + static_cast<std::ptrdiff_t>(image.offset(left + 298, y)));
+    return out;
+  };
+  // Each sample half-way to the middle of its neighbours, twice; then one is moved by hand.
+  const std::string evolved =
+      R"({"edit":{"name":"Smooth, 1 step","move":[0,1,0.75,1,3,0.75,2,3,2.25,3,1,2.25]}},
+         {"edit":{"name":"Smooth, 2 steps","replaces":true,"move":[0,1.5,1.125,1,2.5,1.125,2,2.5,1.875,3,1.5,1.875]}},
+         {"edit":{"name":"Move","move":[2,4,3]}})";
+  const std::vector<Image> first = film("first", "smooth", R"({"step":0})", evolved);
+  REQUIRE(first.size() == 4);
+  CHECK(part(first[0], 316) == part(first[0], 0));
+  CHECK(part(first[1], 0) != part(first[0], 0));
+  CHECK(part(first[1], 316) == part(first[0], 0));
+  CHECK(part(first[2], 316) == part(first[0], 0));
+  // An edit of a state is state 0 of what follows.
+  CHECK(part(first[3], 316) == part(first[3], 0));
+  CHECK(part(first[3], 0) != part(first[2], 0));
+
+  const std::vector<Image> impossible =
+      film("impossible", "subdivide", R"({"step":60})", R"({"edit":{"name":"Move","move":[2,3,2]}})");
+  REQUIRE(impossible.size() == 2);
+  CHECK(part(impossible[1], 0) != part(impossible[0], 0));
+  const std::vector<std::uint8_t> nothing = part(impossible[0], 316);
+  CHECK(std::ranges::all_of(nothing, [](std::uint8_t byte) { return byte == 255; }));
+  CHECK(part(impossible[1], 316) == nothing);
 }
 
 TEST_CASE("films that make no sense are refused before any work") {
