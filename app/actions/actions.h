@@ -70,6 +70,7 @@ enum class ActionId : std::uint8_t {
   tool_measure,
   tool_annotate,
   keep_measurement,
+  keep_highlight,
   toggle_snap,
   toggle_handles,
   toggle_insertion_preview,

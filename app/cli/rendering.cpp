@@ -9,6 +9,7 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
+#include "app/picture/lacking_letters.h"
 #include "app/picture/legend.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
@@ -29,6 +30,7 @@ void add_paper(render::Image& image, const render::Scene& scene, std::span<const
   const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
                                                          measure_with(*fonts, shown.scale), shown.background);
   for (const std::string& complaint : annotated.complaints) say(complaint);
+  paint(image, *fonts, annotated.highlights, {0.0, 0.0}, shown.scale);
   paint(image, *fonts, annotated.drawing, {0.0, 0.0}, shown.scale);
   SeenPlane plane = seen_plane(camera, shown.scale);
   plane.covered_above = title.height;
@@ -37,6 +39,10 @@ void add_paper(render::Image& image, const render::Scene& scene, std::span<const
     paint(image, *fonts, layout_scale_marks(request.marks, plane, measure, shown.background), {0.0, 0.0},
           shown.scale);
   paint(image, *fonts, title, {0.0, 0.0}, shown.scale);
+  LackingLetters lacking;
+  lacking.look_at(*fonts, annotated.drawing);
+  lacking.look_at(*fonts, title);
+  if (const std::string words = lacking.words(); !words.empty()) say(words);
   if (entries.empty()) return;
   const PictureLegend legend =
       layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background);
@@ -150,7 +156,7 @@ Expected<std::string> written(const PictureRequest& picture, DrawnFigure drawn, 
     say(remark);
     said.push_back(remark);
   }
-  auto bytes = picture.format->write(drawn.figure);
+  auto bytes = figure::bytes_of(drawn.figure, *picture.format);
   if (bytes && bytes->size() > kLargeFigure) {
     std::string text = fmt::format("the figure has {:.0f} MB", 1e-6 * static_cast<double>(bytes->size()));
     if (const figure::FigureLayer* const layer = largest_layer(drawn.figure); layer && picture.format->has_images)

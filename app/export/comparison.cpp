@@ -161,6 +161,26 @@ Comparison compare(std::vector<PaneRequest> requests) {
   return out;
 }
 
+Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers) {
+  Comparison out;
+  out.variants.resize(shown.variants.size());
+  Pane main{.label = {}, .letter = pane_letter(0), .shown = {.layers = layers.visible_layers()}, .data = nullptr};
+  for (LayerIndex layer = 0; layer < layers.size(); ++layer) main.shown.styles.push_back(layers.style(layer));
+  out.panes.push_back(main);
+  for (std::size_t i = 0; i < shown.panes.size(); ++i) {
+    Pane pane = main;
+    pane.letter = pane_letter(i + 1);
+    pane.variant = shown.variant[i];
+    pane.shown.layers.clear();
+    for (const auto& [layer, style] : shown.panes[i]) {
+      pane.shown.layers.push_back(layer);
+      pane.shown.styles[plain_layer(layer)] = style;
+    }
+    out.panes.push_back(std::move(pane));
+  }
+  return out;
+}
+
 void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
   const auto follows = [](const LayerStyle& style) { return !style.color_map.empty() && !style.range_locked; };
   std::vector<render::ScalarRange> ranges(layer_descriptors().size());

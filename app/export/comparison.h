@@ -83,6 +83,10 @@ struct Comparison {
 /// most.
 Comparison compare(std::vector<PaneRequest> panes);
 
+/// The panes of the window, main pane first, with layers by the numbers that its engine has them under: to be compared by
+/// what is drawn. They have no data.
+Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers);
+
 /// Gives a layer that follows a colour map the same range in all panes, unless its range is chosen.
 void share_color_ranges(Comparison& comparison, const LayerMirror& mirror);
 

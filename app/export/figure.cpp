@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/picture/figure_legend.h"
+#include "app/picture/lacking_letters.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
 #include "app/picture/title_drawing.h"
@@ -120,16 +121,20 @@ Box2 plane_on(const figure::Page& page) {
   return {center - half, center + half};
 }
 
-/// As a layer of its own, above all others. Returns what there is to say of them.
+/// As layers of their own, above all others: what is highlighted, then the rest. Returns what there is to say of them.
 std::vector<std::string> add_annotations(figure::Figure& figure, const figure::Page& page,
                                          const FigureRequest& request, const PlacedAnnotations& annotations,
                                          const PaperFonts& fonts) {
   const double scale = request.shown.scale;
   const AnnotationDrawing drawn =
       layout_annotations(annotations, seen_plane(page, scale), measure_with(fonts, scale), request.shown.background);
-  add_layer(
-      figure, fonts, drawn.drawing, {0.0, 0.0}, scale,
-      {.id = "annotations", .title = "Annotations", .line_width = kAnnotationLine * scale * figure::kPointsPerPixel});
+  const double points = scale * figure::kPointsPerPixel;
+  if (!drawn.highlights.is_empty())
+    add_layer(figure, fonts, drawn.highlights, {0.0, 0.0}, scale,
+              {.id = "highlights", .title = "Highlights", .line_width = kHighlightLine * points});
+  if (drawn.drawing.is_empty()) return drawn.complaints;
+  add_layer(figure, fonts, drawn.drawing, {0.0, 0.0}, scale,
+            {.id = "annotations", .title = "Annotations", .line_width = kAnnotationLine * points});
   return drawn.complaints;
 }
 
@@ -204,6 +209,9 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   const FigureLegendPlace legend = add_scale_marks(out.figure, page, request, title, *fonts);
   if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
   if (is_explained) add_legend(out.figure, explained, request.legend, legend, *fonts);
+  LackingLetters lacking;
+  lacking.look_at(out.figure);
+  if (std::string words = lacking.words(); !words.empty()) out.remarks.push_back(std::move(words));
   return out;
 }
 

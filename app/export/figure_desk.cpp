@@ -252,7 +252,7 @@ void FigureDesk::begin_writing() {
   }
   writing_.begin([figure = figure_, wanted = wanted_, format](const std::stop_token&) -> Written {
     try {
-      return {wanted, format->write(*figure)};
+      return {wanted, figure::bytes_of(*figure, *format)};
     } catch (const std::bad_alloc&) {
       return {wanted, no_memory()};
     }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/picture/lacking_letters.h"
 #include "app/picture/pane_sheet.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
@@ -166,10 +167,15 @@ Expected<DrawnFigure> draw_pane_figure(const FigureRequest& request, const Compa
                   title_prefix_of(pane));
     out.remarks.insert(out.remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
   }
-  add_layer(out.figure, *fonts,
-            layout_pane_labels(labels_of(comparison), grid.scaled(1.0 / unit), measure, request.shown.background),
-            {0.0, band}, scale, {.id = std::string(kPaneLabels), .title = "Panes", .line_width = kPaneFrame * unit});
+  const PaperDrawing labels =
+      layout_pane_labels(labels_of(comparison), grid.scaled(1.0 / unit), measure, request.shown.background);
+  add_layer(out.figure, *fonts, labels, {0.0, band}, scale,
+            {.id = std::string(kPaneLabels), .title = "Panes", .line_width = kPaneFrame * unit});
   if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, scale);
+  LackingLetters lacking;
+  lacking.look_at(*fonts, labels);
+  lacking.look_at(*fonts, title.drawing);
+  if (std::string words = lacking.words(); !words.empty()) out.remarks.push_back(std::move(words));
   return out;
 }
 

@@ -14,6 +14,18 @@ bool EngineDemand::waits_for_room(Engine& engine, const State& now) {
   return lost_at_ == now;
 }
 
+// The engine puts what comes while it computes into one step, in which a demand for none would be lost.
+bool EngineDemand::waits_to_ask_again(Engine& engine) {
+  if (engine.status().busy) return true;
+  if (!asks_for_nothing_) {
+    asks_for_nothing_ = true;
+    engine.set_demand({});
+    return true;
+  }
+  asks_again_ = false;
+  return false;
+}
+
 EngineDemand::Asked EngineDemand::asked_of(const Wanted& wanted) {
   const bool has_panes = !wanted.panes.is_empty();
   return {wanted.layers.demand_revision(), wanted.panes.revision(),
@@ -24,6 +36,7 @@ EngineDemand::Asked EngineDemand::asked_of(const Wanted& wanted) {
 bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents) {
   const std::uint64_t demand = wanted.layers.demand_revision() + wanted.panes.revision();
   if (picture_is_lost && waits_for_room(engine, {demand, wanted.document_revision})) return false;
+  if (asks_again_ && waits_to_ask_again(engine)) return false;
   const bool is_news = !is_told(wanted) || asks_for_nothing_;
   if (is_news || (!wanted.panes.is_empty() && styled_ != wanted.layers.revision()))
     shown_ = shown_panes(wanted.panes, wanted.layers, wanted.settings, wanted.evolution);

@@ -14,7 +14,8 @@
 namespace mes {
 
 /// What it guarantees: the engine is asked for the visible layers of all panes, anew when they change. After a picture was lost for
-/// lack of memory it is asked for none, and for all of them again once the document or the demand has changed.
+/// lack of memory it is asked for none, and for all of them again once the document or the demand has changed. Where all
+/// layers are needed once more as a whole, it is asked for none, and for all of them as soon as it has nothing to do.
 /// Threads: the window's.
 class EngineDemand {
  public:
@@ -28,8 +29,10 @@ class EngineDemand {
   };
   /// Once a frame. True when the engine was asked for other layers. What is new in the documents of panes goes to it too.
   bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents = nullptr);
+  /// All layers are to be sent whole once more.
+  void ask_again() { asks_again_ = true; }
   /// The engine has been asked for what is visible now.
-  bool is_told(const Wanted& wanted) const { return seen_ == asked_of(wanted); }
+  bool is_told(const Wanted& wanted) const { return !asks_again_ && seen_ == asked_of(wanted); }
   /// What the panes beside the main one show, as the engine was asked last and styles are now.
   const ShownPanes& shown() const { return shown_; }
 
@@ -45,11 +48,13 @@ class EngineDemand {
   using State = std::pair<std::uint64_t, std::uint64_t>;
   static Asked asked_of(const Wanted& wanted);
   bool waits_for_room(Engine& engine, const State& now);
+  bool waits_to_ask_again(Engine& engine);
 
   Asked seen_;
   ShownPanes shown_;
   std::uint64_t styled_ = 0;  // revision of the layers whose styles are shown
   bool asks_for_nothing_ = false;
+  bool asks_again_ = false;
   State lost_at_{};  // revisions of demand and document
 };
 

@@ -27,6 +27,7 @@ const char* name_of(AnnotationKind kind) {
     case AnnotationKind::distance: return "Distance";
     case AnnotationKind::angle: return "Angle";
     case AnnotationKind::radius: return "Radius";
+    case AnnotationKind::highlight: return "Highlight";
   }
   return "";
 }
@@ -39,6 +40,7 @@ const char* explanation_of(AnnotationKind kind) {
     case AnnotationKind::distance: return "A dimension line between the two places";
     case AnnotationKind::angle: return "The angle at the second place";
     case AnnotationKind::radius: return "The circle through the three places, and its radius";
+    case AnnotationKind::highlight: return "Elements that stay highlighted, with words if there are any";
   }
   return "";
 }
@@ -48,7 +50,11 @@ void draw_kinds(const Gui& gui, Annotation& annotation) {
   bool is_first = true;
   for (std::size_t i = 0; i < kAnnotationKinds; ++i) {
     const auto kind = static_cast<AnnotationKind>(i);
-    if (anchor_count(kind) != annotation.anchors.size()) continue;
+    const bool is_highlight = annotation.kind == AnnotationKind::highlight;
+    const bool can_be = is_highlight
+                            ? kind == annotation.kind
+                            : kind != AnnotationKind::highlight && anchor_count(kind) == annotation.anchors.size();
+    if (!can_be) continue;
     if (!std::exchange(is_first, false)) ImGui::SameLine();
     if (choice_button(name_of(kind), annotation.kind == kind)) annotation.kind = kind;
     tooltip(gui, explanation_of(kind));
@@ -67,7 +73,8 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
   const RichText words =
       rich_text(annotation.text, "", annotation.letters, [](const std::string&, double, Face) { return 0.0; });
   ImGui::PushFont(gui.small());
-  const bool is_dimension = anchor_count(annotation.kind) > 1 && annotation.kind != AnnotationKind::arrow;
+  const bool is_dimension = annotation.kind != AnnotationKind::highlight && anchor_count(annotation.kind) > 1 &&
+                            annotation.kind != AnnotationKind::arrow;
   const std::string hint = is_dimension ? "Nothing for the number alone; \\value is the number, as in $d = \\value$"
                                         : "$r_i^2$, \\alpha, \\textbf{bold}; Ctrl+Enter: another line";
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kWidth * unit);

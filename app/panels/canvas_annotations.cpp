@@ -12,6 +12,7 @@ AnnotationDrawing CanvasAnnotations::layout() const {
 }
 
 void CanvasAnnotations::draw(const AnnotationDrawing& drawn) const {
+  paint_on_canvas(gui, drawn.highlights, pane.shift);
   paint_on_canvas(gui, drawn.drawing, pane.shift);
 }
 

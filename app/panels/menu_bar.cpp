@@ -283,6 +283,9 @@ float MenuBar::draw() const {
         action_item(*this, id);
       ImGui::EndMenu();
     }
+    for (const ActionId id : {ActionId::tool_measure, ActionId::tool_annotate}) action_item(*this, id);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::keep_measurement, ActionId::keep_highlight}) action_item(*this, id);
     ImGui::Separator();
     action_item(*this, ActionId::toggle_snap);
     snap_menu(*this);

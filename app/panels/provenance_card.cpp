@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/panels/shape_pen.h"
+#include "app/picture/highlight_drawing.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -22,12 +23,13 @@ struct Look {
   const char* heading;
 };
 Look look_of(ProvenanceRole role) {
+  const Rgb color = highlight_color(role);
   switch (role) {
-    case ProvenanceRole::itself: return {palette::vermilion, 3.5F, ""};
-    case ProvenanceRole::origin: return {palette::orange, 2.5F, "comes from"};
-    case ProvenanceRole::product: return {palette::purple, 2.0F, "leads to"};
+    case ProvenanceRole::itself: return {color, 3.5F, ""};
+    case ProvenanceRole::origin: return {color, 2.5F, "comes from"};
+    case ProvenanceRole::product: return {color, 2.0F, "leads to"};
   }
-  return {palette::black, 1.0F, ""};
+  return {color, 1.0F, ""};
 }
 
 // Of what has no end, its beginning.
@@ -101,10 +103,11 @@ void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   }
 }
 
-bool ProvenanceCard::draw_head(const Gui& gui, float width) {
+ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width) {
   const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorPos();
-  ImGui::InvisibleButton("head", {width - 40 * unit, ImGui::GetTextLineHeight()});
+  const float keep_width = ImGui::CalcTextSize("Keep").x + 8 * unit;
+  ImGui::InvisibleButton("head", {width - 48 * unit - keep_width, ImGui::GetTextLineHeight()});
   if (ImGui::IsItemActive()) {
     moved_.x += ImGui::GetIO().MouseDelta.x;
     moved_.y += ImGui::GetIO().MouseDelta.y;
@@ -113,15 +116,21 @@ bool ProvenanceCard::draw_head(const Gui& gui, float width) {
   tooltip(gui, "Drag to move this card");
   ImGui::SetCursorPos(at);
   ImGui::TextDisabled("%s", std::string(layer_descriptors()[answer_->layer].name).c_str());
+  HeadClicks out;
+  ImGui::SameLine(width - 38 * unit - keep_width);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});
+  out.kept = ImGui::Button("Keep");
+  ImGui::PopStyleVar();
+  tooltip(gui, "Keep all of this highlighted, as an annotation (Shift+K); Shift+click on a row: that alone");
   ImGui::SameLine(width - 30 * unit);
-  const bool is_closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
+  out.closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
   tooltip(gui, "Close (Esc)");
-  return is_closed;
+  return out;
 }
 
-const ProvenanceLine* ProvenanceCard::draw_lines(const Gui& gui, float width) {
+std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float width) {
   const float unit = gui.unit();
-  const ProvenanceLine* clicked = nullptr;
+  std::optional<std::size_t> clicked;
   std::size_t pointed_at = 0;
   ProvenanceRole heading = ProvenanceRole::itself;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -145,8 +154,8 @@ const ProvenanceLine* ProvenanceCard::draw_lines(const Gui& gui, float width) {
         list.AddRectFilled({at.x, at.y - 1 * unit}, {at.x + width - 20 * unit, at.y + height + 1 * unit},
                            gui.colors().accent_faint, 3 * unit);
     }
-    if (!line.shapes.empty()) tooltip(gui, "Click to show where it is");
-    if (is_clicked && !line.shapes.empty()) clicked = &line;
+    if (!line.shapes.empty()) tooltip(gui, "Click to show where it is; Shift+click to keep it highlighted");
+    if (is_clicked && !line.shapes.empty()) clicked = i;
     const float r = 4.0F * unit;
     const ImVec2 mark{at.x + 6 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()};
     const ImU32 color = to_imgui(look.color);
@@ -161,11 +170,14 @@ const ProvenanceLine* ProvenanceCard::draw_lines(const Gui& gui, float width) {
   return clicked;
 }
 
-void ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room) {
-  const bool is_of_now =
-      editor.document().revision() == document_revision_ && editor.selection().revision() == selection_revision_;
-  if (answer_ && !is_of_now) clear();
-  if (!answer_) return;
+bool ProvenanceCard::is_of(const Editor& editor) const {
+  return editor.document().revision() == document_revision_ && editor.selection().revision() == selection_revision_;
+}
+
+std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor,
+                                                         ImVec2 corner, ImVec2 room) {
+  if (answer_ && !is_of(editor)) clear();
+  if (!answer_) return std::nullopt;
   draw_shapes(gui, canvas);
   const float unit = gui.unit();
   const float width = std::min(390 * unit, room.x);
@@ -180,18 +192,21 @@ void ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor, 
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  const bool is_closed = draw_head(gui, width);
-  const ProvenanceLine* const followed = draw_lines(gui, width);
+  const HeadClicks head = draw_head(gui, width);
+  const std::optional<std::size_t> clicked = draw_lines(gui, width);
   if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
   tooltip(gui, "Select the samples, or balls, that this is or comes from");
   ImGui::End();
   ImGui::PopStyleVar();
-  if (followed != nullptr) {
+  if (head.kept) return Keep{};
+  if (clicked && ImGui::GetIO().KeyShift) return Keep{clicked};
+  if (clicked) {
     Box2 box;
-    for (const ProvenanceShape& shape : followed->shapes) box.add(box_of(shape));
+    for (const ProvenanceShape& shape : answer_->lines[*clicked].shapes) box.add(box_of(shape));
     canvas.view().fit(box, kMarginPx * canvas.content_scale());
   }
-  if (is_closed) clear();
+  if (head.closed) clear();
+  return std::nullopt;
 }
 
 }  // namespace mes

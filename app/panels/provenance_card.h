@@ -33,8 +33,15 @@ class ProvenanceCard {
   /// A question has no answer yet.
   bool is_asking() const { return is_asking_; }
 
-  /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is.
-  void draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room);
+  /// It shows something that is of this state of the document.
+  bool can_be_kept(const Editor& editor) const { return answer_ != nullptr && is_of(editor); }
+  /// What of it is to stay highlighted: the line with this number, or all of it.
+  struct Keep {
+    std::optional<std::size_t> line;
+  };
+  /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is, one with Shift held
+  /// asks to keep it highlighted, as the button does for all rows.
+  std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room);
   /// `select_sources` was called for what is shown: the new selection does not take it away. O(1).
   void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
   /// The button that selects what it comes from was pressed since the last call.
@@ -42,10 +49,15 @@ class ProvenanceCard {
 
  private:
   void draw_shapes(const Gui& gui, const Canvas& canvas) const;
-  /// The line that was clicked.
-  const ProvenanceLine* draw_lines(const Gui& gui, float width);
-  /// True when it was closed.
-  bool draw_head(const Gui& gui, float width);
+  /// The number of the line that was clicked.
+  std::optional<std::size_t> draw_lines(const Gui& gui, float width);
+  /// What was done to it.
+  struct HeadClicks {
+    bool closed = false;
+    bool kept = false;
+  };
+  HeadClicks draw_head(const Gui& gui, float width);
+  bool is_of(const Editor& editor) const;
 
   std::uint64_t ticket_ = 0;
   bool is_asking_ = false;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/model/measurement.h"
+#include "app/picture/plane_drawing.h"
 #include "app/picture/rich_text.h"
 
 namespace mes {
@@ -26,45 +27,30 @@ Vec2 unit(Vec2 v) {
   return size > 0.0 ? (1.0 / size) * v : Vec2{};
 }
 
-/// The part of a segment within a box, by Liang and Barsky (1984); nothing if it misses.
-std::optional<std::pair<Vec2, Vec2>> clipped(Vec2 from, Vec2 to, const Box2& box) {
-  double begin = 0.0;
-  double end = 1.0;
-  const Vec2 way = to - from;
-  const auto cut = [&](double against, double room) {
-    if (against == 0.0) return room >= 0.0;
-    const double at = room / against;
-    if (against < 0.0)
-      begin = std::max(begin, at);
-    else
-      end = std::min(end, at);
-    return begin <= end;
-  };
-  if (!cut(-way.x, from.x - box.low.x) || !cut(way.x, box.high.x - from.x) || !cut(-way.y, from.y - box.low.y) ||
-      !cut(way.y, box.high.y - from.y))
-    return std::nullopt;
-  return std::pair{from + begin * way, from + end * way};
-}
-
 class Layout {
  public:
   Layout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
-      : plane_(plane), measure_(measure), ink_(paper_colors(background).ink) {
-    const double margin = plane.width + plane.height;
-    reach_.add(Vec2{-margin, -margin});
-    reach_.add(Vec2{plane.width + margin, plane.height + margin});
+      : measure_(measure),
+        ink_(paper_colors(background).ink),
+        plane_(out_.drawing, plane),
+        highlights_(out_.highlights, plane) {
     out_.drawing.width = plane.width;
     out_.drawing.height = plane.height;
+    out_.highlights.width = plane.width;
+    out_.highlights.height = plane.height;
   }
 
-  void add(const Annotation& annotation, const std::vector<Vec2>& places) {
+  void add(const Annotation& annotation, const std::vector<Vec2>& places,
+           const std::vector<HighlightedShape>& highlighted) {
     annotation_ = &annotation;
     color_ = annotation.color.value_or(ink_);
     words_box_ = {};
     text_ = rich_text(annotation.text, measured_value(annotation.kind, places), annotation.letters, measure_);
     if (!text_.complaint.empty()) out_.complaints.push_back("an annotation: " + text_.complaint);
     std::vector<Vec2> at;
-    for (const Vec2 p : places) at.push_back(on_paper(p));
+    for (const Vec2 p : places) at.push_back(plane_.on_paper(p));
+    // Those of which an element is, below the element itself.
+    for (std::size_t i = highlighted.size(); i-- > 0;) highlights_.draw(highlighted[i]);
     if (std::ranges::all_of(at, [](Vec2 p) { return is_finite(p); })) draw(at, places);
     out_.words.push_back(words_box_);
     out_.places.push_back(std::move(at));
@@ -73,11 +59,6 @@ class Layout {
   AnnotationDrawing take() { return std::move(out_); }
 
  private:
-  Vec2 on_paper(Vec2 p) const {
-    const Vec2 from_center = (1.0 / plane_.units_per_pixel) * (p - plane_.center);
-    return {0.5 * plane_.width + from_center.x, 0.5 * plane_.height - from_center.y};
-  }
-
   void draw(const std::vector<Vec2>& at, const std::vector<Vec2>& places) {
     switch (annotation_->kind) {
       case AnnotationKind::text: words_from(at[0] + annotation_->shift); break;
@@ -86,23 +67,18 @@ class Layout {
       case AnnotationKind::distance: distance(at[0], at[1], measured(places)); break;
       case AnnotationKind::angle: angle(at, measured(places)); break;
       case AnnotationKind::radius: radius(at, places, measured(places)); break;
+      case AnnotationKind::highlight: words_from(at[0] + annotation_->shift); break;
     }
   }
   std::string measured(const std::vector<Vec2>& places) const { return measured_value(annotation_->kind, places); }
 
   // Lines
 
-  void line(Vec2 from, Vec2 to) {
-    if (const auto part = clipped(from, to, reach_))
-      out_.drawing.strokes.push_back({{part->first, part->second}, kAnnotationLine, color_});
-  }
+  void line(Vec2 from, Vec2 to) { plane_.segment(from, to, kAnnotationLine, color_); }
   void head(Vec2 tip, Vec2 direction) {
     const Vec2 back = tip - kHead * direction;
     const Vec2 aside = kHeadHalf * Vec2{-direction.y, direction.x};
-    if (contains(tip)) out_.drawing.triangles.push_back({{tip, back + aside, back - aside}, color_});
-  }
-  bool contains(Vec2 p) const {
-    return reach_.low.x <= p.x && p.x <= reach_.high.x && reach_.low.y <= p.y && p.y <= reach_.high.y;
+    if (plane_.reaches(tip)) out_.drawing.triangles.push_back({{tip, back + aside, back - aside}, color_});
   }
   /// Ends below its head, so that the tip is sharp.
   void line_with_head(Vec2 from, Vec2 tip) {
@@ -132,7 +108,7 @@ class Layout {
     const Vec2 corner = start - Vec2{0.0, kPaperAscent * letters};
     words_box_.add(corner);
     words_box_.add(corner + Vec2{words_width(), words_height()});
-    if (!contains(corner)) return;
+    if (!plane_.reaches(corner)) return;
     for (const RichLine& line : text_.lines) {
       add_pieces(line, start, color_, out_.drawing.lines);
       start.y += kLineHeight * letters;
@@ -225,7 +201,7 @@ class Layout {
     const double turn = std::atan2(cross(first, second), dot(first, second));
     const double begin = turn >= 0.0 ? std::atan2(first.y, first.x) : std::atan2(second.y, second.x);
     const double sweep = std::abs(turn);
-    if (sweep > 0.0 && contains(at[1]))
+    if (sweep > 0.0 && plane_.reaches(at[1]))
       out_.drawing.arcs.push_back({at[1], radius, begin, sweep, kAnnotationLine, color_});
     const double middle = begin + 0.5 * sweep;
     const Vec2 direction{std::cos(middle), std::sin(middle)};
@@ -236,11 +212,11 @@ class Layout {
     measured_words(value);
     const auto circle = measured_circle(places);
     if (!circle) return words_around(at[2] + annotation_->shift);
-    const Vec2 center = on_paper(circle->center);
-    const double size = circle->radius / plane_.units_per_pixel;
+    const Vec2 center = plane_.on_paper(circle->center);
+    const double size = plane_.on_paper(circle->radius);
     if (!is_finite(center) || !std::isfinite(size)) return;
-    circle_around(center, size);
-    if (contains(center)) out_.drawing.dots.push_back({center.x, center.y, 2.0, color_});
+    plane_.circle(center, size, kAnnotationLine, color_);
+    if (plane_.reaches(center)) out_.drawing.dots.push_back({center.x, center.y, 2.0, color_});
     const Vec2 direction = unit(at[2] - center);
     line_with_head(center, center + size * direction);
     Vec2 normal{direction.y, -direction.x};
@@ -248,40 +224,12 @@ class Layout {
     words_towards(center + 0.5 * size * direction + annotation_->shift, normal);
   }
 
-  void circle_around(Vec2 center, double size) {
-    // Beyond this the part in reach is drawn as a chain of chords, which do not differ from it by a pixel.
-    constexpr double kLargest = 50'000.0;
-    if (size <= kLargest && contains(center)) {
-      out_.drawing.arcs.push_back({center, size, 0.0, 2.0 * kPi, kAnnotationLine, color_});
-      return;
-    }
-    constexpr double kFlat = 0.1;
-    const Vec2 middle{0.5 * plane_.width, 0.5 * plane_.height};
-    const double reach = plane_.width + plane_.height;
-    const double toward = std::atan2(middle.y - center.y, middle.x - center.x);
-    const double half = std::min(kPi, 2.0 * std::asin(std::min(1.0, reach / size)));
-    const double step = 2.0 * std::acos(std::max(0.0, 1.0 - kFlat / size));
-    if (!(step > 0.0)) return;
-    const int count = std::clamp(static_cast<int>(std::ceil(2.0 * half / step)), 1, 2000);
-    PaperDrawing::Stroke stroke{{}, kAnnotationLine, color_};
-    for (int i = 0; i <= count; ++i) {
-      const double at = toward - half + 2.0 * half * i / count;
-      const Vec2 p = center + size * Vec2{std::cos(at), std::sin(at)};
-      if (contains(p)) {
-        stroke.points.push_back(p);
-      } else if (!stroke.points.empty()) {
-        break;
-      }
-    }
-    if (stroke.points.size() > 1) out_.drawing.strokes.push_back(std::move(stroke));
-  }
-
-  const SeenPlane& plane_;
   const MeasureText& measure_;
   Rgb ink_;
   Rgb color_;
-  Box2 reach_;
   AnnotationDrawing out_;
+  PlaneDrawing plane_;
+  HighlightPen highlights_;
   const Annotation* annotation_ = nullptr;
   RichText text_;
   Box2 words_box_;
@@ -303,11 +251,13 @@ double distance_to(Vec2 p, Vec2 from, Vec2 to) {
 }  // namespace
 
 PlacedAnnotations place(const Document& document) {
-  PlacedAnnotations out{document.annotations(), {}};
+  PlacedAnnotations out{.annotations = document.annotations()};
   out.places.reserve(out.annotations->size());
+  out.highlighted.reserve(out.annotations->size());
   for (const Annotation& annotation : *out.annotations) {
     std::vector<Vec2>& places = out.places.emplace_back();
     for (const Anchor& anchor : annotation.anchors) places.push_back(document.place_of(anchor));
+    out.highlighted.push_back(highlighted_shapes(annotation, document));
   }
   return out;
 }
@@ -317,7 +267,8 @@ std::string measured_value(AnnotationKind kind, const std::vector<Vec2>& places)
   switch (kind) {
     case AnnotationKind::text:
     case AnnotationKind::leader:
-    case AnnotationKind::arrow: return {};
+    case AnnotationKind::arrow:
+    case AnnotationKind::highlight: return {};
     case AnnotationKind::distance: return number(length(places[1] - places[0]));
     case AnnotationKind::angle: {
       const Vec2 first = places[0] - places[1];
@@ -336,13 +287,25 @@ std::string measured_value(AnnotationKind kind, const std::vector<Vec2>& places)
 AnnotationDrawing layout_annotations(const PlacedAnnotations& placed, const SeenPlane& plane,
                                      const MeasureText& measure, const std::optional<Rgb>& background) {
   Layout layout(plane, measure, background);
-  for (std::size_t i = 0; i < placed.places.size(); ++i) layout.add((*placed.annotations)[i], placed.places[i]);
-  return layout.take();
+  for (std::size_t i = 0; i < placed.places.size(); ++i)
+    layout.add((*placed.annotations)[i], placed.places[i], placed.highlighted[i]);
+  AnnotationDrawing out = layout.take();
+  out.plane = plane;
+  out.highlighted = placed.highlighted;
+  return out;
 }
 
 std::optional<std::size_t> annotation_at(const AnnotationDrawing& drawn, Vec2 px, double reach) {
   for (std::size_t i = drawn.words.size(); i-- > 0;) {
     if (!drawn.words[i].is_empty() && distance_to(px, drawn.words[i]) <= 0.5 * reach) return i;
+    const std::vector<HighlightedShape>& highlighted = drawn.highlighted[i];
+    const auto is_near = [&](const HighlightedShape& shape) {
+      return highlight_distance(shape.shape, px, drawn.plane) <= reach;
+    };
+    if (!highlighted.empty()) {
+      if (std::ranges::any_of(highlighted, is_near)) return i;
+      continue;
+    }
     const std::vector<Vec2>& places = drawn.places[i];
     // A place alone is where words begin; an element stays free for other tools.
     for (std::size_t k = 0; k + 1 < places.size(); ++k)

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/picture/highlight_drawing.h"
 #include "app/picture/paper_drawing.h"
 #include "app/picture/scale_drawing.h"
 #include "core/base/box2.h"
@@ -23,7 +24,8 @@ namespace mes {
 /// Annotations with the places of their anchors at one moment, as plain data.
 struct PlacedAnnotations {
   std::shared_ptr<const Annotations> annotations = std::make_shared<const Annotations>();
-  std::vector<std::vector<Vec2>> places{};  ///< of each, as many as it has anchors
+  std::vector<std::vector<Vec2>> places{};                   ///< of each, as many as it has anchors
+  std::vector<std::vector<HighlightedShape>> highlighted{};  ///< of each; empty unless it is a highlight
   bool is_empty() const { return annotations->empty(); }
 };
 PlacedAnnotations place(const Document& document);
@@ -36,10 +38,13 @@ inline constexpr double kAnnotationLine = 1.25;
 
 /// Lengths are in logical pixels, from the upper left corner of the part of the plane, y down.
 struct AnnotationDrawing {
+  PaperDrawing highlights;  ///< below all others
   PaperDrawing drawing;
   std::vector<Box2> words;                ///< around the words of each annotation; empty where it has none
   std::vector<std::vector<Vec2>> places;  ///< of the anchors of each
   std::vector<std::string> complaints{};  ///< about words that are not understood, one line each
+  SeenPlane plane{};
+  std::vector<std::vector<HighlightedShape>> highlighted{};  ///< of each annotation
 };
 
 /// What is far outside of the part of the plane is left out.
@@ -47,7 +52,7 @@ AnnotationDrawing layout_annotations(const PlacedAnnotations& placed, const Seen
                                      const MeasureText& measure, const std::optional<Rgb>& background);
 
 /// The topmost annotation within `reach` of a place on the drawing: by its words, its anchors, or the line between
-/// two of them.
+/// two of them; a highlight by its words and the lines and points of its elements.
 std::optional<std::size_t> annotation_at(const AnnotationDrawing& drawn, Vec2 px, double reach);
 
 }  // namespace mes

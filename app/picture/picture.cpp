@@ -42,6 +42,34 @@ void Picture::check(const FramePatch& patch) {
       MES_ASSERT(scene_.instances(layer.layer, kind) == mirror_->count(layer.layer, kind));
 }
 
+bool Picture::keep_instances(bool wanted) {
+  if (!wanted) {
+    instances_.reset();
+    has_instances_ = false;
+  }
+  if (!wanted || instances_) return true;
+  instances_ = std::make_shared<LayerMirror>();
+  return false;
+}
+
+void Picture::keep(const FramePatch& patch) {
+  if (!has_instances_ && !brings_all(patch)) return;
+  try {
+    if (instances_.use_count() > 1) instances_ = std::make_shared<LayerMirror>(*instances_);
+    instances_->apply(patch);
+    has_instances_ = true;
+  } catch (const std::bad_alloc&) {
+    instances_.reset();  // asked for again
+    has_instances_ = false;
+  }
+}
+
+const LayerReport* Picture::first_failed() const {
+  const auto failed =
+      std::ranges::find_if(reports_, [](const LayerReport& report) { return report.state == NodeState::failed; });
+  return failed == reports_.end() ? nullptr : &*failed;
+}
+
 bool Picture::apply(const FramePatch& patch) {
   try {
     scene_.apply(patch);
@@ -76,6 +104,7 @@ bool Picture::take_from(Engine& engine) {
     const bool brings_news = patch->layer_count != 0 || patch->frame != last_frame_ || is_lost_ != was_lost;
     last_frame_ = patch->frame;
     if (mirror_ && !is_lost_) check(*patch);
+    if (instances_ && !is_lost_) keep(*patch);
     moved_.take(*patch);
     document_revision_ = patch->document_revision;
     reports_.swap(patch->reports);

@@ -70,6 +70,13 @@ class Picture {
     /// The camera of the window in which it lies where the main pane does; null: that of the main pane.
     const render::Camera* camera = nullptr;
   };
+  /// Keeps what is drawn in memory, too, for comparisons, or no longer. False: it has to be sent whole first.
+  bool keep_instances(bool wanted);
+  /// All layers in demand, as of the last patch; null while they are not kept or have not all been sent. Who has it keeps
+  /// this state of it.
+  std::shared_ptr<const LayerMirror> instances() const { return has_instances_ ? instances_ : nullptr; }
+  /// The first layer that shows an earlier picture because it could not be computed; null: none.
+  const LayerReport* first_failed() const;
   /// Marks above the layers of each pane, the main one first, as layers of the patch, in place of those before.
   void set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks);
   /// With places of several panes, the main one shows the layers, and those beside it, in their order, what `panes` has
@@ -134,6 +141,7 @@ class Picture {
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
+  void keep(const FramePatch& patch);
   /// A logical pixel is so many units of the document wide.
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                               double units_per_px) const;
@@ -155,8 +163,10 @@ class Picture {
 
   render::GlDevice device_;
   render::Scene scene_;
-  std::unique_ptr<LayerMirror> mirror_;  // null unless patches are checked
-  std::vector<LayerIndex> held_;         // what was in demand last
+  std::unique_ptr<LayerMirror> mirror_;     // null unless patches are checked
+  std::shared_ptr<LayerMirror> instances_;  // null unless they are kept
+  bool has_instances_ = false;              // of all layers
+  std::vector<LayerIndex> held_;            // what was in demand last
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   bool is_lost_ = false;

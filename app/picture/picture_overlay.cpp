@@ -43,6 +43,7 @@ void PictureOverlay::paint(render::Image& image) const {
   if (is_empty()) return;
   const CaptionSize size = caption_size(image.width, image.height, fonts->bold, caption);
   const double axes = has_axes ? marks_scale * kAxisRoom : 0.0;
+  if (!highlights.is_empty()) mes::paint(image, *fonts, highlights, {0.0, 0.0}, marks_scale);
   if (!annotations.is_empty()) mes::paint(image, *fonts, annotations, {0.0, 0.0}, marks_scale);
   if (!marks.is_empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
   if (!title.is_empty()) mes::paint(image, *fonts, title, {0.0, 0.0}, marks_scale);
@@ -57,6 +58,7 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
                                   const OverlayTarget& target) {
   PictureOverlay out{.fonts = std::move(fonts),
                      .legend = {},
+                     .highlights = {},
                      .annotations = {},
                      .marks = {},
                      .marks_scale = target.scale,
@@ -71,8 +73,11 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
   if (!content.legend.empty())
     out.legend = layout_legend(content.legend, *out.fonts, camera.width(), camera.height(), scale, background);
   const MeasureText measure = measure_with(*out.fonts, scale);
-  if (!content.annotations.is_empty())
-    out.annotations = layout_annotations(content.annotations, seen_plane(camera, scale), measure, background).drawing;
+  if (!content.annotations.is_empty()) {
+    AnnotationDrawing drawn = layout_annotations(content.annotations, seen_plane(camera, scale), measure, background);
+    out.highlights = std::move(drawn.highlights);
+    out.annotations = std::move(drawn.drawing);
+  }
   SeenPlane plane = seen_plane(camera, scale);
   plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
   plane.covered_above = out.title.height;

@@ -28,6 +28,7 @@ namespace mes {
 struct PictureOverlay {
   std::shared_ptr<const PaperFonts> fonts;
   PictureLegend legend;
+  PaperDrawing highlights;  ///< of annotations, below the rest of them
   PaperDrawing annotations;
   PaperDrawing marks;  ///< scale bar, axes and grid
   double marks_scale = 1.0;
@@ -39,8 +40,8 @@ struct PictureOverlay {
   std::optional<Rgb> background;  ///< none: transparent
 
   bool is_empty() const {
-    return !fonts || (legend.drawing.is_empty() && annotations.is_empty() && marks.is_empty() && title.is_empty() &&
-                      caption.empty());
+    return !fonts || (legend.drawing.is_empty() && highlights.is_empty() && annotations.is_empty() &&
+                      marks.is_empty() && title.is_empty() && caption.empty());
   }
   void paint(render::Image& image) const;
 };

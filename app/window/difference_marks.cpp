@@ -1,36 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/difference_marks.h"
 
-#include <algorithm>
 #include <new>
 #include <utility>
 
-#include "app/export/computation.h"
 #include "core/draw/layer_descriptor.h"
 
 namespace mes {
 
 // The layers of marks are numbered after those of all panes that there can be.
-DifferenceMarks::Compared DifferenceMarks::compare_panes(std::vector<PaneRequest> requests, const State& state,
-                                                         const std::stop_token& stop) {
-  Compared out{.state = state, .patch = {}, .marks = {}, .problem = {}};
+DifferenceMarks::Compared DifferenceMarks::compare_panes(Panes panes, const State& state) {
+  Compared out{.state = state, .patch = {}, .marks = {}, .problem = panes.problem};
+  if (out.problem) return out;
   try {
-    Comparison comparison = compare(std::move(requests));
-    LayerMirror mirror;
-    const auto result =
-        run_computation(*comparison.data, {.layers = comparison.demand,
-                                           .settings = comparison.settings,
-                                           .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); },
-                                           .variants = comparison.variants,
-                                           .stop = stop});
-    if (!result) {
-      out.problem = result.error();
-      return out;
-    }
-    Box2 all;
-    for (const Pane& pane : comparison.panes)
-      if (const Box2 box = comparison.document_of(pane, *result).bounding_box(); !box.is_empty()) all.add(box);
-    out.patch = mark_differences(comparison, mirror, all.is_empty() ? 0.0 : std::max(all.width(), all.height()));
+    Comparison& comparison = panes.comparison;
+    out.patch = mark_differences(comparison, *panes.drawn, panes.extent);
     const auto layers = static_cast<LayerIndex>(layer_descriptors().size());
     const auto first = static_cast<LayerIndex>(comparison.variants.size() + 1) * layers;
     const LayerIndex free = (static_cast<LayerIndex>(PaneList::kMost) + 1) * layers;
@@ -46,7 +30,7 @@ DifferenceMarks::Compared DifferenceMarks::compare_panes(std::vector<PaneRequest
 }
 
 void DifferenceMarks::follow(const std::optional<State>& state, bool later, std::uint64_t panes_revision,
-                             const std::function<std::vector<PaneRequest>()>& panes, Picture& picture) {
+                             const std::function<Panes()>& panes, Picture& picture) {
   if (auto compared = comparing_.poll()) {
     is_comparing_ = false;
     if (compared->problem) problem_ = compared->problem;
@@ -66,9 +50,8 @@ void DifferenceMarks::follow(const std::optional<State>& state, bool later, std:
   }
   if (is_comparing_ || marked_ == state) return;
   is_comparing_ = true;
-  comparing_.begin([requests = panes(), state = *state](const std::stop_token& stop) {
-    return compare_panes(requests, state, stop);
-  });
+  comparing_.begin(
+      [compared = panes(), state = *state](const std::stop_token&) { return compare_panes(compared, state); });
 }
 
 }  // namespace mes

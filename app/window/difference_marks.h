@@ -2,19 +2,22 @@
 // Marks of what only some of the panes have, on the canvas.
 //
 // What it guarantees:
-//  1. Nothing waits: panes are computed afresh on a thread of their own and compared there, as `render --differences`
-//     does. Marks of an earlier state stay until those of the present one are there; a state that changes while it is
-//     being compared is compared after that.
-//  2. While nothing is to be marked nothing is computed.
+//  1. Nothing is computed twice and nothing waits: what the engine sent for the panes is compared, as `render
+//     --differences` does, on a thread of its own. Marks of an earlier state stay until those of the present one are
+//     there; a state that changes while it is being compared is compared after that.
+//  2. While nothing is to be marked no comparison is made.
 //
 // Smallest use, once a frame:
-//     marks.follow(is_wanted ? std::optional(state) : std::nullopt, [&] { return panes; }, picture);
+//     marks.follow(is_wanted ? std::optional(state) : std::nullopt, is_later, panes_revision,
+//                  [&] { return DifferenceMarks::Panes{comparison_of(shown, layers), picture.instances(), extent}; },
+//                  picture);
 //
-// Cost: that of all panes, beside the window. Threads: the window's; `wake` is called from others.
+// Cost: O(instances of all panes) a comparison, beside the window. Threads: the window's; `wake` is called from others.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -40,11 +43,18 @@ class DifferenceMarks {
     PaneEvolution evolution{};
     friend bool operator==(const State&, const State&) = default;
   };
+  /// What is compared.
+  struct Panes {
+    Comparison comparison;
+    std::shared_ptr<const LayerMirror> drawn;
+    double extent = 0.0;             ///< of all that is drawn
+    std::optional<Error> problem{};  ///< why they cannot be compared
+  };
   /// `state`: what is shown, with all of it computed; none: nothing is to be marked. `later` says that a state is still
   /// being computed: what is marked stays.
   /// Marks are of the panes by their numbers: where these are others now (`panes_revision`), there are none.
   void follow(const std::optional<State>& state, bool later, std::uint64_t panes_revision,
-              const std::function<std::vector<PaneRequest>()>& panes, Picture& picture);
+              const std::function<Panes()>& panes, Picture& picture);
   /// The marks are those of the state, or it has none.
   bool is_complete(const std::optional<State>& state) const { return state == marked_; }
   /// Why panes could not be compared, once.
@@ -57,7 +67,7 @@ class DifferenceMarks {
     std::vector<std::vector<render::LayerView>> marks;  // of each pane, the main one first
     std::optional<Error> problem;
   };
-  static Compared compare_panes(std::vector<PaneRequest> requests, const State& state, const std::stop_token& stop);
+  static Compared compare_panes(Panes panes, const State& state);
 
   std::optional<State> marked_;  // what the picture's marks are of
   bool is_comparing_ = false;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/drawing_board.h"
 
+#include <fmt/core.h>
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "app/model/kept_highlight.h"
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/scale_drawing.h"
@@ -76,6 +79,8 @@ void DrawingBoard::bind(ActionBindings& actions) {
                {[this] { select_sources(); }, [this] { return provenance_.shown() != nullptr; }});
   actions.bind(ActionId::keep_measurement,
                {[this] { keep_measurement(); }, [this] { return canvas_.tool().measurement().has_value(); }});
+  actions.bind(ActionId::keep_highlight,
+               {[this] { keep_highlight(); }, [this] { return provenance_.can_be_kept(work_.editor()); }});
 }
 
 void DrawingBoard::bind_nudges(ActionBindings& actions) {
@@ -130,6 +135,7 @@ bool DrawingBoard::is_at_rest() const {
 }
 
 void DrawingBoard::take_results() {
+  has_all_results_ = work_.is_complete();  // before: what it computes from here on is taken in the next turn
   if (picture_.take_from(work_.engine())) watch_memory();
   if (auto answer = picture_.take_provenance()) take_answer(std::move(answer));
   if (provenance_.wants_sources()) select_sources();
@@ -207,10 +213,28 @@ std::optional<DifferenceMarks::State> DrawingBoard::compared_state() const {
 }
 
 void DrawingBoard::follow_differences() {
-  const bool is_complete = work_.is_complete();
+  if (!picture_.keep_instances(shows_differences())) work_.ask_again_for_layers();
+  const bool is_complete = has_all_results_ && work_.is_complete() && picture_.instances() != nullptr;
   differences_.follow(
       is_complete ? compared_state() : std::nullopt, shows_differences(), work_.panes().revision(),
-      [this] { return work_.pane_requests(std::make_shared<const SampleData>(data_of(work_.document()))); },
+      [this] {
+        Box2 all;
+        for (std::size_t i = 0; i <= work_.shown_panes().panes.size(); ++i)
+          if (const Box2 box = (i == 0 ? work_.document() : work_.document_of_pane(i - 1)).bounding_box();
+              !box.is_empty())
+            all.add(box);
+        DifferenceMarks::Panes out{comparison_of(work_.shown_panes(), work_.layers()), picture_.instances(),
+                                   all.is_empty() ? 0.0 : std::max(all.width(), all.height())};
+        // Such a layer shows an earlier state, and would differ for no reason of its own.
+        if (const LayerReport* const failed = picture_.first_failed())
+          out.problem = Error{ErrorCode::cannot_compute,
+                              fmt::format("the layer {} failed: {}",
+                                          layer_descriptors()[plain_layer(failed->layer)].id, failed->reason),
+                              {},
+                              0,
+                              0};
+        return out;
+      },
       picture_);
   if (const auto problem = differences_.take_problem())
     messages_.problem("The panes cannot be compared: " + problem->message());
@@ -332,8 +356,22 @@ bool DrawingBoard::shows_annotations() const {
 
 void DrawingBoard::keep_measurement() {
   auto measured = canvas_.tool().measurement();
-  if (!measured) return;
-  if (const auto done = work_.annotations().begin(std::move(*measured)); !done) {
+  if (measured) keep(std::move(*measured));
+}
+
+void DrawingBoard::keep_highlight(std::optional<std::size_t> line) {
+  if (!provenance_.can_be_kept(work_.editor())) return;
+  KeptHighlight kept = highlight_of(*provenance_.shown(), work_.document(), line);
+  if (kept.annotation.elements.empty()) return messages_.remark("Nothing of it can be kept highlighted");
+  if (kept.left_out != 0)
+    messages_.remark(
+        fmt::format("{} of its shapes are not kept: there are too many, or they are too far away", kept.left_out));
+  provenance_.clear();
+  keep(std::move(kept.annotation));
+}
+
+void DrawingBoard::keep(Annotation annotation) {
+  if (const auto done = work_.annotations().begin(std::move(annotation)); !done) {
     messages_.problem(done.error().message());
     return;
   }

@@ -38,6 +38,8 @@ class DrawingBoard {
   ValueSelector& value_selector() { return values_; }
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
+  /// Makes what the card shows an annotation: one of its lines, or all.
+  void keep_highlight(std::optional<std::size_t> line = std::nullopt);
   TracedPicture& traced() { return traced_; }
   const TracedPicture& traced() const { return traced_; }
 
@@ -96,6 +98,7 @@ class DrawingBoard {
   void keep_measurement();
   void select_sources();
   void take_answer(std::unique_ptr<Provenance> answer);
+  void keep(Annotation annotation);
 
   Workspace& work_;
   const Settings& settings_;
@@ -113,6 +116,7 @@ class DrawingBoard {
   ViewFitter fitter_;
   TracedPicture traced_;
   DifferenceMarks differences_;
+  bool has_all_results_ = false;  ///< of the engine, when they were taken last
   MemoryWatch memory_;
   AnnotationDrawing annotations_;  // of the document, at the view at the pointer, as they were drawn last
   std::vector<Box2> wanted_pane_views_;

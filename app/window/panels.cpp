@@ -353,9 +353,10 @@ void Panels::draw_over(Sides& sides) {
   else
     list.PushClipRect(on_screen(places[0].left, places[0].top),
                       on_screen(places[0].left + places[0].width, places[0].top + places[0].height), true);
-  uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
-                                {width, 0.6F * (screen.y - sides.top - sides.bottom)});
+  const auto keep = uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
+                                                  {width, 0.6F * (screen.y - sides.top - sides.bottom)});
   list.PopClipRect();
+  if (keep) uses_.board.keep_highlight(keep->line);
 }
 
 void Panels::divide(Sides& sides) {
@@ -396,7 +397,9 @@ void Panels::draw_annotation_card(const Sides& sides) {
   if (current == nullptr) return;
   const Canvas& canvas = uses_.board.canvas();
   const float unit = uses_.screen.gui.unit();
-  const Vec2 place = canvas.view().camera().to_screen(uses_.work.document().place_of(current->anchors.back()));
+  const bool has_words_at_first = current->kind == AnnotationKind::highlight;
+  const Anchor& anchor = has_words_at_first ? current->anchors.front() : current->anchors.back();
+  const Vec2 place = canvas.view().camera().to_screen(uses_.work.document().place_of(anchor));
   const Vec2 px = (1.0 / canvas.content_scale()) * place + current->shift;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = kMargin * unit;

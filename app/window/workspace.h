@@ -74,6 +74,8 @@ class Workspace {
   PaneList& panes() { return panes_; }
   const PaneList& panes() const { return panes_; }
   const ShownPanes& shown_panes() const { return demand_.shown(); }
+  /// All layers are to come from the engine once more.
+  void ask_again_for_layers() { demand_.ask_again(); }
   /// What each pane is about, the main one first.
   std::vector<std::string> words_of_panes() const;
   /// As sessions have them.

@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
+#include <utility>
 
 #include "core/base/coordinate_range.h"
 
 namespace mes {
 namespace {
 
-constexpr std::array<std::string_view, kAnnotationKinds> kIds{"text",     "leader", "arrow",
-                                                              "distance", "angle",  "radius"};
+constexpr std::array<std::string_view, kAnnotationKinds> kIds{"text",  "leader", "arrow",    "distance",
+                                                              "angle", "radius", "highlight"};
 
 // Not written as its opposite, so that NaN is a fault.
 bool is_within(double x, double low, double high) {
@@ -30,7 +32,49 @@ std::string fault_of(const Anchor& anchor, std::size_t samples) {
   return {};
 }
 
+std::string fault_of(const std::vector<HighlightedElement>& elements) {
+  if (elements.size() > kMostHighlighted)
+    return fmt::format("more than {} elements are highlighted together", kMostHighlighted);
+  for (const HighlightedElement& element : elements) {
+    const bool is_round = element.kind == PrimitiveKind::circle || element.kind == PrimitiveKind::disk;
+    if (!is_round) {
+      if (element.radius != 0.0) return fmt::format("a highlighted {} has a radius", name_of(element.kind));
+      continue;
+    }
+    if (!(element.radius > 0.0))
+      return fmt::format("the radius of a highlighted {} is not positive", name_of(element.kind));
+    if (const auto fault = range_fault_of(element.radius))
+      return "the radius of a highlighted circle: " + describe(*fault, element.radius);
+  }
+  return {};
+}
+
 }  // namespace
+
+std::size_t anchor_count(const Annotation& annotation) {
+  if (annotation.kind != AnnotationKind::highlight) return anchor_count(annotation.kind);
+  std::size_t out = 0;
+  for (const HighlightedElement& element : annotation.elements) out += anchor_count(element.kind);
+  return out;
+}
+
+bool lose_elements(Annotation& annotation, const std::function<bool(const Anchor&)>& is_gone) {
+  if (annotation.kind != AnnotationKind::highlight) return false;
+  std::vector<Anchor> anchors;
+  std::vector<HighlightedElement> elements;
+  auto next = annotation.anchors.begin();
+  for (const HighlightedElement& element : annotation.elements) {
+    const auto end = next + static_cast<std::ptrdiff_t>(anchor_count(element.kind));
+    if (std::none_of(next, end, is_gone)) {
+      elements.push_back(element);
+      anchors.insert(anchors.end(), next, end);
+    }
+    next = end;
+  }
+  annotation.anchors = std::move(anchors);
+  annotation.elements = std::move(elements);
+  return annotation.elements.empty();
+}
 
 std::string_view id_of(AnnotationKind kind) {
   return kIds[static_cast<std::size_t>(kind)];
@@ -43,9 +87,13 @@ std::optional<AnnotationKind> annotation_kind_of(std::string_view id) {
 }
 
 std::string fault_of(const Annotation& annotation, std::size_t samples) {
-  if (annotation.anchors.size() != anchor_count(annotation.kind))
+  if (annotation.elements.empty() == (annotation.kind == AnnotationKind::highlight))
+    return annotation.elements.empty() ? "a highlight has no elements"
+                                       : "an annotation that is not a highlight has elements";
+  if (auto fault = fault_of(annotation.elements); !fault.empty()) return fault;
+  if (annotation.anchors.size() != anchor_count(annotation))
     return fmt::format("an annotation of the kind {} has {} places instead of {}", id_of(annotation.kind),
-                       annotation.anchors.size(), anchor_count(annotation.kind));
+                       annotation.anchors.size(), anchor_count(annotation));
   if (annotation.text.size() > kMostAnnotationBytes)
     return fmt::format("the text of an annotation is longer than {} bytes", kMostAnnotationBytes);
   if (!is_within(annotation.letters, kLeastLetters, kMostLetters))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Annotations: text, arrows, leader lines and dimension lines that explain a drawing.
+// Annotations: text, arrows, leader lines, dimension lines and highlighted elements that explain a drawing.
 //
 // They are part of the document: edits of them are undone and written into sessions like those of samples. Nothing is
 // computed from them.
@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@
 
 #include "core/base/color.h"
 #include "core/base/vec2.h"
+#include "core/draw/primitives.h"
+#include "core/draw/provenance.h"
 
 namespace mes {
 
@@ -34,10 +37,44 @@ enum class AnnotationKind : std::uint8_t {
   distance,  ///< between two places
   angle,     ///< at the second place, between the first and the third one
   radius,    ///< of the circle through three places
+  /// Elements of the drawing that stay highlighted, as provenance shows them: an element with what it comes from and
+  /// what it leads to. Words beside the first of them.
+  highlight,
 };
-inline constexpr std::size_t kAnnotationKinds = 6;
+inline constexpr std::size_t kAnnotationKinds = 7;
 
-/// How many places an annotation of a kind has.
+/// One shape of a highlight. Its places are anchors of the annotation; each element takes the next ones:
+///   point             itself
+///   circle, disk      the centre
+///   segment           its ends
+///   triangle          its corners
+///   arc               the centre and its ends, counter-clockwise
+///   line              two places, of which it is the perpendicular bisector
+///   ray               where it begins, and two places: it leads to the left of the way from one to the other
+struct HighlightedElement {
+  PrimitiveKind kind = PrimitiveKind::point;
+  ProvenanceRole role = ProvenanceRole::itself;
+  /// Of a circle or a disk. Where its centre follows three samples, a multiple of the radius of their circle.
+  double radius = 0.0;
+  friend bool operator==(const HighlightedElement&, const HighlightedElement&) = default;
+};
+
+/// How many places an element has.
+constexpr std::size_t anchor_count(PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::point:
+    case PrimitiveKind::circle:
+    case PrimitiveKind::disk: return 1;
+    case PrimitiveKind::segment:
+    case PrimitiveKind::line: return 2;
+    case PrimitiveKind::triangle:
+    case PrimitiveKind::arc:
+    case PrimitiveKind::ray: return 3;
+  }
+  return 0;
+}
+
+/// How many places an annotation of a kind has; of a highlight, its elements have them.
 constexpr std::size_t anchor_count(AnnotationKind kind) {
   switch (kind) {
     case AnnotationKind::text:
@@ -46,6 +83,7 @@ constexpr std::size_t anchor_count(AnnotationKind kind) {
     case AnnotationKind::distance: return 2;
     case AnnotationKind::angle:
     case AnnotationKind::radius: return 3;
+    case AnnotationKind::highlight: return 0;
   }
   return 0;
 }
@@ -60,18 +98,30 @@ inline constexpr double kMostLetters = 120.0;
 inline constexpr double kMostShift = 10'000.0;
 inline constexpr std::size_t kMostAnnotationBytes = 4000;
 inline constexpr std::size_t kMostAnnotations = 1000;
+/// Of one highlight.
+inline constexpr std::size_t kMostHighlighted = 4000;
 
 struct Annotation {
   AnnotationKind kind = AnnotationKind::text;
   std::string text{};              ///< in a small part of LaTeX; a dimension without text shows what it measures
-  std::vector<Anchor> anchors{};   ///< `anchor_count` of them
+  std::vector<Anchor> anchors{};   ///< `anchor_count` of the annotation
   Vec2 shift{};                    ///< of the words from their usual place, logical pixels, y down
   double letters = kUsualLetters;  ///< size of the letters, logical pixels
-  std::optional<Rgb> color{};      ///< none: dark on a light canvas, light on a dark one
+  /// None: dark on a light canvas, light on a dark one; of a highlight, its words. Its elements have then the colours
+  /// of their roles.
+  std::optional<Rgb> color{};
+  std::vector<HighlightedElement> elements{};  ///< of a highlight
   friend bool operator==(const Annotation&, const Annotation&) = default;
 };
 
 using Annotations = std::vector<Annotation>;
+
+/// How many places it has.
+std::size_t anchor_count(const Annotation& annotation);
+
+/// Takes elements with a place that is gone out of a highlight. True: nothing of it is left. Of other kinds nothing is
+/// taken away.
+bool lose_elements(Annotation& annotation, const std::function<bool(const Anchor&)>& is_gone);
 
 /// Why no document can hold it; empty: it can. `samples`: how many samples have a number.
 std::string fault_of(const Annotation& annotation, std::size_t samples);

@@ -153,7 +153,7 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
   return {};
 }
 
-/// Anchors on samples that are removed become fixed.
+/// Anchors on samples that are removed become fixed; elements that are highlighted on them go with them.
 void leave_where_they_are(const Document& document, DocumentDelta& delta) {
   const Annotations& before = *document.annotations();
   if (before.empty()) return;
@@ -162,11 +162,14 @@ void leave_where_they_are(const Document& document, DocumentDelta& delta) {
   for (const SampleEdit& edit : delta.edits)
     if (edit.kind == SampleEdit::Kind::remove) removed.insert(edit.id.value - first);
   if (removed.empty()) return;
+  const auto is_removed = [&removed](const Anchor& anchor) {
+    return std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return removed.contains(number); });
+  };
   Annotations after = before;
+  std::erase_if(after, [&](Annotation& annotation) { return lose_elements(annotation, is_removed); });
   for (Annotation& annotation : after)
     for (Anchor& anchor : annotation.anchors)
-      if (std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return removed.contains(number); }))
-        anchor = {.at = document.place_of(anchor)};
+      if (is_removed(anchor)) anchor = {.at = document.place_of(anchor)};
   if (after != before) delta.annotations_after = std::make_shared<const Annotations>(std::move(after));
 }
 

@@ -153,9 +153,19 @@ void each(auto& archive, Some<Rgb> auto& color) {
 void each(auto& archive, Some<Anchor> auto& anchor) {
   fields(archive, anchor.at, anchor.samples);
 }
+void each(auto& archive, Some<HighlightedElement> auto& element) {
+  auto kind = static_cast<std::uint8_t>(element.kind);
+  auto role = static_cast<std::uint8_t>(element.role);
+  fields(archive, kind, role, element.radius);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(element)>>) {
+    element.kind = static_cast<PrimitiveKind>(kind);
+    element.role = static_cast<ProvenanceRole>(role);
+  }
+}
 void each(auto& archive, Some<Annotation> auto& annotation) {
   auto kind = static_cast<std::uint8_t>(annotation.kind);
-  fields(archive, kind, annotation.text, annotation.anchors, annotation.shift, annotation.letters, annotation.color);
+  fields(archive, kind, annotation.text, annotation.anchors, annotation.shift, annotation.letters, annotation.color,
+         annotation.elements);
   if constexpr (!std::is_const_v<std::remove_reference_t<decltype(annotation)>>)
     annotation.kind = static_cast<AnnotationKind>(kind);
 }

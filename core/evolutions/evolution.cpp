@@ -159,9 +159,9 @@ SampleData version_of(const SampleData& data, const EvolutionState& state) {
   out.contours = contours_of(state);
   out.source.reset();
   const auto is_gone = [&state](std::uint32_t sample) { return sample >= state.positions.size(); };
-  std::erase_if(out.annotations, [&](const Annotation& annotation) {
-    return std::ranges::any_of(annotation.anchors,
-                               [&](const Anchor& anchor) { return std::ranges::any_of(anchor.samples, is_gone); });
+  const auto is_without_sample = [&](const Anchor& anchor) { return std::ranges::any_of(anchor.samples, is_gone); };
+  std::erase_if(out.annotations, [&](Annotation& annotation) {
+    return lose_elements(annotation, is_without_sample) || std::ranges::any_of(annotation.anchors, is_without_sample);
   });
   return out;
 }

@@ -8,8 +8,10 @@
 
 namespace mes {
 
-void ProvenanceShapes::add(PrimitiveKind kind, std::array<double, 7> values) {
-  if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) shapes_.push_back({kind, values});
+void ProvenanceShapes::add(PrimitiveKind kind, const std::array<double, 7>& values,
+                           const std::array<FollowedSamples, 3>& follows) {
+  if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
+    shapes_.push_back({kind, values, follows});
 }
 
 std::string number_text(double x) {

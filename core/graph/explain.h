@@ -13,23 +13,48 @@
 
 namespace mes {
 
+/// A place of a shape, and the samples that it follows.
+struct ShapePlace {
+  Vec2 at{};
+  FollowedSamples follows{};
+  ShapePlace(Vec2 p) : at(p) {}  // NOLINT(google-explicit-constructor): a place that follows nothing
+  ShapePlace(Vec2 p, const FollowedSamples& samples) : at(p), follows(samples) {}
+};
+
 /// Shapes of one line; those with coordinates that are not finite are left out.
 class ProvenanceShapes {
  public:
-  void point(Vec2 p) { add(PrimitiveKind::point, {p.x, p.y}); }
-  void circle(const Disk& disk) { add(PrimitiveKind::circle, {disk.center.x, disk.center.y, disk.radius}); }
-  void segment(Vec2 a, Vec2 b) { add(PrimitiveKind::segment, {a.x, a.y, b.x, b.y}); }
-  void ray(Vec2 from, Vec2 towards) { add(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y}); }
-  void line(Vec2 through, Vec2 along) { add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}); }
-  void arc(const Disk& disk, Vec2 from, Vec2 to) {
-    add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.x, from.y, to.x, to.y});
+  void point(const ShapePlace& p) { add(PrimitiveKind::point, {p.at.x, p.at.y}, {p.follows}); }
+  /// `follows`: of its centre.
+  void circle(const Disk& disk, const FollowedSamples& follows = {}) {
+    add(PrimitiveKind::circle, {disk.center.x, disk.center.y, disk.radius}, {follows});
   }
-  void triangle(Vec2 a, Vec2 b, Vec2 c) { add(PrimitiveKind::triangle, {a.x, a.y, b.x, b.y, c.x, c.y}); }
+  void segment(const ShapePlace& a, const ShapePlace& b) {
+    add(PrimitiveKind::segment, {a.at.x, a.at.y, b.at.x, b.at.y}, {a.follows, b.follows});
+  }
+  void ray(Vec2 from, Vec2 towards) { add(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y}, {}); }
+  /// From a place on the bisector of `a` and `b`, to the left of the way from `a` to `b`.
+  void ray_along_bisector(const ShapePlace& from, const ShapePlace& a, const ShapePlace& b) {
+    const Vec2 towards = perpendicular(b.at - a.at);
+    add(PrimitiveKind::ray, {from.at.x, from.at.y, towards.x, towards.y}, {from.follows, a.follows, b.follows});
+  }
+  void line(Vec2 through, Vec2 along) { add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}, {}); }
+  void bisector(const ShapePlace& a, const ShapePlace& b) {
+    const Vec2 through = 0.5 * (a.at + b.at);
+    const Vec2 along = perpendicular(b.at - a.at);
+    add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}, {a.follows, b.follows});
+  }
+  void arc(const Disk& disk, Vec2 from, Vec2 to) {
+    add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.x, from.y, to.x, to.y}, {});
+  }
+  void triangle(const ShapePlace& a, const ShapePlace& b, const ShapePlace& c) {
+    add(PrimitiveKind::triangle, {a.at.x, a.at.y, b.at.x, b.at.y, c.at.x, c.at.y}, {a.follows, b.follows, c.follows});
+  }
   std::size_t size() const { return shapes_.size(); }
   std::vector<ProvenanceShape> take() { return std::move(shapes_); }
 
  private:
-  void add(PrimitiveKind kind, std::array<double, 7> values);
+  void add(PrimitiveKind kind, const std::array<double, 7>& values, const std::array<FollowedSamples, 3>& follows);
   std::vector<ProvenanceShape> shapes_;
 };
 

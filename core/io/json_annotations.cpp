@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,10 @@ namespace mes {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::array<std::string_view, 3> role_names() {
+  return {"itself", "origin", "product"};
+}
 
 json to_json(const Annotation& annotation) {
   json at = json::array();
@@ -32,6 +37,14 @@ json to_json(const Annotation& annotation) {
   if (annotation.shift != Vec2{}) out["shift"] = {annotation.shift.x, annotation.shift.y};
   if (annotation.letters != kUsualLetters) out["letters"] = annotation.letters;
   if (annotation.color) out["color"] = hexadecimal(*annotation.color);
+  if (annotation.elements.empty()) return out;
+  json elements = json::array();
+  for (const HighlightedElement& element : annotation.elements) {
+    json one = {name_of(element.kind), role_names()[static_cast<std::size_t>(element.role)]};
+    if (element.radius != 0.0) one.push_back(element.radius);
+    elements.push_back(std::move(one));
+  }
+  out["elements"] = std::move(elements);
   return out;
 }
 
@@ -41,12 +54,13 @@ class Reader {
   /// Nothing for a kind that is not known, and where there is a fault.
   std::optional<Annotation> read(JsonView object) {
     if (!object.is_object()) return complain("is not an object");
-    const auto [kind, at, follows, text, shift, letters, color] =
-        object.pick<7>({"kind", "at", "follows", "text", "shift", "letters", "color"});
+    const auto [kind, at, follows, text, shift, letters, color, elements] =
+        object.pick<8>({"kind", "at", "follows", "text", "shift", "letters", "color", "elements"});
     if (!kind.is_text()) return complain("does not say its kind");
     const auto known = kind.text_length() < 100 ? annotation_kind_of(kind.text()) : std::nullopt;
     if (!known) return std::nullopt;
     Annotation out{.kind = *known};
+    if (out.kind == AnnotationKind::highlight && !read_elements(elements, out)) return std::nullopt;
     read_places(at, follows, out);
     if (text) read_text(text, out.text);
     if (shift) {
@@ -89,8 +103,42 @@ class Reader {
     else
       out = value.text();
   }
+  /// False for kinds and roles that are not known, and where there is a fault.
+  bool read_elements(JsonView list, Annotation& out) {
+    if (!list.is_list() || list.size() > kMostHighlighted) {
+      complain(fmt::format("of the kind highlight has no list of up to {} \"elements\"", kMostHighlighted));
+      return false;
+    }
+    out.elements.reserve(list.size());
+    for (const JsonView one : list.elements()) {
+      const auto element = element_of(one);
+      if (!element) return false;
+      out.elements.push_back(*element);
+    }
+    return true;
+  }
+  std::optional<HighlightedElement> element_of(JsonView list) {
+    constexpr std::size_t kLongName = 100;
+    const bool has_size = list.is_list() && (list.size() == 2 || list.size() == 3);
+    std::array<JsonView, 3> part{};
+    if (has_size) {
+      std::size_t place = 0;
+      for (const JsonView value : list.elements()) part[place++] = value;
+    }
+    const auto is_name = [](JsonView value) { return value.is_text() && value.text_length() < kLongName; };
+    if (!has_size || !is_name(part[0]) || !is_name(part[1]) || (list.size() == 3 && !part[2].is_number()))
+      return complain("has an element that is not its kind, its role, and a radius if it is round");
+    constexpr auto kRoles = role_names();
+    const std::string kind_name = part[0].text();
+    const std::string role_name = part[1].text();
+    const auto kind = std::ranges::find(kAllPrimitiveKinds, std::string_view(kind_name), name_of);
+    const auto role = std::ranges::find(kRoles, std::string_view(role_name));
+    if (kind == kAllPrimitiveKinds.end() || role == kRoles.end()) return std::nullopt;
+    return HighlightedElement{*kind, static_cast<ProvenanceRole>(role - kRoles.begin()),
+                              list.size() == 3 ? part[2].number() + 0.0 : 0.0};
+  }
   void read_places(JsonView at, JsonView follows, Annotation& out) {
-    const std::size_t count = anchor_count(out.kind);
+    const std::size_t count = anchor_count(out);
     if (!at.is_list() || at.size() != 2 * count) {
       complain(fmt::format("of the kind {} has no {} numbers in \"at\"", id_of(out.kind), 2 * count));
       return;

@@ -53,7 +53,73 @@ std::vector<Vec2> places(const Document& document) {
   return out;
 }
 
+/// A triangle of these, the circle through them, and their first one.
+Annotation highlight_on(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const auto on = [](std::vector<std::uint32_t> samples) { return Anchor{.at = {}, .samples = std::move(samples)}; };
+  return {.kind = AnnotationKind::highlight,
+          .anchors = {on({a}), on({b}), on({c}), on({a, b, c}), on({a})},
+          .elements = {{.kind = PrimitiveKind::triangle, .role = ProvenanceRole::itself},
+                       {.kind = PrimitiveKind::circle, .role = ProvenanceRole::product, .radius = 1.0},
+                       {.kind = PrimitiveKind::point, .role = ProvenanceRole::origin}}};
+}
+
 }  // namespace
+
+TEST_CASE("what is highlighted goes with its samples, and comes back with them") {
+  Desk desk;
+  desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}, Vec2{5, 5}});
+  Annotation fixed = highlight_on(0, 1, 2);
+  for (Anchor& anchor : fixed.anchors) anchor = {.at = {1, 2}};
+  desk.perform(annotate(desk.document, {highlight_on(0, 1, 2), note_on({1}), highlight_on(1, 2, 3), fixed}));
+  const Annotations before = *desk.document.annotations();
+  desk.remove(1);
+  // Of the first one its own sample is left; the third one began with the sample that is gone.
+  REQUIRE(desk.document.annotations()->size() == 3);
+  const Annotation& left = desk.document.annotations()->front();
+  REQUIRE(left.elements.size() == 1);
+  CHECK(left.elements[0] == HighlightedElement{PrimitiveKind::point, ProvenanceRole::origin, 0.0});
+  CHECK(left.anchors == std::vector<Anchor>{{.at = {}, .samples = {0}}});
+  CHECK(desk.document.annotations()->at(1).kind == AnnotationKind::leader);
+  CHECK(desk.document.annotations()->at(2) == fixed);
+  const Annotations after = *desk.document.annotations();
+  desk.remove(0);
+  CHECK(desk.document.annotations()->size() == 2);
+  desk.undo();
+  CHECK(*desk.document.annotations() == after);
+  desk.undo();
+  CHECK(*desk.document.annotations() == before);
+  desk.redo();
+  CHECK(*desk.document.annotations() == after);
+}
+
+TEST_CASE("highlights that make no sense are refused") {
+  Desk desk;
+  desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}});
+  const auto refused = [&](auto change) {
+    Annotation one = highlight_on(0, 1, 2);
+    change(one);
+    return !annotate(desk.document, {one});
+  };
+  CHECK_FALSE(refused([](Annotation&) {}));
+  CHECK(refused([](Annotation& one) { one.elements.clear(); }));
+  CHECK(refused([](Annotation& one) { one.anchors.pop_back(); }));
+  CHECK(refused([](Annotation& one) { one.anchors.push_back({}); }));
+  CHECK(refused([](Annotation& one) { one.anchors[0].samples = {3}; }));
+  CHECK(refused([](Annotation& one) { one.elements[0].radius = 1.0; }));
+  CHECK(refused([](Annotation& one) { one.elements[1].radius = 0.0; }));
+  CHECK(refused([](Annotation& one) { one.elements[1].radius = -1.0; }));
+  CHECK(refused([](Annotation& one) { one.elements[1].radius = std::numeric_limits<double>::quiet_NaN(); }));
+  CHECK(refused([](Annotation& one) { one.elements[1].radius = 1e300; }));
+  CHECK(refused([](Annotation& one) { one.kind = AnnotationKind::text; }));
+  CHECK(refused([](Annotation& one) {
+    one.elements.assign(kMostHighlighted + 1, {});
+    one.anchors.assign(kMostHighlighted + 1, {});
+  }));
+  CHECK_FALSE(refused([](Annotation& one) {
+    one.elements.assign(kMostHighlighted, {});
+    one.anchors.assign(kMostHighlighted, {});
+  }));
+}
 
 TEST_CASE("an anchor follows its sample, and stays where that was removed") {
   Desk desk;
@@ -92,7 +158,7 @@ TEST_CASE("undo, redo and the timeline bring annotations back, whatever happened
     const std::uint32_t number = any(numbers);
     const bool is_alive = desk.document.slot_of(desk.id(number)) != kNoSlot;
     Annotations now = *desk.document.annotations();
-    switch (any(5)) {
+    switch (any(6)) {
       case 0: desk.insert(std::array{any_place()}); break;
       case 1:
         if (is_alive) desk.move(number, any_place());
@@ -103,6 +169,10 @@ TEST_CASE("undo, redo and the timeline bring annotations back, whatever happened
       case 3:
         now.push_back(any(2) == 0 ? note_on({number}, any_place())
                                   : note_on({any(numbers), any(numbers), any(numbers)}, any_place()));
+        desk.perform(annotate(desk.document, now));
+        break;
+      case 4:
+        now.push_back(highlight_on(number, any(numbers), any(numbers)));
         desk.perform(annotate(desk.document, now));
         break;
       default:

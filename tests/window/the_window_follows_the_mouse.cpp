@@ -329,6 +329,37 @@ TEST_CASE("what is clicked says where it comes from, until Esc or an edit") {
   CHECK(eventually([&] { return !has_card(); }));
 }
 
+TEST_CASE("what a clicked sample highlights is kept, undone, and lost with the sample") {
+  Visit session;
+  session.show_only_the_drawing();
+  const VirtualScreen& screen = session.screen;
+  const auto is_of_a_product = [](Color c) { return c.r == 0xCC && c.g == 0x79 && c.b == 0xA7; };
+  const auto highlighted = [&] { return screen.shoot().count(is_of_a_product); };
+  REQUIRE(highlighted() == 0);
+  // The sample at the right: with Alt it is asked about, as anything else is without.
+  screen.xdotool("mousemove 1000 400 keydown alt click 1 keyup alt");
+  REQUIRE(eventually([&] { return highlighted() > 200; }));
+  session.press("shift+k");
+  static_cast<void>(screen.settled());
+  session.press("Escape");
+  session.press("v");
+  screen.xdotool("mousemove 3 3");
+  static_cast<void>(screen.settled());
+  CHECK(highlighted() > 200);
+  CHECK(session.title().starts_with("* circle.poff"));
+  session.press("ctrl+z");
+  CHECK(eventually([&] { return highlighted() == 0; }));
+  session.press("ctrl+shift+z");
+  REQUIRE(eventually([&] { return highlighted() > 200; }));
+  screen.click({1000, 400});
+  session.press("Delete");
+  session.press("Escape");
+  screen.xdotool("mousemove 3 3");
+  CHECK(eventually([&] { return highlighted() == 0; }));
+  session.press("ctrl+z");
+  CHECK(eventually([&] { return highlighted() > 200; }));
+}
+
 TEST_CASE("a file that cannot be read is a message, and the document stays") {
   Visit session;
   session.show_only_the_drawing();

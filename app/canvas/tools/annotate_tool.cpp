@@ -23,8 +23,8 @@ void AnnotateTool::press(const Pointer& pointer) {
   if (pressed.annotation && *pressed.annotation < document.annotations()->size()) {
     pressed.before = (*document.annotations())[*pressed.annotation];
     const double reach = kPickRadiusPx * pointer.units_per_px;
-    // The place of words alone is where they begin; they are moved as a whole.
-    if (shows_without_words(pressed.before.kind))
+    // The place of words alone is where they begin; they are moved as a whole. Of a highlight its words are moved.
+    if (shows_without_words(pressed.before.kind) && pressed.before.kind != AnnotationKind::highlight)
       for (std::size_t i = 0; i < pressed.before.anchors.size(); ++i)
         if (distance(document.place_of(pressed.before.anchors[i]), pointer.world) <= reach) pressed.end = i;
   } else {

@@ -17,7 +17,7 @@ void InnerBalls::explain(ElementKind kind, RowNumber row, Explanation& out) cons
   delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot, FaceSlot left) {
     if (left == kNoSlot || !is_ball(left) || std::ranges::find(seen, ball(left)) != seen.end()) return;
     seen.push_back(ball(left));
-    balls.circle(circumdisk(delaunay_, ball(left)));
+    balls.circle(circumdisk(delaunay_, ball(left)), corners_of(delaunay_, ball(left)));
   });
   out.say_any(ProvenanceRole::product, "inner Voronoi ball touches it", "inner Voronoi balls touch it", balls);
 }

@@ -3,6 +3,7 @@
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/balls/ball_diagrams.h"
+#include "core/structures/balls/internal/ball_places.h"
 
 namespace mes {
 namespace {
@@ -51,12 +52,10 @@ void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) co
   const PowerEdge& edge = edges()[own];
   ProvenanceShapes itself, circles;
   add_edge(itself, edge);
-  const Disk a = family().disk(edge.ball[0]);
-  const Disk b = family().disk(edge.ball[1]);
-  itself.segment(a.center, b.center);
+  const BallPlaces places(family(), out);
+  itself.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   out.say(ProvenanceRole::itself, "Edge of the power diagram, and of the triangulation of the balls", itself);
-  circles.circle(a);
-  circles.circle(b);
+  for (const FamilySlot ball : edge.ball) places.add_circle(circles, ball);
   out.say(ProvenanceRole::origin, "2 balls of equal power along it", circles);
 }
 

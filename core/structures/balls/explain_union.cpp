@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What rows of a union of balls are.
 #include <algorithm>
+#include <array>
 
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/internal/ball_places.h"
 
 namespace mes {
 namespace {
@@ -13,22 +15,20 @@ void explain_dual_edge(const BallUnion& balls, DualEdgeSlot row, Explanation& ou
   const UnionTables& t = balls.tables();
   if (!t.dual_edges.has(row) || !t.dual_edges[row].is_alive()) return;
   const DualEdge& edge = t.dual_edges[row];
-  const Disk a = balls.family().disk(edge.ball[0]);
-  const Disk b = balls.family().disk(edge.ball[1]);
+  const BallPlaces places(balls.family(), out);
   ProvenanceShapes itself, circles, points;
-  itself.segment(a.center, b.center);
+  itself.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   constexpr const char* kClass[] = {"Singular dual edge: no dual triangle at it",
                                     "Regular dual edge: one dual triangle at it",
                                     "Interior dual edge: between two dual triangles"};
   out.say(ProvenanceRole::itself, kClass[static_cast<std::size_t>(edge.kind)], itself);
-  circles.circle(a);
-  circles.circle(b);
+  for (const FamilySlot ball : edge.ball) places.add_circle(circles, ball);
   out.say(ProvenanceRole::origin,
           std::string("2 balls that meet within their power cells") +
               (balls.family().touch_samples() && edge.shares_sample != 0 ? ", and share a sample" : ""),
           circles);
   for (const VOrigin& origin : t.v_origins)
-    if (origin.is_alive() && origin.edge == row) points.point(t.v_points[origin.v].position);
+    if (origin.is_alive() && origin.edge == row) points.point(places.at(t.v_points[origin.v]));
   out.say_any(ProvenanceRole::product, "v-point made by it", "v-points made by it", points);
 }
 
@@ -36,9 +36,9 @@ void explain_dual_face(const BallUnion& balls, DualFaceSlot row, Explanation& ou
   const UnionTables& t = balls.tables();
   if (!t.dual_faces.has(row) || !t.dual_faces[row].is_alive()) return;
   const DualFace& face = t.dual_faces[row];
+  const BallPlaces places(balls.family(), out);
   ProvenanceShapes itself, circles, common;
-  itself.triangle(balls.family().disk(face.ball[0]).center, balls.family().disk(face.ball[1]).center,
-                  balls.family().disk(face.ball[2]).center);
+  itself.triangle(places.center(face.ball[0]), places.center(face.ball[1]), places.center(face.ball[2]));
   out.say(ProvenanceRole::itself,
           face.sign < 0
               ? "Dual triangle: its three balls have a common interior point"
@@ -46,7 +46,7 @@ void explain_dual_face(const BallUnion& balls, DualFaceSlot row, Explanation& ou
           itself);
   std::vector<TouchedSample> shared;
   for (std::size_t i = 0; i < 3; ++i) {
-    circles.circle(balls.family().disk(face.ball[i]));
+    places.add_circle(circles, face.ball[i]);
     std::vector<TouchedSample> touched;
     if (balls.family().touch_samples()) balls.family().touched_samples(face.ball[i], touched);
     if (i == 0) {
@@ -58,7 +58,9 @@ void explain_dual_face(const BallUnion& balls, DualFaceSlot row, Explanation& ou
     }
   }
   out.say(ProvenanceRole::origin, "3 balls", circles);
-  for (const TouchedSample& sample : shared) common.point(sample.position);
+  const auto* const delaunay = out.current<Delaunay>();
+  for (const TouchedSample& sample : shared)
+    common.point(delaunay != nullptr ? place_of(*delaunay, sample.site) : ShapePlace(sample.position));
   out.say_any(ProvenanceRole::origin, "sample that all three touch", "samples that all three touch", common);
 }
 
@@ -66,8 +68,9 @@ void explain_v_point(const BallUnion& balls, VPointSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
   if (!t.v_points.has(row) || !t.v_points[row].is_alive()) return;
   const VPoint& v = t.v_points[row];
+  const BallPlaces places(balls.family(), out);
   ProvenanceShapes itself, edges, circles, pieces;
-  itself.point(v.position);
+  itself.point(places.at(v));
   const bool is_foreign = balls.family().touch_samples() && v.site == kNoSlot;
   out.say(
       ProvenanceRole::itself,
@@ -77,17 +80,21 @@ void explain_v_point(const BallUnion& balls, VPointSlot row, Explanation& out) {
   const auto add_ball = [&](FamilySlot ball) {
     if (std::ranges::find(touching, ball) != touching.end()) return;
     touching.push_back(ball);
-    circles.circle(balls.family().disk(ball));
+    places.add_circle(circles, ball);
   };
   for (const VOrigin& origin : t.v_origins) {
     if (!origin.is_alive() || origin.v != row) continue;
     const DualEdge& edge = t.dual_edges[origin.edge];
-    edges.segment(balls.family().disk(edge.ball[0]).center, balls.family().disk(edge.ball[1]).center);
+    edges.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
     for (const FamilySlot ball : edge.ball) add_ball(ball);
   }
   for (const AxisPiece& piece : t.axis) {
     if (!piece.is_alive() || (piece.v[0] != row && piece.v[1] != row)) continue;
-    pieces.segment(piece.a, piece.b);
+    const auto end = [&](int i) {
+      const Vec2 at = i == 0 ? piece.a : piece.b;
+      return t.is_ball(piece.node[i]) ? ShapePlace(at, places.follows(ball_of(piece.node[i]))) : ShapePlace(at);
+    };
+    pieces.segment(end(0), end(1));
     for (const AxisNodeSlot node : piece.node)
       if (t.is_ball(node)) add_ball(ball_of(node));
   }
@@ -107,18 +114,22 @@ void explain_axis_piece(const BallUnion& balls, AxisPieceSlot row, Explanation& 
   const UnionTables& t = balls.tables();
   if (!t.axis.has(row) || !t.axis[row].is_alive()) return;
   const AxisPiece& piece = t.axis[row];
+  const BallPlaces places(balls.family(), out);
   ProvenanceShapes itself, points, circles;
-  itself.segment(piece.a, piece.b);
+  const std::array<Disk, 2> ends{Disk{piece.a, piece.radius_a}, Disk{piece.b, piece.radius_b}};
+  const auto follows = [&](std::size_t end) {
+    return t.is_ball(piece.node[end]) ? places.follows(ball_of(piece.node[end])) : FollowedSamples{};
+  };
+  itself.segment({piece.a, follows(0)}, {piece.b, follows(1)});
   out.say(ProvenanceRole::itself,
           std::string(piece.is_singular != 0 ? "Piece of the axis along a singular dual edge"
                                              : "Piece of the axis on the Voronoi diagram of the v-points") +
               ", radius " + number_text(piece.radius_a) + " to " + number_text(piece.radius_b),
           itself);
   for (const VPointSlot v : piece.v)
-    if (t.v_points.has(v) && t.v_points[v].is_alive()) points.point(t.v_points[v].position);
+    if (t.v_points.has(v) && t.v_points[v].is_alive()) points.point(places.at(t.v_points[v]));
   out.say_any(ProvenanceRole::origin, "v-point nearest to all of it", "v-points nearest to all of it", points);
-  for (std::size_t i = 0; i < 2; ++i)
-    circles.circle(i == 0 ? Disk{piece.a, piece.radius_a} : Disk{piece.b, piece.radius_b});
+  for (std::size_t i = 0; i < ends.size(); ++i) circles.circle(ends[i], follows(i));
   out.say(ProvenanceRole::origin, "the maximal balls at its two ends", circles);
 }
 
@@ -132,7 +143,7 @@ void explain_arc(const BallUnion& balls, ArcSlot row, Explanation& out) {
           t.arcs[row].is_whole != 0 ? "A whole circle on the boundary of the union"
                                     : "Arc on the boundary of the union, between two v-points",
           itself);
-  circle.circle(balls.family().disk(t.arcs[row].ball));
+  BallPlaces(balls.family(), out).add_circle(circle, t.arcs[row].ball);
   out.say(ProvenanceRole::origin, "its ball", circle);
 }
 
@@ -141,15 +152,15 @@ void explain_arc(const BallUnion& balls, ArcSlot row, Explanation& out) {
 void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
   const UnionTables& t = tables();
   if (!t.balls.has(row)) return;
-  ProvenanceShapes edges, triangles, points, arcs;
+  const BallPlaces places(family(), out);
+  ProvenanceShapes edges, triangles, points;
   for (const DualEdge& edge : t.dual_edges) {
     if (!edge.is_alive() || (edge.ball[0] != row && edge.ball[1] != row)) continue;
-    edges.segment(family().disk(edge.ball[0]).center, family().disk(edge.ball[1]).center);
+    edges.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   }
   for (const DualFace& face : t.dual_faces)
     if (face.is_alive() && std::ranges::find(face.ball, row) != std::end(face.ball))
-      triangles.triangle(family().disk(face.ball[0]).center, family().disk(face.ball[1]).center,
-                         family().disk(face.ball[2]).center);
+      triangles.triangle(places.center(face.ball[0]), places.center(face.ball[1]), places.center(face.ball[2]));
   std::size_t free_arcs = 0;
   std::vector<Vec2> ends;
   for (const BoundaryArc& arc : t.arcs) {
@@ -169,7 +180,7 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
 void BallUnion::explain_scale(FamilySlot row, Explanation& out) const {
   if (family().scale() == 1.0) return;
   ProvenanceShapes circle;
-  circle.circle(family().disk(row));
+  BallPlaces(family(), out).add_circle(circle, row);
   out.say(ProvenanceRole::product,
           "Scaled by " + number_text(family().scale()) + " for its union: radius " +
               number_text(family().disk(row).radius),
@@ -204,7 +215,7 @@ void AUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
       if (rung() == UnionRung::shortcut && delaunay != nullptr && delaunay->is_site(site) &&
           tables().v_points[same_row<VPointSlot>(site)].multiplicity >= 2) {
         ProvenanceShapes shapes;
-        shapes.point(delaunay->site_position(site));
+        shapes.point(place_of(*delaunay, site));
         out.say(ProvenanceRole::product, "it is a v-point of union A", shapes);
       }
       return;

@@ -19,7 +19,7 @@ void OneStepCrust::explain(ElementKind kind, RowNumber row, Explanation& out) co
   const SiteSlot site(row);
   ProvenanceShapes curve;
   delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-    if (is_crust(edge)) curve.segment(delaunay_.site_position(site), delaunay_.site_position(other));
+    if (is_crust(edge)) curve.segment(place_of(delaunay_, site), place_of(delaunay_, other));
   });
   out.say_any(ProvenanceRole::product, "curve edge", "curve edges", curve);
 }
@@ -42,7 +42,7 @@ void VoronoiVertices::explain(ElementKind kind, RowNumber row, Explanation& out)
   if (const auto* together = group(face)) faces = *together;
   ProvenanceShapes samples, triangles, edges;
   for (const SiteSlot site : sites)
-    if (std::ranges::find(own.v, site) == std::end(own.v)) samples.point(delaunay_.site_position(site));
+    if (std::ranges::find(own.v, site) == std::end(own.v)) samples.point(place_of(delaunay_, site));
   for (const FaceSlot member : faces) {
     if (member != face) add_triangle(triangles, delaunay_, member);
     for (const EdgeSlot edge : delaunay_.face(member).e)

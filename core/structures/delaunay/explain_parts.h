@@ -12,6 +12,14 @@ void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, EdgeSlot edge)
 /// A finite face.
 void add_triangle(ProvenanceShapes& shapes, const Delaunay& delaunay, FaceSlot face);
 
+/// Where a site is, on its first sample.
+ShapePlace place_of(const Delaunay& delaunay, SiteSlot site);
+/// The corners of a finite face, whose circle has the Voronoi vertex as its centre.
+FollowedSamples corners_of(const Delaunay& delaunay, FaceSlot face);
+inline ShapePlace place_of(const Delaunay& delaunay, FaceSlot face) {
+  return {delaunay.circumcenter(face), corners_of(delaunay, face)};
+}
+
 inline Disk circumdisk(const Delaunay& delaunay, FaceSlot face) {
   return {delaunay.circumcenter(face), delaunay.circumradius(face)};
 }

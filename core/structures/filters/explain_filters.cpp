@@ -2,7 +2,7 @@
 // What the filters of the axis know of the rows they share with `Delaunay`, and of the pieces they removed.
 #include <string>
 
-#include "core/graph/explain.h"
+#include "core/structures/delaunay/explain_parts.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/lambda_axis.h"
@@ -31,14 +31,17 @@ void AxisFilter::explain(ElementKind kind, RowNumber row, Explanation& out) cons
   ProvenanceShapes shapes;
   if (kind == ElementKind::delaunay_edge && is_edge(EdgeSlot(row))) {
     const EdgeSlot edge(row);
-    if (is_kept(edge)) shapes.segment(kept_end(edge, 0), kept_end(edge, 1));
+    const auto end = [&](int i) {
+      return is_cut(edge, i) ? ShapePlace(kept_end(edge, i)) : place_of(delaunay_, delaunay_.edge(edge).f[i]);
+    };
+    if (is_kept(edge)) shapes.segment(end(0), end(1));
     const char* const part = !is_kept(edge) ? "removed" : (is_removed(edge) ? "kept in part" : "kept");
     out.say(ProvenanceRole::product, spoken(value(edge)) + ": " + part, shapes);
   }
   const FaceSlot face(row);
   if (kind != ElementKind::voronoi_vertex || !delaunay_.is_finite_face(face) || !balls_.is_ball(face)) return;
   const FaceSlot node = balls_.ball(face);
-  if (is_kept(node)) shapes.point(delaunay_.circumcenter(node));
+  if (is_kept(node)) shapes.point(place_of(delaunay_, node));
   out.say(ProvenanceRole::product, spoken(value(node)) + (is_kept(node) ? ": kept" : ": removed"), shapes);
 }
 

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What provenance highlights, kept as an annotation: it is what was shown, and after an edit what is shown then.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/model/kept_highlight.h"
+#include "app/picture/annotation_drawing.h"
+#include "core/base/rng.h"
+#include "core/draw/layer_descriptor.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using mes::test::Workbench;
+
+namespace {
+
+/// A bean with a few samples inside, none of them cocircular or on one line with others.
+std::vector<Vec2> some_samples() {
+  std::vector<Vec2> out;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 0.26 * i + 0.004 * i * i;
+    const double radius = 3.0 + 0.8 * std::cos(2.0 * angle) + 0.013 * i;
+    out.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  out.push_back({0.31, 0.17});
+  return out;
+}
+
+/// The directions of rays and lines have a length of their own.
+std::array<double, 7> comparable(const ProvenanceShape& shape) {
+  std::array<double, 7> out = shape.values;
+  if (shape.kind == PrimitiveKind::ray || shape.kind == PrimitiveKind::line) {
+    const double size = std::hypot(out[2], out[3]);
+    out[2] /= size;
+    out[3] /= size;
+  }
+  return out;
+}
+
+void check_same(const std::vector<HighlightedShape>& kept, const Provenance& shown) {
+  std::size_t at = 0;
+  for (const ProvenanceLine& line : shown.lines) {
+    for (const ProvenanceShape& shape : line.shapes) {
+      INFO(line.text << ", shape " << at);
+      REQUIRE(at < kept.size());
+      CHECK(kept[at].role == line.role);
+      REQUIRE(kept[at].shape.kind == shape.kind);
+      const auto expected = comparable(shape);
+      const auto found = comparable(kept[at].shape);
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        CHECK(found[i] == Approx(expected[i]).epsilon(1e-9).margin(1e-9));
+      ++at;
+    }
+  }
+  CHECK(at == kept.size());
+}
+
+struct Question {
+  const char* layer;
+  PrimitiveKind kind;
+};
+const std::vector<Question> kQuestions{{"points", PrimitiveKind::point},
+                                       {"delaunay", PrimitiveKind::segment},
+                                       {"voronoi", PrimitiveKind::segment},
+                                       {"voronoi", PrimitiveKind::ray},
+                                       {"curve", PrimitiveKind::segment},
+                                       {"medial-axis", PrimitiveKind::segment},
+                                       {"interior-voronoi-disks", PrimitiveKind::disk},
+                                       {"a-dual-interior-edges", PrimitiveKind::segment},
+                                       {"a-dual-faces", PrimitiveKind::triangle},
+                                       {"a-power-diagram", PrimitiveKind::segment}};
+
+/// A place on the nth instance of a layer, where a click finds it.
+std::optional<Vec2> place_on(const Workbench& bench, const Question& question, std::size_t n) {
+  const std::size_t stride = stride_of(question.kind);
+  const auto all = bench.instances(question.layer, question.kind);
+  if ((n + 1) * stride > all.size()) return std::nullopt;
+  const double* const v = all.data() + n * stride;
+  switch (question.kind) {
+    case PrimitiveKind::segment: return Vec2{0.625 * v[0] + 0.375 * v[2], 0.625 * v[1] + 0.375 * v[3]};
+    case PrimitiveKind::ray: return Vec2{v[0] + 0.375 * v[2], v[1] + 0.375 * v[3]};
+    case PrimitiveKind::triangle: return Vec2{(v[0] + v[2] + v[4]) / 3.0, (v[1] + v[3] + v[5]) / 3.0};
+    default: return Vec2{v[0], v[1]};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what is kept is what was shown, and follows a move as what is shown then") {
+  for (const Question& question : kQuestions) {
+    for (const std::size_t n : {0U, 3U, 7U}) {
+      Workbench bench(some_samples());
+      const auto at = place_on(bench, question, n);
+      if (!at) continue;
+      INFO(question.layer << ' ' << name_of(question.kind) << ' ' << n);
+      const Provenance shown = bench.ask(*at, 1e-3, {question.layer});
+      if (shown.lines.empty()) continue;
+      const KeptHighlight kept = highlight_of(shown, bench.document());
+      CHECK(kept.left_out == 0);
+      REQUIRE(
+          fault_of(kept.annotation, bench.document().next_id().value - bench.document().first_id().value).empty());
+      check_same(highlighted_shapes(kept.annotation, bench.document()), shown);
+      // Turned by a right angle, twice as large and shifted: the same elements at other places.
+      const auto moved = [](Vec2 p) { return Vec2{-2.0 * p.y + 8.0, 2.0 * p.x - 16.0}; };
+      std::vector<std::pair<SampleId, Vec2>> moves;
+      const std::vector<SampleId> ids = bench.ids();
+      const std::vector<Vec2> positions = bench.positions();
+      for (std::size_t i = 0; i < ids.size(); ++i) moves.emplace_back(ids[i], moved(positions[i]));
+      bench.move(moves);
+      const std::vector<HighlightedShape> after = highlighted_shapes(kept.annotation, bench.document());
+      const std::vector<HighlightedShape> before = [&] {
+        Workbench first(some_samples());
+        return highlighted_shapes(kept.annotation, first.document());
+      }();
+      REQUIRE(after.size() == before.size());
+      std::size_t moving = 0;
+      for (std::size_t i = 0; i < after.size(); ++i) {
+        const Vec2 from{before[i].shape.values[0], before[i].shape.values[1]};
+        const Vec2 to{after[i].shape.values[0], after[i].shape.values[1]};
+        if (from == to) continue;  // of rounded crossings, which follow no sample
+        ++moving;
+        CHECK(distance(to, moved(from)) < 1e-6 * (1.0 + length(from)));
+        const bool is_round = after[i].shape.kind == PrimitiveKind::circle;
+        if (is_round) CHECK(after[i].shape.values[2] == Approx(2.0 * before[i].shape.values[2]).epsilon(1e-9));
+      }
+      CHECK(moving > 0);
+    }
+  }
+}
+
+TEST_CASE("of one line its own shapes are kept, and of an element without samples all where they are") {
+  Workbench bench(some_samples());
+  const Provenance shown = bench.ask(bench.positions()[4], 1e-3, {"points"});
+  REQUIRE(shown.lines.size() > 1);
+  for (std::size_t i = 0; i < shown.lines.size(); ++i) {
+    const KeptHighlight kept = highlight_of(shown, bench.document(), i);
+    CHECK(kept.annotation.elements.size() == shown.lines[i].shapes.size());
+    for (const HighlightedElement& element : kept.annotation.elements) CHECK(element.role == shown.lines[i].role);
+  }
+  bench.insert_balls({{{0.5, 0.25}, 1.5}});
+  const Provenance ball = bench.ask({0.5, 0.25}, 1e-3, {"b-inner-centers"});
+  REQUIRE_FALSE(ball.lines.empty());
+  const KeptHighlight kept = highlight_of(ball, bench.document(), 0);
+  REQUIRE_FALSE(kept.annotation.elements.empty());
+  for (const Anchor& anchor : kept.annotation.anchors) CHECK(anchor.samples.empty());
+}
+
+TEST_CASE("more than can be kept is counted, and what no document can hold is left out") {
+  Document document;
+  Provenance many{.lines = {{ProvenanceRole::itself, "many", {}}}};
+  many.lines[0].shapes.assign(kMostHighlighted + 5, {PrimitiveKind::point, {1, 2}});
+  const KeptHighlight kept = highlight_of(many, document);
+  CHECK(kept.annotation.elements.size() == kMostHighlighted);
+  CHECK(kept.left_out == 5);
+  many.lines[0].shapes = {{PrimitiveKind::point, {1e300, 0}}, {PrimitiveKind::circle, {0, 0, 0}}};
+  const KeptHighlight none = highlight_of(many, document);
+  CHECK(none.annotation.elements.empty());
+  CHECK(none.left_out == 2);
+}
+
+TEST_CASE("a highlight is found by its lines, and drawn within reach at any zoom") {
+  Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {0, 3}});
+  const auto on = [](std::vector<std::uint32_t> samples) { return Anchor{.at = {}, .samples = std::move(samples)}; };
+  const Annotation highlight{
+      .kind = AnnotationKind::highlight,
+      .text = "words",
+      .anchors = {on({0}), on({1}), on({2}), on({0, 1, 2}), on({0, 1, 2}), on({1}), on({0}), on({0}), on({1})},
+      .shift = {400.0, 0.0},
+      .elements = {{PrimitiveKind::triangle, ProvenanceRole::itself},
+                   {PrimitiveKind::circle, ProvenanceRole::product, 1.0},
+                   {PrimitiveKind::ray, ProvenanceRole::origin},
+                   {PrimitiveKind::line, ProvenanceRole::product}}};
+  const auto annotated = annotate(bench.document(), {highlight});
+  REQUIRE(annotated);
+  Document document = bench.document();
+  document.apply(*annotated);
+  const auto measure = [](const std::string& text, double size, Face) {
+    return 0.5 * size * static_cast<double>(text.size());
+  };
+  const auto drawn_at = [&](double units_per_pixel) {
+    return layout_annotations(place(document),
+                              {.center = {2.0, 1.5}, .units_per_pixel = units_per_pixel, .width = 800, .height = 600},
+                              measure, std::nullopt);
+  };
+  const AnnotationDrawing drawn = drawn_at(0.01);
+  // (2, 1.5) is the middle; a side of the triangle, the circle about the middle, the ray down, the bisector of two.
+  CHECK(annotation_at(drawn, {400.0, 452.0}, 4.0) == 0U);
+  CHECK(annotation_at(drawn, {400.0, 50.0}, 4.0) == 0U);
+  CHECK(annotation_at(drawn, {400.0, 590.0}, 4.0) == 0U);
+  CHECK_FALSE(annotation_at(drawn, {500.0, 320.0}, 4.0));
+  CHECK(drawn.highlights.arcs.size() == 1);
+  CHECK(drawn.highlights.strokes.size() == 5);
+  CHECK(drawn.drawing.strokes.empty());
+  CHECK(drawn.drawing.lines.size() == 1);
+  for (const double zoom : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
+    const AnnotationDrawing far = drawn_at(zoom);
+    for (const PaperDrawing::Stroke& stroke : far.highlights.strokes)
+      for (const Vec2 p : stroke.points) CHECK((std::abs(p.x) <= 2300.0 && std::abs(p.y) <= 2300.0));
+  }
+  // In line they have no circle, which is left out.
+  const auto flat = move_samples(document, std::array{std::pair{document.first_id(), Vec2{-4.0, 6.0}}});
+  REQUIRE(flat);
+  document.apply(*flat);
+  CHECK(drawn_at(0.01).highlights.arcs.empty());
+}
