@@ -40,8 +40,8 @@ struct Chosen {
   std::vector<SourceFile> sources{};
 };
 
-/// Of a file, or one that comes with the program. Error: `usage` for a word that is neither such a lesson nor a file, and
-/// cannot be meant for one; `bad_input` where there is no lesson.
+/// The lesson of a file, or the one of this name that comes with the program. Error: `usage` where the word is neither
+/// the name of such a lesson nor looks like the name of a file; `bad_input` where the file holds no lesson.
 Expected<Chosen> lesson_of(const std::string& word) {
   std::error_code error;
   std::string file = word;

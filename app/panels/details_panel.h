@@ -40,6 +40,8 @@ class DetailsPanel {
   void search_parameters(const std::string& name) { parameters_.search(name); }
 
  private:
+  void draw_titles();
+
   const Gui& gui_;
   const ActionBindings& actions_;
   DetailsPage& shown_;

@@ -244,11 +244,11 @@ bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool en
   return clicked;
 }
 
-bool choice_button(const char* label, bool chosen) {
+bool choice_button(const char* label, bool chosen, float width) {
   const ImGuiStyle& style = ImGui::GetStyle();
   ImGui::PushStyleColor(ImGuiCol_Button, chosen ? style.Colors[ImGuiCol_Header] : ImVec4());
   ImGui::PushStyleColor(ImGuiCol_Text, style.Colors[chosen ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled]);
-  const bool clicked = ImGui::Button(label);
+  const bool clicked = ImGui::Button(label, {width, 0.0F});
   ImGui::PopStyleColor(2);
   return clicked;
 }

@@ -55,7 +55,8 @@ enum class ButtonLook : std::uint8_t {
 /// A square button with an icon. Returns true when it was clicked.
 bool icon_button(const char* id, Icon icon, float size, ButtonLook look = ButtonLook::plain, bool enabled = true);
 
-/// A button for one of several words side by side; the chosen one stands out. Returns true when it was clicked.
-bool choice_button(const char* label, bool chosen);
+/// A button for one of several words side by side, as wide as the word unless a width is given; the chosen one stands out.
+/// Returns true when it was clicked.
+bool choice_button(const char* label, bool chosen, float width = 0.0F);
 
 }  // namespace mes
