@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What recording costs: a 1080p frame as PNG against the library's own way, and the time of the thread that draws
-// with and without reading each frame back. Without OpenGL it is left out.
+// What recording costs: a 1080p frame as PNG against the library's own way, a picture with its session against one
+// without, and the time of the thread that draws with and without reading each frame back. Without OpenGL it is left out.
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "core/io/carried_session.h"
 #include "render/egl_context.h"
 #include "render/frame_capture.h"
 #include "render/offscreen.h"
@@ -27,17 +32,17 @@ constexpr Rgb kWhite{255, 255, 255};
 /// A drawing as the window first shows it.
 class Stage {
  public:
-  Stage() : scene_(device_) {
+  explicit Stage(int width = kWidth, int height = kHeight, std::size_t samples = kSamples) : scene_(device_) {
     Graph graph;
     const auto layers = layers_named({"interior-voronoi-disks", "curve", "medial-axis", "points"});
     graph.set_demand(layers);
     FramePatch patch;
     JobControl job;
-    graph.post(replace_with(Document(), test::benchmark_curve(kSamples)));
+    graph.post(replace_with(Document(), test::benchmark_curve(samples)));
     graph.run(patch, job);
     scene_.apply(patch);
     for (const LayerIndex layer : layers) views_.push_back({layer, layer_descriptors()[layer].style});
-    camera_.set_viewport(kWidth, kHeight);
+    camera_.set_viewport(width, height);
     camera_.fit(graph.structures().get<Samples>().extent(), 20.0);
     target_ = device_.create_framebuffer({.width = kWidth, .height = kHeight});
   }
@@ -81,6 +86,35 @@ void encode(benchmark::State& state, RatioTable& table) {
   table.add({"PNG of a 1080p frame", kSamples, median(ours), median(raw), 0.3, "stb_image_write as it comes"});
 }
 
+void carry(benchmark::State& state, RatioTable& table) {
+  const auto context = render::EglContext::create();
+  if (!context) {
+    state.SkipWithError(context.error().text.c_str());
+    return;
+  }
+  constexpr std::size_t kCarried = 10'000;
+  const render::Image image = Stage(1600, 1200, kCarried).image();
+  Session session;
+  SampleData data{.positions = test::benchmark_curve(kCarried)};
+  data.contours.push_back({.closed = true, .points = {}});
+  for (std::uint32_t i = 0; i < kCarried; ++i) data.contours.back().points.push_back(i);
+  session.data = std::make_shared<const SampleData>(std::move(data));
+  std::vector<double> with;
+  std::vector<double> without;
+  for (auto _ : state) {
+    const double start = now_us();
+    benchmark::DoNotOptimize(render::encode_png(image, render::kPngSmall));
+    const double middle = now_us();
+    const auto packed = packed_session(session);
+    if (!packed) state.SkipWithError("the session is too long");
+    benchmark::DoNotOptimize(render::encode_png(image, render::kPngSmall, packed.value_or("")));
+    with.push_back(now_us() - middle);
+    without.push_back(middle - start);
+  }
+  table.add(
+      {"PNG of 1600x1200 with its session", kCarried, median(with), median(without), 1.1, "the PNG without it"});
+}
+
 void capture(benchmark::State& state, RatioTable& table) {
   const auto context = render::EglContext::create();
   if (!context) {
@@ -109,6 +143,9 @@ void capture(benchmark::State& state, RatioTable& table) {
 
 void register_recording(RatioTable& table) {
   benchmark::RegisterBenchmark("recording/png", [&table](benchmark::State& state) { encode(state, table); })
+      ->Iterations(15)
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("recording/source", [&table](benchmark::State& state) { carry(state, table); })
       ->Iterations(15)
       ->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("recording/capture", [&table](benchmark::State& state) { capture(state, table); })
