@@ -55,6 +55,7 @@ test           imagemagick         ImageMagick         imagemagick    imagemagic
 test           dbus-daemon         dbus-daemon         dbus           -
 test           librsvg2-bin        librsvg2-tools      librsvg        librsvg
 test           poppler-utils       poppler-utils       poppler        poppler
+test           ghostscript         ghostscript         ghostscript    ghostscript
 bench          libbenchmark-dev    google-benchmark-devel  benchmark  google-benchmark
 package        dpkg-dev            dpkg-dev            dpkg           dpkg
 package        file                file                file           -

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
@@ -46,6 +47,31 @@ Image rasterised(const std::string& file, int width, int height = 0) {
   const std::string png = file + ".png";
   const std::string extension = std::filesystem::path(file).extension().string();
   const std::string size = std::to_string(width);
+  if (extension == ".ps" || extension == ".eps") {
+    // At four times the size of pixels of 1/96 inch, since Ghostscript draws no line thinner than its pixels.
+    std::vector<std::string> arguments{"-q",
+                                       "-dSAFER",
+                                       "-dBATCH",
+                                       "-dNOPAUSE",
+                                       "-sDEVICE=png16m",
+                                       "-r384",
+                                       "-dDownScaleFactor=4",
+                                       "-sOutputFile=" + png,
+                                       file};
+    if (extension == ".eps") arguments.insert(arguments.begin(), "-dEPSCrop");
+    other_program("gs", arguments);
+    return read_png(png);
+  }
+  if (extension == ".ipe") {
+    other_program("ipetoipe", {"-pdf", file, file + ".pdf"});
+    return rasterised(file + ".pdf", width, height);
+  }
+  if (extension == ".tex") {
+    const std::filesystem::path path(file);
+    other_program("pdflatex", {"-interaction=nonstopmode", "-halt-on-error",
+                               "-output-directory=" + path.parent_path().string(), file});
+    return rasterised((path.parent_path() / path.stem()).string() + ".pdf", width, height);
+  }
   if (extension == ".svg") {
     std::vector<std::string> arguments{"--width", size, file, "--output", png};
     if (height > 0) arguments.insert(arguments.begin(), {"--height", std::to_string(height)});
@@ -67,6 +93,12 @@ double difference(const Image& a, const Image& b) {
   for (std::size_t i = 0; i < a.rgba.size(); ++i)
     if (i % 4 != 3) sum += std::abs(static_cast<int>(a.rgba[i]) - static_cast<int>(b.rgba[i]));
   return sum / 255.0 / (0.75 * static_cast<double>(a.rgba.size()));
+}
+
+bool has_program(const std::string& program) {
+  const RunResult found = run({"-c", "command -v " + program}, {.program = "sh"});
+  if (found.exit_code != 0) WARN(program << " is not installed: what it would draw is not compared");
+  return found.exit_code == 0;
 }
 
 struct Case {
@@ -113,9 +145,12 @@ const std::vector<Case>& cases() {
   return kCases;
 }
 
-void compare_all(const std::string& extension) {
+/// `factor`: of the tolerances, for programs that draw thin lines, or letters, otherwise.
+void compare_all(const std::string& extension, double factor = 1.0) {
   const TemporaryFolder folder;
   for (const Case& each : cases()) {
+    // More shapes than pdflatex has memory for.
+    if (extension == ".tex" && std::string_view(each.name).starts_with("every layer")) continue;
     std::vector<std::string> arguments = each.arguments;
     arguments.insert(arguments.end(), {"--size", "640x480"});
     const std::string pixels = (folder / "pixels.png").string();
@@ -124,7 +159,7 @@ void compare_all(const std::string& extension) {
     render(arguments, figure);
     INFO(each.name);
     const Image shown = read_png(pixels);
-    CHECK(difference(shown, rasterised(figure, 640, 480)) < each.tolerance);
+    CHECK(difference(shown, rasterised(figure, 640, 480)) < factor * each.tolerance);
   }
 }
 
@@ -138,6 +173,47 @@ TEST_CASE("a PDF looks as the picture of the same view") {
   compare_all(".pdf");
 }
 
+TEST_CASE("PostScript looks as the picture of the same view") {
+  compare_all(".ps", 2.5);
+}
+
+TEST_CASE("encapsulated PostScript looks as the picture of the same view") {
+  compare_all(".eps", 2.5);
+}
+
+// Ipe and LaTeX take more room than all else that the tests need, so where they are not installed the tests of text and
+// structure (tests/figure) are the only ones.
+TEST_CASE("an Ipe file looks as the picture of the same view") {
+  if (has_program("ipetoipe")) compare_all(".ipe", 2.0);
+}
+
+TEST_CASE("a TikZ picture compiles, by itself and within a document") {
+  if (!has_program("pdflatex")) return;
+  compare_all(".tex", 2.0);
+  const TemporaryFolder folder;
+  const std::string alone = (folder / "alone.tex").string();
+  render({kBean, "--title", "Beans of $r_i^2$", "--figure-size", "60mmx45mm"}, alone);
+  const std::string page = (folder / "page.tex").string();
+  std::ofstream(page) << "\\documentclass{article}\\usepackage[paperwidth=60mm,paperheight=45mm,margin=0pt]{geometry}"
+                         "\\usepackage{tikz}\\pagestyle{empty}\\setlength{\\topskip}{0pt}\\begin{document}\\noindent"
+                         "\\input{"
+                      << alone << "}\\end{document}\n";
+  CHECK(difference(rasterised(page, 480, 360), rasterised(alone, 480, 360)) < 1e-6);
+}
+
+TEST_CASE("letters that the fonts lack are named in one line") {
+  const TemporaryFolder folder;
+  for (const char* const extension : {".png", ".svg", ".pdf", ".ps", ".tex"}) {
+    INFO(extension);
+    const std::string file = (folder / ("figure" + std::string(extension))).string();
+    const RunResult one = run({"render", kBean, "--title", "\u6f22 and \u2603", "-o", file});
+    CHECK(one.exit_code == 0);
+    CHECK(one.err == "mesecina: the fonts have no letter U+2603, U+6F22: empty boxes are drawn\n");
+    const RunResult none = run({"render", kBean, "--title", "\u03b1 \u00e4", "-o", file, "--force"});
+    CHECK(none.err.empty());
+  }
+}
+
 namespace {
 
 /// A session of four samples with one annotation of each kind.
@@ -149,7 +225,11 @@ std::string annotated(const TemporaryFolder& folder) {
     {"kind":"arrow","at":[1,0.5,2,1.5],"follows":[[],[0,1,2]],"text":"centre"},
     {"kind":"distance","at":[0,0,4,0],"follows":[[0],[1]],"shift":[0,-40],"text":"$d = \\value$"},
     {"kind":"angle","at":[4,0,0,0,4,3],"follows":[[1],[0],[2]]},
-    {"kind":"radius","at":[0,0,4,0,4,3],"follows":[[0],[1],[2]],"letters":20}]}})";
+    {"kind":"radius","at":[0,0,4,0,4,3],"follows":[[0],[1],[2]],"letters":20},
+    {"kind":"highlight","at":[4,3,0,3,0,0,2,1.5,2,1.5,0,0,0,3,4,0,4,3,0,3,2.5,1.5,3,1.5,2.5,2],
+     "follows":[[2],[3],[0],[0,2,3],[0,2,3],[0],[3],[1],[2],[3],[],[],[]],"text":"$T_1$",
+     "elements":[["triangle","itself"],["circle","itself",1],["ray","product"],["segment","origin"],
+                 ["point","origin"],["arc","product"]]}]}})";
   return file;
 }
 
@@ -186,6 +266,7 @@ TEST_CASE("annotations are in every picture and every figure, or in none") {
     render(looking(""), figure);
     const std::string text = contents_of(figure);
     CHECK(text.find("annotations") != std::string::npos);
+    CHECK(text.find("highlights") != std::string::npos);
     if (extension != std::string(".svg")) CHECK(text.find("varepsilon_{i}^{2}") != std::string::npos);
     render(looking("--no-annotations"), figure);
     CHECK(contents_of(figure).find("annotations") == std::string::npos);
