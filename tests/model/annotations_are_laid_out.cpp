@@ -217,19 +217,27 @@ TEST_CASE("whatever the places and the view, what is drawn has a place near the 
   };
   for (int round = 0; round < 5000; ++round) {
     const auto kind = static_cast<AnnotationKind>(random.below(kAnnotationKinds));
+    HighlightedElement element{kAllPrimitiveKinds[random.below(kPrimitiveKinds)],
+                               static_cast<ProvenanceRole>(random.below(3))};
+    if (element.kind == PrimitiveKind::circle || element.kind == PrimitiveKind::disk)
+      element.radius = std::exp2(random.uniform(-60.0, 30.0));
+    const bool is_highlight = kind == AnnotationKind::highlight;
     std::vector<Vec2> places;
-    for (std::size_t i = 0; i < anchor_count(kind); ++i)
+    for (std::size_t i = 0; i < (is_highlight ? anchor_count(element.kind) : anchor_count(kind)); ++i)
       places.push_back(i > 0 && random.below(8) == 0 ? places.back() : any_place());
     Annotation annotation = of_kind(kind, places, random.below(2) == 0 ? "" : "words");
+    if (is_highlight) annotation.elements = {element};
     annotation.shift = 200.0 * Vec2{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     SeenPlane plane = kPlane;
     plane.units_per_pixel = std::exp2(random.uniform(-50.0, 20.0));
     const AnnotationDrawing out =
         layout_annotations(place(document_with({}, {annotation})), plane, measure, std::nullopt);
     const auto is_near = [](Vec2 p) { return std::abs(p.x) < 1e5 && std::abs(p.y) < 1e5; };
-    for (const PaperDrawing::Stroke& stroke : out.drawing.strokes)
-      for (const Vec2 p : stroke.points) REQUIRE(is_near(p));
-    for (const PaperDrawing::Arc& arc : out.drawing.arcs) REQUIRE((is_near(arc.center) && arc.radius < 1e5));
+    for (const PaperDrawing* const each : {&out.drawing, &out.highlights}) {
+      for (const PaperDrawing::Stroke& stroke : each->strokes)
+        for (const Vec2 p : stroke.points) REQUIRE(is_near(p));
+      for (const PaperDrawing::Arc& arc : each->arcs) REQUIRE((is_near(arc.center) && arc.radius < 1e5));
+    }
     for (const PaperDrawing::Triangle& triangle : out.drawing.triangles)
       for (const Vec2 p : triangle.corners) REQUIRE(is_near(p));
     for (const PaperDrawing::Line& line : out.drawing.lines) REQUIRE(is_near({line.x, line.top}));
