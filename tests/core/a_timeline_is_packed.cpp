@@ -66,7 +66,8 @@ TimelineEdit some_edit(Rng& random) {
                                   {{some_place(random), {some_count(random)}}, {some_place(random), {}}},
                                   some_place(random),
                                   some_number(random),
-                                  random.below(2) == 0 ? std::optional(Rgb{1, 2, 3}) : std::nullopt});
+                                  random.below(2) == 0 ? std::optional(Rgb{1, 2, 3}) : std::nullopt,
+                                  {{PrimitiveKind::disk, ProvenanceRole::product, some_number(random)}}});
     });
   }
   if (random.below(3) == 0) out.curve = {{true, {some_count(random), 0}}, {false, {}}};
