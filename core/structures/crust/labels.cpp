@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/structures/crust/internal/label_spread.h"
+#include "core/structures/crust/internal/spanning_tree.h"
 
 namespace mes {
 
@@ -63,44 +65,25 @@ void Labels::read_conflicts_at(FaceSlot face) {
     if (edge != kNoSlot) read_conflict(edge);
 }
 
-std::unique_ptr<CertaintyTree> Labels::grown_tree(JobControl& job) const {
-  auto tree = std::make_unique<CertaintyTree>(delaunay_, crust_, order_);
-  tree->rebuild(job);
-  return tree;
-}
-
-// By clusters if they are small, otherwise by the tree, which may be there already. Open strokes are known.
-void Labels::choose_way(std::unique_ptr<CertaintyTree> tree, JobControl& job) {
+// By clusters if they are small, otherwise by the tree, which may be known. Open strokes are known.
+void Labels::choose_way(Table<EdgeSlot, std::uint8_t> is_in_tree, JobControl& job) {
   tree_.reset();
   if (join_.rebuild(job)) return;
   join_.clear();
-  tree_ = tree ? std::move(tree) : grown_tree(job);
+  if (is_in_tree.empty()) {
+    order_.find_keys();
+    is_in_tree = spanning_tree(delaunay_, order_, job);
+  }
+  tree_ = std::make_unique<CertaintyTree>(delaunay_, crust_, order_);
+  tree_->rebuild(is_in_tree, order_.take_keys());
   odd_when_tree_grew_ = crust_.odd_count();
 }
 
-// Hands labels on from infinity to all faces.
 void Labels::label_all(JobControl& job) {
-  constexpr std::uint8_t kUnknown = 2;
-  inside_.assign(delaunay_.face_rows(), kUnknown);
-  queue_.clear();
-  for (const FaceSlot face : delaunay_.face_slots()) {
-    if (!delaunay_.face(face).is_alive() || !delaunay_.face(face).is_infinite()) continue;
-    inside_[face] = 0;
-    queue_.push_back(face);
-    break;
-  }
-  std::uint64_t done = 0;
-  while (!queue_.empty()) {
-    const FaceSlot face = queue_.back();
-    queue_.pop_back();
-    if ((++done & 0xffffU) == 0) job.checkpoint(done, delaunay_.face_rows());
-    for (int i = 0; i < 3; ++i) {
-      const FaceSlot other = delaunay_.face(face).n[i];
-      if (inside_[other] != kUnknown || !is_passage(face, i)) continue;
-      inside_[other] = static_cast<std::uint8_t>(inside_[face] ^ (is_border(face, i) ? 1U : 0U));
-      queue_.push_back(other);
-    }
-  }
+  LabelSpread spread(
+      delaunay_, [this](FaceSlot face, int i) { return is_passage(face, i); },
+      [this](FaceSlot face, int i) { return is_border(face, i); });
+  spread.run(inside_, spread.usual_parts(delaunay_.face_rows()), job);
 }
 
 void Labels::rebuild(JobControl& job) {
@@ -110,18 +93,16 @@ void Labels::rebuild(JobControl& job) {
   tree_.reset();
   join_.clear();
   is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
-  // Among so many odd sites clusters are not small. The tree, which needs no strokes, then grows beside them.
-  const bool is_noise = !is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites);
-  std::unique_ptr<CertaintyTree> tree;
   order_.forget_keys();
-  if (is_noise) order_.find_keys();
-  run_tasks(is_noise ? 2 : 1, [&](std::size_t i) {
-    if (i == 0)
-      strokes_.rebuild(job);
-    else
-      tree = grown_tree(job);
-  });
-  order_.forget_keys();
+  // Among so many odd sites clusters are not small, and where strokes end is found sooner along the tree.
+  Table<EdgeSlot, std::uint8_t> is_in_tree;
+  if (!is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites)) {
+    order_.find_keys();
+    is_in_tree = spanning_tree(delaunay_, order_, job);
+    strokes_.rebuild_for_labels_alone(is_in_tree, job);
+  } else {
+    strokes_.rebuild(job);
+  }
   if (delaunay_.dimension() < 2) {
     inside_.assign(delaunay_.face_rows(), 0);
     return;
@@ -130,7 +111,8 @@ void Labels::rebuild(JobControl& job) {
     label_all(job);
     return;
   }
-  choose_way(std::move(tree), job);
+  choose_way(std::move(is_in_tree), job);
+  order_.forget_keys();
   conflict_.resize(delaunay_.edge_rows(), 0);
   if (tree_) label_all(job);
   read_all_conflicts();
@@ -159,6 +141,11 @@ bool Labels::follow_conflicts(JobControl& job) {
   if (is_idle_) return false;
   find_touched_sites();
   conflict_.resize(delaunay_.edge_rows(), 0);
+  if (!strokes_.is_ready_to_update()) {
+    strokes_.rebuild(job);
+    label_all_anew(job);
+    return true;
+  }
   strokes_.update(touched_, job);
   const bool is_large = delaunay_.edge_changes().size() > 64 + delaunay_.edge_rows() / kFewEdges;
   if (tree_ ? is_large || !tree_->has_forests() || crust_.odd_count() < odd_when_tree_grew_ / 2
@@ -177,11 +164,12 @@ bool Labels::follow_conflicts(JobControl& job) {
 }
 
 void Labels::get_ready_to_update(JobControl& job) {
+  if (!strokes_.is_ready_to_update()) strokes_.rebuild(job);
   if (tree_ && !tree_->has_forests()) tree_->make_forests(job);
 }
 
 void Labels::label_all_anew(JobControl& job) {
-  choose_way(nullptr, job);
+  choose_way({}, job);
   get_ready_to_update(job);
   const Table<FaceSlot, std::uint8_t> before = inside_;
   if (!tree_)
@@ -244,6 +232,7 @@ bool Labels::repair(JobControl& job) {
     for (const EdgeSlot edge : conflict_edges_) check(edge);
   }
   if (violations_.empty()) return true;
+  if (tree_) return turn_along_tree(job);
   return side_search_.run(
       violations_,
       [this](FaceSlot face, auto visit) {
@@ -256,6 +245,28 @@ bool Labels::repair(JobControl& job) {
         turned_.push_back(face);
       },
       delaunay_.face_rows(), job);
+}
+
+// In the tree of faces it is known which side of a violated edge is the one away from infinity, across an odd number of
+// violated edges: what lies there is turned over, and nothing else is looked at.
+bool Labels::turn_along_tree(JobControl& job) {
+  tree_->find_odd_sides(violations_, queue_);
+  face_marks_.begin(delaunay_.face_rows());
+  std::size_t kept = 0;
+  for (const FaceSlot face : queue_)
+    if (face_marks_.insert(face)) queue_[kept++] = face;
+  queue_.resize(kept);
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    if ((next & 0xfffU) == 0xfffU) job.checkpoint();
+    const FaceSlot face = queue_[next];
+    const FaceRow& row = delaunay_.face(face);
+    if (row.is_infinite()) return false;
+    for (int i = 0; i < 3; ++i)
+      if (is_passage(face, i) && !is_violated(face, i) && face_marks_.insert(row.n[i])) queue_.push_back(row.n[i]);
+  }
+  for (const FaceSlot face : queue_) inside_[face] ^= 1U;
+  turned_.insert(turned_.end(), queue_.begin(), queue_.end());
+  return true;
 }
 
 bool Labels::update(JobControl& job) {

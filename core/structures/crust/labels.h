@@ -31,7 +31,7 @@ namespace mes {
 /// Cost: rebuild O(n), O(n log n) where a good part of the samples is odd. Update O(new faces + faces whose label
 /// changes), and O(log n) for each changed edge in the latter case. How: new faces take tentative labels from their
 /// neighbours; where two faces then disagree with the edge between them, the smaller side of the disagreement, found by
-/// searching all sides in lock-step, is turned over. Few odd samples are joined in clusters (`ConflictJoin`), and
+/// searching all sides in lock-step, is turned over, or the side that the tree of faces says. Few odd samples are joined in clusters (`ConflictJoin`), and
 /// labels follow from the conflicts. Where clusters would take up a good part of the plane, as in noise, labels are
 /// handed on along the tree of faces (`CertaintyTree`), and the conflicts follow from the labels. Both ways give the
 /// same labels. Source: even-odd parity; the locality lemma of docs/architecture.md.
@@ -60,9 +60,9 @@ class Labels final : public Structure {
  private:
   /// A tree is grown anew when an edit changes more than one of so many edges.
   static constexpr std::size_t kFewEdges = 16;
-  /// The tree is grown at once, without waiting for clusters, when more than one of so many sites is odd, ...
+  /// Samples are noise when more than one of so many sites is odd, ...
   static constexpr std::size_t kFewSites = 4;
-  /// ... and there are so many of them that a thread for it pays.
+  /// ... and there are so many of them that threads pay.
   static constexpr std::size_t kManyOddSites = 4096;
 
   // The next four are about edge `i` of a face, opposite its corner `i`.
@@ -87,14 +87,14 @@ class Labels final : public Structure {
     return is_passage(face, i) && (inside_[face] != inside_[other]) != is_border(face, i);
   }
 
-  std::unique_ptr<CertaintyTree> grown_tree(JobControl& job) const;
-  void choose_way(std::unique_ptr<CertaintyTree> tree, JobControl& job);
+  void choose_way(Table<EdgeSlot, std::uint8_t> is_in_tree, JobControl& job);
   void label_all(JobControl& job);
   void label_all_anew(JobControl& job);
   void find_touched_sites();
   bool follow_conflicts(JobControl& job);
   void label_new_faces();
   bool repair(JobControl& job);
+  bool turn_along_tree(JobControl& job);
   void set_conflict(EdgeSlot edge, bool is_conflict);
   /// By the trees or clusters, or by the labels that follow from them.
   bool is_in_conflict(EdgeSlot edge) const;

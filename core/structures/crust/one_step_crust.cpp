@@ -13,8 +13,13 @@ OneStepCrust::OneStepCrust(Delaunay& delaunay) : Structure("one-step-crust", {&d
 
 EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
-  const SiteSlot left = delaunay_.apex(row.f[0], edge);
-  const SiteSlot right = delaunay_.apex(row.f[1], edge);
+  // Which corner it is follows no pattern: looked up without a branch, which would be foreseen wrongly every other time.
+  const auto apex = [this, edge](FaceSlot slot) {
+    const FaceRow& face = delaunay_.face(slot);
+    return face.v[(face.e[1] == edge ? 1U : 0U) | (face.e[2] == edge ? 2U : 0U)];
+  };
+  const SiteSlot left = apex(row.f[0]);
+  const SiteSlot right = apex(row.f[1]);
   const Vec2 a = delaunay_.site_position(row.v[0]);
   const Vec2 b = delaunay_.site_position(row.v[1]);
   if (left == kInfiniteSite) return {delaunay_.site_position(right), b, a, {}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/change_set.h"
@@ -27,7 +28,10 @@ class CertaintyGrowth {
     Place from;  ///< the other end of that edge; it comes before this site
   };
 
-  CertaintyGrowth(const Delaunay& delaunay, const CertaintyOrder& order) : delaunay_(delaunay), order_(order) {}
+  /// Given the spanning tree (spanning_tree.h), the growth looks at its edges only: those are all that it can take.
+  CertaintyGrowth(const Delaunay& delaunay, const CertaintyOrder& order,
+                  const Table<EdgeSlot, std::uint8_t>* tree = nullptr)
+      : delaunay_(delaunay), order_(order), tree_(tree) {}
 
   /// From `seed`, which is odd; `is_odd(site)` says which sites are, of which there is an even number. False if the
   /// component would have more than `limit` sites; what has grown by then is what that depends on.
@@ -43,6 +47,7 @@ class CertaintyGrowth {
 
   const Delaunay& delaunay_;
   const CertaintyOrder& order_;
+  const Table<EdgeSlot, std::uint8_t>* tree_;
   SlotMarks<SiteSlot> grown_;
   std::vector<Step> heap_;
   Table<Place, Step> steps_;
@@ -50,7 +55,7 @@ class CertaintyGrowth {
 
 inline void CertaintyGrowth::push_edges_of(SiteSlot site, Place place) {
   delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-    if (grown_.contains(other)) return;
+    if ((tree_ != nullptr && (*tree_)[edge] == 0) || grown_.contains(other)) return;
     heap_.push_back({order_.rank_of(edge), other, place});
     std::ranges::push_heap(heap_, [this](const Step& a, const Step& b) { return order_.is_surer(a.rank, b.rank); });
   });

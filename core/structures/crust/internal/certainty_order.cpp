@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/internal/certainty_order.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -18,6 +19,7 @@ std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
 }  // namespace
 
 void CertaintyOrder::find_keys() {
+  forget_keys();
   Table<EdgeSlot, double> keys(delaunay_.edge_rows(), 0.0);
   parallel_for(keys.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
@@ -26,7 +28,42 @@ void CertaintyOrder::find_keys() {
   keys_ = std::move(keys);
 }
 
+void CertaintyOrder::sort(std::vector<Rank>& ranks) const {
+  constexpr std::size_t kFew = 32;
+  const auto exactly = [this](const Rank& a, const Rank& b) { return is_surer(b, a); };
+  if (ranks.size() < kFew) {
+    std::ranges::sort(ranks, exactly);
+    return;
+  }
+  // By the keys first: into groups of some four, which are sorted on their own.
+  const auto [low, high] = std::ranges::minmax(ranks, {}, &Rank::key);
+  const std::size_t groups = ranks.size() / 4;
+  const double per_group = static_cast<double>(groups) / std::max(high.key - low.key, 4.0 * kAmbiguityKeyError);
+  const auto group_of = [low = low.key, per_group, groups](double key) {
+    return std::min(static_cast<std::size_t>((key - low) * per_group), groups - 1);
+  };
+  std::vector<std::uint32_t> end(groups, 0);
+  for (const Rank& rank : ranks) ++end[group_of(rank.key)];
+  std::uint32_t total = 0;
+  for (std::uint32_t& count : end) total += std::exchange(count, total);
+  std::vector<Rank> sorted(ranks.size());
+  for (const Rank& rank : ranks) sorted[end[group_of(rank.key)]++] = rank;
+  const auto at = [&sorted](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t group = 0; group < groups; ++group)
+    std::sort(at(group == 0 ? 0 : end[group - 1]), at(end[group]),
+              [](const Rank& a, const Rank& b) { return a.key < b.key; });
+  // Then exactly, where a key is no farther from the one before than their errors.
+  for (std::size_t begin = 0; begin < sorted.size();) {
+    std::size_t next = begin + 1;
+    while (next < sorted.size() && sorted[next].key - sorted[next - 1].key <= 2.0 * kAmbiguityKeyError) ++next;
+    if (next - begin > 1) std::sort(at(begin), at(next), exactly);
+    begin = next;
+  }
+  ranks.swap(sorted);
+}
+
 bool CertaintyOrder::mends(EdgeSlot edge) const {
+  if (!keys_.empty()) return keys_[edge] < 0.0;
   const SiteSlot* end = delaunay_.edge(edge).v;
   if (!crust_.is_odd(end[0]) || !crust_.is_odd(end[1])) return false;
   // Which diagonals cocircular sites have is chance, and their triangles are one ball: never between different

@@ -2,6 +2,9 @@
 // Which Delaunay edges give way first where labels cannot follow all of the crust.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "core/structures/crust/one_step_crust.h"
 
 namespace mes {
@@ -31,15 +34,18 @@ class CertaintyOrder {
     if (!keys_.empty()) return {keys_[edge], edge};
     return {mends(edge) ? mending_key(edge) : ambiguity_key(crust_.corners(edge)), edge};
   }
-  /// Finds the keys of all edges, on all cores, for when most of them will be asked for. They hold until `forget_keys`,
-  /// which has to come before the next edit.
+  /// Finds the keys of all edges, on all cores, for when most of them will be asked for. They hold until `take_keys`
+  /// or `forget_keys`, one of which has to come before the next edit.
   void find_keys();
+  Table<EdgeSlot, double> take_keys() { return std::exchange(keys_, {}); }
   void forget_keys() { keys_ = {}; }
   /// The first comes later in the order than the second.
   bool is_surer(const Rank& a, const Rank& b) const {
     if (std::abs(a.key - b.key) > 2.0 * kAmbiguityKeyError) return a.key > b.key;
     return a.edge != b.edge && is_surer_by_exact_test(a, b);
   }
+  /// The most doubtful first. O(n) where keys are well apart, otherwise O(n log n).
+  void sort(std::vector<Rank>& ranks) const;
   /// Contradicting the edge brings both of its ends, which are odd, to degree two or nearer to it.
   bool mends(EdgeSlot edge) const;
 

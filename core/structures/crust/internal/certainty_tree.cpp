@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/internal/certainty_tree.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 
 namespace mes {
@@ -34,95 +31,14 @@ void CertaintyTree::make_room() {
   faces_.grow(delaunay_.face_rows() + 1, delaunay_.edge_rows());
 }
 
-// By their keys alone, so that all edges of one group come before all of the next, except those whose keys differ by less
-// than their error.
-CertaintyTree::Groups CertaintyTree::grouped_by_key() {
-  using Rank = CertaintyOrder::Rank;
-  // Keys lie between -2 and 1.5.
-  constexpr std::size_t kGroups = 2048;
-  constexpr double kPerGroup = static_cast<double>(kGroups) / 3.5;
-  const auto group_of = [](double key) {
-    return static_cast<std::size_t>(std::clamp((key + 2.0) * kPerGroup, 0.0, static_cast<double>(kGroups - 1)));
-  };
-  const std::size_t rows = delaunay_.edge_rows();
-  const std::size_t parts = worker_count();
-  const auto rows_of = [&](std::size_t part) {
-    return slots_between<EdgeSlot>(rows * part / parts, rows * (part + 1) / parts);
-  };
-  std::vector<std::vector<std::size_t>> place(parts);  // first how many there are, then where the next one goes
-  run_tasks(parts, [&](std::size_t part) {
-    std::vector<std::size_t> counts(kGroups, 0);
-    for (const EdgeSlot edge : rows_of(part)) {
-      if (!delaunay_.edge(edge).is_alive()) continue;
-      key_[edge] = order_.rank_of(edge).key;
-      ++counts[group_of(key_[edge])];
-    }
-    place[part] = std::move(counts);
-  });
-  Groups out;
-  out.begin.reserve(kGroups + 1);
-  std::size_t total = 0;
-  for (std::size_t group = 0; group < kGroups; ++group) {
-    out.begin.push_back(total);
-    for (std::size_t part = 0; part < parts; ++part) total += std::exchange(place[part][group], total);
-  }
-  out.begin.push_back(total);
-  out.ranks.resize(total);
-  run_tasks(parts, [&](std::size_t part) {
-    std::vector<std::size_t>& next = place[part];
-    for (const EdgeSlot edge : rows_of(part))
-      if (delaunay_.edge(edge).is_alive()) out.ranks[next[group_of(key_[edge])]++] = Rank{key_[edge], edge};
-  });
-  return out;
-}
-
-// Kruskal's algorithm. Most edges are never put in order: when their group comes, their ends are in one tree already.
-void CertaintyTree::rebuild(JobControl& job) {
-  using Rank = CertaintyOrder::Rank;
+void CertaintyTree::rebuild(const Table<EdgeSlot, std::uint8_t>& is_in_tree, Table<EdgeSlot, double> keys) {
   has_forests_ = false;
-  key_.assign(delaunay_.edge_rows(), 0.0);
   place_.assign(delaunay_.edge_rows(), Place::none);
-  const Groups groups = grouped_by_key();
-  job.checkpoint();
-  DisjointSets<SiteSlot> joined(delaunay_.site_rows());
-  const auto are_joined = [&](EdgeSlot edge) {
-    const EdgeRow& row = delaunay_.edge(edge);
-    return joined.root(row.v[0]) == joined.root(row.v[1]);
-  };
-  std::vector<Rank> waiting;
-  for (std::size_t group = 0; group + 1 < groups.begin.size(); ++group) {
-    if (groups.begin[group] == groups.begin[group + 1]) continue;
-    job.checkpoint();
-    for (std::size_t i = groups.begin[group]; i < groups.begin[group + 1]; ++i) {
-      const Rank& rank = groups.ranks[i];
-      if (are_joined(rank.edge))
-        place_[rank.edge] = Place::faces;
-      else
-        waiting.push_back(rank);
-    }
-    std::ranges::sort(waiting, [this](const Rank& a, const Rank& b) { return order_.is_surer(b, a); });
-    // What is too near to an edge of the next groups waits for it.
-    double least = groups.least_after(group);
-    std::size_t ready = waiting.size();
-    while (ready != 0 && waiting[ready - 1].key >= least - 4.0 * kAmbiguityKeyError)
-      least = std::min(least, waiting[--ready].key);
-    for (std::size_t i = 0; i < ready; ++i) {
-      const EdgeRow& row = delaunay_.edge(waiting[i].edge);
-      const SiteSlot a = joined.root(row.v[0]);
-      const SiteSlot b = joined.root(row.v[1]);
-      place_[waiting[i].edge] = a == b ? Place::faces : Place::sites;
-      if (a != b) joined.join(a, b);
-    }
-    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(ready));
-  }
-}
-
-double CertaintyTree::Groups::least_after(std::size_t group) const {
-  double least = std::numeric_limits<double>::infinity();
-  const auto next = std::ranges::upper_bound(begin, begin[group + 1]);
-  if (next == begin.end()) return least;
-  for (std::size_t i = begin[group + 1]; i < *next; ++i) least = std::min(least, ranks[i].key);
-  return least;
+  parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
+      if (delaunay_.edge(edge).is_alive()) place_[edge] = is_in_tree[edge] != 0 ? Place::sites : Place::faces;
+  });
+  key_ = std::move(keys);
 }
 
 void CertaintyTree::make_forests(JobControl& job) {
@@ -208,6 +124,20 @@ void CertaintyTree::insert(EdgeSlot edge) {
     put_between_faces(edge);
     new_between_faces_.push_back(edge);
   }
+}
+
+void CertaintyTree::find_odd_sides(const std::vector<std::pair<FaceSlot, FaceSlot>>& pairs,
+                                   std::vector<FaceSlot>& out) {
+  const auto mark = [&](bool is_marked) {
+    for (const auto& [a, b] : pairs) {
+      const FaceRow& row = delaunay_.face(a);
+      faces_.set_mark(row.e[row.index_of_neighbour(b)], is_marked);
+    }
+  };
+  mark(true);
+  out.clear();
+  for (const auto& [a, b] : pairs) out.push_back(faces_.are_marks_odd(0, vertex_of(a)) ? a : b);
+  mark(false);
 }
 
 void CertaintyTree::update(JobControl& job) {

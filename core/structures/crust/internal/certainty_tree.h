@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/base/job_control.h"
@@ -18,7 +19,7 @@ namespace mes {
 ///
 /// What it guarantees: the trees depend on the positions of the sites alone, whatever the history.
 ///
-/// Cost: rebuild O(n log n), by Kruskal's algorithm, which sorts few of the edges; update O(log n) for an edge that came, went or has another rank,
+/// Cost: rebuild O(n log n), see `spanning_tree`; update O(log n) for an edge that came, went or has another rank,
 /// amortised. Some 300 bytes a site. How: an edge that is removed is replaced by the most doubtful edge on the path
 /// between its two faces; an edge that is inserted takes the place of the surest edge on the path between its two
 /// sites, if that is surer than itself. Source: Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance
@@ -32,14 +33,17 @@ class CertaintyTree {
   /// The edge is in the tree of faces; otherwise in that of the sites.
   bool is_between_faces(EdgeSlot edge) const { return place_[edge] == Place::faces; }
 
-  /// Tells which edge is in which tree, and no more.
-  void rebuild(JobControl& job);
+  /// Tells which edge is in which tree, and no more. Takes the spanning tree (spanning_tree.h) and the keys of all edges.
+  void rebuild(const Table<EdgeSlot, std::uint8_t>& is_in_tree, Table<EdgeSlot, double> keys);
   /// Makes what `update` needs besides, and is the larger part of the work.
   void make_forests(JobControl& job);
   /// `make_forests` has been called since `rebuild`.
   bool has_forests() const { return has_forests_; }
   /// Follows the change sets of the triangulation and the crust.
   void update(JobControl& job);
+  /// Of each two neighbours, in the tree of faces, the one between which and infinity lies an odd number of those pairs.
+  /// The forests must be there. O(log n) for each pair, amortised.
+  void find_odd_sides(const std::vector<std::pair<FaceSlot, FaceSlot>>& pairs, std::vector<FaceSlot>& out);
   /// Edges that the last update put into the tree of faces.
   const std::vector<EdgeSlot>& new_between_faces() const { return new_between_faces_; }
 
@@ -64,14 +68,6 @@ class CertaintyTree {
   Vertex vertex_of(FaceSlot face) const { return delaunay_.face(face).is_infinite() ? 0 : face.index() + 1; }
   Ends ends_of(EdgeSlot edge) const;
   void make_room();
-  /// Edges in groups, each with greater keys than the group before.
-  struct Groups {
-    std::vector<CertaintyOrder::Rank> ranks;
-    std::vector<std::size_t> begin;  ///< of each group in `ranks`, and the end of all
-    /// The least key in the groups after this one.
-    double least_after(std::size_t group) const;
-  };
-  Groups grouped_by_key();
   void put_between_sites(EdgeSlot edge);
   void put_between_faces(EdgeSlot edge);
   void take_out(EdgeSlot edge);

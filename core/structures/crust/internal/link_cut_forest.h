@@ -86,6 +86,18 @@ class LinkCutForest {
     access(node_of_vertex(b));
     return at(node_of_vertex(b)).best;
   }
+  /// Marks are gone when the edge is linked again.
+  void set_mark(Edge edge, bool is_marked) {
+    access(node_of(edge));
+    at(node_of(edge)).is_marked = is_marked;
+    pull(node_of(edge));
+  }
+  /// On the way between two vertices of one tree, an odd number of edges is marked.
+  bool are_marks_odd(Vertex a, Vertex b) {
+    make_root(node_of_vertex(a));
+    access(node_of_vertex(b));
+    return at(node_of_vertex(b)).has_odd_marks;
+  }
   /// To be called when the edge has become better or worse.
   void refresh(Edge edge) { access(node_of(edge)); }
 
@@ -101,6 +113,8 @@ class LinkCutForest {
     std::array<Node, 2> child{kNone, kNone};
     Edge best;  // of the splay tree from here down
     bool is_reversed = false;
+    bool is_marked = false;      // the edge itself
+    bool has_odd_marks = false;  // the splay tree from here down
   };
   Body& at(Node node) { return nodes_[node & 1U][node >> 1U]; }
 
@@ -118,8 +132,10 @@ class LinkCutForest {
   void pull(Node node) {
     Body& body = at(node);
     Edge best = (node & 1U) != 0 ? Edge(node >> 1U) : Edge();
+    body.has_odd_marks = body.is_marked;
     for (const Node child : body.child) {
       if (child == kNone) continue;
+      body.has_odd_marks = body.has_odd_marks != at(child).has_odd_marks;
       const Edge of_child = at(child).best;
       if (of_child == kNoSlot) continue;
       if (best == kNoSlot || better_(of_child, best)) best = of_child;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/internal/open_strokes.h"
 
+#include <algorithm>
+#include <atomic>
 #include <limits>
 #include <utility>
+
+#include "core/base/parallel.h"
 
 namespace mes {
 
@@ -106,55 +110,81 @@ void OpenStrokes::forget_those_at(SiteSlot site) {
   while (first_watch_[site] != kNoSlot) forget(watches_[first_watch_[site]].chain);
 }
 
-bool OpenStrokes::grow(SiteSlot site, std::size_t reach, JobControl& job) {
-  return growth_.grow(
+bool OpenStrokes::grow(SiteSlot site, std::size_t reach, Walk& walk, JobControl& job) const {
+  return walk.growth.grow(
       site, reach, [this](SiteSlot one) { return (curve_degree(one) & 1) != 0; }, job);
 }
 
-void OpenStrokes::watch_growth(ChainSlot chain) {
-  for (const auto& step : growth_.steps()) watch(chain, step.site);
-}
-
-bool OpenStrokes::finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job) {
-  const bool finds = grow(site, reach, job);
-  watch_growth(chain);
+bool OpenStrokes::finds_partner(SiteSlot site, std::size_t reach, Walk& walk, JobControl& job) const {
+  const bool finds = grow(site, reach, walk, job);
+  for (const auto& step : walk.growth.steps()) walk.met.push_back(step.site);
   return finds;
 }
 
 // Where one end finds a partner that is not the other end, the other's growth does not count: looking a little way from
 // both first decides most chains of noise.
-bool OpenStrokes::finds_other_nearby(SiteSlot a, SiteSlot b, ChainSlot chain, JobControl& job) {
+bool OpenStrokes::finds_other_nearby(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) const {
   for (const auto& [from, to] : {std::pair(b, a), std::pair(a, b)}) {
-    if (!grow(from, kNearby, job) || growth_.holds(to)) continue;
-    watch_growth(chain);
+    if (!grow(from, kNearby, walk, job) || walk.growth.holds(to)) continue;
+    for (const auto& step : walk.growth.steps()) walk.met.push_back(step.site);
     return true;
   }
   return false;
 }
 
-bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job) {
+bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, std::size_t edges, Walk& walk, JobControl& job) const {
   using Place = CertaintyGrowth::Place;
-  if (finds_other_nearby(a, b, chain, job)) return false;
+  if (finds_other_nearby(a, b, walk, job)) return false;
   const std::size_t reach = kReach + (edges + 1) / kStrokeSites;
-  const bool b_finds = finds_partner(b, reach, chain, job);
-  const std::size_t component = growth_.steps().size();
-  if (b_finds && !growth_.holds(a)) return false;
-  const bool a_finds = finds_partner(a, reach, chain, job);
+  const bool b_finds = finds_partner(b, reach, walk, job);
+  const std::size_t component = walk.growth.steps().size();
+  if (b_finds && !walk.growth.holds(a)) return false;
+  const bool a_finds = finds_partner(a, reach, walk, job);
   if (!a_finds && !b_finds) return true;
-  if (!a_finds || !b_finds || growth_.steps().size() != component) return false;
+  if (!a_finds || !b_finds || walk.growth.steps().size() != component) return false;
   std::size_t apart = 0;
-  const auto& steps = growth_.steps();
+  const auto& steps = walk.growth.steps();
   Place at(0);
   while (steps[at].site != b) ++at;
   for (; steps[at].from != kNoSlot; at = steps[at].from) ++apart;
   return apart > 2 && edges + 1 < kStrokeSites * component;
 }
 
-void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
-  if (!delaunay_.is_site(begin) || curve_degree(begin) != 1) return;
-  // What begins here is known already.
-  for (WatchSlot at = first_watch_[begin]; at != kNoSlot; at = watches_[at].next)
-    if (chains_[watches_[at].chain].begin == begin) return;
+// The curve edge at the site that is not `last`; there is one. The search ends there, which halves it.
+EdgeSlot OpenStrokes::next_on_curve(SiteSlot site, EdgeSlot last) const {
+  FaceSlot at = delaunay_.site_face(site);
+  for (;;) {
+    const FaceRow& row = delaunay_.face(at);
+    const int i = row.index_of_site(site);
+    const EdgeSlot edge = row.e[prev3(i)];
+    if (edge != kNoSlot && edge != last && is_on_curve(edge)) return edge;
+    at = row.n[next3(i)];
+  }
+}
+
+SiteSlot OpenStrokes::end_of_stroke(SiteSlot begin, Walk& walk, JobControl& job) const {
+  walk.edges.clear();
+  walk.met.clear();
+  std::size_t most_edges = std::numeric_limits<std::size_t>::max();
+  SiteSlot site = begin;
+  for (;;) {
+    walk.met.push_back(site);
+    if (site != begin && curve_degree(site) != 2) break;
+    const EdgeSlot on = next_on_curve(site, walk.edges.empty() ? EdgeSlot() : walk.edges.back());
+    walk.edges.push_back(on);
+    site = delaunay_.edge(on).v[delaunay_.edge(on).v[0] == site ? 1 : 0];
+    if ((walk.edges.size() & 1023U) == 0) job.checkpoint();
+    // Around a closed curve with a gap it is a long way, and the partner is near.
+    if (walk.edges.size() == kLong && finds_partner(begin, kReach, walk, job))
+      most_edges = kStrokeSites * walk.growth.steps().size();
+    if (walk.edges.size() + 1 >= most_edges) return {};
+  }
+  // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
+  if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk.edges.size(), walk, job)) return {};
+  return site;
+}
+
+OpenStrokes::ChainSlot OpenStrokes::new_chain(SiteSlot begin) {
   ChainSlot slot = chains_.next();
   if (free_chains_.empty()) {
     chains_.emplace_back();
@@ -163,33 +193,47 @@ void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
     free_chains_.pop_back();
   }
   chains_[slot].begin = begin;
-  walk_.clear();
-  std::size_t most_edges = std::numeric_limits<std::size_t>::max();
-  SiteSlot site = begin;
-  for (;;) {
-    watch(slot, site);
-    if (site != begin && curve_degree(site) != 2) break;
-    const EdgeSlot last = walk_.empty() ? EdgeSlot() : walk_.back();
-    SiteSlot next;
-    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-      if (next != kNoSlot || edge == last || !is_on_curve(edge)) return;
-      walk_.push_back(edge);
-      next = other;
-    });
-    site = next;
-    if ((walk_.size() & 1023U) == 0) job.checkpoint();
-    // Around a closed curve with a gap it is a long way, and the partner is near.
-    if (walk_.size() == kLong && finds_partner(begin, kReach, slot, job))
-      most_edges = kStrokeSites * growth_.steps().size();
-    if (walk_.size() + 1 >= most_edges) return;
-  }
-  // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
-  if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk_.size(), slot, job)) return;
+  return slot;
+}
+
+void OpenStrokes::note_stroke(ChainSlot slot, SiteSlot end, const std::vector<EdgeSlot>& edges) {
   Chain& chain = chains_[slot];
-  chain.end = site;
-  chain.edges = walk_;
+  chain.end = end;
+  chain.edges = edges;
   toggle(chain);
   ++count_;
+}
+
+void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
+  if (!delaunay_.is_site(begin) || curve_degree(begin) != 1) return;
+  // What begins here is known already.
+  for (WatchSlot at = first_watch_[begin]; at != kNoSlot; at = watches_[at].next)
+    if (chains_[watches_[at].chain].begin == begin) return;
+  const ChainSlot slot = new_chain(begin);
+  const SiteSlot end = end_of_stroke(begin, walk_, job);
+  for (const SiteSlot site : walk_.met) watch(slot, site);
+  if (end != kNoSlot) note_stroke(slot, end, walk_.edges);
+}
+
+// On all cores, without noting what the outcome depends on.
+void OpenStrokes::find_strokes(const std::vector<SiteSlot>& begins, const Table<EdgeSlot, std::uint8_t>& tree,
+                               JobControl& job) {
+  constexpr std::size_t kPiece = 512;
+  const std::size_t pieces = (begins.size() + kPiece - 1) / kPiece;
+  std::vector<std::vector<Stroke>> found(pieces);
+  std::atomic<std::size_t> next_piece{0};
+  run_tasks(std::min(worker_count(), pieces), [&](std::size_t) {
+    Walk walk{CertaintyGrowth(delaunay_, order_, &tree)};
+    for (std::size_t piece = next_piece++; piece < pieces; piece = next_piece++) {
+      job.checkpoint();
+      for (std::size_t i = kPiece * piece; i < std::min(kPiece * (piece + 1), begins.size()); ++i) {
+        const SiteSlot end = end_of_stroke(begins[i], walk, job);
+        if (end != kNoSlot) found[piece].push_back({begins[i], end, walk.edges});
+      }
+    }
+  });
+  for (const std::vector<Stroke>& strokes : found)
+    for (const Stroke& stroke : strokes) note_stroke(new_chain(stroke.begin), stroke.end, stroke.edges);
 }
 
 void OpenStrokes::make_room() {
@@ -218,8 +262,28 @@ void OpenStrokes::clear() {
   changed_ends_.clear();
 }
 
+// What `match_all` comes to, where the keys of all edges are known: all agree on which edges are better, so they are
+// taken in that order, each if both of its ends are still free.
+void OpenStrokes::match_in_order() {
+  std::vector<std::vector<CertaintyOrder::Rank>> found(chunk_count(delaunay_.edge_rows()));
+  parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
+      if (delaunay_.edge(edge).is_alive() && repairs(edge)) found[chunk].push_back(order_.rank_of(edge));
+  });
+  std::vector<CertaintyOrder::Rank> repairing;
+  for (const auto& ranks : found) repairing.insert(repairing.end(), ranks.begin(), ranks.end());
+  order_.sort(repairing);
+  for (const CertaintyOrder::Rank& rank : repairing) {
+    const SiteSlot* end = delaunay_.edge(rank.edge).v;
+    if (match_[end[0]].partner != kNoSlot || match_[end[1]].partner != kNoSlot) continue;
+    set_match(end[0], {rank.edge, end[1]});
+    set_match(end[1], {rank.edge, end[0]});
+  }
+}
+
 void OpenStrokes::rebuild(JobControl& job) {
   clear();
+  is_ready_to_update_ = true;
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
   make_room();
   noted_.begin(delaunay_.site_rows());
@@ -228,6 +292,18 @@ void OpenStrokes::rebuild(JobControl& job) {
   begins_ = proposers_;
   match_all(job);
   for (const SiteSlot site : begins_) find_chain(site, job);
+}
+
+void OpenStrokes::rebuild_for_labels_alone(const Table<EdgeSlot, std::uint8_t>& tree, JobControl& job) {
+  clear();
+  is_ready_to_update_ = false;
+  make_room();
+  noted_.begin(delaunay_.site_rows());
+  match_in_order();
+  job.checkpoint();
+  for (const SiteSlot site : delaunay_.site_slots())
+    if (delaunay_.is_site(site) && curve_degree(site) == 1) begins_.push_back(site);
+  find_strokes(begins_, tree, job);
 }
 
 void OpenStrokes::update(const std::vector<SiteSlot>& touched, JobControl& job) {

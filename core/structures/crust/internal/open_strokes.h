@@ -28,11 +28,12 @@ namespace mes {
 ///     an arc have an edge in common.
 ///
 /// Cost: O(odd sites, the chains, and what their ends grow). An update does this anew where a site has changed that
-/// the decision met: the walk along the chain and the two growths.
+/// the decision met: the walk along the chain and the two growths. Threads: a rebuild for labels alone borrows other
+/// cores.
 class OpenStrokes {
  public:
   OpenStrokes(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order)
-      : delaunay_(delaunay), crust_(crust), growth_(delaunay, order), order_(order) {}
+      : delaunay_(delaunay), crust_(crust), order_(order), walk_{CertaintyGrowth(delaunay, order)} {}
 
   bool has_edge(EdgeSlot edge) const { return on_stroke_.has(edge) && on_stroke_[edge] != 0; }
   /// The site is one of the two ends of an open stroke.
@@ -40,6 +41,10 @@ class OpenStrokes {
   std::size_t count() const { return count_; }
 
   void rebuild(JobControl& job);
+  /// The same strokes, quicker where many sites are odd, but without what only `update` needs. The keys of the order
+  /// must be there, and the spanning tree (spanning_tree.h).
+  void rebuild_for_labels_alone(const Table<EdgeSlot, std::uint8_t>& tree, JobControl& job);
+  bool is_ready_to_update() const { return is_ready_to_update_; }
   /// `touched` are all sites at which an edge came or went, or changed its crust bit or its opposite corners, and the
   /// neighbours of sites whose degree changed.
   void update(const std::vector<SiteSlot>& touched, JobControl& job);
@@ -82,9 +87,21 @@ class OpenStrokes {
   bool would_take(SiteSlot site, const CertaintyOrder::Rank& rank) const {
     return match_[site].partner == kNoSlot || order_.is_surer(order_.rank_of(match_[site].edge), rank);
   }
+  /// A walk from a site with one curve edge, and all that it meets; one a thread.
+  struct Walk {
+    CertaintyGrowth growth;
+    std::vector<EdgeSlot> edges{};
+    std::vector<SiteSlot> met{};  ///< sites on which the outcome depends, some of them several times
+  };
+  struct Stroke {
+    SiteSlot begin, end;
+    std::vector<EdgeSlot> edges;
+  };
+
   void set_match(SiteSlot site, const Match& match);
   void part(SiteSlot site);
   void match_all(JobControl& job);
+  void match_in_order();
   bool is_on_curve(EdgeSlot edge) const;
   int curve_degree(SiteSlot site) const { return crust_.degree(site) + degree_change_[site]; }
 
@@ -92,19 +109,24 @@ class OpenStrokes {
   void forget(ChainSlot chain);
   void forget_those_at(SiteSlot site);
   void find_chain(SiteSlot begin, JobControl& job);
-  bool grow(SiteSlot site, std::size_t reach, JobControl& job);
-  void watch_growth(ChainSlot chain);
-  bool finds_other_nearby(SiteSlot a, SiteSlot b, ChainSlot chain, JobControl& job);
-  bool finds_partner(SiteSlot site, std::size_t reach, ChainSlot chain, JobControl& job);
-  bool is_open(SiteSlot a, SiteSlot b, std::size_t edges, ChainSlot chain, JobControl& job);
+  void find_strokes(const std::vector<SiteSlot>& begins, const Table<EdgeSlot, std::uint8_t>& tree, JobControl& job);
+  void note_stroke(ChainSlot slot, SiteSlot end, const std::vector<EdgeSlot>& edges);
+  ChainSlot new_chain(SiteSlot begin);
+  EdgeSlot next_on_curve(SiteSlot site, EdgeSlot last) const;
+  /// Follows the curve from one end of a chain. The other end, if the chain is an open stroke and is noted here.
+  SiteSlot end_of_stroke(SiteSlot begin, Walk& walk, JobControl& job) const;
+  bool grow(SiteSlot site, std::size_t reach, Walk& walk, JobControl& job) const;
+  bool finds_other_nearby(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) const;
+  bool finds_partner(SiteSlot site, std::size_t reach, Walk& walk, JobControl& job) const;
+  bool is_open(SiteSlot a, SiteSlot b, std::size_t edges, Walk& walk, JobControl& job) const;
   void toggle(const Chain& chain);
   void make_room();
   void clear();
 
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
-  CertaintyGrowth growth_;
   const CertaintyOrder& order_;
+  bool is_ready_to_update_ = true;
 
   // Empty until there is an odd site.
   Table<SiteSlot, Match> match_;
@@ -127,7 +149,7 @@ class OpenStrokes {
   SlotMarks<SiteSlot> noted_;
   std::vector<Before> matches_before_;
   std::vector<SiteSlot> begins_;
-  std::vector<EdgeSlot> walk_;
+  Walk walk_;
   std::vector<EdgeSlot> changed_edges_;
   std::vector<SiteSlot> changed_ends_;
 };

@@ -189,12 +189,17 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
   void insert_all(Part& part, JobControl& job) {
     const auto order = insertion_order(part.samples, d_.samples_.extent(),
                                        [this](SampleSlot sample) { return position_of(sample); });
+    // The order is not that of the rows: what lies in many places is read and written apart from the triangulation, so
+    // that no step waits for it.
+    std::vector<Vec2> positions;
+    positions.reserve(order.size());
+    for (const Keyed<SampleSlot>& item : order) positions.push_back(position_of(item.slot));
+    std::vector<SiteSlot> sites;
+    sites.reserve(order.size());
     FaceHandle hint;
     SiteSlot site = part.first_site;
-    std::uint64_t done = 0;
-    for (const Keyed<SampleSlot>& item : order) {
-      if ((++done & 1023U) == 0) job.checkpoint(done, order.size());
-      const Vec2 p = position_of(item.slot);
+    for (const Vec2 p : positions) {
+      if ((sites.size() & 1023U) == 1023U) job.checkpoint(sites.size(), order.size());
       const VertexHandle v = part.triangulation.insert(Point(p.x, p.y), hint);
       hint = v->face();
       if (v->info().slot == kNoSlot) {
@@ -203,8 +208,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
         d_.site_position_[site] = p;
         ++site;
       }
-      d_.attach_sample(item.slot, v->info().slot);
+      sites.push_back(v->info().slot);
     }
+    for (std::size_t i = 0; i < order.size(); ++i) d_.attach_sample(order[i].slot, sites[i]);
   }
 
   void join(Part& part, Part& far, JobControl& job) {

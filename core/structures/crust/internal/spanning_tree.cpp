@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/crust/internal/spanning_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/box2.h"
+#include "core/base/disjoint_sets.h"
+#include "core/base/parallel.h"
+#include "core/base/prefetch.h"
+
+namespace mes {
+
+namespace {
+
+using Rank = CertaintyOrder::Rank;
+using Block = std::uint32_t;
+
+class SpanningTree {
+ public:
+  SpanningTree(const Delaunay& delaunay, const CertaintyOrder& order)
+      : delaunay_(delaunay),
+        order_(order),
+        is_in_tree_(delaunay.edge_rows(), 0),
+        kept_(delaunay.site_rows()),
+        joined_(delaunay.site_rows()),
+        reaches_out_(delaunay.site_rows(), 0) {}
+
+  Table<EdgeSlot, std::uint8_t> run(std::size_t sites_per_block, JobControl& job) {
+    const std::size_t blocks = cut_into_blocks(sites_per_block);
+    distribute_edges(blocks);
+    job.checkpoint();
+    run_tasks(blocks, [&](std::size_t block) {
+      job.checkpoint();
+      decide_within(block);
+    });
+    job.checkpoint();
+    decide_the_rest();
+    return std::move(is_in_tree_);
+  }
+
+ private:
+  // Cells of a grid, so that uniform sites fill the blocks equally.
+  std::size_t cut_into_blocks(std::size_t sites_per_block) {
+    const double cells = static_cast<double>(delaunay_.site_count()) / static_cast<double>(sites_per_block);
+    const auto side = static_cast<std::uint32_t>(std::clamp(std::sqrt(cells), 1.0, 256.0));
+    block_of_.assign(delaunay_.site_rows(), 0);
+    if (side == 1) return 1;
+    Box2 box;
+    for (const SiteSlot site : delaunay_.site_slots())
+      if (delaunay_.is_site(site)) box.add(delaunay_.site_position(site));
+    // Halved before subtracting, so that boxes as wide as the doubles do not overflow.
+    const auto cell_of = [side](double value, double low, double high) {
+      const double t = (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low) * side;
+      return t > 0.0 ? std::min(static_cast<std::uint32_t>(std::min(t, 1e6)), side - 1) : 0U;
+    };
+    parallel_for(delaunay_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (const SiteSlot site : slots_between<SiteSlot>(begin, end)) {
+        if (!delaunay_.is_site(site)) continue;
+        const Vec2 at = delaunay_.site_position(site);
+        block_of_[site] = side * cell_of(at.y, box.low.y, box.high.y) + cell_of(at.x, box.low.x, box.high.x);
+      }
+    });
+    return std::size_t{side} * side;
+  }
+
+  // The edges of each block come to lie together; those between two blocks come last of all.
+  void distribute_edges(std::size_t blocks) {
+    const std::size_t rows = delaunay_.edge_rows();
+    const std::size_t parts = worker_count();
+    const auto rows_of = [&](std::size_t part) {
+      return slots_between<EdgeSlot>(rows * part / parts, rows * (part + 1) / parts);
+    };
+    const auto group_of = [&](const EdgeRow& row) {
+      const Block a = block_of_[row.v[0]];
+      return a == block_of_[row.v[1]] ? a : static_cast<Block>(blocks);
+    };
+    std::vector<std::vector<std::size_t>> place(parts);  // first how many there are, then where the next one goes
+    run_tasks(parts, [&](std::size_t part) {
+      std::vector<std::size_t> counts(blocks + 1, 0);
+      for (const EdgeSlot edge : rows_of(part)) {
+        const EdgeRow& row = delaunay_.edge(edge);
+        if (row.is_alive()) ++counts[group_of(row)];
+      }
+      place[part] = std::move(counts);
+    });
+    std::size_t total = 0;
+    for (std::size_t group = 0; group <= blocks; ++group) {
+      begin_.push_back(total);
+      for (std::size_t part = 0; part < parts; ++part) total += std::exchange(place[part][group], total);
+    }
+    begin_.push_back(total);
+    ranks_.resize(total);
+    run_tasks(parts, [&](std::size_t part) {
+      std::vector<std::size_t>& next = place[part];
+      for (const EdgeSlot edge : rows_of(part)) {
+        const EdgeRow& row = delaunay_.edge(edge);
+        if (row.is_alive()) ranks_[next[group_of(row)]++] = order_.rank_of(edge);
+      }
+    });
+    leaving_.resize(blocks);
+    for (std::size_t i = begin_[blocks]; i < begin_[blocks + 1]; ++i)
+      for (const SiteSlot site : delaunay_.edge(ranks_[i].edge).v) leaving_[block_of_[site]].push_back(ranks_[i]);
+    open_.resize(blocks);
+  }
+
+  // Kruskal's algorithm twice at once: `joined_` has the components that edges of this block make, and `kept_` those of
+  // the edges that are in the tree for certain, where what is outside the block is one component, too, with all that
+  // `reaches_out_`.
+  void decide_within(std::size_t block) {
+    std::vector<Rank> ranks(ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[block]),
+                            ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[block + 1]));
+    ranks.insert(ranks.end(), leaving_[block].begin(), leaving_[block].end());
+    order_.sort(ranks);
+    constexpr std::size_t kAhead = 12;
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+      if (i + kAhead < ranks.size()) prefetch(delaunay_.edges().address(ranks[i + kAhead].edge));
+      const Rank& rank = ranks[i];
+      const EdgeRow& row = delaunay_.edge(rank.edge);
+      const bool is_own[2] = {block_of_[row.v[0]] == block, block_of_[row.v[1]] == block};
+      if (!is_own[0] || !is_own[1]) {
+        reaches_out_[kept_.root(row.v[is_own[0] ? 0 : 1])] = 1;
+        continue;
+      }
+      const SiteSlot a = kept_.root(row.v[0]);
+      const SiteSlot b = kept_.root(row.v[1]);
+      if (a == b) continue;
+      const bool both_reach_out = reaches_out_[a] != 0 && reaches_out_[b] != 0;
+      const SiteSlot joined_a = joined_.root(a);
+      const SiteSlot joined_b = joined_.root(b);
+      if (joined_a == joined_b) continue;
+      joined_.join(joined_a, joined_b);
+      if (both_reach_out) {
+        open_[block].push_back(rank);
+        continue;
+      }
+      is_in_tree_[rank.edge] = 1;
+      const std::uint8_t reaches_out = reaches_out_[a] | reaches_out_[b];
+      reaches_out_[kept_.join(a, b)] = reaches_out;
+    }
+  }
+
+  void decide_the_rest() {
+    std::vector<Rank> ranks(ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[open_.size()]), ranks_.end());
+    for (const std::vector<Rank>& open : open_) ranks.insert(ranks.end(), open.begin(), open.end());
+    order_.sort(ranks);
+    for (const Rank& rank : ranks) {
+      const EdgeRow& row = delaunay_.edge(rank.edge);
+      const SiteSlot a = kept_.root(row.v[0]);
+      const SiteSlot b = kept_.root(row.v[1]);
+      if (a == b) continue;
+      is_in_tree_[rank.edge] = 1;
+      kept_.join(a, b);
+    }
+  }
+
+  const Delaunay& delaunay_;
+  const CertaintyOrder& order_;
+  Table<EdgeSlot, std::uint8_t> is_in_tree_;
+  Table<SiteSlot, Block> block_of_;
+  std::vector<Rank> ranks_;
+  std::vector<std::size_t> begin_;  // of each block in `ranks_`, of the edges between blocks, and the end of all
+  std::vector<std::vector<Rank>> leaving_;  // by block: the edges between it and others
+  std::vector<std::vector<Rank>> open_;     // by block: what is not decided within it
+  // Rows of one block are those of one thread.
+  DisjointSets<SiteSlot> kept_;
+  DisjointSets<SiteSlot> joined_;
+  Table<SiteSlot, std::uint8_t> reaches_out_;  // by root of `kept_`
+};
+
+}  // namespace
+
+Table<EdgeSlot, std::uint8_t> spanning_tree(const Delaunay& delaunay, const CertaintyOrder& order, JobControl& job,
+                                            std::size_t sites_per_block) {
+  return SpanningTree(delaunay, order).run(sites_per_block, job);
+}
+
+}  // namespace mes
