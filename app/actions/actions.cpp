@@ -189,7 +189,7 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::toggle_axes, "toggle-axes", "Axes", "Show or hide numbers along the lower and the left edge"},
     {Id::toggle_grid, "toggle-grid", "Grid", "Show or hide faint lines at round numbers, those of the axes", "G"},
     {Id::toggle_annotations, "toggle-annotations", "Annotations",
-     "Show or hide text, arrows and dimensions that were put on the drawing"},
+     "Show or hide text, arrows, dimensions and highlights that were put on the drawing"},
     {Id::put_marks_back, "put-marks-back", "Put legend and scale bar back",
      "Give the legend and the scale bar, where they were dragged, their own places again"},
     {Id::add_pane, "add-pane", "Add a pane",

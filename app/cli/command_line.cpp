@@ -132,7 +132,7 @@ void add_explanations(CLI::App& command, Request& to) {
   command.add_flag("--axes", to.marks.axes, "Numbers along the lower and the left edge");
   command.add_flag("--grid", to.marks.grid, "Faint lines at round numbers, those of the axes");
   command.add_flag("!--no-annotations", to.with_annotations,
-                   "Leave out text, arrows and dimensions that a session holds");
+                   "Leave out text, arrows, dimensions and highlights that a session holds");
 }
 
 /// An option whose value is a place; `to` gets it.

@@ -240,7 +240,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
   ImGui::Checkbox("Grid", &settings.marks.grid);
   tooltip(gui, "Faint lines at round numbers, those of the axes");
   title(gui, "Annotations");
-  ImGui::Checkbox("Text, arrows, dimensions", &settings.with_annotations);
+  ImGui::Checkbox("Text, arrows, dimensions, highlights", &settings.with_annotations);
   tooltip(gui, "What the annotation tool has put on the drawing, as a layer of its own");
   title(gui, "Source");
   const figure::Format* const format = figure::format_for(settings.extension);

@@ -10,6 +10,7 @@
 #include "core/engine/graph.h"
 #include "core/engine/memory_lack.h"
 #include "core/engine/theorem_light.h"
+#include "core/graph/explain.h"
 #include "tests/support/layer_contents.h"
 
 using namespace mes;
@@ -89,6 +90,11 @@ StructureSet make_structures(const StructureSet* /*shared*/, bool /*has_document
   set.add(std::make_unique<Shaky>(set.get<Samples>()));
   set.add(std::make_unique<Dependent>(set.get<Shaky>()));
   return set;
+}
+
+std::vector<ProvenanceLine> explain_insertion(const StructureSet&, const std::function<bool(const Structure&)>&,
+                                              Vec2) {
+  return {};
 }
 
 std::vector<Layer> make_layers(const StructureSet& structures) {
