@@ -95,6 +95,7 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
   if (!delta) return std::unexpected(delta.error());
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
+  chosen[Parameter::a_scale] = 1.0;  // the shape is the union of the balls as they are
   Graph graph;
   const std::string_view boundary = axis == BranchAxis::angle   ? "angle-kept-boundary"
                                     : axis == BranchAxis::cover ? "cover-kept-boundary"

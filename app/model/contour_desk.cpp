@@ -87,6 +87,7 @@ Expected<std::string> ContourDesk::along(const CrustChains::Curve& curve) {
 }
 
 Expected<std::optional<std::string>> ContourDesk::follow() {
+  if (editor_.in_gesture()) return std::nullopt;
   const Expected<bool> is_found = crust_.follow();
   if (!is_found) {
     is_wanted_ = false;

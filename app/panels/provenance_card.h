@@ -30,6 +30,8 @@ class ProvenanceCard {
   /// True when there was something to take away.
   bool clear();
   const Provenance* shown() const { return answer_.get(); }
+  /// Any answer has come: a question that waits for another one was replaced.
+  void end_waiting() { is_asking_ = false; }
   /// A question has no answer yet.
   bool is_asking() const { return is_asking_; }
 

@@ -53,7 +53,9 @@ bool Picture::keep_instances(bool wanted) {
 }
 
 void Picture::keep(const FramePatch& patch) {
-  if (!has_instances_ && !brings_all(patch)) return;
+  const bool has_none = std::ranges::none_of(
+      patch.reports, [](const LayerReport& report) { return report.state == NodeState::up_to_date; });
+  if (!has_instances_ && !has_none && !brings_all(patch)) return;
   try {
     if (instances_.use_count() > 1) instances_ = std::make_shared<LayerMirror>(*instances_);
     instances_->apply(patch);
@@ -65,8 +67,9 @@ void Picture::keep(const FramePatch& patch) {
 }
 
 const LayerReport* Picture::first_failed() const {
-  const auto failed =
-      std::ranges::find_if(reports_, [](const LayerReport& report) { return report.state == NodeState::failed; });
+  const auto failed = std::ranges::find_if(reports_, [](const LayerReport& report) {
+    return report.state == NodeState::failed || report.state == NodeState::blocked;
+  });
   return failed == reports_.end() ? nullptr : &*failed;
 }
 

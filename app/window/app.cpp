@@ -151,13 +151,21 @@ void App::deliver_events() try {
   refuse_for_memory();
 }
 
-// From Alt pressed over the canvas until it is released. A recording has a frame of each change, and each change has to
-// be complete for that.
+// From Alt pressed over the canvas until it is released. Pictures that are kept show every change with its structures.
 void App::follow_hold() try {
   const Canvas& canvas = board_.canvas();
-  is_held_by_key_ = ImGui::GetIO().KeyAlt && !recording_.desk().is_recording() &&
-                    (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
-  work_.follow_hold(is_held_by_key_);
+  is_held_by_key_ = ImGui::GetIO().KeyAlt && (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
+  work_.follow_hold(!recording_.desk().wants_exact_picture(), is_held_by_key_);
+} catch (const std::bad_alloc&) {
+  refuse_for_memory();
+}
+
+// Of what is taken none, or all, is done.
+void App::take_results() try {
+  board_.take_results();
+  work_.follow_crust();
+  work_.follow_curves(ImGui::IsAnyItemActive());
+  work_.follow_resampling();
 } catch (const std::bad_alloc&) {
   refuse_for_memory();
 }
@@ -167,10 +175,7 @@ void App::turn() {
   deliver_events();
   documents_.take_results();
   recording_.note_if_complete(documents_.files().is_reading());
-  board_.take_results();
-  work_.follow_crust();
-  work_.follow_curves(ImGui::IsAnyItemActive());
-  work_.follow_resampling();
+  take_results();
   work_.follow_evolution(board_.picture().document_revision(), ImGui::GetTime());
   const bool was_about_to_rest = screen_.gui.is_about_to_rest();
   frame();

@@ -46,6 +46,7 @@ class App {
   void wait_for_event();
   void turn();
   void follow_hold();
+  void take_results();
   void deliver_events();
   void refuse_for_memory() noexcept;
   void frame();

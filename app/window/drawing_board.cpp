@@ -33,6 +33,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     settings.spray_spacing_px,
                     [this](const Error& error) { messages_.problem(error.message()); },
                     [this](const Pointer& pointer) {
+                      if (!may_ask()) return;
                       provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
                       constexpr double kReach = 7.0;
                       if (settings_.details == DetailsPage::branches)
@@ -143,11 +144,23 @@ void DrawingBoard::take_results() {
 
 // An answer to any question ends all that wait: a later one takes the place of an earlier one.
 void DrawingBoard::take_answer(std::unique_ptr<Provenance> answer) {
+  provenance_.end_waiting();
   const bool is_of_pointer = pointed_.take(*answer);
   const bool is_of_preview = preview_.take(*answer);
   const auto selected = values_.take(*answer);
   if (selected && !selected->empty()) messages_.remark(*selected);
   if (!is_of_pointer && !is_of_preview && !selected) provenance_.take(std::move(answer));
+}
+
+// The engine would answer about the document that it knows.
+bool DrawingBoard::may_ask() {
+  if (work_.hold().waiting().empty()) return true;
+  messages_.problem("Release the held update first: the structures are not those of the samples");
+  return false;
+}
+
+void DrawingBoard::select_values(LayerIndex layer, double low, double high) {
+  if (may_ask()) values_.ask(work_.engine(), layer, low, high);
 }
 
 void DrawingBoard::select_sources() {
@@ -157,7 +170,7 @@ void DrawingBoard::select_sources() {
   provenance_.keep_for(work_.editor());
   const Selection& selection = work_.editor().selection();
   if (count == 0)
-    messages_.problem("It comes from no sample and no ball that could be selected");
+    messages_.problem("It comes from no sample or ball of the document");
   else
     messages_.remark("Selected " + counted(selection.sample_count(), selection.ball_count()));
 }
@@ -294,10 +307,10 @@ void DrawingBoard::draw_pointer(const Frame& frame) {
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
   if (!is_hidden) screen_.window->set_pointer_shape(over_canvas ? canvas_.pointer_shape() : PointerShape::arrow);
   const bool is_marked = over_canvas && !frame.hides_pointer;
-  pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, !provenance_.is_asking()});
+  const bool may_ask = !provenance_.is_asking() && work_.hold().waiting().empty();
+  pointed_.follow(work_.engine(), {canvas_, work_.editor(), work_.layers(), is_marked, may_ask});
   preview_.follow(work_.engine(), canvas_, work_.editor(),
-                  is_marked && settings_.show_insertion_preview && canvas_.tool_id() == ToolId::insert &&
-                      !provenance_.is_asking());
+                  is_marked && settings_.show_insertion_preview && canvas_.tool_id() == ToolId::insert && may_ask);
   draw_marks_in_panes(is_marked);
   if (screen_.gui.lacks_letters()) screen_.clock.want(1);
 }

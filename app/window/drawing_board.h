@@ -35,7 +35,8 @@ class DrawingBoard {
   const Canvas& canvas() const { return canvas_; }
   ViewMotion& view() { return canvas_.view(); }
   const ViewMotion& view() const { return canvas_.view(); }
-  ValueSelector& value_selector() { return values_; }
+  /// Selects what elements of a layer with values in a range come from.
+  void select_values(LayerIndex layer, double low, double high);
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
   /// Makes what the card shows an annotation: one of its lines, or all.
@@ -96,6 +97,7 @@ class DrawingBoard {
   void draw_marks(std::size_t number, const PanePart& pane, bool is_marked);
   void fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once = false);
   void keep_measurement();
+  bool may_ask();
   void select_sources();
   void take_answer(std::unique_ptr<Provenance> answer);
   void keep(Annotation annotation);

@@ -38,6 +38,7 @@ void LessonRun::bind(ActionBindings& actions) {
 
 void LessonRun::start(const Session& session) {
   end();
+  work_.release_hold();
   work_.computation().give_back();
   work_.evolution().cancel();
   // A document that has just been opened has not been looked at.

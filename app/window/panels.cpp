@@ -74,9 +74,8 @@ Panels::Panels(const Uses& uses)
                          [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
                          uses.work.document(), uses.board.picture()})) {
-  layers_panel_.set_select([&work = uses.work, &board = uses.board](LayerIndex layer, double low, double high) {
-    board.value_selector().ask(work.engine(), layer, low, high);
-  });
+  layers_panel_.set_select(
+      [&board = uses.board](LayerIndex layer, double low, double high) { board.select_values(layer, low, high); });
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });

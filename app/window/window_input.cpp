@@ -80,7 +80,7 @@ void WindowInput::release(PointerButton button, Vec2 px, Modifiers modifiers, Cl
   const bool is_second = click_ && distance(px, click_->px) < kFarthestPx * scale &&
                          (when - click_->when < kLongest || click.frame - click_->frame <= 1);
   click_ = is_second ? std::nullopt : std::optional(click);
-  if (is_second) uses_.actions.run(ActionId::select_curve);
+  if (is_second && uses_.canvas.tool().feedback().hovered != kNoSlot) uses_.actions.run(ActionId::select_curve);
 }
 
 void WindowInput::on_wheel(double steps) {
@@ -111,8 +111,9 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
 }
 
 void WindowInput::on_key(const KeyChord& chord, bool repeated) {
-  // What a recording waits for may be what is to be cancelled.
-  if (uses_.recording.holds_input() && uses_.actions.keymap().find(chord, false) == ActionId::cancel_computation) {
+  // What a recording waits for may be what is to be cancelled, and so may the recording.
+  const auto action = uses_.recording.holds_input() ? uses_.actions.keymap().find(chord, false) : std::nullopt;
+  if (action == ActionId::cancel_computation || action == ActionId::record) {
     run_by_key(chord, repeated);
     return;
   }

@@ -191,7 +191,8 @@ std::shared_ptr<const SampleData> Workspace::data_of_pane(std::size_t pane) cons
 
 bool Workspace::is_complete() const {
   const EngineStatus status = engine_.status();
-  return !status.busy && !status.cancelled && demand_.is_told(wanted()) && pane_documents_.is_complete();
+  return !status.busy && !status.cancelled && hold_.waiting().empty() && demand_.is_told(wanted()) &&
+         pane_documents_.is_complete();
 }
 
 }  // namespace mes

@@ -106,8 +106,15 @@ class Workspace {
 
   /// Changes that the engine does not hear of yet.
   const UpdateHold& hold() const { return hold_; }
-  /// Once a turn: holds the update while the action or a key that is held wants that, else releases it.
-  void follow_hold(bool is_held_by_key) { hold_.set_held(is_held_by_action_ || is_held_by_key); }
+  /// Once a turn: holds the update while it may be held and the action or a key that is held wants that, else releases it.
+  void follow_hold(bool may_hold, bool is_held_by_key) {
+    hold_.set_held(may_hold && (is_held_by_action_ || is_held_by_key));
+  }
+  /// What is shown step by step would not be seen.
+  void release_hold() {
+    is_held_by_action_ = false;
+    hold_.set_held(false);
+  }
   /// Once a turn: selects along the crust, or makes contours of it, when it was found.
   void follow_crust();
   /// The same of samples of curves. `is_held`: a control of the panels is held.

@@ -79,8 +79,9 @@ void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
   using Direction = EvolutionPlayer::Direction;
   // A step by a key shows the slider, which says where it led.
   const auto bind = [&](ActionId id, auto act) {
-    actions.bind(id, {[&settings, act] {
+    actions.bind(id, {[this, &settings, act] {
                         settings.show_evolution = true;
+                        release_hold();
                         act();
                       },
                       [this] { return !editor_.in_gesture() && document().sample_count() != 0; }});
@@ -107,7 +108,7 @@ void Workspace::bind_computation(ActionBindings& actions) {
                {[this] { engine_.resume(); }, [this] { return engine_.status().cancelled; }});
   actions.bind(ActionId::hold_update, {[this] {
                                          is_held_by_action_ = !is_held_by_action_;
-                                         follow_hold(false);
+                                         if (!is_held_by_action_) release_hold();
                                        },
                                        {},
                                        [this] { return is_held_by_action_; }});

@@ -21,6 +21,7 @@ namespace mes {
 ///
 /// Cost: O(n), some 15 ns a box.
 inline std::vector<std::uint32_t> order_along_z_curve(std::span<const Box2> boxes) {
+  if (boxes.empty()) return {};
   const auto place = [](const Box2& box) {
     const auto middle = [](double low, double high) {
       if (!std::isfinite(low)) return std::isfinite(high) ? high : 0.0;

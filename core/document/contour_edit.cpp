@@ -122,6 +122,8 @@ bool Editing::cut(const Contour& contour) {
 
 bool Editing::join(std::span<const SampleId> samples) {
   if (samples.size() != 2 || samples[0] == samples[1]) return false;
+  for (const SampleId id : samples)
+    if (document_.slot_of(id) == kNoSlot) return false;
   // The contour that each of the two is the end of, oriented so that it is the last.
   struct Side {
     std::size_t contour = 0;

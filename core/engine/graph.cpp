@@ -466,6 +466,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
     for (const auto& part : layers_[layer].parts)
       part->for_each_instance([&](PrimitiveKind kind, const double* values, const Element& element) {
         const std::size_t last = stride_of(kind) - 1;
+        if (found.size() > kMost) return;
         if (!(values[last] >= question.low && values[last] <= question.high)) return;
         ProvenanceShape shape{kind, {}};
         std::copy_n(values, last, shape.values.begin());
@@ -478,7 +479,8 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   ProvenanceLine out{ProvenanceRole::origin, count_text(found.size(), "element", "elements"), {}, false};
   for (const auto& [element, shape] : found) {
     out.shapes.push_back(shape);
-    for (const ProvenanceLine& line : explain(structures(0), is_current, element))
+    for (const ProvenanceLine& line :
+         explain(structures(question.layers.front() / static_cast<LayerIndex>(layer_count_)), is_current, element))
       if (line.role != ProvenanceRole::product)
         out.shapes.insert(out.shapes.end(), line.shapes.begin(), line.shapes.end());
   }

@@ -76,10 +76,20 @@ class ShapeFileReader {
     return fail(fmt::format("record {} at byte {}: {}", record_, at_, text));
   }
 
-  /// Records follow each other, but some programs fill up with zeros. A record has a number, which is not zero.
+  /// What is there can be a record: it has room, and a type that there is.
+  bool may_be_record(std::size_t at) const {
+    constexpr std::array<std::uint32_t, 14> kTypes{0, 1, 3, 5, 8, 11, 13, 15, 18, 21, 23, 25, 28, 31};
+    if (bytes_.size() - at < kRecordHeader + 4) return false;
+    const std::uint64_t length = 2 * std::uint64_t{big(bytes_, at + 4)};
+    return length >= 4 && length <= bytes_.size() - at - kRecordHeader &&
+           std::ranges::find(kTypes, little(bytes_, at + kRecordHeader)) != kTypes.end();
+  }
+
+  /// Records follow each other, but some programs fill up with zeros.
   void pass_over_padding() {
     const std::size_t begin = at_;
-    while (bytes_.size() - at_ >= 4 && big(bytes_, at_) == 0) at_ += 2;
+    while (bytes_.size() - at_ >= 2 && !may_be_record(at_) && bytes_[at_] == '\0' && bytes_[at_ + 1] == '\0')
+      at_ += 2;
     if (at_ != begin && bytes_.find_first_not_of('\0', at_) == std::string_view::npos) at_ = bytes_.size();
     if (at_ != begin)
       remarks_.add("gap of zeros between records is passed over", "gaps of zeros between records are passed over",

@@ -168,6 +168,7 @@ TEST_CASE("a page that is cut to the drawing has annotations and numbers where t
   annotations.annotations = std::make_shared<const Annotations>(
       Annotations{{.kind = AnnotationKind::text, .text = "here", .anchors = {Anchor{.at = {1.0, 1.0}}}}});
   annotations.places = {{{1.0, 1.0}}};
+  annotations.highlighted = {{}};
   for (const bool is_tight : {false, true}) {
     const Drawn out = drawn({.shown = {}, .part = Everything{}, .is_tight = is_tight}, annotations);
     REQUIRE(out.figure.layers.size() == 2);

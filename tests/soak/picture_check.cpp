@@ -39,9 +39,9 @@ std::string difference_from_fresh(const Consumer& consumer, const Document& docu
                                   const ComputationSettings& settings, std::span<const LayerIndex> layers) {
   if (const std::string failure = failure_in(consumer.patch); !failure.empty()) return failure;
   if (consumer.patch.document_revision != document.revision()) return "the picture is of another document state";
-  SampleData data;
-  for (const SampleSlot slot : document.slots_in_input_order()) data.positions.push_back(document.position(slot));
-  for (const BallSlot slot : document.ball_slots_in_input_order()) data.balls.push_back(document.disk(slot));
+  SampleData data = data_of(document);
+  data.annotations.clear();
+  data.source.reset();
   Consumer fresh;
   fresh.graph.post_settings(settings);
   fresh.graph.set_demand(layers);

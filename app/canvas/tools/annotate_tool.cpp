@@ -20,6 +20,11 @@ void AnnotateTool::press(const Pointer& pointer) {
   Pressed pressed{.at = pointer};
   pressed.annotation = context_.annotation_at ? context_.annotation_at(pointer.px) : std::nullopt;
   const Document& document = context_.editor.document();
+  // What is highlighted is there to be written about.
+  if (pressed.annotation && *pressed.annotation < document.annotations()->size() &&
+      (*document.annotations())[*pressed.annotation].kind == AnnotationKind::highlight &&
+      !anchor_at(pointer).samples.empty())
+    pressed.annotation.reset();
   if (pressed.annotation && *pressed.annotation < document.annotations()->size()) {
     pressed.before = (*document.annotations())[*pressed.annotation];
     const double reach = kPickRadiusPx * pointer.units_per_px;

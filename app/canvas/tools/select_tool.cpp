@@ -73,12 +73,10 @@ void SelectTool::press(const Pointer& pointer) {
   start_ = now_ = pointer;
   pressed_ = pick(pointer);
   if (const auto handle = handle_at(pointer, pressed_)) {
-    state_ = State::handling;
+    note_places();
     handle_ = *handle;
     handled_ = *frame_box();
-    note_places();
-    context_.editor.begin_gesture((handle_ == Handle::turn ? "Turn " : "Scale ") +
-                                  noun_of(context_.editor.selection()));
+    state_ = State::handling;
     return;
   }
   if (!pressed_.is_any()) {
@@ -122,7 +120,7 @@ std::optional<Box2> SelectTool::frame_box() const {
 // What is nearer to the pointer is taken, a handle or a thing.
 std::optional<Handle> SelectTool::handle_at(const Pointer& pointer, const Hit& hit) const {
   const auto box = frame_box();
-  if (!box || pointer.modifiers != Modifiers{}) return std::nullopt;
+  if (!box || pointer.modifiers.ctrl) return std::nullopt;
   double reach = kHandleReachPx * pointer.units_per_px;
   const Document& document = context_.editor.document();
   if (hit.sample != kNoSlot) reach = std::min(reach, distance(document.position(hit.sample), pointer.world));
@@ -131,6 +129,10 @@ std::optional<Handle> SelectTool::handle_at(const Pointer& pointer, const Hit& h
 }
 
 void SelectTool::drag_handle(const Pointer& pointer) {
+  if (!is_handle_dragged_)
+    context_.editor.begin_gesture((handle_ == Handle::turn ? "Turn " : "Scale ") +
+                                  noun_of(context_.editor.selection()));
+  is_handle_dragged_ = true;
   HandleDrag drag{handle_, start_.world, pointer.world, pointer.modifiers.shift, pointer.modifiers.shift};
   if (handle_ != Handle::turn) {
     drag.from = held_place(handled_, handle_);
@@ -171,7 +173,7 @@ void SelectTool::drag(const Pointer& pointer) {
     lasso_.push_back(pointer.world);
     lasso_px_ = pointer.px;
   }
-  if (state_ == State::handling && is_far) drag_handle(pointer);
+  if (state_ == State::handling && (is_far || is_handle_dragged_)) drag_handle(pointer);
   if (state_ == State::pressed_thing && is_far && is_selected(pressed_)) begin_move();
   if (state_ != State::moving) return;
   const Vec2 offset = snapped_offset(pointer);
@@ -250,10 +252,13 @@ void SelectTool::release(const Pointer& pointer) {
       break;
     case State::boxing: select_box(pointer); break;
     case State::lassoing: select_lasso(pointer); break;
-    case State::moving:
     case State::handling:
-      context_.editor.end_gesture();
+      if (std::exchange(is_handle_dragged_, false)) context_.editor.end_gesture();
       handle_words_.clear();
+      snap_.reset();
+      break;
+    case State::moving:
+      context_.editor.end_gesture();
       snap_.reset();
       break;
   }
@@ -262,7 +267,7 @@ void SelectTool::release(const Pointer& pointer) {
 }
 
 void SelectTool::cancel() {
-  if (state_ == State::moving || state_ == State::handling) context_.editor.cancel_gesture();
+  if (state_ == State::moving || std::exchange(is_handle_dragged_, false)) context_.editor.cancel_gesture();
   handle_words_.clear();
   snap_.reset();
   state_ = State::idle;

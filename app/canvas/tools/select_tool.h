@@ -79,6 +79,7 @@ class SelectTool final : public Tool {
   std::optional<Handle> hovered_handle_;
   Handle handle_ = Handle::turn;  // that is held
   Box2 handled_;                  // the box when it was pressed
+  bool is_handle_dragged_ = false;
   std::string handle_words_;
   std::vector<std::pair<SampleId, Vec2>> from_;  // where the moved samples were
   std::vector<std::pair<BallId, Disk>> from_balls_;

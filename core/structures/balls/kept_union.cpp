@@ -87,9 +87,9 @@ double KeptUnion::shape_area() const {
 StatList KeptUnion::statistics() const {
   StatList out = BallUnion::statistics();
   const double shape = shape_area();
+  const double share = tables().measures.area / shape;
   out.push_back({"shape_area", shape});
-  if (shape > 0.0 && std::isfinite(shape) && family().scale() == 1.0)
-    out.push_back({"share_of_shape", tables().measures.area / shape});
+  if (shape > 0.0 && std::isfinite(share) && family().scale() == 1.0) out.push_back({"share_of_shape", share});
   return out;
 }
 

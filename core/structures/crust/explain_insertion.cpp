@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/graph/explain.h"
@@ -124,11 +126,13 @@ void Zone::collect(FaceSlot first) {
 }
 
 void Zone::sort_sides() {
-  for (std::size_t i = 1; i < sides_.size(); ++i) {
-    const auto next = std::find_if(sides_.begin() + static_cast<std::ptrdiff_t>(i), sides_.end(),
-                                   [&](const Side& side) { return side.from == sides_[i - 1].to; });
-    if (next != sides_.end()) std::iter_swap(next, sides_.begin() + static_cast<std::ptrdiff_t>(i));
-  }
+  // Around the region each corner, infinity included, is met once.
+  std::unordered_map<SiteSlot, std::size_t> from;
+  for (std::size_t i = 0; i < sides_.size(); ++i) from.emplace(sides_[i].from, i);
+  std::vector<Side> sorted;
+  sorted.reserve(sides_.size());
+  for (std::size_t i = 0; sorted.size() < sides_.size(); i = from.at(sides_[i].to)) sorted.push_back(sides_[i]);
+  sides_ = std::move(sorted);
 }
 
 Zone::Zone(const Delaunay& delaunay, Vec2 at) : delaunay_(delaunay), at_(at) {

@@ -28,11 +28,6 @@ std::pair<SampleSlot, SampleSlot> Contours::link(ContourSlot row) const {
   return {places_[row].sample, places_[places_[row].next].sample};
 }
 
-double Contours::share(ContourSlot row) const {
-  const Contour& contour = contours_[places_[row].contour];
-  return static_cast<double>(row.index() - contour.first) / static_cast<double>(contour.size);
-}
-
 template <class Visit>
 void Contours::for_each_place(SampleId id, Visit visit) const {
   const auto first = [](const auto& entry) { return entry.first; };

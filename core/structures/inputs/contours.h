@@ -28,8 +28,6 @@ class Contours final : public Structure {
   bool has_link(ContourSlot row) const;
   /// Of a row with a link: the two samples, in the sense of the contour.
   std::pair<SampleSlot, SampleSlot> link(ContourSlot row) const;
-  /// How far along its contour the place is: 0 at the beginning, below 1.
-  double share(ContourSlot row) const;
   /// Its contour, from 0.
   std::uint32_t contour(ContourSlot row) const { return places_[row].contour; }
   bool is_closed(std::uint32_t contour) const { return contours_[contour].closed; }

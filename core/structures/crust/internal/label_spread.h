@@ -46,7 +46,7 @@ class LabelSpread {
     run_tasks(parts, [&](std::size_t i) {
       const Part& part = parts_[i];
       for (const FaceSlot face : slots_between<FaceSlot>(part.begin.index(), part.end.index()))
-        inside[face] ^= sign_[part.first_piece + piece_of_[face]];
+        if (delaunay_.face(face).is_alive()) inside[face] ^= sign_[part.first_piece + piece_of_[face]];
     });
   }
 

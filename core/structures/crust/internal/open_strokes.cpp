@@ -282,9 +282,13 @@ void OpenStrokes::match_in_order() {
 }
 
 void OpenStrokes::rebuild(JobControl& job) {
+  // Interrupted, it is done again before anything is updated.
+  is_ready_to_update_ = false;
   clear();
-  is_ready_to_update_ = true;
-  if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return;
+  if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) {
+    is_ready_to_update_ = true;
+    return;
+  }
   make_room();
   noted_.begin(delaunay_.site_rows());
   for (const SiteSlot site : delaunay_.site_slots())
@@ -292,6 +296,7 @@ void OpenStrokes::rebuild(JobControl& job) {
   begins_ = proposers_;
   match_all(job);
   for (const SiteSlot site : begins_) find_chain(site, job);
+  is_ready_to_update_ = true;
 }
 
 void OpenStrokes::rebuild_for_labels_alone(const Table<EdgeSlot, std::uint8_t>& tree, JobControl& job) {
