@@ -88,9 +88,12 @@ class ShapeFileReader {
   /// Records follow each other, but some programs fill up with zeros.
   void pass_over_padding() {
     const std::size_t begin = at_;
-    while (bytes_.size() - at_ >= 2 && !may_be_record(at_) && bytes_[at_] == '\0' && bytes_[at_ + 1] == '\0')
-      at_ += 2;
-    if (at_ != begin && bytes_.find_first_not_of('\0', at_) == std::string_view::npos) at_ = bytes_.size();
+    std::size_t at = at_;
+    while (bytes_.size() - at >= 4 && !may_be_record(at) && bytes_[at] == '\0' && bytes_[at + 1] == '\0') at += 2;
+    if (bytes_.size() - begin >= 4 && bytes_.find_first_not_of('\0', begin) == std::string_view::npos)
+      at_ = bytes_.size();
+    else if (at != begin && may_be_record(at))
+      at_ = at;
     if (at_ != begin)
       remarks_.add("gap of zeros between records is passed over", "gaps of zeros between records are passed over",
                    begin);

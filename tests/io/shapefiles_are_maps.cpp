@@ -130,6 +130,15 @@ TEST_CASE("zeros between records and at the end are passed over, with a warning"
     const LoadedFile after = good(read_sample_bytes(one + std::string(zeros, '\0'), "a"));
     CHECK(after.data.positions == std::vector<Vec2>{{1000, 1}});
   }
+  // Numbers of records do not count: some programs leave them zero, and large ones begin with fewer zeros.
+  for (const std::uint32_t number : {0U, 65'536U, 70'000U}) {
+    const std::string other = file_of({point(1, {1000, 1}), point(1, {2, 3})}).substr(one.size() + 4);
+    std::string head;
+    for (int shift = 24; shift >= 0; shift -= 8) head += static_cast<char>((number >> shift) & 0xffU);
+    for (const std::size_t zeros : {0U, 8U})
+      CHECK(good(read_sample_bytes(one + std::string(zeros, '\0') + head + other, "a")).data.positions ==
+            std::vector<Vec2>{{1000, 1}, {2, 3}});
+  }
 }
 
 TEST_CASE("the .prj beside it says whether positions are degrees") {
