@@ -234,10 +234,48 @@ TEST_CASE("labels are the same whatever the parts in which they are handed on") 
   }
 }
 
+TEST_CASE("rows that are not alive have no label, whatever part they are in") {
+  // From the last rows to the first, so that whole parts hold nothing.
+  Workbench bench(uniform_square(700, 3));
+  bench.show({"interior-voronoi-disks"});
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& crust = bench.get<OneStepCrust>();
+  const auto& labels = bench.get<Labels>();
+  const auto is_border = [&](FaceSlot face, int i) {
+    const EdgeSlot edge = delaunay.face(face).e[i];
+    return edge != kNoSlot && crust.is_crust(edge) != labels.is_conflict(edge);
+  };
+  const auto everywhere = [](FaceSlot, int) { return true; };
+  std::size_t dead = 0;
+  for (int round = 0; round < 6; ++round) {
+    std::vector<SampleId> ids = bench.ids();
+    ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(ids.size() / 2));
+    for (const SampleId id : ids) bench.remove({id});
+    for (const std::size_t parts : {2U, 5U, 37U, 200U}) {
+      Table<FaceSlot, std::uint8_t> inside;
+      JobControl job;
+      LabelSpread(delaunay, everywhere, is_border).run(inside, parts, job);
+      for (const FaceSlot face : delaunay.face_slots()) {
+        const bool is_alive = delaunay.face(face).is_alive();
+        dead += is_alive ? 0U : 1U;
+        if ((inside[face] != 0) != (is_alive && labels.is_inside(face))) FAIL("a label differs");
+      }
+    }
+  }
+  CHECK(dead > 1000);
+}
+
 TEST_CASE("noise that was labelled for the picture alone is followed as if it had been made ready") {
   Rng rng(21);
-  // So many that labels are made first and what updates need later.
-  const std::vector<Vec2> positions = uniform_square(11000, 4);
+  // So many that labels are made first and what updates need later; with open strokes beside them.
+  std::vector<Vec2> positions = uniform_square(11000, 4);
+  Box2 square;
+  for (const Vec2 p : positions) square.add(p);
+  const double size = square.width();
+  for (int spiral = 0; spiral < 20; ++spiral)
+    for (double t = 0.0; t < 12.0; t += 0.1)
+      positions.push_back({square.high.x + size * (0.3 + 0.004 * t * std::cos(t)),
+                           square.low.y + size * (0.05 * spiral + 0.0015 * t * std::sin(t))});
   const auto make = [&positions](Graph& graph, Document& document) {
     graph.set_demand(std::vector{find_layer("interior-voronoi-disks"), find_layer("label-conflicts")});
     SampleData data;
@@ -251,28 +289,36 @@ TEST_CASE("noise that was labelled for the picture alone is followed as if it ha
   };
   Graph early;
   Graph ready;
+  Graph stopped;
   Document document;
-  Document same;
-  make(early, document);
-  make(ready, same);
+  for (Graph* graph : {&early, &ready, &stopped}) {
+    document = Document();
+    make(*graph, document);
+  }
   const auto& crust = early.structures().get<OneStepCrust>();
   CHECK(crust.odd_count() > 4096);
   for (int step = 0; step < 4; ++step) {
     INFO("step " << step);
     JobControl job;
     ready.get_ready(job);
+    // Interrupted anywhere, it is as if it had not been begun.
+    JobControl interrupted;
+    interrupted.stop_at_look(1 + 3 * step);
+    stopped.get_ready(interrupted);
+    if (step > 0) stopped.get_ready(job);
     const SampleSlot slot(rng.below(positions.size()));
     const Vec2 to = document.position(slot) + Vec2{rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0)};
     const auto delta =
         std::make_shared<const DocumentDelta>(*move_samples(document, std::vector{std::pair{document.id(slot), to}}));
     document.apply(*delta);
-    for (Graph* graph : {&early, &ready}) {
+    for (Graph* graph : {&early, &ready, &stopped}) {
       graph->post(delta);
       FramePatch patch;
       REQUIRE(graph->run(patch, job));
     }
     REQUIRE(broken_row(early) == "");
     REQUIRE(broken_row(ready) == "");
+    REQUIRE(broken_row(stopped) == "");
     Graph fresh;
     fresh.set_demand(std::vector{find_layer("interior-voronoi-disks"), find_layer("label-conflicts")});
     SampleData data;
@@ -284,5 +330,6 @@ TEST_CASE("noise that was labelled for the picture alone is followed as if it ha
     const auto expected = labels_of(fresh);
     REQUIRE(labels_of(early) == expected);
     REQUIRE(labels_of(ready) == expected);
+    REQUIRE(labels_of(stopped) == expected);
   }
 }
