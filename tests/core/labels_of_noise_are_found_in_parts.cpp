@@ -208,16 +208,16 @@ TEST_CASE("labels are the same whatever the parts in which they are handed on") 
       for (unsigned i = 0; i < 3; ++i) {
         if (seen[row.n[i]] != 0) continue;
         seen[row.n[i]] = 1;
-        ways[queue[next]] |= static_cast<std::uint8_t>(1U << i);
+        ways[queue[next]] = static_cast<std::uint8_t>(ways[queue[next]] | (1U << i));
         const FaceRow& other = delaunay.face(row.n[i]);
         for (unsigned j = 0; j < 3; ++j)
           if (other.n[j] == queue[next] && other.e[j] == row.e[i])
-            ways[row.n[i]] |= static_cast<std::uint8_t>(1U << j);
+            ways[row.n[i]] = static_cast<std::uint8_t>(ways[row.n[i]] | (1U << j));
         queue.push_back(row.n[i]);
       }
     }
     const auto along_a_tree = [&](FaceSlot face, int i) {
-      return ((ways[face] >> static_cast<unsigned>(i)) & 1U) != 0;
+      return ((static_cast<unsigned>(ways[face]) >> static_cast<unsigned>(i)) & 1U) != 0;
     };
     for (const std::size_t parts : {1U, 2U, 5U, 37U}) {
       INFO(parts << " parts");
