@@ -179,6 +179,38 @@ int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b) {
   return left < right ? -1 : (right < left ? 1 : 0);
 }
 
+std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
+                                            const std::function<void()>& checkpoint) {
+  constexpr std::size_t kBetweenLooks = 4096;
+  struct Entry {
+    Rational cotangent;  // of alpha + beta, its absolute value
+    bool is_infinite = false;
+    std::size_t edge = 0;
+  };
+  std::vector<Entry> order;
+  order.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i % kBetweenLooks == 0) checkpoint();
+    const GeneralPhase<Rational> phase = phase_in<Rational>(edges[i]);
+    const bool is_infinite = phase.i == 0;
+    order.push_back({is_infinite ? Rational(0) : Rational(abs(phase.h) / phase.i), is_infinite, i});
+  }
+  std::size_t comparisons = 0;
+  const auto is_before = [&](const Entry& a, const Entry& b) {
+    if (++comparisons % kBetweenLooks == 0) checkpoint();
+    if (a.is_infinite || b.is_infinite) return b.is_infinite && !a.is_infinite;
+    return a.cotangent < b.cotangent;
+  };
+  std::ranges::sort(order, is_before);
+  std::vector<std::uint32_t> out(edges.size());
+  std::uint32_t place = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i > 0 && is_before(order[i - 1], order[i])) ++place;
+    out[order[i].edge] = place;
+  }
+  return out;
+}
+
 int compare_lengths(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const Vec2 u = b - a;
   const Vec2 v = d - c;

@@ -15,7 +15,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/base/vec2.h"
 
@@ -78,6 +81,11 @@ inline constexpr double kAmbiguityKeyError = 1e-13;
 /// Exact order of |cot(alpha + beta)|: -1, 0 or 1. An edge with I = 0 is infinitely sure. Two edges of infinite
 /// certainty compare equal.
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b);
+
+/// The places of Delaunay edges in that order, from 0; edges that compare equal have one place. O(n log n), with one
+/// rational number an edge instead of several a comparison. Asks `checkpoint` now and then, which may throw.
+std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
+                                            const std::function<void()>& checkpoint);
 
 /// Exact order of the lengths |ab| and |cd|: -1, 0 or 1.
 int compare_lengths(Vec2 a, Vec2 b, Vec2 c, Vec2 d);

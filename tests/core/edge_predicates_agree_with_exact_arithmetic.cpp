@@ -445,6 +445,10 @@ TEST_CASE("the order of ambiguity is exact") {
   Rng rng(8);
   std::vector<ExactCot> exact;
   for (const EdgeCorners& e : edges) exact.push_back(exact_edge(e).certainty());
+  int looks = 0;
+  const std::vector<std::uint32_t> place = ambiguity_places(edges, [&looks] { ++looks; });
+  CHECK(looks > 0);
+  REQUIRE(place.size() == edges.size());
   for (int i = 0; i < 6000; ++i) {
     const std::size_t a = rng.below(edges.size());
     const std::size_t b = rng.below(edges.size());
@@ -452,6 +456,8 @@ TEST_CASE("the order of ambiguity is exact") {
     const int order = compare(exact[a], exact[b]);
     const int answer = compare_ambiguity(edges[a], edges[b]);
     if (answer != order) FAIL("wrong order " << answer << ", exact " << order);
+    const int by_place = place[a] < place[b] ? -1 : (place[b] < place[a] ? 1 : 0);
+    if (by_place != order) FAIL("wrong places " << place[a] << " and " << place[b] << ", exact order " << order);
     if (compare_ambiguity(edges[b], edges[a]) != -order) FAIL("the order depends on which edge is asked first");
     const double keys = ambiguity_key(edges[a]) - ambiguity_key(edges[b]);
     if (std::abs(keys) > kAmbiguityKeyError && (keys > 0.0 ? 1 : -1) != order) FAIL("the keys are in another order");

@@ -2,6 +2,7 @@
 #include "core/structures/crust/internal/certainty_order.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -28,8 +29,33 @@ void CertaintyOrder::find_keys() {
   keys_ = std::move(keys);
 }
 
-void CertaintyOrder::sort(std::vector<Rank>& ranks) const {
+// Edges of a lattice are alike, or nearly so: comparing them two by two would make the same rational numbers again and
+// again.
+void CertaintyOrder::sort_run(std::span<Rank> run, JobControl& job) const {
+  std::vector<EdgeCorners> corners;
+  corners.reserve(run.size());
+  for (const Rank& rank : run) corners.push_back(crust_.corners(rank.edge));
+  const std::vector<std::uint32_t> place = ambiguity_places(corners, [&job] { job.checkpoint(); });
+  struct Entry {
+    std::uint32_t place = 0;
+    std::pair<Vec2, Vec2> ends;
+    Rank rank;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(run.size());
+  for (std::size_t i = 0; i < run.size(); ++i)
+    entries.push_back({place[i], sorted_ends(delaunay_, run[i].edge), run[i]});
+  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+    if (a.place != b.place) return a.place < b.place;
+    if (a.ends.first != b.ends.first) return lexicographically_less(a.ends.first, b.ends.first);
+    return lexicographically_less(a.ends.second, b.ends.second);
+  });
+  std::ranges::transform(entries, run.begin(), &Entry::rank);
+}
+
+void CertaintyOrder::sort(std::vector<Rank>& ranks, JobControl& job) const {
   constexpr std::size_t kFew = 32;
+  constexpr std::size_t kLongRun = 64;
   const auto exactly = [this](const Rank& a, const Rank& b) { return is_surer(b, a); };
   if (ranks.size() < kFew) {
     std::ranges::sort(ranks, exactly);
@@ -52,11 +78,14 @@ void CertaintyOrder::sort(std::vector<Rank>& ranks) const {
   for (std::size_t group = 0; group < groups; ++group)
     std::sort(at(group == 0 ? 0 : end[group - 1]), at(end[group]),
               [](const Rank& a, const Rank& b) { return a.key < b.key; });
-  // Then exactly, where a key is no farther from the one before than their errors.
+  // Then exactly, in each run of keys that differ from the one before by no more than their errors.
   for (std::size_t begin = 0; begin < sorted.size();) {
     std::size_t next = begin + 1;
     while (next < sorted.size() && sorted[next].key - sorted[next - 1].key <= 2.0 * kAmbiguityKeyError) ++next;
-    if (next - begin > 1) std::sort(at(begin), at(next), exactly);
+    if (next - begin > kLongRun && sorted[begin].key >= 0.0)
+      sort_run(std::span(sorted).subspan(begin, next - begin), job);
+    else if (next - begin > 1)
+      std::sort(at(begin), at(next), exactly);
     begin = next;
   }
   ranks.swap(sorted);

@@ -2,9 +2,11 @@
 // Which Delaunay edges give way first where labels cannot follow all of the crust.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/structures/crust/one_step_crust.h"
 
 namespace mes {
@@ -44,8 +46,8 @@ class CertaintyOrder {
     if (std::abs(a.key - b.key) > 2.0 * kAmbiguityKeyError) return a.key > b.key;
     return a.edge != b.edge && is_surer_by_exact_test(a, b);
   }
-  /// The most doubtful first. O(n) where keys are well apart, otherwise O(n log n).
-  void sort(std::vector<Rank>& ranks) const;
+  /// The most doubtful first. May throw `Cancelled`. O(n) where keys are well apart, otherwise O(n log n).
+  void sort(std::vector<Rank>& ranks, JobControl& job) const;
   /// Contradicting the edge brings both of its ends, which are odd, to degree two or nearer to it.
   bool mends(EdgeSlot edge) const;
 
@@ -56,6 +58,7 @@ class CertaintyOrder {
     const Vec2 along = delaunay_.site_position(end[1]) - delaunay_.site_position(end[0]);
     return -1.0 - 1.0 / (1.0 + dot(along, along));
   }
+  void sort_run(std::span<Rank> run, JobControl& job) const;
   bool is_surer_by_exact_test(const Rank& a, const Rank& b) const;
 
   const Delaunay& delaunay_;

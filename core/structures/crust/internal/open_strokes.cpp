@@ -264,7 +264,7 @@ void OpenStrokes::clear() {
 
 // What `match_all` comes to, where the keys of all edges are known: all agree on which edges are better, so they are
 // taken in that order, each if both of its ends are still free.
-void OpenStrokes::match_in_order() {
+void OpenStrokes::match_in_order(JobControl& job) {
   std::vector<std::vector<CertaintyOrder::Rank>> found(chunk_count(delaunay_.edge_rows()));
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
@@ -272,7 +272,7 @@ void OpenStrokes::match_in_order() {
   });
   std::vector<CertaintyOrder::Rank> repairing;
   for (const auto& ranks : found) repairing.insert(repairing.end(), ranks.begin(), ranks.end());
-  order_.sort(repairing);
+  order_.sort(repairing, job);
   for (const CertaintyOrder::Rank& rank : repairing) {
     const SiteSlot* end = delaunay_.edge(rank.edge).v;
     if (match_[end[0]].partner != kNoSlot || match_[end[1]].partner != kNoSlot) continue;
@@ -304,7 +304,7 @@ void OpenStrokes::rebuild_for_labels_alone(const Table<EdgeSlot, std::uint8_t>& 
   is_ready_to_update_ = false;
   make_room();
   noted_.begin(delaunay_.site_rows());
-  match_in_order();
+  match_in_order(job);
   job.checkpoint();
   for (const SiteSlot site : delaunay_.site_slots())
     if (delaunay_.is_site(site) && curve_degree(site) == 1) begins_.push_back(site);

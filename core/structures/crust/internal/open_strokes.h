@@ -101,7 +101,7 @@ class OpenStrokes {
   void set_match(SiteSlot site, const Match& match);
   void part(SiteSlot site);
   void match_all(JobControl& job);
-  void match_in_order();
+  void match_in_order(JobControl& job);
   bool is_on_curve(EdgeSlot edge) const;
   int curve_degree(SiteSlot site) const { return crust_.degree(site) + degree_change_[site]; }
 

@@ -34,10 +34,10 @@ class SpanningTree {
     job.checkpoint();
     run_tasks(blocks, [&](std::size_t block) {
       job.checkpoint();
-      decide_within(block);
+      decide_within(block, job);
     });
     job.checkpoint();
-    decide_the_rest();
+    decide_the_rest(job);
     return std::move(is_in_tree_);
   }
 
@@ -109,11 +109,11 @@ class SpanningTree {
   // Kruskal's algorithm twice at once: `joined_` has the components that edges of this block make, and `kept_` those of
   // the edges that are in the tree for certain, where what is outside the block is one component, too, with all that
   // `reaches_out_`.
-  void decide_within(std::size_t block) {
+  void decide_within(std::size_t block, JobControl& job) {
     std::vector<Rank> ranks(ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[block]),
                             ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[block + 1]));
     ranks.insert(ranks.end(), leaving_[block].begin(), leaving_[block].end());
-    order_.sort(ranks);
+    order_.sort(ranks, job);
     constexpr std::size_t kAhead = 12;
     for (std::size_t i = 0; i < ranks.size(); ++i) {
       if (i + kAhead < ranks.size()) prefetch(delaunay_.edges().address(ranks[i + kAhead].edge));
@@ -142,10 +142,10 @@ class SpanningTree {
     }
   }
 
-  void decide_the_rest() {
+  void decide_the_rest(JobControl& job) {
     std::vector<Rank> ranks(ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[open_.size()]), ranks_.end());
     for (const std::vector<Rank>& open : open_) ranks.insert(ranks.end(), open.begin(), open.end());
-    order_.sort(ranks);
+    order_.sort(ranks, job);
     for (const Rank& rank : ranks) {
       const EdgeRow& row = delaunay_.edge(rank.edge);
       const SiteSlot a = kept_.root(row.v[0]);
