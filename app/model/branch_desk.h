@@ -52,7 +52,8 @@ class BranchDesk {
   /// Row of the table.
   std::optional<std::size_t> chosen() const { return chosen_; }
   void choose(std::optional<std::size_t> row) { chosen_ = row; }
-  /// Chooses the branch at a place; where there is no branch, none is chosen. False while there is no table of what is shown.
+  /// Chooses the branch within `reach` of a place, or no branch if there is none. False while the table is not that of
+  /// what is shown.
   bool pick(Vec2 place, double reach);
 
  private:

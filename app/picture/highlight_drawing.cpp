@@ -16,7 +16,7 @@ namespace {
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kPoint = 5.0;  // half the size of a place
 
-/// Of length one, or zero where there is no direction.
+/// The unit vector of this direction; zero if its length is zero or not finite.
 Vec2 along(Vec2 way) {
   const double size = length(way);
   return size > 0.0 && std::isfinite(size) ? (1.0 / size) * way : Vec2{};

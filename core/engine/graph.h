@@ -141,6 +141,7 @@ class Graph {
   void report_lack_of_memory(FramePatch& out);
   void give_up_for_lack_of_memory(FramePatch& out);
   Provenance answer(const ProvenanceQuestion& question) const;
+  void find_answer(const ProvenanceQuestion& question, Provenance& out) const;
   std::vector<ProvenanceLine> sources_of_values(const ProvenanceQuestion& question,
                                                 const std::function<bool(const Structure&)>& is_current) const;
   double lap_ms();
