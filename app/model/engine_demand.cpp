@@ -43,7 +43,7 @@ bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_
   styled_ = wanted.layers.revision();
   VariantStep beside;
   if (documents != nullptr) {
-    documents->follow(shown_.versions);
+    documents->follow(shown_.versions, wanted.is_held);
     beside.deltas = documents->take_deltas();
   }
   if (is_news) beside.variants = shown_.variants;

@@ -26,6 +26,7 @@ class EngineDemand {
     const ComputationSettings& settings;
     std::uint64_t document_revision = 0;
     PaneEvolution evolution{};
+    bool is_held = false;  ///< the engine does not know the present document yet; panes show no later version either
   };
   /// Once a frame. True when the engine was asked for other layers. What is new in the documents of panes goes to it too.
   bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents = nullptr);

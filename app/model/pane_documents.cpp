@@ -71,8 +71,9 @@ void PaneDocuments::keep_kinds(const std::vector<std::optional<VersionChoice>>& 
     panes_.push_back(versions[i] ? std::optional(Pane{.choice = *versions[i]}) : std::nullopt);
 }
 
-void PaneDocuments::follow(const std::vector<std::optional<VersionChoice>>& versions) {
+void PaneDocuments::follow(const std::vector<std::optional<VersionChoice>>& versions, bool is_held) {
   keep_kinds(versions);
+  if (is_held) return;
   follow_edit();
   follow_evolution();
 }

@@ -40,7 +40,8 @@ class PaneDocuments {
   PaneDocuments(const Editor& editor, const EvolutionPlayer& evolution, std::function<void()> wake);
 
   /// Variants 1, 2, ... show these versions, or none of their own. The engine makes variants anew as `Graph` does.
-  void follow(const std::vector<std::optional<VersionChoice>>& versions);
+  /// `is_held`: the engine does not know the present document yet, and what is shown waits for it.
+  void follow(const std::vector<std::optional<VersionChoice>>& versions, bool is_held = false);
   /// What has changed, for the engine, once.
   std::vector<VariantDelta> take_deltas() { return std::exchange(deltas_, {}); }
   /// All versions are of the present document, or could not be had.

@@ -106,6 +106,10 @@ void ColorMapControls::draw_selection(LayerIndex layer) {
   const float unit = gui_.unit();
   const render::ScalarRange now = picture_.scene().scalar_range(layer);
   if (!select_ || now.is_empty()) return;
+  // Of another document, if no element has such a value any more.
+  std::erase_if(wanted_, [&](const auto& typed) {
+    return typed.first == layer && (typed.second.low > now.high || typed.second.high < now.low);
+  });
   const auto typed = wanted_.find(layer);
   render::ScalarRange range = typed == wanted_.end() ? now : typed->second;
   const auto field = [&](const char* label, double& value) {

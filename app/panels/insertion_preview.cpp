@@ -44,8 +44,8 @@ void InsertionPreview::follow(Engine& engine, const Canvas& canvas, const Editor
 }
 
 bool InsertionPreview::take(const Provenance& answer) {
-  is_asking_ = false;  // by another question, too: it may have taken the place of this one's
   if (answer.ticket < kFirstTicket || answer.ticket >= 2 * kFirstTicket) return false;
+  is_asking_ = false;
   lines_.clear();
   if (asked_ && answer.ticket == ticket_) lines_ = answer.lines;
   return true;

@@ -28,8 +28,8 @@ void PointedElement::follow(Engine& engine, const Scene& scene) {
 }
 
 bool PointedElement::take(const Provenance& answer) {
-  is_asking_ = false;  // by a click, too: its question may have taken the place of this one's
   if (answer.ticket < kFirstTicket) return false;
+  is_asking_ = false;
   shape_.reset();
   if (asked_ && answer.ticket == ticket_ && !answer.lines.empty()) shape_ = answer.lines.front().shapes.front();
   return true;

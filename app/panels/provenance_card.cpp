@@ -78,17 +78,18 @@ void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer
   engine.ask(std::move(question));
 }
 
-void ProvenanceCard::take(std::unique_ptr<Provenance> answer) {
-  if (!answer || answer->ticket != ticket_) return;
+void ProvenanceCard::take(Provenance answer) {
+  if (answer.ticket != ticket_) return;
   is_asking_ = false;
-  answer_ = answer->lines.empty() ? nullptr : std::move(answer);
+  answer_.reset();
+  if (!answer.lines.empty()) answer_ = std::move(answer);
   pointed_at_ = 0;
 }
 
 bool ProvenanceCard::clear() {
   ++ticket_;  // an answer on its way comes too late
   is_asking_ = false;
-  return std::exchange(answer_, nullptr) != nullptr;
+  return std::exchange(answer_, {}).has_value();
 }
 
 void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {

@@ -2,7 +2,6 @@
 // What was clicked, what it comes from and what it made: as text on a card, and drawn over the picture.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -23,20 +22,18 @@ ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers)
 /// else. It can be dragged by its head. Threads: the window's.
 class ProvenanceCard {
  public:
-  /// What lies under the pointer in the visible layers; the answer comes with a later patch.
+  /// What lies under the pointer in the visible layers; the answer comes later.
   void ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor);
   /// An answer; those to earlier questions are passed over.
-  void take(std::unique_ptr<Provenance> answer);
+  void take(Provenance answer);
   /// True when there was something to take away.
   bool clear();
-  const Provenance* shown() const { return answer_.get(); }
-  /// Any answer has come: a question that waits for another one was replaced.
-  void end_waiting() { is_asking_ = false; }
+  const Provenance* shown() const { return answer_ ? &*answer_ : nullptr; }
   /// A question has no answer yet.
   bool is_asking() const { return is_asking_; }
 
   /// It shows something that is of this state of the document.
-  bool can_be_kept(const Editor& editor) const { return answer_ != nullptr && is_of(editor); }
+  bool can_be_kept(const Editor& editor) const { return answer_ && is_of(editor); }
   /// What of it is to stay highlighted: the line with this number, or all of it.
   struct Keep {
     std::optional<std::size_t> line;
@@ -67,7 +64,7 @@ class ProvenanceCard {
   std::uint64_t selection_revision_ = 0;
   ImVec2 moved_{};  ///< from its corner, by hand
   bool wants_sources_ = false;
-  std::unique_ptr<Provenance> answer_;
+  std::optional<Provenance> answer_;
   std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none
 };
 

@@ -96,7 +96,6 @@ bool Picture::brings_all(const FramePatch& patch) {
 bool Picture::take_from(Engine& engine) {
   bool took = false;
   while (auto patch = engine.poll()) {
-    if (patch->provenance) provenance_ = std::move(patch->provenance);
     // What builds on a patch that was lost is lost too, until the layers are sent whole.
     if (is_lost_ && !brings_all(*patch)) {
       engine.recycle(std::move(patch));

@@ -97,9 +97,6 @@ class Picture {
   /// One of so many disks is on screen; 1: all.
   std::uint32_t every() const { return detail_.every(); }
 
-  /// Returns the last answer that arrived, once.
-  std::unique_ptr<Provenance> take_provenance() { return std::move(provenance_); }
-
   NodeState state(LayerIndex layer) const;
   const LayerReport* report(LayerIndex layer) const;
   /// Those of the main computation come first.
@@ -170,7 +167,6 @@ class Picture {
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   bool is_lost_ = false;
-  std::unique_ptr<Provenance> provenance_;
   std::uint64_t document_revision_ = 0;
   std::uint64_t expected_ = 0;
   double spacing_ = 0.0;            // of the samples, in units of the document

@@ -138,18 +138,17 @@ bool DrawingBoard::is_at_rest() const {
 void DrawingBoard::take_results() {
   has_all_results_ = work_.is_complete();  // before: what it computes from here on is taken in the next turn
   if (picture_.take_from(work_.engine())) watch_memory();
-  if (auto answer = picture_.take_provenance()) take_answer(std::move(answer));
+  for (Provenance& answer : work_.engine().take_answers()) take_answer(std::move(answer));
   if (provenance_.wants_sources()) select_sources();
 }
 
-// An answer to any question ends all that wait: a later one takes the place of an earlier one.
-void DrawingBoard::take_answer(std::unique_ptr<Provenance> answer) {
-  provenance_.end_waiting();
-  const bool is_of_pointer = pointed_.take(*answer);
-  const bool is_of_preview = preview_.take(*answer);
-  const auto selected = values_.take(*answer);
-  if (selected && !selected->empty()) messages_.remark(*selected);
-  if (!is_of_pointer && !is_of_preview && !selected) provenance_.take(std::move(answer));
+void DrawingBoard::take_answer(Provenance answer) {
+  if (pointed_.take(answer) || preview_.take(answer)) return;
+  if (const auto selected = values_.take(answer)) {
+    if (!selected->empty()) messages_.remark(*selected);
+    return;
+  }
+  provenance_.take(std::move(answer));
 }
 
 // The engine would answer about the document that it knows.

@@ -99,7 +99,7 @@ class DrawingBoard {
   void keep_measurement();
   bool may_ask();
   void select_sources();
-  void take_answer(std::unique_ptr<Provenance> answer);
+  void take_answer(Provenance answer);
   void keep(Annotation annotation);
 
   Workspace& work_;

@@ -138,7 +138,8 @@ class Workspace {
             panes_,
             computation_.settings(),
             document().revision(),
-            {evolution_.choice(), evolution_.first_value()}};
+            {evolution_.choice(), evolution_.first_value()},
+            !hold_.waiting().empty()};
   }
   void report(const Expected<void>& done);
   void report(const Expected<std::string>& done);

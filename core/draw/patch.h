@@ -115,9 +115,8 @@ struct FramePatch {
   DrawingFrame frame;                   ///< when it differs from the patch before, every layer is reset
   std::vector<LayerPatch> layers;       ///< only demanded layers with changes; entries past `layer_count` are spare
   std::size_t layer_count = 0;
-  std::vector<NodeReport> nodes;           ///< of the main computation first, then of the variants
-  std::vector<LayerReport> reports;        ///< by number of the layer, in all variants
-  std::unique_ptr<Provenance> provenance;  ///< the answer, if this run gave one
+  std::vector<NodeReport> nodes;     ///< of the main computation first, then of the variants
+  std::vector<LayerReport> reports;  ///< by number of the layer, in all variants
   bool complete = true;  ///< false: the run was stopped; no layer is in the patch, and the picture is as before
 };
 

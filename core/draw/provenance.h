@@ -53,6 +53,8 @@ enum class ProvenanceWish : std::uint8_t {
   sources_of_values,  ///< what those elements of the layer come from whose value is in a range; the place does not matter
 };
 
+inline constexpr std::size_t kProvenanceWishes = 4;
+
 /// What lies at a place, nearest in the topmost layer that has something within reach.
 struct ProvenanceQuestion {
   std::uint64_t ticket = 0;  ///< of the asker; the answer repeats it

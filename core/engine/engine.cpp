@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/engine/engine.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "core/engine/graph.h"
 
@@ -30,7 +33,12 @@ struct Engine::Impl {
     work_there.notify_all();
   }
 
+  // What an answer is about is about to change.
+  void stop_answering() {
+    if (is_answering) job_stop.request_stop();
+  }
   void add(std::shared_ptr<const DocumentDelta> delta) {
+    stop_answering();
     // What is being computed is superseded when everything is replaced.
     if (delta->replaces_all()) job_stop.request_stop();
     deltas.push_back(std::move(delta));
@@ -46,6 +54,7 @@ struct Engine::Impl {
   void add(VariantStep step) {
     if (step.variants && *step.variants == latest_variants) step.variants.reset();
     if (!step.variants && step.deltas.empty()) return;
+    stop_answering();
     status.cancelled = false;
     if (step.variants) {
       latest_variants = *step.variants;
@@ -54,16 +63,25 @@ struct Engine::Impl {
     variant_steps.push_back(std::move(step));
   }
   void set(std::vector<LayerIndex> layers) {
+    stop_answering();
     demand = std::move(layers);
     demand_changed = true;
     status.cancelled = false;
+  }
+
+  void add(ProvenanceQuestion question) {
+    // The engine's thread needs no memory to hand over as many answers as may be asked for.
+    constexpr std::size_t kMostAsked = 2 * kProvenanceWishes;
+    answers.reserve(answers.size() + kMostAsked);
+    std::erase_if(questions, [&](const ProvenanceQuestion& earlier) { return earlier.wish == question.wish; });
+    questions.push_back(std::move(question));
   }
 
   bool has_to_compute() const {
     return !deltas.empty() || !variant_steps.empty() || settings || demand_changed ||
            want_statistics != has_statistics || want_findings != has_findings || unfinished;
   }
-  bool has_work() const { return has_to_compute() || question; }
+  bool has_work() const { return has_to_compute() || !questions.empty(); }
 
   void work(const std::stop_token& stop) {
     std::unique_lock lock(mutex);
@@ -86,8 +104,8 @@ struct Engine::Impl {
       has_statistics = want_statistics;
       graph.set_want_findings(want_findings);
       has_findings = want_findings;
-      if (question) graph.ask(std::move(*question));
-      question.reset();
+      for (ProvenanceQuestion& question : questions) graph.ask(std::move(question));
+      questions.clear();
       unfinished = false;
       job_stop = std::stop_source();
       if (stopping) job_stop.request_stop();
@@ -105,8 +123,9 @@ struct Engine::Impl {
       const bool is_complete = patch->complete;
       if (!is_complete) unfinished = true;
       finished.push_back(std::move(patch));
-      is_running = false;
       status.busy = false;
+      if (is_complete && graph.has_questions()) answer(lock);
+      is_running = false;
       if (!has_to_compute()) status.cancelled = false;  // too late: it was done already
       status.task.clear();
       idle.notify_all();
@@ -116,6 +135,18 @@ struct Engine::Impl {
       if (has_time) graph.get_ready(job);
       lock.lock();
     }
+  }
+
+  // The patch that was finished does not wait for it.
+  void answer(std::unique_lock<std::mutex>& lock) {
+    is_answering = true;
+    if (has_to_compute()) job_stop.request_stop();
+    lock.unlock();
+    wake();
+    std::vector<Provenance> found = graph.answer(job);
+    lock.lock();
+    is_answering = false;
+    std::ranges::move(found, std::back_inserter(answers));
   }
 
   std::unique_ptr<FramePatch> take_spare() {
@@ -153,9 +184,11 @@ struct Engine::Impl {
   bool has_statistics = false;
   bool want_findings = false;
   bool has_findings = false;
-  std::optional<ProvenanceQuestion> question;
+  std::vector<ProvenanceQuestion> questions;  // that the graph has not seen
+  std::vector<Provenance> answers;            // that were not taken
   bool unfinished = false;
-  bool is_running = false;  // the graph is at work; `status.busy` says whether it computes
+  bool is_running = false;    // the graph is at work; `status.busy` says whether it computes
+  bool is_answering = false;  // ... and its last patch is finished
   bool stopping = false;
   std::stop_source job_stop;
   EngineStatus status;
@@ -222,7 +255,7 @@ void Engine::set_want_findings(bool wanted) {
 void Engine::ask(ProvenanceQuestion question) {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->question = std::move(question);
+    impl_->add(std::move(question));
   }
   impl_->work_there.notify_one();
 }
@@ -241,6 +274,13 @@ void Engine::resume() {
     impl_->status.cancelled = false;
   }
   impl_->work_there.notify_one();
+}
+
+std::vector<Provenance> Engine::take_answers() {
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<Provenance> out(std::move_iterator(impl_->answers.begin()), std::move_iterator(impl_->answers.end()));
+  impl_->answers.clear();
+  return out;
 }
 
 std::unique_ptr<FramePatch> Engine::poll() {

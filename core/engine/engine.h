@@ -65,7 +65,8 @@ struct EngineStatus {
 class Engine {
  public:
   struct Options {
-    std::function<void()> wake;  ///< a patch is ready or the status changed; must be quick and must not throw
+    std::function<void()>
+        wake;  ///< a patch or an answer is ready or the status changed; must be quick and must not throw
     /// Makes the engine's graph a one-shot one (core/engine/graph.h). Called on threads of the engine; must not throw.
     std::function<void(const InstancePiece&)> take_instances{};
   };
@@ -87,15 +88,18 @@ class Engine {
   void set_want_statistics(bool wanted);
   /// The next patches carry `NodeReport::findings`, of the theorem's judges too.
   void set_want_findings(bool wanted);
-  /// The patch of the next complete run carries the answer. Does not hold up what is being computed, and what does
-  /// nothing but answer does not count as busy. A later question takes the place of one that is not answered.
+  /// Answered after the next complete run; see `take_answers`. Does not hold up what is being computed, does not count
+  /// as busy, and waits while something is to be computed, even where the answer was begun. A later question takes the
+  /// place of one with the same wish that is not answered.
   void ask(ProvenanceQuestion question);
   void cancel();
   void resume();
 
+  /// What was answered since the last call. Never waits.
+  std::vector<Provenance> take_answers();
   /// The next finished patch, or null. Never waits.
   std::unique_ptr<FramePatch> poll();
-  /// Waits until everything posted is computed, then as `poll`; null when all patches have been taken.
+  /// Waits until everything posted is computed and everything asked is answered, then as `poll`; null when all patches have been taken.
   std::unique_ptr<FramePatch> sync();
   /// Gives a patch's memory back for the next one.
   void recycle(std::unique_ptr<FramePatch> patch);

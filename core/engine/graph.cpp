@@ -480,7 +480,6 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   ++run_;
   out.layer_count = 0;
   out.complete = true;
-  out.provenance.reset();
   if (demand_changed_) mark_needed();
   before_.clear();
   is_stopped_ = false;
@@ -517,8 +516,6 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   out.document_revision = sent_revision_;
   try {
     report(out);
-    if (question_ && out.complete)
-      out.provenance = std::make_unique<Provenance>(answer(*std::exchange(question_, {})));
   } catch (const std::bad_alloc&) {
     report_lack_of_memory(out);
   }

@@ -66,11 +66,14 @@ class Graph {
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
   /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
   void set_want_findings(bool wanted);
-  /// The next complete run answers; a later question takes the place of an earlier one.
+  /// For `answer`. A later question takes the place of an earlier one with the same wish.
   void ask(ProvenanceQuestion question);
   /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
   /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
   bool run(FramePatch& out, JobControl& job);
+  bool has_questions() const { return !questions_.empty(); }
+  /// After a complete run: answers to what was asked, of that run. What is not answered when it is stopped stays asked.
+  std::vector<Provenance> answer(JobControl& job);
   /// After a complete run, before the next edit comes: the structures make what the next edit needs. Ends early when stopped.
   void get_ready(JobControl& job);
   /// Called with the public id of each structure or layer before it is worked on.
@@ -140,10 +143,10 @@ class Graph {
   void report(FramePatch& out);
   void report_lack_of_memory(FramePatch& out);
   void give_up_for_lack_of_memory(FramePatch& out);
-  Provenance answer(const ProvenanceQuestion& question) const;
-  void find_answer(const ProvenanceQuestion& question, Provenance& out) const;
+  void find_answer(const ProvenanceQuestion& question, Provenance& out, JobControl& job) const;
   std::vector<ProvenanceLine> sources_of_values(const ProvenanceQuestion& question,
-                                                const std::function<bool(const Structure&)>& is_current) const;
+                                                const std::function<bool(const Structure&)>& is_current,
+                                                JobControl& job) const;
   double lap_ms();
 
   std::vector<std::unique_ptr<Variant>> variants_;  // the main one first
@@ -160,7 +163,7 @@ class Graph {
   bool demand_changed_ = true;
   bool want_statistics_ = false;
   bool want_findings_ = false;
-  std::optional<ProvenanceQuestion> question_;
+  std::vector<ProvenanceQuestion> questions_;  ///< without an answer, of different wishes
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
   InstanceTaker take_;  ///< empty unless the graph is a one-shot one

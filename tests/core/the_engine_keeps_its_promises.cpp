@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <condition_variable>
+#include <limits>
+#include <map>
 #include <mutex>
 
 #include "core/base/rng.h"
@@ -512,20 +514,104 @@ TEST_CASE("answering a question is not computing: the engine is not busy with it
   const auto patch = client.engine().sync();
   REQUIRE(patch);
   CHECK(patch->layer_count == 0);
-  REQUIRE(patch->provenance);
-  CHECK(patch->provenance->ticket == 7);
+  const std::vector<Provenance> answers = client.engine().take_answers();
+  REQUIRE(answers.size() == 1);
+  const Provenance& answer = answers.front();
+  CHECK(answer.ticket == 7);
   // The shape alone was wanted.
-  REQUIRE(patch->provenance->lines.size() == 1);
-  CHECK(patch->provenance->lines.front().text.empty());
-  REQUIRE(patch->provenance->lines.front().shapes.size() == 1);
-  CHECK(patch->provenance->lines.front().shapes.front().values[0] == 1.0);
+  REQUIRE(answer.lines.size() == 1);
+  CHECK(answer.lines.front().text.empty());
+  REQUIRE(answer.lines.front().shapes.size() == 1);
+  CHECK(answer.lines.front().shapes.front().values[0] == 1.0);
+  CHECK(client.engine().take_answers().empty());
   CHECK_FALSE(client.engine().status().cancelled);
   // With nothing being computed there is nothing to cancel.
   client.engine().ask({8, {5.0, 5.0}, 0.2, {find_layer("points")}, ProvenanceWish::shape});
   client.engine().cancel();
   CHECK_FALSE(client.engine().status().cancelled);
-  const auto next = client.engine().sync();
-  REQUIRE(next);
-  REQUIRE(next->provenance);
-  CHECK(next->provenance->lines.empty());
+  REQUIRE(client.engine().sync());
+  const std::vector<Provenance> next = client.engine().take_answers();
+  REQUIRE(next.size() == 1);
+  CHECK(next.front().lines.empty());
+}
+
+TEST_CASE("questions with different wishes are all answered, of those with one wish the last") {
+  Client client;
+  client.demand({"points"});
+  client.replace({{0, 0}, {1, 0}, {0, 1}});
+  client.sync();
+  const std::vector<LayerIndex> points{find_layer("points")};
+  // The engine may have answered some before the others come; those are answered all the same.
+  client.engine().ask({1, {1.0, 0.1}, 0.2, points, ProvenanceWish::sources_of_values, 0.0, 1.0});
+  client.engine().ask({2, {1.0, 0.1}, 0.2, points, ProvenanceWish::story});
+  client.engine().ask({3, {0.4, 0.3}, 0.0, {}, ProvenanceWish::insertion});
+  client.engine().ask({4, {1.0, 0.1}, 0.2, points, ProvenanceWish::shape});
+  client.engine().ask({5, {0.0, 0.1}, 0.2, points, ProvenanceWish::shape});
+  while (client.engine().sync()) continue;
+  std::map<std::uint64_t, Provenance> answers;
+  for (Provenance& answer : client.engine().take_answers()) answers.emplace(answer.ticket, std::move(answer));
+  CHECK(answers.contains(1));
+  REQUIRE(answers.contains(2));
+  CHECK_FALSE(answers[2].lines.empty());
+  CHECK(answers.contains(3));
+  REQUIRE(answers.contains(5));
+  REQUIRE(answers[5].lines.size() == 1);
+  CHECK(answers[5].lines.front().shapes.front().values[0] == 0.0);
+}
+
+TEST_CASE("an edit does not wait for an answer, which is then about what the edit made") {
+  Client client;
+  client.demand({"points"});
+  client.replace({{0, 0}, {1, 0}, {0, 1}});
+  client.sync();
+  client.gate().settle();
+  client.gate().close();
+  client.engine().ask({1, {}, 0.0, {find_layer("points")}, ProvenanceWish::sources_of_values, 0.0, 1000.0});
+  client.gate().await();  // it is about to answer
+  client.move(client.document().id(client.document().slots_in_input_order()[1]), {5.0, 7.0});
+  client.gate().open();
+  client.sync();
+  const std::vector<Provenance> answers = client.engine().take_answers();
+  REQUIRE(answers.size() == 1);
+  REQUIRE(answers.front().lines.size() == 1);
+  const std::vector<ProvenanceShape>& shapes = answers.front().lines.front().shapes;
+  CHECK(std::ranges::any_of(shapes, [](const ProvenanceShape& shape) { return shape.values[0] == 5.0; }));
+  CHECK(std::ranges::none_of(shapes, [](const ProvenanceShape& shape) { return shape.values[0] == 1.0; }));
+}
+
+TEST_CASE("a question whose answer is stopped stays asked, and is answered after the next run") {
+  Graph graph;
+  Document document;
+  std::vector<Vec2> samples;
+  constexpr int kSide = 80;
+  for (int i = 0; i < kSide * kSide; ++i)
+    samples.push_back({static_cast<double>(i % kSide), static_cast<double>(i / kSide)});
+  const auto delta = replace_all(document, {samples, {}});
+  REQUIRE(delta);
+  graph.post(std::make_shared<const DocumentDelta>(*delta));
+  const std::vector<LayerIndex> demand{find_layer("points")};
+  graph.set_demand(demand);
+  FramePatch patch;
+  JobControl job;
+  REQUIRE(graph.run(patch, job));
+  graph.ask({1,
+             {0.0, 0.0},
+             0.0,
+             demand,
+             ProvenanceWish::sources_of_values,
+             -std::numeric_limits<double>::infinity(),
+             std::numeric_limits<double>::infinity()});
+  graph.ask({2, {1.1, 1.0}, 0.2, demand, ProvenanceWish::shape});
+  JobControl stopped;
+  stopped.stop_at_look(3);
+  const std::vector<Provenance> first = graph.answer(stopped);
+  REQUIRE(first.size() == 1);
+  CHECK(first.front().ticket == 2);
+  CHECK(graph.has_questions());
+  JobControl unstopped;
+  const std::vector<Provenance> second = graph.answer(unstopped);
+  REQUIRE(second.size() == 1);
+  CHECK(second.front().ticket == 1);
+  REQUIRE_FALSE(second.front().lines.empty());
+  CHECK_FALSE(graph.has_questions());
 }

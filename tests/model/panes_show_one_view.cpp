@@ -363,6 +363,7 @@ struct Versions {
   PaneDocuments documents{editor, evolution, [this] { bell.ring(); }};
   EngineDemand demand;
   LayerMirror mirror;
+  bool is_held = false;
 
   Versions() {
     SampleData data;
@@ -374,7 +375,8 @@ struct Versions {
     REQUIRE(editor.load(data));
   }
   EngineDemand::Wanted wanted() const {
-    return {layers, list, settings, editor.document().revision(), {evolution.choice(), evolution.first_value()}};
+    return {layers, list, settings, editor.document().revision(), {evolution.choice(), evolution.first_value()},
+            is_held};
   }
   /// As the window does, frame by frame, until all panes show what they are to.
   void settle() {
@@ -480,6 +482,30 @@ TEST_CASE("a pane shows the document before the last edit, after each edit, undo
     CHECK(window.digests(0) == digests_of(states.back()));
     CHECK(window.digests(1) == digests_of(states[states.size() - std::min<std::size_t>(2, states.size())]));
   }
+}
+
+TEST_CASE("versions in panes wait while the update is held") {
+  Versions window;
+  window.list.add(BeforeLastEdit{});
+  window.list.add(EvolvedChoice{1});
+  window.settle();
+  const SampleData first = data_of(window.editor.document());
+  const auto state_before = window.documents.data_of(2);
+  window.is_held = true;
+  const SampleSlot slot = window.editor.document().slots_in_input_order()[10];
+  REQUIRE(window.editor.move(std::vector{std::pair{window.editor.document().id(slot), Vec2{0.25, 0.125}}}, "Move"));
+  window.demand.follow(window.engine, window.wanted(), false, &window.documents);
+  CHECK_FALSE(window.documents.is_complete());
+  CHECK(window.documents.data_of(2) == state_before);
+  REQUIRE(window.editor.remove(std::vector{window.editor.document().id(slot)}, "Remove"));
+  window.demand.follow(window.engine, window.wanted(), false, &window.documents);
+  CHECK(window.documents.data_of(1)->positions == first.positions);
+  window.is_held = false;
+  window.settle();
+  // Before the removal, and one step from what is left.
+  CHECK(window.documents.data_of(1)->positions[10] == Vec2{0.25, 0.125});
+  CHECK(window.documents.data_of(2)->positions ==
+        evolved(window.editor.document(), window.evolution.choice(), 1).positions);
 }
 
 TEST_CASE("panes show states of the evolution, of the document as it is") {

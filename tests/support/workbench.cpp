@@ -121,9 +121,11 @@ Provenance Workbench::ask(ProvenanceQuestion question) {
   question.ticket = ++ticket;
   graph_.ask(std::move(question));
   run();
-  REQUIRE(patch_.provenance);
-  REQUIRE(patch_.provenance->ticket == ticket);
-  return *patch_.provenance;
+  JobControl job;
+  const std::vector<Provenance> answers = graph_.answer(job);
+  REQUIRE(answers.size() == 1);
+  REQUIRE(answers.front().ticket == ticket);
+  return answers.front();
 }
 
 std::vector<SampleId> Workbench::ids() const {
