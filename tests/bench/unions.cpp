@@ -2,6 +2,7 @@
 // The union of the inner Voronoi balls: general pipeline, certified shortcut, and the one-step axis.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -128,6 +129,29 @@ void exact(benchmark::State& state, RatioTable& table, std::size_t n, const char
   state.counters["ratio"] = median(exact) / median(rounded);
 }
 
+/// The polar union of outlines drawn by hand, as it is shown by default, against rounded numbers; another outline each
+/// time.
+void exact_of_a_hand(benchmark::State& state, RatioTable& table, std::size_t n, double grid) {
+  const std::string what =
+      "exact union of polar balls, drawn by hand" + std::string(grid == 1.0 ? ", on pixels" : "");
+  Bed bed(data_of(test::drawn_by_hand(n, 1, grid)), {"p-ball-medial-axis", "p-union-boundary"});
+  std::vector<double> exact, rounded, ratios;
+  std::uint64_t seed = 0;
+  for (auto _ : state) {
+    bed.data = data_of(test::drawn_by_hand(n, ++seed, grid));
+    bed.choose(Precision::fast, true);
+    bed.load_again();
+    exact.push_back(1e3 * bed.ms("p-union"));
+    bed.choose(Precision::fast, false);
+    rounded.push_back(1e3 * bed.ms("p-union"));
+    ratios.push_back(exact.back() / rounded.back());
+    state.SetIterationTime(1e-6 * exact.back());
+  }
+  table.add({what, n, median(exact), median(rounded), 20.0, "the same in doubles"});
+  state.counters["ratio"] = median(ratios);
+  state.counters["largest_ratio"] = *std::ranges::max_element(ratios);
+}
+
 void drag(benchmark::State& state, RatioTable& table, std::size_t n) {
   std::vector<Vec2> points = test::benchmark_curve(n);
   Bed bed(data_of(points));
@@ -230,6 +254,13 @@ void register_unions(RatioTable& table) {
         ->Iterations(2000)
         ->Unit(benchmark::kMicrosecond);
   }
+  for (const double grid : {0x1p-40, 1.0})
+    benchmark::RegisterBenchmark(
+        (std::string("union/exact_hand") + (grid == 1.0 ? "_on_pixels" : "") + "/600").c_str(),
+        [&table, grid](benchmark::State& state) { exact_of_a_hand(state, table, 600, grid); })
+        ->UseManualTime()
+        ->Iterations(30)
+        ->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("union/stability", [&table](benchmark::State& state) { stability(state, table); })
       ->Iterations(1)
       ->Unit(benchmark::kMillisecond);

@@ -4,45 +4,19 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/rng.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/poles/polar_union.h"
+#include "tests/support/shapes_benchmark.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;
 using namespace mes::test;
 
 namespace {
-
-std::vector<Vec2> drawn_by_hand(std::uint64_t seed, double grid) {
-  Rng rng(seed);
-  double amplitude[6], phase[6];
-  for (int k = 0; k < 6; ++k) {
-    amplitude[k] = rng.uniform(-40.0, 40.0) / (1.0 + k);
-    phase[k] = rng.uniform(0.0, 2.0 * std::numbers::pi);
-  }
-  // A hand is now fast, now slow.
-  std::vector<double> times{0.0};
-  double speed = 1.0;
-  for (int i = 0; i < 600; ++i) {
-    speed = std::clamp(speed * rng.uniform(0.75, 1.34), 0.2, 5.0);
-    times.push_back(times.back() + speed);
-  }
-  std::vector<Vec2> out;
-  for (int i = 0; i < 600; ++i) {
-    const double t = 2.0 * std::numbers::pi * times[static_cast<std::size_t>(i)] / times.back();
-    double r = 200.0;
-    for (int k = 0; k < 6; ++k) r += amplitude[k] * std::cos((2 + k) * t + phase[k]);
-    const Vec2 p{r * std::cos(t), r * std::sin(t)};
-    out.push_back({grid * std::round(p.x / grid), grid * std::round(p.y / grid)});
-  }
-  return out;
-}
 
 ComputationSettings settings_of(Precision precision, double scale, bool use_shortcut = true) {
   ComputationSettings out;
@@ -103,11 +77,11 @@ TEST_CASE("balls of samples are decided exactly by default") {
         Workbench bench;
         bench.show({"a-ball-medial-axis", "p-ball-medial-axis", "a-union-boundary", "p-union-boundary"});
         bench.choose(settings_of(Precision::fast, scale));
-        bench.replace(drawn_by_hand(seed, grid));
+        bench.replace(drawn_by_hand(600, seed, grid));
         Workbench exact;
         exact.show({"a-ball-medial-axis", "p-ball-medial-axis", "a-union-boundary", "p-union-boundary"});
         exact.choose(settings_of(Precision::exact, scale));
-        exact.replace(drawn_by_hand(seed, grid));
+        exact.replace(drawn_by_hand(600, seed, grid));
         const auto check = [&](std::string_view id, const BallUnion& balls) {
           INFO(id);
           REQUIRE(balls.is_exact());
@@ -134,7 +108,7 @@ TEST_CASE("balls of samples are decided exactly by default") {
 TEST_CASE("without the shortcut unions are those of the number type") {
   Workbench bench;
   bench.show({"p-ball-medial-axis", "a-ball-medial-axis"});
-  bench.replace(drawn_by_hand(4, 1.0));
+  bench.replace(drawn_by_hand(600, 4, 1.0));
   bench.choose(settings_of(Precision::fast, 1.0, false));
   CHECK(bench.get<PUnion>().rung() == UnionRung::doubles);
   CHECK(bench.get<AUnion>().rung() == UnionRung::doubles);

@@ -87,4 +87,28 @@ std::vector<Vec2> duplicate_heavy(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
+std::vector<Vec2> drawn_by_hand(std::size_t n, std::uint64_t seed, double grid) {
+  Rng random(seed);
+  double amplitude[6], phase[6];
+  for (int k = 0; k < 6; ++k) {
+    amplitude[k] = random.uniform(-40.0, 40.0) / (1.0 + k);
+    phase[k] = random.uniform(0.0, kTurn);
+  }
+  std::vector<double> times{0.0};
+  double speed = 1.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    speed = std::clamp(speed * random.uniform(0.75, 1.34), 0.2, 5.0);
+    times.push_back(times.back() + speed);
+  }
+  std::vector<Vec2> points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = kTurn * times[i] / times.back();
+    double r = 200.0;
+    for (int k = 0; k < 6; ++k) r += amplitude[k] * std::cos((2 + k) * t + phase[k]);
+    points.push_back({grid * std::round(r * std::cos(t) / grid), grid * std::round(r * std::sin(t) / grid)});
+  }
+  return points;
+}
+
 }  // namespace mes::test

@@ -23,6 +23,10 @@ std::vector<Vec2> noisy_curve(std::size_t n, std::uint64_t seed = 1);
 /// Uniform in the square [0, 400)^2: no curve at all, odd samples everywhere.
 std::vector<Vec2> uniform_square(std::size_t n, std::uint64_t seed = 1);
 
+/// A closed outline as a hand draws it, now fast and now slow: `n` samples, some close together and some far apart, in
+/// curve order, on a grid of that step.
+std::vector<Vec2> drawn_by_hand(std::size_t n, std::uint64_t seed = 1, double grid = 1.0);
+
 /// `n` draws from about n / 4 places of a coarse integer grid: duplicates, collinear and cocircular quadruples
 /// abound.
 std::vector<Vec2> duplicate_heavy(std::size_t n, std::uint64_t seed = 1);
