@@ -29,6 +29,7 @@ struct Engine::Impl {
     const std::lock_guard lock(mutex);
     stopping = true;
     job_stop.request_stop();
+    awaited.request_stop();
     thread.request_stop();
     work_there.notify_all();
   }
@@ -82,6 +83,11 @@ struct Engine::Impl {
            want_statistics != has_statistics || want_findings != has_findings || unfinished;
   }
   bool has_work() const { return has_to_compute() || !questions.empty(); }
+  /// Under the lock, after something was given to do.
+  void announce() {
+    awaited.request_stop();
+    work_there.notify_one();
+  }
 
   void work(const std::stop_token& stop) {
     std::unique_lock lock(mutex);
@@ -110,6 +116,8 @@ struct Engine::Impl {
       job_stop = std::stop_source();
       if (stopping) job_stop.request_stop();
       job.set_token(job_stop.get_token());
+      awaited = std::stop_source();
+      job_at_leisure.set_token(awaited.get_token());
       is_running = true;
       started = std::chrono::steady_clock::now();
       std::unique_ptr<FramePatch> patch = take_spare();
@@ -132,7 +140,7 @@ struct Engine::Impl {
       const bool has_time = is_complete && !has_work();
       lock.unlock();
       wake();
-      if (has_time) graph.get_ready(job);
+      if (has_time) graph.get_ready(job, job_at_leisure);
       lock.lock();
     }
   }
@@ -170,6 +178,7 @@ struct Engine::Impl {
   Options options;
   Graph graph;  // touched by the engine's thread only
   JobControl job;
+  JobControl job_at_leisure;  // stopped by whatever there is to do
   mutable std::mutex mutex;
   std::condition_variable work_there;
   std::condition_variable idle;
@@ -191,6 +200,7 @@ struct Engine::Impl {
   bool is_answering = false;  // ... and its last patch is finished
   bool stopping = false;
   std::stop_source job_stop;
+  std::stop_source awaited;  // there is work that the worker has not seen
   EngineStatus status;
   std::chrono::steady_clock::time_point started;
   std::deque<std::unique_ptr<FramePatch>> finished;
@@ -202,62 +212,48 @@ Engine::Engine(Options options) : impl_(std::make_unique<Impl>(std::move(options
 Engine::~Engine() = default;
 
 void Engine::post(std::shared_ptr<const DocumentDelta> delta) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->add(std::move(delta));
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->add(std::move(delta));
+  impl_->announce();
 }
 
 void Engine::post(EngineStep step) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    for (auto& delta : step.deltas) impl_->add(std::move(delta));
-    impl_->set(step.settings);
-    impl_->add(std::move(step.beside));
-    impl_->set(std::move(step.demand));
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  for (auto& delta : step.deltas) impl_->add(std::move(delta));
+  impl_->set(step.settings);
+  impl_->add(std::move(step.beside));
+  impl_->set(std::move(step.demand));
+  impl_->announce();
 }
 
 void Engine::set_demand(std::vector<LayerIndex> layers) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->set(std::move(layers));
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->set(std::move(layers));
+  impl_->announce();
 }
 
 void Engine::set_settings(const ComputationSettings& settings) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->set(settings);
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->set(settings);
+  impl_->announce();
 }
 
 void Engine::set_want_statistics(bool wanted) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->want_statistics = wanted;
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->want_statistics = wanted;
+  impl_->announce();
 }
 
 void Engine::set_want_findings(bool wanted) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->want_findings = wanted;
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->want_findings = wanted;
+  impl_->announce();
 }
 
 void Engine::ask(ProvenanceQuestion question) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->add(std::move(question));
-  }
-  impl_->work_there.notify_one();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->add(std::move(question));
+  impl_->announce();
 }
 
 void Engine::cancel() {

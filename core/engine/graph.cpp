@@ -467,11 +467,13 @@ void Graph::give_up_for_lack_of_memory(FramePatch& out) {
   }
 }
 
-void Graph::get_ready(JobControl& job) try {
+void Graph::get_ready(JobControl& job, JobControl& job_at_leisure) try {
   if (is_one_shot()) return;
-  for (const StructureNode& node : nodes_)
-    if (node.needed && node.state == NodeState::up_to_date && node.synced == run_)
-      node.structure->get_ready_to_update(job);
+  for (const bool are_judges : {false, true})
+    for (const StructureNode& node : nodes_)
+      if (node.needed && node.state == NodeState::up_to_date && node.synced == run_ &&
+          node.structure->is_judge() == are_judges)
+        node.structure->get_ready_to_update(are_judges ? job_at_leisure : job);
 } catch (const Cancelled&) {
 } catch (const std::bad_alloc&) {
 }

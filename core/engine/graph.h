@@ -74,8 +74,11 @@ class Graph {
   bool has_questions() const { return !questions_.empty(); }
   /// After a complete run: answers to what was asked, of that run. What is not answered when it is stopped stays asked.
   std::vector<Provenance> answer(JobControl& job);
-  /// After a complete run, before the next edit comes: the structures make what the next edit needs. Ends early when stopped.
-  void get_ready(JobControl& job);
+  /// After a complete run, before the next edit comes: the structures make what the next edit needs. Ends early when
+  /// stopped. Judges of the theorem light come last and look at the second job: an edit that waits for them would
+  /// rather come first.
+  void get_ready(JobControl& job, JobControl& job_at_leisure);
+  void get_ready(JobControl& job) { get_ready(job, job); }
   /// Called with the public id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
 

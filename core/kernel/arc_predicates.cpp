@@ -5,9 +5,13 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
+
+#include "core/base/power_of_two.h"
 
 namespace mes {
 namespace {
@@ -143,6 +147,27 @@ Meets decide(const OuterArc& arc, Vec2 u, Vec2 v) {
   return reach ? points : Meets::unsure;
 }
 
+Vec2 in_unit(Vec2 p, int exponent) {
+  return {times_power_of_two(p.x, exponent), times_power_of_two(p.y, exponent)};
+}
+
+// What is decided has degree eight in coordinates, so their powers leave the doubles long before they do. The power of
+// two that brings the largest coordinate near 1, or 0 where that is not needed, or would not be exact.
+int exponent_to_unit(std::initializer_list<Vec2> points) {
+  constexpr double kLarge = 0x1p100;
+  constexpr double kSmall = 0x1p-100;
+  double largest = 0.0;
+  for (const Vec2 p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  if ((largest < kLarge && largest > kSmall) || largest == 0.0 || !std::isfinite(largest)) return 0;
+  const int exponent = -std::ilogb(largest);
+  const auto is_exact = [exponent](double x) {
+    return times_power_of_two(times_power_of_two(x, exponent), -exponent) == x;
+  };
+  for (const Vec2 p : points)
+    if (!is_exact(p.x) || !is_exact(p.y)) return 0;
+  return exponent;
+}
+
 }  // namespace
 
 // The centre of the arc's circle lies off its start.
@@ -182,12 +207,19 @@ bool ArcFilter::misses(const Corners& disk) const {
 
 Meets meets_arc_quickly(const OuterArc& arc, const Corners& disk) {
   CGAL::Protect_FPU_rounding<true> rounding;
-  return decide<Interval>(arc, disk);
+  const int exponent = exponent_to_unit({arc.s, arc.p, arc.q, disk.a, disk.b, disk.c});
+  if (exponent == 0) return decide<Interval>(arc, disk);
+  const auto scaled = [exponent](Vec2 p) { return in_unit(p, exponent); };
+  return decide<Interval>(OuterArc{scaled(arc.s), scaled(arc.p), scaled(arc.q)},
+                          Corners{scaled(disk.a), scaled(disk.b), scaled(disk.c)});
 }
 
 Meets meets_arc_quickly(const OuterArc& arc, Vec2 u, Vec2 v) {
   CGAL::Protect_FPU_rounding<true> rounding;
-  return decide<Interval>(arc, u, v);
+  const int exponent = exponent_to_unit({arc.s, arc.p, arc.q, u, v});
+  if (exponent == 0) return decide<Interval>(arc, u, v);
+  const auto scaled = [exponent](Vec2 p) { return in_unit(p, exponent); };
+  return decide<Interval>(OuterArc{scaled(arc.s), scaled(arc.p), scaled(arc.q)}, scaled(u), scaled(v));
 }
 
 bool meets_arc(const OuterArc& arc, const Corners& disk) {

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/kernel/arc_predicates.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/certificate/axis_certificate.h"
 #include "tests/support/workbench.h"
@@ -31,6 +34,41 @@ bool has_border_on_conflict(const Workbench& bench) {
   for (const EdgeSlot edge : delaunay.edge_slots())
     if (delaunay.edge(edge).is_alive() && certificate.is_border(edge) && labels.is_conflict(edge)) return true;
   return false;
+}
+
+/// Of each border edge, whether another inner ball meets its arc: by looking at all of them.
+std::vector<EdgeSlot> edges_met(const StructureSet& structures) {
+  const auto& delaunay = structures.get<Delaunay>();
+  const auto& labels = structures.get<Labels>();
+  const auto& balls = structures.get<InnerBalls>();
+  const auto& certificate = structures.get<AxisCertificate>();
+  const auto at = [&delaunay](SiteSlot site) { return delaunay.site_position(site); };
+  std::vector<EdgeSlot> out;
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
+    const EdgeRow& row = delaunay.edge(edge);
+    if (!row.is_alive() || !certificate.is_border(edge)) continue;
+    const FaceSlot inner = labels.is_inside(row.f[0]) ? row.f[0] : row.f[1];
+    const FaceRow& own = delaunay.face(inner);
+    const int i = own.index_of_edge(edge);
+    const OuterArc arc{at(own.v[i]), at(own.v[next3(i)]), at(own.v[prev3(i)])};
+    for (const FaceSlot other : delaunay.face_slots()) {
+      if (!delaunay.is_finite_face(other) || !labels.is_inside(other)) continue;
+      if (balls.ball(other) == balls.ball(inner)) continue;
+      const FaceRow& face = delaunay.face(other);
+      if (!meets_arc(arc, Corners{at(face.v[0]), at(face.v[1]), at(face.v[2])})) continue;
+      out.push_back(edge);
+      break;
+    }
+  }
+  return out;
+}
+
+std::vector<EdgeSlot> edges_found(const StructureSet& structures) {
+  const auto& delaunay = structures.get<Delaunay>();
+  std::vector<EdgeSlot> out;
+  for (const EdgeSlot edge : delaunay.edge_slots())
+    if (delaunay.edge(edge).is_alive() && structures.get<AxisCertificate>().is_bad_edge(edge)) out.push_back(edge);
+  return out;
 }
 
 }  // namespace
@@ -106,6 +144,79 @@ TEST_CASE("no arc of a border of crust edges is met by another inner ball") {
     ++borders;
     INFO("trial " << trial);
     REQUIRE(certificate.bad_edge_count() == 0);
+    REQUIRE(edges_met(bench.graph().structures()).empty());
   }
   CHECK(borders > 200);
+}
+
+TEST_CASE("the arcs that are met are those that one of all balls meets, while samples move") {
+  Rng rng(31);
+  int met = 0, free = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    // A closed curve, or one with gaps, or whatever there is; on a grid every third time.
+    std::vector<Vec2> points;
+    const int count = 12 + static_cast<int>(rng.below(40));
+    for (int i = 0; i < count; ++i) {
+      const double t = 2.0 * std::numbers::pi * (i + rng.uniform(-0.2, 0.2)) / count;
+      const double r = 100.0 + 30.0 * std::cos(3.0 * t);
+      const Vec2 p = trial % 4 == 3 ? Vec2{rng.uniform(-100.0, 100.0), rng.uniform(-100.0, 100.0)}
+                                    : Vec2{r * std::cos(t), r * std::sin(t)};
+      points.push_back(trial % 3 == 0 ? Vec2{std::round(p.x / 8.0), std::round(p.y / 8.0)} : p);
+    }
+    if (trial % 4 == 1) points.resize(points.size() - 4);
+    Document document;
+    Graph graph;
+    graph.set_demand(std::vector{find_layer("theorem-check")});
+    FramePatch patch;
+    JobControl job;
+    const auto follow = [&](const Expected<DocumentDelta>& delta) {
+      if (!delta) return;
+      const auto shared = std::make_shared<const DocumentDelta>(*delta);
+      document.apply(*shared);
+      graph.post(shared);
+      REQUIRE(graph.run(patch, job));
+      REQUIRE(edges_found(graph.structures()) == edges_met(graph.structures()));
+      const AxisCertificate& certificate = graph.structures().get<AxisCertificate>();
+      met += certificate.bad_edge_count() != 0 ? 1 : 0;
+      free += certificate.bad_edge_count() == 0 && certificate.has_verdict() ? 1 : 0;
+      // Ready, stopped on the way, or neither.
+      JobControl stopped;
+      stopped.stop_at_look(static_cast<std::int64_t>(rng.below(3)));
+      if (rng.below(2) == 0) graph.get_ready(job, rng.below(2) == 0 ? stopped : job);
+    };
+    SampleData data;
+    data.positions = points;
+    follow(replace_all(document, data));
+    for (int step = 0; step < 30; ++step) {
+      const SampleSlot slot(rng.below(points.size()));
+      const double reach = trial % 3 == 0 ? 3.0 : 12.0;
+      const Vec2 by{rng.uniform(-reach, reach), rng.uniform(-reach, reach)};
+      const Vec2 to = document.position(slot) + (trial % 3 == 0 ? Vec2{std::round(by.x), std::round(by.y)} : by);
+      follow(move_samples(document, std::vector{std::pair{document.id(slot), to}}));
+    }
+  }
+  CHECK(met > 100);
+  CHECK(free > 100);
+}
+
+TEST_CASE("far from 1 arcs are decided in intervals all the same, and alike") {
+  Rng rng(5);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Vec2 p[6];
+    for (Vec2& one : p) one = {rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+    const auto turned = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a) > 0.0; };
+    if (!turned(p[0], p[1], p[2])) std::swap(p[1], p[2]);
+    if (!turned(p[3], p[4], p[5])) std::swap(p[4], p[5]);
+    const auto ask = [&p](int exponent) {
+      Vec2 q[6];
+      for (int i = 0; i < 6; ++i) q[i] = {std::ldexp(p[i].x, exponent), std::ldexp(p[i].y, exponent)};
+      return std::pair(meets_arc_quickly(OuterArc{q[0], q[1], q[2]}, Corners{q[3], q[4], q[5]}),
+                       meets_arc_quickly(OuterArc{q[0], q[1], q[2]}, q[3], q[4]));
+    };
+    const auto near = ask(0);
+    for (const int exponent : {-480, -300, 300, 465, 490}) {
+      INFO("trial " << trial << ", 2^" << exponent);
+      REQUIRE(ask(exponent) == near);
+    }
+  }
 }

@@ -16,7 +16,7 @@ Corners AxisCertificate::corners_of(FaceSlot face) const {
   return {delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2])};
 }
 
-bool AxisCertificate::is_arc_free(EdgeSlot edge) {
+std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
   // More faces than this on one arc make it uncertified; a bound that no dense sample comes near.
   constexpr std::size_t kMostFaces = 4096;
   const EdgeRow& row = delaunay_.edge(edge);
@@ -29,13 +29,14 @@ bool AxisCertificate::is_arc_free(EdgeSlot edge) {
   const OuterArc arc{delaunay_.site_position(own.v[i]), delaunay_.site_position(p), delaunay_.site_position(q)};
   const ArcFilter filter(arc);
   const FaceSlot own_ball = balls_.ball(inner);
+  const bool is_crust = (edge_[edge] & kDoubtful) == 0;
 
   seen_.begin(delaunay_.face_rows());
   seen_.insert(inner);
   seen_.insert(outer);
   queue_.assign(1, outer);
   for (std::size_t next = 0; next < queue_.size(); ++next) {
-    if (queue_.size() > kMostFaces) return false;
+    if (queue_.size() > kMostFaces) return kTooLong;
     const FaceSlot face = queue_[next];
     const FaceRow& at = delaunay_.face(face);
     const auto touches = [&at](SiteSlot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
@@ -43,12 +44,18 @@ bool AxisCertificate::is_arc_free(EdgeSlot edge) {
       far_faces_[edge].push_back(face);
       watchers_[face].push_back(edge);
     }
-    for (const FaceSlot other : at.n) {
+    for (int side = 0; side < 3; ++side) {
+      const FaceSlot other = at.n[side];
       if (!seen_.insert(other)) continue;
       if (labels_.is_inside(other)) {
+        // A ball on the arc of a crust edge is also reached across an edge that is none.
+        if (is_crust && !labels_.is_conflict(at.e[side])) {
+          seen_.erase(other);
+          continue;
+        }
         if (balls_.ball(other) == own_ball) continue;
         const Corners corners = corners_of(other);
-        if (!filter.misses(corners) && meets_arc(arc, corners)) return false;
+        if (!filter.misses(corners) && meets_arc(arc, corners)) return kBad;
       } else if (delaunay_.face(other).is_infinite()) {
         const FaceRow& row_of_other = delaunay_.face(other);
         const int far = row_of_other.index_of_site(kInfiniteSite);
@@ -61,12 +68,40 @@ bool AxisCertificate::is_arc_free(EdgeSlot edge) {
       }
     }
   }
-  return true;
+  return 0;
+}
+
+void AxisCertificate::search(EdgeSlot edge) {
+  const std::uint8_t verdict = verdict_on_arc(edge);
+  edge_[edge] |= verdict;
+  bad_edges_ += verdict == kBad ? 1 : 0;
+  too_long_edges_ += verdict == kTooLong ? 1 : 0;
+}
+
+void AxisCertificate::forget_searches() {
+  is_searched_ = false;
+  far_faces_.clear();
+  watchers_.clear();
+  if (too_long_edges_ == 0 && bad_edges_ == 0) return;
+  for (std::uint8_t& edge : edge_) edge &= static_cast<std::uint8_t>(~(kBad | kTooLong));
+  bad_edges_ = too_long_edges_ = 0;
+}
+
+void AxisCertificate::search_all(JobControl& job) {
+  forget_searches();
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
+    if ((edge_[edge] & kBorder) != 0) search(edge);
+  }
+  is_searched_ = true;
 }
 
 void AxisCertificate::forget_edge(EdgeSlot edge) {
-  if ((edge_[edge] & kBorder) != 0) --border_edges_;
-  if ((edge_[edge] & kBad) != 0) --bad_edges_;
+  const std::uint8_t known = edge_[edge];
+  border_edges_ -= (known & kBorder) != 0 ? 1 : 0;
+  doubtful_edges_ -= (known & kDoubtful) != 0 ? 1 : 0;
+  bad_edges_ -= (known & kBad) != 0 ? 1 : 0;
+  too_long_edges_ -= (known & kTooLong) != 0 ? 1 : 0;
   edge_[edge] = 0;
   const auto far = far_faces_.find(edge);
   if (far == far_faces_.end()) return;
@@ -83,9 +118,11 @@ void AxisCertificate::judge_edge(EdgeSlot edge) {
   if (!delaunay_.edge(edge).is_alive() || !is_border(edge)) return;
   edge_[edge] = kBorder;
   ++border_edges_;
-  if (is_arc_free(edge)) return;
-  edge_[edge] |= kBad;
-  ++bad_edges_;
+  if (labels_.is_conflict(edge)) {
+    edge_[edge] |= kDoubtful;
+    ++doubtful_edges_;
+  }
+  if (is_searched_) search(edge);
 }
 
 void AxisCertificate::judge_site(SiteSlot site) {
@@ -105,29 +142,36 @@ void AxisCertificate::judge_site(SiteSlot site) {
 
 void AxisCertificate::rebuild(JobControl& job) {
   clear_changes();
-  far_faces_.clear();
-  watchers_.clear();
-  border_edges_ = bad_edges_ = bad_sites_ = 0;
+  border_edges_ = bad_edges_ = doubtful_edges_ = too_long_edges_ = bad_sites_ = 0;
   edge_.assign(delaunay_.edge_rows(), 0);
   bad_site_.assign(delaunay_.site_rows(), 0);
+  forget_searches();
   if (delaunay_.dimension() < 2) return;
-  judge_all_sites();
-  for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
-    judge_edge(edge);
-  }
+  find_borders();
+  if (doubtful_edges_ != 0) search_all(job);
 }
 
-// As `judge_site` for each, from one walk along the edges.
-void AxisCertificate::judge_all_sites() {
+void AxisCertificate::get_ready_to_update(JobControl& job) {
+  if (!is_searched_ && delaunay_.dimension() == 2) search_all(job);
+}
+
+// As `judge_edge` and `judge_site` for each, from one walk along the edges.
+void AxisCertificate::find_borders() {
   // How many border edges there are, up to three; and whether an inner ball touches it.
   constexpr std::uint8_t kMany = 3;
   constexpr std::uint8_t kTouched = 4;
-  for (const EdgeRow& row : delaunay_.edges()) {
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    const EdgeRow& row = delaunay_.edge(edge);
     if (!row.is_alive()) continue;
     const bool left = labels_.is_inside(row.f[0]);
     const bool right = labels_.is_inside(row.f[1]);
     if (!left && !right) continue;
+    if (left != right) {
+      const bool is_doubtful = labels_.is_conflict(edge);
+      edge_[edge] = is_doubtful ? kBorder | kDoubtful : kBorder;
+      ++border_edges_;
+      doubtful_edges_ += is_doubtful ? 1 : 0;
+    }
     for (const SiteSlot site : row.v) {
       std::uint8_t& seen = bad_site_[site];
       if (left != right && (seen & kMany) != kMany) ++seen;
@@ -141,6 +185,7 @@ void AxisCertificate::judge_all_sites() {
 }
 
 bool AxisCertificate::update(JobControl& job) {
+  const bool was_doubtful = doubtful_edges_ != 0;
   edge_.resize(delaunay_.edge_rows(), 0);
   bad_site_.resize(delaunay_.site_rows(), 0);
   edge_recorder_.begin(delaunay_.edge_rows());
@@ -195,6 +240,10 @@ bool AxisCertificate::update(JobControl& job) {
     judge_edge(edge);
     edge_recorder_.note(edge, true);
   }
+  // Searches are due now, or arcs that are too long have another verdict.
+  const bool is_doubtful = doubtful_edges_ != 0;
+  if (is_doubtful && !is_searched_) return false;
+  if (is_doubtful != was_doubtful && too_long_edges_ != 0) return false;
   edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
   site_recorder_.finish(site_changes_, [this](SiteSlot site) { return delaunay_.is_site(site); });
   return true;
@@ -203,15 +252,15 @@ bool AxisCertificate::update(JobControl& job) {
 StatList AxisCertificate::statistics() const {
   return {{"certified", std::int64_t{is_certified() ? 1 : 0}},
           {"border_edges", static_cast<std::int64_t>(border_edges_)},
-          {"arcs_met", static_cast<std::int64_t>(bad_edges_)},
+          {"arcs_met", static_cast<std::int64_t>(bad_edge_count())},
           {"samples_not_on_one_border", static_cast<std::int64_t>(bad_sites_)}};
 }
 
 void AxisCertificate::find(std::vector<Finding>& out) const {
-  if (bad_edges_ != 0) {
+  if (bad_edge_count() != 0) {
     Finding& finding = out.emplace_back();
     finding.text = "curve edges beyond which another inner ball shows: the sample is not dense enough there";
-    finding.count = static_cast<std::int64_t>(bad_edges_);
+    finding.count = static_cast<std::int64_t>(bad_edge_count());
     for (const EdgeSlot edge : edge_.rows()) {
       if (finding.places.size() == kMostPlaces) break;
       if (!is_bad_edge(edge)) continue;

@@ -28,17 +28,24 @@ namespace mes {
 /// pq. So the search goes from that face through outside faces that meet the arc and looks at their neighbours.
 /// In a dense sample these are faces at p or q.
 ///
-/// Cost: rebuild O(n) for dense samples, some 1 us a border edge; update O(changed faces).
+/// Where every border edge passes the crust test, (b) holds (docs/union_of_balls.md) and nothing is searched. Searches
+/// are made when there is a border edge that does not, or before the first edit that may bring one
+/// (`get_ready_to_update`).
+///
+/// Cost: rebuild O(n), and for dense samples some 1 us a border edge where arcs are searched; update O(changed faces),
+/// and once a rebuild where the first border edge that fails the crust test comes before `get_ready_to_update`.
 class AxisCertificate final : public Structure {
  public:
   AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls& balls);
 
-  bool is_certified() const { return bad_edges_ == 0 && bad_sites_ == 0; }
+  bool is_certified() const { return bad_edge_count() == 0 && bad_sites_ == 0; }
   /// Another inner ball meets the arc of this border edge.
-  bool is_bad_edge(EdgeSlot edge) const { return edge_.has(edge) && (edge_[edge] & kBad) != 0; }
+  bool is_bad_edge(EdgeSlot edge) const {
+    return edge_.has(edge) && (edge_[edge] & (doubtful_edges_ != 0 ? kBad | kTooLong : kBad)) != 0;
+  }
   /// Touches inner balls but has no border edge, or more than two.
   bool is_bad_site(SiteSlot site) const { return bad_site_.has(site) && bad_site_[site] != 0; }
-  std::size_t bad_edge_count() const { return bad_edges_; }
+  std::size_t bad_edge_count() const { return bad_edges_ + (doubtful_edges_ != 0 ? too_long_edges_ : 0); }
   std::size_t bad_site_count() const { return bad_sites_; }
 
   bool is_border(EdgeSlot edge) const {
@@ -51,6 +58,7 @@ class AxisCertificate final : public Structure {
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
+  void get_ready_to_update(JobControl& job) override;
   void clear_changes() override {
     edge_changes_.clear();
     site_changes_.clear();
@@ -66,13 +74,19 @@ class AxisCertificate final : public Structure {
  private:
   static constexpr std::uint8_t kBorder = 1;
   static constexpr std::uint8_t kBad = 2;
+  static constexpr std::uint8_t kDoubtful = 4;  ///< fails the crust test
+  static constexpr std::uint8_t kTooLong = 8;   ///< its arc has more faces than are searched
 
   /// Of which nothing is known yet.
   void judge_edge(EdgeSlot edge);
   void judge_site(SiteSlot site);
-  void judge_all_sites();
+  void find_borders();
+  void search_all(JobControl& job);
+  void search(EdgeSlot edge);
+  void forget_searches();
   void forget_edge(EdgeSlot edge);
-  bool is_arc_free(EdgeSlot edge);
+  /// `kBad`, `kTooLong` or 0.
+  std::uint8_t verdict_on_arc(EdgeSlot edge);
   Corners corners_of(FaceSlot face) const;
 
   Delaunay& delaunay_;
@@ -82,6 +96,9 @@ class AxisCertificate final : public Structure {
   Table<SiteSlot, std::uint8_t> bad_site_;
   std::size_t border_edges_ = 0;
   std::size_t bad_edges_ = 0;
+  std::size_t doubtful_edges_ = 0;
+  std::size_t too_long_edges_ = 0;
+  bool is_searched_ = false;  ///< every arc
   std::size_t bad_sites_ = 0;
   // Searches that went beyond the faces at the ends of their edge, and the far faces they saw.
   std::unordered_map<EdgeSlot, std::vector<FaceSlot>> far_faces_;
