@@ -35,18 +35,22 @@ bool is_decided(double left, double right) {
 
 /// The corner at p has 90 degrees or more.
 bool is_wide(Vec2 p, Vec2 q, Vec2 r) {
+  return sign_of_corner(p, q, r) <= 0;
+}
+
+}  // namespace
+
+int sign_of_corner(Vec2 p, Vec2 q, Vec2 r) {
   const Vec2 u = q - p;
   const Vec2 v = r - p;
   const double value = dot(u, v);
   const double size = std::abs(u.x * v.x) + std::abs(u.y * v.y);
   // Differences, products and the sum round once each.
-  if (size > 1e-280 && size < 1e300 && std::abs(value) > 0x1p-49 * size) return value < 0.0;
+  if (size > 1e-280 && size < 1e300 && std::abs(value) > 0x1p-49 * size) return value < 0.0 ? -1 : 1;
   const RationalVector exact_u = between(p, q);
   const RationalVector exact_v = between(p, r);
-  return exact_u.x * exact_v.x + exact_u.y * exact_v.y <= 0;
+  return order(exact_u.x * exact_v.x + exact_u.y * exact_v.y, Rational(0));
 }
-
-}  // namespace
 
 bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c) {
   return is_wide(a, b, c) || is_wide(b, c, a) || is_wide(c, a, b);

@@ -12,6 +12,9 @@
 
 namespace mes {
 
+/// Exact sign of (q - p).(r - p): 1 where the angle at p is below 90 degrees, 0 at 90, -1 above. Three different points.
+int sign_of_corner(Vec2 p, Vec2 q, Vec2 r);
+
 /// Some corner of the triangle has 90 degrees or more; exact. Three different points.
 bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c);
 

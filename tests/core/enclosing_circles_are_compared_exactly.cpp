@@ -81,6 +81,36 @@ TEST_CASE("radii are compared with limits as rationals are, near ties and at the
   }
 }
 
+TEST_CASE("a corner is acute, right or obtuse as rationals say, where differences of coordinates round, too") {
+  Rng rng(12);
+  std::array<std::size_t, 3> seen{};
+  std::size_t misled = 0;
+  for (int round = 0; round < 4000; ++round) {
+    // Nearly a right angle, with coordinates of very different sizes.
+    const auto small = [&] { return std::ldexp(rng.uniform(-1.0, 1.0), -static_cast<int>(rng.below(70))); };
+    const auto whole = [&] { return static_cast<double>(rng.below(9)) - 4.0; };
+    const Vec2 u{1.0 + whole(), 0.5 + whole()};
+    Vec2 p{whole(), whole()};
+    Vec2 q = p + u;
+    Vec2 r = p + perpendicular(u);
+    if (round % 4 != 0) {
+      Vec2& one = round % 4 == 1 ? p : (round % 4 == 2 ? q : r);
+      (one.x == 0.0 ? one.x : one.y == 0.0 ? one.y : one.x) += small();
+    }
+    if (p == q || q == r || p == r) continue;
+    const Rational exact = (Rational(q.x) - Rational(p.x)) * (Rational(r.x) - Rational(p.x)) +
+                           (Rational(q.y) - Rational(p.y)) * (Rational(r.y) - Rational(p.y));
+    const int expected = exact > 0 ? 1 : (exact < 0 ? -1 : 0);
+    REQUIRE(sign_of_corner(p, q, r) == expected);
+    REQUIRE(sign_of_corner(p, r, q) == expected);
+    ++seen[static_cast<std::size_t>(expected + 1)];
+    const double rounded = dot(q - p, r - p);
+    misled += (rounded > 0.0 ? 1 : (rounded < 0.0 ? -1 : 0)) == expected ? 0U : 1U;
+  }
+  for (const std::size_t count : seen) CHECK(count > 100);
+  CHECK(misled > 20);  // the inputs do ask for more than doubles
+}
+
 TEST_CASE("thin, right and far triangles, and limits at the ends of the range") {
   const std::array<Vec2, 3> right{{{0, 0}, {4, 0}, {0, 3}}};
   check(right, 2.5);

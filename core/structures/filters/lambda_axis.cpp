@@ -77,7 +77,7 @@ std::vector<double> LambdaAxis::critical_values() const {
     // Edges of length zero, too: the diagonals of samples on one circle are crossed where the centre lies on them.
     if (!delaunay_.edge(edge).is_alive() || !axis_.is_axis_edge(edge)) continue;
     const EdgeCorners at = crust_.corners(edge);
-    if (dot(at.q - at.p, at.r - at.p) >= 0.0 && at.s && dot(at.r - *at.s, at.q - *at.s) >= 0.0)
+    if (at.s && sign_of_corner(at.p, at.q, at.r) >= 0 && sign_of_corner(*at.s, at.r, at.q) >= 0)
       out.push_back(value(edge));
   }
   std::ranges::sort(out);
