@@ -18,7 +18,7 @@ bool BranchDesk::follow(const State& wanted, const std::function<SampleData()>& 
   job_.begin([state = wanted, samples = data()](const std::stop_token& stop) -> Done {
     try {
       JobControl job(stop);
-      auto table = branch_table_of(samples, state.settings, state.axis, job);
+      auto table = branch_table_of(samples, state.settings, state.axis, job, state.measures_area);
       if (!table) return {state, nullptr, table.error().message()};
       return {state, std::make_shared<const BranchTable>(std::move(*table)), {}};
     } catch (const Cancelled&) {

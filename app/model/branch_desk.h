@@ -32,6 +32,7 @@ class BranchDesk {
     std::uint64_t document = 0;  ///< revision
     ComputationSettings settings{};
     BranchAxis axis = BranchAxis::whole;
+    bool measures_area = false;  ///< takes many times longer
     friend bool operator==(const State&, const State&) = default;
   };
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins. True when there is

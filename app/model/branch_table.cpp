@@ -65,6 +65,11 @@ double distance_to(const std::vector<Vec2>& line, Vec2 p) {
   return out;
 }
 
+/// A structure that gives the area and nothing else of the table.
+bool is_measured_only(std::string_view structure) {
+  return structure == "lambda-union" || structure == "angle-union" || structure == "cover-union";
+}
+
 }  // namespace
 
 std::string_view layer_of(BranchAxis axis) {
@@ -89,27 +94,34 @@ std::string_view name_of(BranchEndKind kind) {
 
 // The whole axis is what a limit of 0 leaves.
 Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationSettings& settings, BranchAxis axis,
-                                      JobControl& job) {
+                                      JobControl& job, bool measures_area) {
   const Document document;
   auto delta = replace_all(document, data);
   if (!delta) return std::unexpected(delta.error());
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
-  chosen[Parameter::a_scale] = 1.0;  // the shape is the union of the balls as they are
+  chosen[Parameter::a_scale] = 1.0;  // shares are of the balls as they are
   Graph graph;
   const std::string_view boundary = axis == BranchAxis::angle   ? "angle-kept-boundary"
                                     : axis == BranchAxis::cover ? "cover-kept-boundary"
                                                                 : "lambda-kept-boundary";
-  graph.set_demand(
-      std::array{find_layer("lambda-medial-axis"), find_layer("angle-medial-axis"), find_layer(boundary)});
+  std::vector<LayerIndex> demand{find_layer("lambda-medial-axis"), find_layer("angle-medial-axis")};
+  if (axis == BranchAxis::cover) demand.push_back(find_layer("cover-medial-axis"));
+  if (measures_area) demand.push_back(find_layer(boundary));
+  graph.set_demand(demand);
   graph.post_settings(chosen);
   graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
   FramePatch patch;
   if (!graph.run(patch, job)) throw Cancelled{};
-  for (const NodeReport& node : patch.nodes)
-    if (node.state == NodeState::failed)
-      return std::unexpected(
-          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
+  BranchTable out;
+  out.measures_area = measures_area;
+  for (const NodeReport& node : patch.nodes) {
+    if (node.state != NodeState::failed) continue;
+    std::string problem = "structure " + node.structure + " failed: " + node.reason;
+    if (!is_measured_only(node.structure))
+      return std::unexpected(Error{ErrorCode::cannot_compute, std::move(problem), {}, 0, 0});
+    out.area_problem = std::move(problem);
+  }
   const auto& lambda = graph.structures().get<LambdaAxis>();
   const auto& angle = graph.structures().get<AngleAxis>();
   const AxisFilter& filter = axis == BranchAxis::angle   ? static_cast<const AxisFilter&>(angle)
@@ -119,7 +131,6 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
       axis == BranchAxis::angle   ? static_cast<const KeptUnion&>(graph.structures().get<AngleUnion>())
       : axis == BranchAxis::cover ? graph.structures().get<CoverUnion>()
                                   : static_cast<const KeptUnion&>(graph.structures().get<LambdaUnion>());
-  BranchTable out;
   out.branches = branches_of(filter, graph.structures().get<InnerBalls>(), lambda, angle);
   out.lines.reserve(out.branches.size());
   for (const AxisBranch& branch : out.branches) {
@@ -131,7 +142,8 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
     if (stat.key == "components") out.components = std::get<std::int64_t>(stat.value);
     if (stat.key == "cycles") out.cycles = std::get<std::int64_t>(stat.value);
   }
-  for (const Stat& stat : kept.statistics()) {
+  const bool has_area = measures_area && out.area_problem.empty();
+  for (const Stat& stat : has_area ? kept.statistics() : StatList{}) {
     if (stat.key == "area") out.area = std::get<double>(stat.value);
     if (stat.key == "share_of_shape") out.share_of_shape = std::get<double>(stat.value);
   }
@@ -143,10 +155,12 @@ std::string kept_in_words(const BranchTable& table) {
   const auto counted = [](std::int64_t count, const char* one, const char* more) {
     return fmt::format("{} {}", count, count == 1 ? one : more);
   };
-  return fmt::format("{}, length {:.6g}, {}, {}, {:.4g} % of the shape",
-                     counted(std::ssize(table.branches), "branch", "branches"), table.length,
-                     counted(table.components, "component", "components"), counted(table.cycles, "cycle", "cycles"),
-                     100.0 * table.share_of_shape);
+  std::string out = fmt::format(
+      "{}, length {:.6g}, {}, {}", counted(std::ssize(table.branches), "branch", "branches"), table.length,
+      counted(table.components, "component", "components"), counted(table.cycles, "cycle", "cycles"));
+  if (table.share_of_shape > 0.0) out += fmt::format(", {:.4g} % of the shape", 100.0 * table.share_of_shape);
+  if (!table.area_problem.empty()) out += ", share of the shape unknown: " + table.area_problem;
+  return out;
 }
 
 std::string branches_as_csv(std::span<const AxisBranch> branches) {

@@ -36,18 +36,24 @@ struct BranchTable {
   double length = 0.0;                   ///< of all together
   std::int64_t components = 0;           ///< of what is kept
   std::int64_t cycles = 0;
-  double area = 0.0;            ///< of the union of the balls along it
-  double share_of_shape = 0.0;  ///< that over the area of the shape (`KeptUnion`); 0: there is none
+  /// The union of the balls along it was asked for, and is measured unless `area_problem` says why not.
+  bool measures_area = false;
+  std::string area_problem;
+  double area = 0.0;            ///< of that union
+  double share_of_shape = 0.0;  ///< how much of the shape it holds (`KeptUnion`); 0: there is none
   /// Of the whole axis, edge by edge, whatever the filter leaves.
   std::vector<AxisShare> radii;
   std::vector<AxisShare> lambdas;
 };
 
-/// Throws `Cancelled`. Error: a structure failed.
+/// Throws `Cancelled`. Error: a structure failed; but where the union alone fails, the table is there without its area.
+/// Cost: of the axis from scratch; with `measures_area`, also of the union of the balls by the general pipeline, which
+/// is many times that.
 Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationSettings& settings, BranchAxis axis,
-                                      JobControl& job);
+                                      JobControl& job, bool measures_area = true);
 
-/// What is kept, in one line: "12 branches, length 3.25, 1 component, 0 cycles, 98.7 % of the shape".
+/// What is kept, in one line: "12 branches, length 3.25, 1 component, 0 cycles, 98.7 % of the shape", the last only where
+/// there is a share.
 std::string kept_in_words(const BranchTable& table);
 
 std::string branches_as_csv(std::span<const AxisBranch> branches);

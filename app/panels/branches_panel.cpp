@@ -56,7 +56,7 @@ void BranchesPanel::refresh_rows() {
 
 void BranchesPanel::draw() {
   const Document& document = uses_.editor.document();
-  const bool is_new = uses_.desk.follow({document.revision(), uses_.computation.settings(), axis_},
+  const bool is_new = uses_.desk.follow({document.revision(), uses_.computation.settings(), axis_, measures_area_},
                                         [&document] { return data_of(document); });
   if (is_new || rows_of_ != uses_.desk.table()) {
     histogram_table_ = nullptr;
@@ -193,9 +193,11 @@ void BranchesPanel::draw_table() {
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled("%s", fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing").c_str());
   ImGui::PopTextWrapPos();
-  tooltip(uses_.gui,
-          "Share of the shape: the area of the union of the balls along what is kept, over that of all inner "
-          "balls");
+  ImGui::Checkbox("Share of the shape", &measures_area_);
+  tooltip(
+      uses_.gui,
+      "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
+      "much longer than the table");
   if (rows_.size() != table.branches.size())
     ImGui::TextDisabled("%s",
                         fmt::format("{} of {} branches are listed", rows_.size(), table.branches.size()).c_str());

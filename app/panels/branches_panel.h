@@ -40,6 +40,7 @@ class BranchesPanel {
 
   Uses uses_;
   BranchAxis axis_ = BranchAxis::lambda;
+  bool measures_area_ = false;
   bool shows_lambda_ = true;
   std::string filter_text_;
   BranchFilter filter_;

@@ -274,6 +274,10 @@ void ParametersPanel::draw() {
     draw_parameter(static_cast<Parameter>(i));
   }
   if (!any) ImGui::TextDisabled("No parameter matches");
+  // What stands below a row is looked for while the row is shown.
+  const auto is_listed = [this](Parameter parameter) { return matches(descriptor_of(parameter), search_); };
+  if (!is_listed(Parameter::lambda_limit)) critical_values_.rest();
+  if (!is_listed(Parameter::scale_axis_factor)) scale_events_.rest();
   ImGui::EndChild();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lambda and object angle: values against definitions in plain loops and formulas, what is kept against both, and the
 // topology of what pruning leaves.
+#include <CGAL/Exact_rational.h>
+
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/kernel/enclosing_circle.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/lambda_axis.h"
@@ -503,6 +506,77 @@ TEST_CASE(
   CHECK(bench.measure("angle-union", "area") == Approx(area).epsilon(0.01));
 }
 
+TEST_CASE(
+    "the ball of an open place has no more of the shape than its triangle, and thin triangles no area that is none") {
+  // A square whose right side is nearly open: the ball behind the gap reaches far beyond the shape.
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 40; ++i) {
+    const double t = -1.0 + 0.05 * i;
+    samples.push_back({t, -1.0});
+    samples.push_back({-1.0, -t});
+    samples.push_back({-t, 1.0});
+  }
+  samples.push_back({1.0, 1.0});
+  samples.push_back({1.0, -1.0});
+  Workbench bench;
+  bench.show({"lambda-kept-boundary"});
+  bench.replace(samples);
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& lambda = bench.get<LambdaAxis>();
+  const auto& balls = bench.get<InnerBalls>();
+  for (const double limit : {0.0, 0.1, 0.5, 0.9}) {
+    bench.choose(limits(limit, 0.0, false));
+    // Points thrown at the triangles inside: how many lie in a kept ball.
+    std::vector<FaceSlot> kept;
+    for (const FaceSlot face : delaunay.face_slots())
+      if (delaunay.is_finite_face(face) && lambda.is_kept(face)) kept.push_back(face);
+    Rng rng(3);
+    double whole = 0.0;
+    double held = 0.0;
+    for (const FaceSlot face : delaunay.face_slots()) {
+      if (!delaunay.is_finite_face(face) || !balls.is_ball(face)) continue;
+      const FaceRow& row = delaunay.face(face);
+      const Vec2 a = delaunay.site_position(row.v[0]);
+      const Vec2 u = delaunay.site_position(row.v[1]) - a;
+      const Vec2 v = delaunay.site_position(row.v[2]) - a;
+      const double area = 0.5 * cross(u, v);
+      constexpr int kThrown = 400;
+      int inside = 0;
+      for (int i = 0; i < kThrown; ++i) {
+        double s = rng.uniform();
+        double t = rng.uniform();
+        if (s + t > 1.0) {
+          s = 1.0 - s;
+          t = 1.0 - t;
+        }
+        const Vec2 p = a + s * u + t * v;
+        inside += std::ranges::any_of(kept, [&](FaceSlot one) {
+          return distance(delaunay.circumcenter(one), p) <= delaunay.circumradius(one);
+        });
+      }
+      whole += area;
+      held += area * inside / kThrown;
+    }
+    INFO("limit " << limit);
+    CHECK(bench.measure("lambda-union", "shape_area") == Approx(whole).epsilon(1e-9));
+    CHECK(bench.measure("lambda-union", "share_of_shape") == Approx(held / whole).margin(0.02));
+    if (limit == 0.0) CHECK(bench.measure("lambda-union", "share_of_shape") == Approx(1.0).epsilon(1e-9));
+  }
+  // Triangles without height: circles that no double holds.
+  bench.choose(limits(0.0, 0.0, false));
+  for (const int exponent : {0, 430, -400}) {
+    for (const double height : {1e-12, 1e-20, 1e-28}) {
+      std::vector<Vec2> thin{{0, 0}, {1, height}, {2, 0}, {3, height}, {1.5, -height}, {1.5, 2 * height}};
+      for (Vec2& p : thin) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      bench.replace(thin);
+      for (const Stat& stat : bench.get<LambdaUnion>().statistics()) {
+        INFO(stat.key << " exponent " << exponent << " height " << height);
+        if (const double* const value = std::get_if<double>(&stat.value)) CHECK_FALSE(std::isnan(*value));
+      }
+    }
+  }
+}
+
 TEST_CASE("critical values are the radius of a rectangle, and half the width of a neck") {
   Workbench bench;
   bench.show({"lambda-medial-axis"});
@@ -522,6 +596,53 @@ TEST_CASE("critical values are the radius of a rectangle, and half the width of 
   }
   bench.replace(samples);
   CHECK(bench.measure("lambda-axis", "weak_feature_size") == Approx(1.0).margin(0.01));
+}
+
+// An edge is crossed by its dual where its smallest circle holds no other sample.
+TEST_CASE("critical edges are those whose smallest circle is empty, among all pairs of samples") {
+  Rng rng(21);
+  for (int round = 0; round < 12; ++round) {
+    std::vector<Vec2> samples;
+    const double step =
+        round % 2 == 0 ? 1.0 : 0.1;  // squares, whose centres lie on diagonals; steps that are no doubles
+    for (int i = 0; i < 30; ++i) {
+      const Vec2 at{step * static_cast<double>(rng.below(9)), step * static_cast<double>(rng.below(9))};
+      if (std::ranges::find(samples, at) == samples.end()) samples.push_back(at);
+    }
+    Workbench bench;
+    bench.show({"lambda-medial-axis"});
+    bench.replace(samples);
+    const auto& delaunay = bench.get<Delaunay>();
+    const auto& axis = bench.get<MedialAxis>();
+    const std::vector<double> values = bench.get<LambdaAxis>().critical_values();
+    std::vector<double> expected;
+    for (const EdgeSlot edge : delaunay.edge_slots()) {
+      if (!delaunay.edge(edge).is_alive() || !axis.is_axis_edge(edge)) continue;
+      const Vec2 p = delaunay.site_position(delaunay.edge(edge).v[0]);
+      const Vec2 q = delaunay.site_position(delaunay.edge(edge).v[1]);
+      const bool is_empty = std::ranges::all_of(samples, [&](Vec2 x) {
+        using Rational = CGAL::Exact_rational;
+        return (Rational(p.x) - Rational(x.x)) * (Rational(q.x) - Rational(x.x)) +
+                   (Rational(p.y) - Rational(x.y)) * (Rational(q.y) - Rational(x.y)) >=
+               0;
+      });
+      if (is_empty) expected.push_back(0.5 * distance(p, q));
+    }
+    for (const FaceSlot face : delaunay.face_slots()) {
+      if (!delaunay.is_finite_face(face) || !axis.is_node(face)) continue;
+      bool is_acute = false;
+      for (const FaceSlot other : delaunay.face_slots()) {
+        if (!delaunay.is_finite_face(other) || bench.get<InnerBalls>().ball(other) != face) continue;
+        const FaceRow& row = delaunay.face(other);
+        is_acute = is_acute || !is_right_or_obtuse(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1]),
+                                                   delaunay.site_position(row.v[2]));
+      }
+      if (is_acute) expected.push_back(delaunay.circumradius(face));
+    }
+    std::ranges::sort(expected);
+    expected.erase(std::ranges::unique(expected).begin(), expected.end());
+    REQUIRE(values == expected);
+  }
 }
 
 TEST_CASE("where nothing is kept the statistics say why") {

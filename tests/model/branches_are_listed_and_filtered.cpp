@@ -206,6 +206,19 @@ TEST_CASE("what is kept is said in one line, for each filter") {
     CHECK(table->area == Approx(5.0 * std::numbers::pi));
     CHECK(kept_in_words(*table) == "1 branch, length 0, 1 component, 0 cycles, 100 % of the shape");
   }
+  // The union is taken only where it is asked for, and where it fails the rest is said.
+  for (const BranchAxis axis : kBranchAxes) {
+    auto table = branch_table_of(rectangle, {}, axis, job, false);
+    REQUIRE(table.has_value());
+    CHECK_FALSE(table->measures_area);
+    CHECK(table->area == 0.0);
+    CHECK(table->branches.size() == 1);
+    CHECK(kept_in_words(*table) == "1 branch, length 0, 1 component, 0 cycles");
+    table->area_problem = "structure lambda-union failed: no room";
+    CHECK(kept_in_words(*table) ==
+          "1 branch, length 0, 1 component, 0 cycles, share of the shape unknown: structure lambda-union failed: no "
+          "room");
+  }
   const auto none = branch_table_of({}, {}, BranchAxis::cover, job);
   REQUIRE(none.has_value());
   CHECK(none->branches.empty());

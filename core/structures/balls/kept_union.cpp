@@ -63,33 +63,40 @@ KeptUnion::KeptUnion(std::string_view id, SettingsSource& settings, Delaunay& de
                 std::make_unique<KeptBalls>(filter)),
       delaunay_(delaunay),
       labels_(labels),
+      balls_(balls),
       filter_(filter) {}
 
-double KeptUnion::shape_area() const {
-  Sum out;
+double KeptUnion::segment_area(const FaceRow& row, int i) const {
+  const Vec2 q = delaunay_.site_position(row.v[next3(i)]);
+  const Vec2 r = delaunay_.site_position(row.v[prev3(i)]);
+  // The angle at the corner opposite is half that at the centre. By the chord instead of the radius, which may be beyond
+  // all doubles where the segment is not.
+  const double half = angle_at(delaunay_.site_position(row.v[i]), q, r) * (std::numbers::pi / 180.0);
+  const double sine = std::sin(half);
+  const double chord = distance(q, r);
+  const double shape = half < 1e-4 ? (2.0 / 3.0) * half : (half - sine * std::cos(half)) / (sine * sine);
+  return 0.25 * chord * chord * shape;
+}
+
+StatList KeptUnion::statistics() const {
+  constexpr double kDigits = 1e9;  // of the area of the balls, which rounding leaves
+  StatList out = BallUnion::statistics();
+  Sum shape;
+  Sum beyond;
   for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.is_finite_face(face) || !labels_.is_inside(face)) continue;
     const FaceRow& row = delaunay_.face(face);
     const Vec2 a = delaunay_.site_position(row.v[0]);
-    out.add(0.5 * cross(delaunay_.site_position(row.v[1]) - a, delaunay_.site_position(row.v[2]) - a));
-    for (int i = 0; i < 3; ++i) {
-      if (labels_.is_inside(row.n[i])) continue;
-      // The angle at the corner opposite is half that at the centre.
-      const double half = angle_at(delaunay_.site_position(row.v[i]), delaunay_.site_position(row.v[next3(i)]),
-                                   delaunay_.site_position(row.v[prev3(i)])) *
-                          (std::numbers::pi / 180.0);
-      out.add(row.radius * row.radius * (half - std::sin(half) * std::cos(half)));
-    }
+    shape.add(0.5 * cross(delaunay_.site_position(row.v[1]) - a, delaunay_.site_position(row.v[2]) - a));
+    if (!filter_.is_kept(balls_.ball(face))) continue;
+    for (int i = 0; i < 3; ++i)
+      if (!labels_.is_inside(row.n[i])) beyond.add(segment_area(row, i));
   }
-  return out.value();
-}
-
-StatList KeptUnion::statistics() const {
-  StatList out = BallUnion::statistics();
-  const double shape = shape_area();
-  const double share = tables().measures.area / shape;
-  out.push_back({"shape_area", shape});
-  if (shape > 0.0 && std::isfinite(share) && family().scale() == 1.0) out.push_back({"share_of_shape", share});
+  out.push_back({"shape_area", shape.value()});
+  const double area = tables().measures.area;
+  if (!(shape.value() > 0.0) || !(area < kDigits * shape.value()) || family().scale() != 1.0) return out;
+  const double share = (area - beyond.value()) / shape.value();
+  if (std::isfinite(share)) out.push_back({"share_of_shape", std::clamp(share, 0.0, 1.0)});
   return out;
 }
 

@@ -12,9 +12,13 @@ namespace mes {
 /// The balls of the kept nodes and those at cuts of edges, which hold all balls between; scaled by `a-scale`, as the inner
 /// balls are.
 ///
-/// `share_of_shape` is the area of the union over that of the shape, which is the union of all inner balls: the inside
-/// triangles, and beyond each edge of the curve the segment of the ball behind it. Where samples are too far apart for
-/// these segments to be disjoint, it is a little too small. At a limit that takes nothing away it is 1.
+/// `shape_area` is that of the shape: of the inside triangles. `share_of_shape` is how much of it the union holds. A ball
+/// reaches beyond the shape in a circular segment behind each edge of the curve at its own triangle, and the segments of
+/// kept balls are taken off; so the large ball of an open place counts with what it has of the shape. At a limit that
+/// takes nothing away the share is 1. It is an estimate in two respects: what a kept ball has beyond the edge of a triangle
+/// whose own ball is not kept is not taken off, and where samples are so far apart that segments overlap, too much is;
+/// what comes out above 1 is 1. There is none where balls are so large that their area has no digits left for the shape,
+/// or are scaled.
 ///
 /// Rows of balls: face f has row 2f, and the piece of an axis end in row i of `AxisFilter` has row 2i + 1. Balls are
 /// rounded; made anew for every change, by the general pipeline.
@@ -30,10 +34,12 @@ class KeptUnion : public BallUnion {
             AxisFilter& filter);
 
  private:
-  double shape_area() const;
+  /// What a kept ball has beyond the edge opposite corner i of its triangle.
+  double segment_area(const FaceRow& row, int i) const;
 
   const Delaunay& delaunay_;
   const Labels& labels_;
+  const InnerBalls& balls_;
   const AxisFilter& filter_;
 };
 
