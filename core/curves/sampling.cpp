@@ -4,8 +4,9 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 #include <utility>
 
 #include "core/curves/corners.h"
@@ -112,6 +113,15 @@ class Collector {
     if (out_.positions.size() % kOften == 0) checkpoint();
     out_.positions.push_back(position);
   }
+  void add(std::span<const Vec2> positions) {
+    constexpr std::size_t kOften = 4096;
+    for (; !positions.empty(); positions = positions.subspan(std::min(positions.size(), kOften))) {
+      checkpoint();
+      const auto part = positions.first(std::min(positions.size(), kOften));
+      out_.positions.insert(out_.positions.end(), part.begin(), part.end());
+    }
+  }
+  void reserve(std::size_t count) { out_.positions.reserve(count); }
 
   void end_curve() {
     SampledCurves::Chain& chain = out_.chains.back();
@@ -132,29 +142,42 @@ class Collector {
 
  private:
   void remove_repetitions(std::size_t first) {
-    const auto begin = out_.positions.begin() + static_cast<std::ptrdiff_t>(first);
-    std::vector<std::size_t> order(out_.positions.size() - first);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-      const Vec2 p = out_.positions[first + a];
-      const Vec2 q = out_.positions[first + b];
-      return lexicographically_less(p, q) || (p == q && a < b);
-    });
-    std::vector<bool> is_repeated(order.size(), false);
-    for (std::size_t i = 1; i < order.size(); ++i)
-      is_repeated[order[i]] = out_.positions[first + order[i - 1]] == out_.positions[first + order[i]];
-    std::size_t next = 0;
-    const auto kept_end =
-        std::remove_if(begin, out_.positions.end(), [&](Vec2 /*position*/) { return is_repeated[next++]; });
-    out_.positions.erase(kept_end, out_.positions.end());
+    // The samples that stay, by a hash of their coordinates: places in a table of which no more than half is in use.
+    constexpr std::uint32_t kFree = 0xffffffffU;
+    std::vector<Vec2>& p = out_.positions;
+    const std::size_t mask = std::bit_ceil(2 * (p.size() - first) + 2) - 1;
+    places_.assign(mask + 1, kFree);
+    std::size_t kept = first;
+    for (std::size_t i = first; i < p.size(); ++i) {
+      std::size_t at = hash_of(p[i]) & mask;
+      while (places_[at] != kFree && p[first + places_[at]] != p[i]) at = (at + 1) & mask;
+      if (places_[at] != kFree) continue;
+      places_[at] = static_cast<std::uint32_t>(kept - first);
+      p[kept++] = p[i];
+    }
+    p.resize(kept);
+  }
+  static std::size_t hash_of(Vec2 p) {
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
+    // Zero is zero, whatever its sign.
+    std::uint64_t bits = std::bit_cast<std::uint64_t>(p.x + 0.0) * kOdd;
+    bits = (bits ^ (bits >> 32U)) + std::bit_cast<std::uint64_t>(p.y + 0.0);
+    bits = (bits ^ (bits >> 29U)) * kOdd;
+    bits = (bits ^ (bits >> 32U)) * kOdd;
+    return static_cast<std::size_t>(bits ^ (bits >> 29U));
   }
 
   JobControl* job_;
   SampledCurves out_;
+  std::vector<std::uint32_t> places_;
 };
 
 void add_vertices(const PlaneCurve& curve, Collector& out) {
   out.begin_curve(curve.is_closed());
+  if (curve.is_polyline()) {
+    out.add(curve.points());
+    return out.end_curve();
+  }
   out.add(curve.start());
   // The last one of a closed curve is its start, which comes out again.
   curve.for_each_piece([&](const Piece& piece) { out.add(piece.to()); });
@@ -224,6 +247,7 @@ Expected<void> sample_vertices(const CurveSet& curves, const SamplingRequest& re
   for (const PlaneCurve& curve : curves.curves)
     count += static_cast<double>(curve.piece_count()) + (curve.is_closed() ? 0.0 : 1.0);
   if (auto fits = check_count(count, request); !fits) return fits;
+  out.reserve(static_cast<std::size_t>(count) + curves.curves.size() + curves.points.size());
   for (const PlaneCurve& curve : curves.curves) add_vertices(curve, out);
   return {};
 }

@@ -307,10 +307,11 @@ class DrawingReader {
     if (curve.is_closed() || curve.piece_count() < 2) return;
     const bool knows_style = !(has_style_sheet_ && context.has_class);
     const bool is_area = knows_style && context.is_filled && !context.is_stroked;
+    if (is_area) return curve.close();
     double around = 0.0;
     curve.for_each_piece([&](const Piece& piece) { around += distance(piece.from(), piece.to()); });
     constexpr double kRounding = 1e-4;
-    if (is_area || distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
+    if (distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
   }
 
   XmlSource source_;

@@ -54,22 +54,7 @@ std::size_t number_length(std::string_view text) {
 
 }  // namespace
 
-void SvgText::skip_blanks() {
-  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
-}
-
-void SvgText::skip_comma() {
-  skip_blanks();
-  if (take(',')) skip_blanks();
-}
-
-bool SvgText::take(char wanted) {
-  if (is_at_end() || text_[at_] != wanted) return false;
-  ++at_;
-  return true;
-}
-
-std::optional<double> SvgText::number() {
+std::optional<double> SvgText::any_number() {
   const std::size_t size = number_length(text_.substr(at_));
   if (size == 0) return std::nullopt;
   std::string_view token = text_.substr(at_, size);

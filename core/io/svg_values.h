@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/curves/affine.h"
+#include "core/io/short_decimal.h"
 
 namespace mes {
 
@@ -19,14 +20,29 @@ class SvgText {
  public:
   explicit SvgText(std::string_view text) : text_(text) {}
 
-  void skip_blanks();
+  void skip_blanks() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || (text_[at_] >= '\t' && text_[at_] <= '\r'))) ++at_;
+  }
   /// Blanks with at most one comma among them.
-  void skip_comma();
+  void skip_comma() {
+    skip_blanks();
+    if (take(',')) skip_blanks();
+  }
   bool is_at_end() const { return at_ == text_.size(); }
   char sign() const { return is_at_end() ? '\0' : text_[at_]; }
-  bool take(char wanted);
+  bool take(char wanted) {
+    if (is_at_end() || text_[at_] != wanted) return false;
+    ++at_;
+    return true;
+  }
   /// A finite number right here; nothing, and nothing is taken, where none is.
-  std::optional<double> number();
+  std::optional<double> number() {
+    double value = 0.0;
+    const std::size_t size = short_decimal(text_.substr(at_), value);
+    if (size == 0) return any_number();
+    at_ += size;
+    return value;
+  }
   /// One character, 0 or 1, for nothing need follow it.
   std::optional<bool> flag();
   /// Letters right here; may be empty.
@@ -34,6 +50,8 @@ class SvgText {
   std::size_t place() const { return at_; }
 
  private:
+  std::optional<double> any_number();
+
   std::string_view text_;
   std::size_t at_ = 0;
 };

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/io/short_decimal.h"
+
 namespace mes {
 namespace {
 
@@ -81,6 +83,7 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
   }
   if (token.starts_with('+') && token.size() > 1 && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   double value = 0.0;
+  if (!token.empty() && short_decimal(token, value) == token.size()) return value;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error == std::errc::invalid_argument || end != token.data() + token.size())
     return std::unexpected(NumberFault::not_a_number);

@@ -259,3 +259,23 @@ TEST_CASE("what has been sampled already keeps its vertices when it is opened") 
   CHECK(default_sampling({.curves = {polygon(points)}, .points = {}}).rule == SamplingRule::adaptive);
   CHECK(default_sampling({.curves = {circle({0, 0}, 1)}, .points = {}}).count == 400);
 }
+
+TEST_CASE("of vertices at one place the first counts, whichever sign a zero has") {
+  const std::vector<Vec2> points{{0, 0}, {1, 0}, {1, 1}, {1, 0}, {-0.0, 0.0}, {2, -0.0}, {2, 0}, {0, 1}};
+  const SampledCurves samples = sampled(polygon(points), {.rule = SamplingRule::vertices});
+  CHECK(samples.positions == std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {2, 0}, {0, 1}});
+  REQUIRE(samples.chains.size() == 1);
+  CHECK(samples.chains[0] == SampledCurves::Chain{true, 0, 5});
+}
+
+TEST_CASE("vertices that come again are found among many") {
+  // A curve that runs along a lattice twice.
+  std::vector<Vec2> points;
+  constexpr int kSide = 300;
+  for (int twice = 0; twice < 2; ++twice)
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) points.push_back({static_cast<double>(x), static_cast<double>(y)});
+  const SampledCurves samples = sampled(polygon(points), {.rule = SamplingRule::vertices});
+  points.resize(kSide * kSide);
+  CHECK(samples.positions == points);
+}
