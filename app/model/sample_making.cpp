@@ -12,9 +12,10 @@ void SampleMaking::want(Call call) {
 }
 
 void SampleMaking::begin() {
-  job_.begin([call = std::exchange(wanted_, nullptr)](const std::stop_token&) {
+  job_.begin([call = std::exchange(wanted_, nullptr)](const std::stop_token& stop) {
+    JobControl job(stop);
     try {
-      return call();
+      return call(job);
     } catch (const std::bad_alloc&) {
       return Made{std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for these samples"})};
     }

@@ -9,6 +9,7 @@
 
 #include "app/system/background_job.h"
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/document/commands.h"
 
 namespace mes {
@@ -20,7 +21,7 @@ namespace mes {
 ///     cannot be made, nothing is taken.
 ///
 /// Smallest use:
-///     making.want([request] { return SampleMaking::Made{make_shape(shape, request)}; });
+///     making.want([request](JobControl& job) { return SampleMaking::Made{make_shape(shape, request, &job)}; });
 ///     ... each frame: making.follow();
 ///     if (making.is_accepted_and_ready()) use(*making.made()->data);
 ///
@@ -31,12 +32,12 @@ class SampleMaking {
     Expected<SampleData> data;
     std::vector<std::string> remarks{};
   };
-  using Call = std::function<Made()>;
+  using Call = std::function<Made(JobControl&)>;
 
   explicit SampleMaking(std::function<void()> wake) : job_(std::move(wake)) {}
 
   void want(Call call);
-  /// Gives up what is being computed, and what was accepted.
+  /// Gives up what is being computed, which ends where it looks at its job next, and what was accepted.
   void stop();
   /// Takes what is ready. What is accepted and cannot be made is accepted no more.
   void follow();

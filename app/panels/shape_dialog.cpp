@@ -85,7 +85,9 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
 void ShapeDialog::follow() {
   ShapeRequest request{.values = values_[chosen_], .sampling = sampling_.sampling()};
   if (wished_of_ == chosen_ && wished_for_ == request) return;
-  maker_.want([chosen = &shape(), request] { return SampleMaking::Made{make_shape(*chosen, request)}; });
+  maker_.want([chosen = &shape(), request](JobControl& job) {
+    return SampleMaking::Made{make_shape(*chosen, request, &job)};
+  });
   wished_for_ = std::move(request);
   wished_of_ = chosen_;
 }

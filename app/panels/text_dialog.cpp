@@ -81,7 +81,7 @@ void TextDialog::follow() {
   wish_.sampling = sampling_.sampling();
   if (wished_for_ == wish_) return;
   wished_for_ = wish_;
-  maker_.want([wish = wish_, own = own_font_]() -> SampleMaking::Made {
+  maker_.want([wish = wish_, own = own_font_](JobControl& job) -> SampleMaking::Made {
     auto font = wish.family.empty() && own ? Expected<FontFile>(*own)
                                            : find_font(font_name(wish.family, wish.is_bold, wish.is_italic));
     if (!font) return {std::unexpected(std::move(font.error()))};
@@ -89,7 +89,8 @@ void TextDialog::follow() {
     request.font = *std::move(font);
     auto outlines = outlines_of_text(request);
     if (!outlines) return {std::unexpected(std::move(outlines.error()))};
-    return {sample_curves(outlines->curves, wish.sampling), std::move(outlines->remarks)};
+    job.checkpoint();
+    return {sample_curves(outlines->curves, wish.sampling, &job), std::move(outlines->remarks)};
   });
 }
 

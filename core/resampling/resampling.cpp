@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "core/base/box_tree.h"
 #include "core/curves/smooth_curve.h"
 #include "core/document/taken_samples.h"
 #include "core/evolutions/moving_curve.h"
@@ -128,7 +130,7 @@ class Meter {
 
   Expected<void> measure(std::vector<Vec2> places) {
     // Beyond such a share making it anew is quicker.
-    constexpr std::size_t kMany = 128;
+    constexpr std::size_t kMany = 32;
     const std::size_t before = places_.size();
     const bool goes_on = before != 0 && before <= places.size() && kMany * (places.size() - before) < before &&
                          std::equal(places_.begin(), places_.end(), places.begin());
@@ -147,6 +149,43 @@ class Meter {
   JobControl& job_;
   std::unique_ptr<Measured> measured_;
   std::vector<Vec2> places_;
+};
+
+/// Places, numbered as they come, and which of them is nearest. Cost: O(log n) typically, a place and a question.
+class PlaceTree {
+ public:
+  void add(Vec2 at) {
+    places_.push_back({at, static_cast<std::uint32_t>(places_.size())});
+    if (tree_.is_worn())
+      tree_.build(std::span<const Place>(places_), bounds_of, [](const Place&, std::uint32_t) {});
+    else
+      tree_.insert(places_.back(), bounds_of, [](const Place&, std::uint32_t) {});
+  }
+
+  /// Of those nearer than `reach`, the nearest; of equal ones the first.
+  std::optional<std::uint32_t> nearest(Vec2 to, double reach) const {
+    std::optional<std::uint32_t> out;
+    double away = reach;
+    double bound = reach * reach;  // of squares; a little more than what is asked for does no harm
+    tree_.visit_near(to, bound, [&](const Place& place) {
+      const double d = distance(place.at, to);
+      if (!(d < away || (d == away && out && place.number < *out))) return;
+      away = d;
+      bound = d * d * (1.0 + 0x1p-40);
+      out = place.number;
+    });
+    return out;
+  }
+
+ private:
+  struct Place {
+    Vec2 at{};
+    std::uint32_t number = 0;
+  };
+  static TreeBounds bounds_of(const Place& place) { return {{place.at, place.at}}; }
+
+  BoxTree<Place> tree_;
+  std::vector<Place> places_;
 };
 
 /// What the samples of the data give.
@@ -170,22 +209,19 @@ Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<Curve
     return kShare * length(Vec2{extent.width(), extent.height()});
   }();
   std::vector<bool> is_named(corners.size(), false);
+  PlaceTree corner_tree;
+  for (const CurveCorner& corner : corners) corner_tree.add(corner.place);
+  PlaceTree other_tree;
   for (const Vec2 place : (*measured)->failures()) {
     job.checkpoint();
-    std::size_t nearest = corners.size();
-    double away = reach;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      if (const double d = distance(corners[i].place, place); d < away) {
-        away = d;
-        nearest = i;
-      }
     // Failures side by side are one place.
     constexpr double kBeside = 0.1;
-    const auto is_near = [&](Vec2 other) { return distance(other, place) < kBeside * reach; };
-    if (nearest != corners.size())
-      is_named[nearest] = true;
-    else if (std::ranges::none_of(taken.other_places, is_near))
+    if (const auto nearest = corner_tree.nearest(place, reach)) {
+      is_named[*nearest] = true;
+    } else if (!other_tree.nearest(place, kBeside * reach)) {
+      other_tree.add(place);
       taken.other_places.push_back(place);
+    }
   }
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (is_named[i]) taken.corners.push_back(corners[i]);

@@ -73,15 +73,15 @@ ShapeValues values_of(const ShapeDescriptor& shape) {
   return out;
 }
 
-Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& wish) {
+Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& wish, JobControl* job) {
   if (auto good = check(wish); !good) return std::unexpected(good.error());
   const SamplingRequest sampling = sampling_of(wish);
-  auto samples = sample(curves, sampling);
+  auto samples = sample(curves, sampling, {}, job);
   if (!samples) return std::unexpected(samples.error());
   return taken_from(std::make_shared<const CurveSet>(curves), *std::move(samples), sampling);
 }
 
-Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request) {
+Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request, JobControl* job) {
   MES_ASSERT(request.values.numbers.size() == shape.parameters.size() &&
              request.values.formulas.size() == shape.formulas.size());
   if (auto good = check(request.sampling); !good) return std::unexpected(good.error());
@@ -91,9 +91,10 @@ Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest
   if (request.sampling.samples && shape.points != 0) values.samples = *request.sampling.samples;
   values.seed = request.sampling.seed;
   auto made = shape.make(values);
+  if (job != nullptr) job->checkpoint();
   if (!made) return std::unexpected(made.error());
   const SamplingRequest sampling = sampling_of(request.sampling);
-  auto samples = sample(made->curves, sampling);
+  auto samples = sample(made->curves, sampling, {}, job);
   if (!samples) return std::unexpected(samples.error());
   SampledCurves centers;
   for (const Disk& ball : made->balls) centers.positions.push_back(ball.center);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/curves/curve.h"
 #include "core/document/commands.h"
 #include "core/document/parameter.h"
@@ -83,10 +84,11 @@ inline constexpr std::size_t kMostShapeSamples = 10'000'000;
 
 /// Samples with their contours, or balls. Error: `usage` for parameters that contradict each other, for a formula that
 /// cannot be understood (with its place), and for a wish that makes no sense; `bad_input` for a formula whose values are
-/// no numbers, and for more than `kMostShapeSamples`. Cost: O(samples), but for the Poisson disk, O(samples) on average.
-Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request);
+/// no numbers, and for more than `kMostShapeSamples`. Throws `Cancelled` if there is a job, which is looked at while
+/// curves are sampled. Cost: O(samples), but for the Poisson disk, O(samples) on average.
+Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request, JobControl* job = nullptr);
 
 /// Other curves, sampled as shapes are. Error: as `make_shape`.
-Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& sampling);
+Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& sampling, JobControl* job = nullptr);
 
 }  // namespace mes

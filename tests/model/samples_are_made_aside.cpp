@@ -29,13 +29,13 @@ TEST_CASE("of several wishes the last counts, and what is accepted waits for it"
   std::binary_semaphore may_end{0};
   Desk desk;
   CHECK_FALSE(desk.making.is_possible());
-  desk.making.want([&] {
+  desk.making.want([&](JobControl&) {
     may_end.acquire();
     return samples(1);
   });
   CHECK(desk.making.is_busy());
-  desk.making.want([] { return samples(2); });
-  desk.making.want([] { return samples(3); });
+  desk.making.want([](JobControl&) { return samples(2); });
+  desk.making.want([](JobControl&) { return samples(3); });
   desk.making.accept();
   desk.making.follow();
   CHECK(desk.making.made() == nullptr);
@@ -54,7 +54,7 @@ TEST_CASE("of several wishes the last counts, and what is accepted waits for it"
 
 TEST_CASE("what cannot be made says why, and is not taken") {
   Desk desk;
-  desk.making.want([]() -> SampleMaking::Made { throw std::bad_alloc(); });
+  desk.making.want([](JobControl&) -> SampleMaking::Made { throw std::bad_alloc(); });
   desk.making.accept();
   desk.next();
   REQUIRE(desk.making.made() != nullptr);
@@ -62,7 +62,7 @@ TEST_CASE("what cannot be made says why, and is not taken") {
   CHECK(desk.making.made()->data.error().code == ErrorCode::out_of_memory);
   CHECK_FALSE(desk.making.is_possible());
   CHECK_FALSE(desk.making.is_accepted());
-  desk.making.want([] { return samples(2); });
+  desk.making.want([](JobControl&) { return samples(2); });
   CHECK(desk.making.is_possible());
   desk.next();
   CHECK_FALSE(desk.making.is_accepted_and_ready());
@@ -71,7 +71,7 @@ TEST_CASE("what cannot be made says why, and is not taken") {
 TEST_CASE("what was given up is not delivered") {
   std::binary_semaphore may_end{0};
   Desk desk;
-  desk.making.want([&] {
+  desk.making.want([&](JobControl&) {
     may_end.acquire();
     return samples(1);
   });
@@ -82,4 +82,21 @@ TEST_CASE("what was given up is not delivered") {
   CHECK(desk.making.made() == nullptr);
   CHECK_FALSE(desk.making.is_busy());
   CHECK_FALSE(desk.making.is_accepted());
+}
+
+TEST_CASE("what was given up ends at its next look") {
+  std::binary_semaphore has_begun{0};
+  Desk desk;
+  desk.making.want([&](JobControl& job) {
+    has_begun.release();
+    // Without the stop this has no end.
+    while (true) job.checkpoint();
+    return samples(1);
+  });
+  has_begun.acquire();
+  desk.making.stop();
+  CHECK_FALSE(desk.making.is_busy());
+  desk.woken.acquire();
+  desk.making.follow();
+  CHECK(desk.making.made() == nullptr);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/box2.h"
 #include "core/resampling/resampling.h"
 
 using namespace mes;
@@ -132,6 +133,32 @@ TEST_CASE("where the theorem is not proved beside no corner, the place is said")
              Catch::Contains(fmt::format("other {} ({:.6g} {:.6g}",
                                          samples.other_places.size() == 1 ? "place" : "places", place.x, place.y)));
   for (const Vec2 one : samples.other_places) CHECK(distance(one, {2, 0}) < 1.5);
+}
+
+TEST_CASE("of many failures each place is said once") {
+  // Strokes that begin within circles and leave them.
+  constexpr int kSide = 3;
+  constexpr double kStep = 12.0;
+  CurveSet curves;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Vec2 center{kStep * (i % kSide), kStep * (i / kSide)};
+    PlaneCurve stroke(center + Vec2{1, 0});
+    stroke.line_to(center + Vec2{6, 0});
+    curves.curves.push_back(ellipse(center, 2, 2));
+    curves.curves.push_back(stroke);
+  }
+  const TakenSamples samples = taken(std::make_shared<const CurveSet>(curves), by_feature_size(0.25));
+  REQUIRE_FALSE(samples.is_certified);
+  Box2 extent;
+  for (const Vec2 p : samples.data.positions) extent.add(p);
+  const double beside = 0.1 * 0.02 * length(Vec2{extent.width(), extent.height()});
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Vec2 exit{kStep * (i % kSide) + 2.0, kStep * (i / kSide)};
+    CHECK(std::ranges::any_of(samples.other_places, [exit](Vec2 p) { return distance(p, exit) < 1.5; }));
+  }
+  for (std::size_t i = 0; i < samples.other_places.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      CHECK(distance(samples.other_places[k], samples.other_places[i]) >= beside * (1.0 - 1e-12));
 }
 
 TEST_CASE("the same curves elsewhere and in another unit are sampled the same") {
