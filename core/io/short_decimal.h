@@ -3,7 +3,7 @@
 //
 // Smallest use:
 //     double value = 0.0;
-//     if (short_decimal("12.5,3", value) == 4) use(value);
+//     const std::size_t size = short_decimal("12.5,3", value);  // 4
 #pragma once
 
 #include <array>

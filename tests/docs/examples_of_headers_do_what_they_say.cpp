@@ -38,6 +38,7 @@
 #include "core/io/line_words.h"
 #include "core/io/map_shapes.h"
 #include "core/io/session.h"
+#include "core/io/short_decimal.h"
 #include "core/io/text_numbers.h"
 #include "core/io/vertex_graph.h"
 #include "core/layers/parts/helpers.h"
@@ -529,6 +530,14 @@ TEST_CASE("shapes are made as their headers show") {
   const auto data = make_shape(*star, {.values = values_of(*star), .sampling = {.samples = 300}});
   REQUIRE(data);
   CHECK(data->positions.size() == 300);
+}
+
+TEST_CASE("short numbers are read as their header shows") {
+  // core/io/short_decimal.h
+  double value = 0.0;
+  const std::size_t size = short_decimal("12.5,3", value);  // 4
+  CHECK(size == 4);
+  CHECK(value == 12.5);
 }
 
 TEST_CASE("files become curves as their headers show") {
