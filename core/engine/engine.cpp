@@ -148,7 +148,10 @@ struct Engine::Impl {
   // The patch that was finished does not wait for it.
   void answer(std::unique_lock<std::mutex>& lock) {
     is_answering = true;
-    if (has_to_compute()) job_stop.request_stop();
+    // A stop that came too late for the run is not about the answers.
+    job_stop = std::stop_source();
+    if (stopping || has_to_compute()) job_stop.request_stop();
+    job.set_token(job_stop.get_token());
     lock.unlock();
     wake();
     std::vector<Provenance> found = graph.answer(job);
