@@ -30,24 +30,29 @@ std::vector<Vec2> places_of(const ProvenanceShape& shape) {
   return {};
 }
 
-bool follows_samples(const FollowedSamples& samples) {
-  return samples[0] != kNoSlot;
+/// It follows something, and all of that is alive.
+bool is_followed(const Followed& followed, const Document& document) {
+  if (followed.samples[0] == kNoSlot && followed.balls[0] == kNoSlot) return false;
+  return std::ranges::all_of(followed.samples,
+                             [&](SampleSlot slot) { return slot == kNoSlot || document.is_alive(slot); }) &&
+         std::ranges::all_of(followed.balls,
+                             [&](BallSlot slot) { return slot == kNoSlot || document.is_ball_alive(slot); });
 }
 
-Anchor following(const FollowedSamples& samples, Vec2 at, const Document& document) {
+Anchor following(const Followed& followed, Vec2 at, const Document& document) {
   Anchor out{.at = at};
-  for (const SampleSlot slot : samples)
+  for (const SampleSlot slot : followed.samples)
     if (slot != kNoSlot) out.samples.push_back(document.id(slot).value - document.first_id().value);
+  for (const BallSlot slot : followed.balls)
+    if (slot != kNoSlot) out.balls.push_back(document.ball_id(slot).value - document.first_ball_id().value);
+  if (!out.balls.empty()) out.scale = followed.scale;
+  if (out.balls.size() == 4) out.along = followed.along;
   return out;
 }
 
-/// As a multiple of the radius of the circle that its centre follows.
-double relative_radius(double radius, const FollowedSamples& samples, const Document& document) {
-  if (samples[2] == kNoSlot) return radius;
-  const auto position = [&](std::size_t i) { return document.position(samples[i]); };
-  const auto sample = [&](std::size_t i) { return document.id(samples[i]).value - document.first_id().value; };
-  const Vec2 center = document.place_of({.at = {}, .samples = {sample(0), sample(1), sample(2)}});
-  const double factor = radius / distance(center, position(0));
+/// As a multiple of what the radius about its centre is measured by.
+double relative_radius(double radius, const Anchor& center, const Document& document) {
+  const double factor = radius / document.radius_unit(center);
   constexpr double kRounding = 1e-9;
   return std::abs(factor - 1.0) < kRounding ? 1.0 : factor;
 }
@@ -60,19 +65,16 @@ KeptHighlight highlight_of(const Provenance& answer, const Document& document, s
   const auto keep = [&](const ProvenanceShape& shape, ProvenanceRole role) {
     const std::vector<Vec2> places = places_of(shape);
     const std::span follows(shape.follows.data(), places.size());
-    const bool moves = std::ranges::all_of(follows, [&](const FollowedSamples& samples) {
-      return follows_samples(samples) && std::ranges::all_of(samples, [&](SampleSlot slot) {
-               return slot == kNoSlot || document.is_alive(slot);
-             });
-    });
+    const bool moves =
+        std::ranges::all_of(follows, [&](const Followed& followed) { return is_followed(followed, document); });
     HighlightedElement element{.kind = shape.kind, .role = role};
     if (shape.kind == PrimitiveKind::circle || shape.kind == PrimitiveKind::disk)
-      element.radius = moves ? relative_radius(shape.values[2], follows[0], document) : shape.values[2];
+      element.radius = moves ? relative_radius(shape.values[2], following(follows[0], places[0], document), document)
+                             : shape.values[2];
     Annotation one{.kind = AnnotationKind::highlight, .elements = {element}};
     for (std::size_t i = 0; i < places.size(); ++i)
       one.anchors.push_back(moves ? following(follows[i], places[i], document) : Anchor{.at = places[i]});
-    const std::size_t samples = document.next_id().value - document.first_id().value;
-    if (kept.elements.size() == kMostHighlighted || !fault_of(one, samples).empty()) {
+    if (kept.elements.size() == kMostHighlighted || !fault_of(one, document.numbered_things()).empty()) {
       ++out.left_out;
       return;
     }

@@ -20,8 +20,8 @@ struct KeptHighlight {
   std::size_t left_out = 0;  ///< shapes beyond `kMostHighlighted`, and those that no document can hold
 };
 
-/// What it guarantees: an element that is defined by samples alone follows them; one of which some place is not stays
-/// as a whole where it is. `line`: of the answer; none: all lines. The answer is of this state of the document.
+/// What it guarantees: an element that is defined by samples alone, or by balls of the document, follows them; one of
+/// which some place is not stays as a whole where it is. `line`: of the answer; none: all lines. The answer is of this state of the document.
 /// Cost: O(shapes). Threads: any.
 KeptHighlight highlight_of(const Provenance& answer, const Document& document,
                            std::optional<std::size_t> line = std::nullopt);

@@ -27,13 +27,19 @@ std::vector<std::uint64_t> keys_of_state(const std::vector<std::uint64_t>& docum
   return out;
 }
 
-/// The same annotations with the samples by their numbers in a document that has those of the data, in their order.
+/// The same annotations with samples and balls by their numbers in a document that has those of the data, in their
+/// order.
 Annotations numbered(Annotations annotations, const Document& document) {
   const std::vector<SampleSlot> slots = document.slots_in_input_order();
   const std::uint32_t first = document.first_id().value;
-  for (Annotation& annotation : annotations)
-    for (Anchor& anchor : annotation.anchors)
+  const std::vector<BallSlot> balls = document.ball_slots_in_input_order();
+  const std::uint32_t first_ball = document.first_ball_id().value;
+  for (Annotation& annotation : annotations) {
+    for (Anchor& anchor : annotation.anchors) {
       for (std::uint32_t& sample : anchor.samples) sample = document.id(slots[sample]).value - first;
+      for (std::uint32_t& ball : anchor.balls) ball = document.ball_id(balls[ball]).value - first_ball;
+    }
+  }
   return annotations;
 }
 

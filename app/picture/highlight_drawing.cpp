@@ -2,13 +2,11 @@
 #include "app/picture/highlight_drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "core/base/arc.h"
-#include "core/kernel/circumcircle.h"
 
 namespace mes {
 namespace {
@@ -29,17 +27,7 @@ class Places {
       : next_(annotation.anchors.begin()), document_(document) {}
   const Anchor& anchor() { return *next_++; }
   Vec2 place() { return document_.place_of(anchor()); }
-  /// The radius of the circle that an anchor is the centre of, or 1 where it follows no three samples.
-  double unit_radius(const Anchor& anchor) const {
-    if (anchor.samples.size() != 3) return 1.0;
-    std::array<Vec2, 3> on{};
-    for (std::size_t i = 0; i < on.size(); ++i) {
-      const SampleSlot slot = document_.slot_of(SampleId{document_.first_id().value + anchor.samples[i]});
-      if (slot == kNoSlot) return 1.0;
-      on[i] = document_.position(slot);
-    }
-    return circumcircle(on[0], on[1], on[2]).radius;
-  }
+  double radius_unit(const Anchor& anchor) const { return document_.radius_unit(anchor); }
   Vec2 place_of(const Anchor& anchor) const { return document_.place_of(anchor); }
 
  private:
@@ -60,7 +48,7 @@ ProvenanceShape shape_of(const HighlightedElement& element, Places& places) {
     case PrimitiveKind::disk: {
       const Anchor& anchor = places.anchor();
       const Vec2 center = places.place_of(anchor);
-      v = {center.x, center.y, element.radius * places.unit_radius(anchor)};
+      v = {center.x, center.y, element.radius * places.radius_unit(anchor)};
       break;
     }
     case PrimitiveKind::segment: {

@@ -22,13 +22,21 @@ bool is_within(double x, double low, double high) {
   return low <= x && x <= high;
 }
 
-std::string fault_of(const Anchor& anchor, std::size_t samples) {
+std::string fault_of(const Anchor& anchor, const NumberedThings& things) {
   for (const double x : {anchor.at.x, anchor.at.y})
     if (const auto fault = range_fault_of(x)) return "a place of an annotation: " + describe(*fault, x);
   if (anchor.samples.size() > 3 || anchor.samples.size() == 2)
     return "a place of an annotation follows neither one sample nor three";
-  if (std::ranges::any_of(anchor.samples, [samples](std::uint32_t number) { return number >= samples; }))
+  if (anchor.balls.size() > 4 || (!anchor.balls.empty() && !anchor.samples.empty()))
+    return "a place of an annotation follows more than four balls, or samples and balls";
+  if (!(0.0 < anchor.scale && anchor.scale <= kMostScale) || !is_within(anchor.along, -kMostAlong, kMostAlong))
+    return "a place of an annotation follows balls by a number that is out of range";
+  if ((anchor.balls.empty() && anchor.scale != 1.0) || (anchor.balls.size() != 4 && anchor.along != 0.0))
+    return "a place of an annotation has a number for balls that it does not follow";
+  if (std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return number >= things.samples; }))
     return "an annotation names a sample that never was";
+  if (std::ranges::any_of(anchor.balls, [&](std::uint32_t number) { return number >= things.balls; }))
+    return "an annotation names a ball that never was";
   return {};
 }
 
@@ -86,7 +94,7 @@ std::optional<AnnotationKind> annotation_kind_of(std::string_view id) {
   return static_cast<AnnotationKind>(found - kIds.begin());
 }
 
-std::string fault_of(const Annotation& annotation, std::size_t samples) {
+std::string fault_of(const Annotation& annotation, const NumberedThings& things) {
   if (annotation.elements.empty() == (annotation.kind == AnnotationKind::highlight))
     return annotation.elements.empty() ? "a highlight has no elements"
                                        : "an annotation that is not a highlight has elements";
@@ -101,15 +109,21 @@ std::string fault_of(const Annotation& annotation, std::size_t samples) {
   for (const double x : {annotation.shift.x, annotation.shift.y})
     if (!is_within(x, -kMostShift, kMostShift)) return "the text of an annotation is too far from its place";
   for (const Anchor& anchor : annotation.anchors)
-    if (auto fault = fault_of(anchor, samples); !fault.empty()) return fault;
+    if (auto fault = fault_of(anchor, things); !fault.empty()) return fault;
   return {};
 }
 
-std::string fault_of(const Annotations& annotations, std::size_t samples) {
+std::string fault_of(const Annotations& annotations, const NumberedThings& things) {
   if (annotations.size() > kMostAnnotations) return fmt::format("more than {} annotations", kMostAnnotations);
   for (const Annotation& annotation : annotations)
-    if (auto fault = fault_of(annotation, samples); !fault.empty()) return fault;
+    if (auto fault = fault_of(annotation, things); !fault.empty()) return fault;
   return {};
+}
+
+std::size_t highlighted_elements(const Annotations& annotations) {
+  std::size_t out = 0;
+  for (const Annotation& annotation : annotations) out += annotation.elements.size();
+  return out;
 }
 
 bool same_but_for_places(const Annotations& a, const Annotations& b) {

@@ -27,6 +27,16 @@ struct Anchor {
   /// Three: the centre of the circle through them, as of a vertex of the Voronoi diagram. When a sample is removed,
   /// the anchors that follow it become fixed.
   std::vector<std::uint32_t> samples{};
+  /// Balls by their number, likewise; none where it follows samples. One: its centre. Two: the crossing of their circles
+  /// on the left of the way from the first centre to the second, or, while they do not cross, the middle of the two
+  /// complex crossings. Three: the place of equal power. Four: a place on the perpendicular bisector of the crossing of
+  /// the first two and that of the last two.
+  std::vector<std::uint32_t> balls{};
+  double along = 0.0;  ///< of four balls: from the middle to the left, as a multiple of the distance of the crossings
+  double scale = 1.0;  ///< what the radii of the balls are multiplied by
+
+  /// It follows nothing.
+  bool is_fixed() const { return samples.empty() && balls.empty(); }
   friend bool operator==(const Anchor&, const Anchor&) = default;
 };
 
@@ -54,7 +64,8 @@ inline constexpr std::size_t kAnnotationKinds = 7;
 struct HighlightedElement {
   PrimitiveKind kind = PrimitiveKind::point;
   ProvenanceRole role = ProvenanceRole::itself;
-  /// Of a circle or a disk. Where its centre follows three samples, a multiple of the radius of their circle.
+  /// Of a circle or a disk. Where its centre follows three samples, a multiple of the radius of their circle; where it
+  /// follows one ball, of the ball's scaled radius; where it follows four balls, of its distance to the first crossing.
   double radius = 0.0;
   friend bool operator==(const HighlightedElement&, const HighlightedElement&) = default;
 };
@@ -100,6 +111,9 @@ inline constexpr std::size_t kMostAnnotationBytes = 4000;
 inline constexpr std::size_t kMostAnnotations = 1000;
 /// Of one highlight.
 inline constexpr std::size_t kMostHighlighted = 4000;
+/// Of scales of balls, and of multiples of a distance.
+inline constexpr double kMostScale = 1e9;
+inline constexpr double kMostAlong = 1e12;
 
 struct Annotation {
   AnnotationKind kind = AnnotationKind::text;
@@ -123,10 +137,17 @@ std::size_t anchor_count(const Annotation& annotation);
 /// taken away.
 bool lose_elements(Annotation& annotation, const std::function<bool(const Anchor&)>& is_gone);
 
-/// Why no document can hold it; empty: it can. `samples`: how many samples have a number.
-std::string fault_of(const Annotation& annotation, std::size_t samples);
+/// How many samples and balls have a number, alive or not.
+struct NumberedThings {
+  std::size_t samples = 0;
+  std::size_t balls = 0;
+};
+/// Why no document can hold it; empty: it can.
+std::string fault_of(const Annotation& annotation, const NumberedThings& things);
 /// The same of all.
-std::string fault_of(const Annotations& annotations, std::size_t samples);
+std::string fault_of(const Annotations& annotations, const NumberedThings& things);
+/// How many elements they highlight.
+std::size_t highlighted_elements(const Annotations& annotations);
 
 /// Whether they differ in places and shifts at most.
 bool same_but_for_places(const Annotations& a, const Annotations& b);

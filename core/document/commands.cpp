@@ -153,7 +153,7 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
   return {};
 }
 
-/// Anchors on samples that are removed become fixed; elements that are highlighted on them go with them.
+/// Anchors on samples and balls that are removed become fixed; elements that are highlighted on them go with them.
 void leave_where_they_are(const Document& document, DocumentDelta& delta) {
   const Annotations& before = *document.annotations();
   if (before.empty()) return;
@@ -161,9 +161,14 @@ void leave_where_they_are(const Document& document, DocumentDelta& delta) {
   std::unordered_set<std::uint32_t> removed;
   for (const SampleEdit& edit : delta.edits)
     if (edit.kind == SampleEdit::Kind::remove) removed.insert(edit.id.value - first);
-  if (removed.empty()) return;
-  const auto is_removed = [&removed](const Anchor& anchor) {
-    return std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return removed.contains(number); });
+  const std::uint32_t first_ball = document.first_ball_id().value;
+  std::unordered_set<std::uint32_t> removed_balls;
+  for (const BallEdit& edit : delta.ball_edits)
+    if (edit.kind == BallEdit::Kind::remove) removed_balls.insert(edit.id.value - first_ball);
+  if (removed.empty() && removed_balls.empty()) return;
+  const auto is_removed = [&](const Anchor& anchor) {
+    return std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return removed.contains(number); }) ||
+           std::ranges::any_of(anchor.balls, [&](std::uint32_t number) { return removed_balls.contains(number); });
   };
   Annotations after = before;
   std::erase_if(after, [&](Annotation& annotation) { return lose_elements(annotation, is_removed); });
@@ -219,8 +224,7 @@ std::shared_ptr<const CurveSource> shifted(const std::shared_ptr<const CurveSour
 }  // namespace
 
 Expected<DocumentDelta> annotate(const Document& document, Annotations annotations) {
-  if (auto fault = fault_of(annotations, document.next_id().value - document.first_id().value); !fault.empty())
-    return refuse(std::move(fault));
+  if (auto fault = fault_of(annotations, document.numbered_things()); !fault.empty()) return refuse(std::move(fault));
   DocumentDelta delta = delta_from(document);
   if (annotations != *document.annotations())
     delta.annotations_after = std::make_shared<const Annotations>(std::move(annotations));
@@ -290,7 +294,8 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
   if (auto done = add_contours(data, first, *curve); !done) return std::unexpected(done.error());
   if (!is_source_of(data)) return refuse("the curves name samples that do not exist");
   delta.source_after = data.source;
-  if (auto fault = fault_of(data.annotations, data.positions.size()); !fault.empty()) return refuse(std::move(fault));
+  if (auto fault = fault_of(data.annotations, {data.positions.size(), data.balls.size()}); !fault.empty())
+    return refuse(std::move(fault));
   delta.annotations_after = std::make_shared<const Annotations>(data.annotations);
   after->first = document.next_id();
   balls_after->first = document.next_ball_id();
@@ -317,7 +322,11 @@ SampleData data_of(const Document& document) {
       if (const SampleSlot slot = document.slot_of(id); slot != kNoSlot) kept.points.push_back(place[slot]);
     if (!kept.points.empty()) out.contours.push_back(std::move(kept));
   }
-  for (const BallSlot slot : document.ball_slots_in_input_order()) out.balls.push_back(document.disk(slot));
+  Table<BallSlot, std::uint32_t> ball_place(document.ball_slot_count(), 0);
+  for (const BallSlot slot : document.ball_slots_in_input_order()) {
+    ball_place[slot] = static_cast<std::uint32_t>(out.balls.size());
+    out.balls.push_back(document.disk(slot));
+  }
   const std::uint32_t first = document.first_id().value;
   if (const std::shared_ptr<const CurveSource>& source = document.source()) {
     // They follow each other in input order.
@@ -338,6 +347,14 @@ SampleData data_of(const Document& document) {
           break;
         }
         number = place[slot];
+      }
+      for (std::uint32_t& number : anchor.balls) {
+        const BallSlot slot = document.ball_slot_of(BallId{document.first_ball_id().value + number});
+        if (slot == kNoSlot) {
+          anchor = {.at = anchor.at};
+          break;
+        }
+        number = ball_place[slot];
       }
     }
   }

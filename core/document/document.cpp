@@ -26,6 +26,34 @@ std::uint64_t bits_of(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
+// The places below are for drawing; they are rounded, and no decision rests on them. Not finite where there is none.
+
+/// The crossing of two circles on the left of the way from the first centre to the second; the middle of both crossings
+/// while the circles do not meet.
+Vec2 left_crossing(const Disk& a, const Disk& b) {
+  const Vec2 way = b.center - a.center;
+  const double size = length(way);
+  const double along = 0.5 + 0.5 * ((a.radius - b.radius) / size) * ((a.radius + b.radius) / size);
+  const double sum = a.radius + b.radius;
+  const double difference = a.radius - b.radius;
+  // As a product, so that it does not lose digits where the circles nearly touch.
+  const double across = 0.25 * ((sum - size) / size) * ((sum + size) / size) * ((size - difference) / size) *
+                        ((size + difference) / size);
+  return a.center + along * way + std::sqrt(std::max(across, 0.0)) * perpendicular(way);
+}
+
+Vec2 power_center(const Disk& a, const Disk& b, const Disk& c) {
+  const Vec2 p = b.center - a.center;
+  const Vec2 q = c.center - a.center;
+  const auto right = [&a](const Disk& disk, Vec2 way) {
+    return 0.5 * (dot(way, way) + (a.radius - disk.radius) * (a.radius + disk.radius));
+  };
+  const double x = right(b, p);
+  const double y = right(c, q);
+  const double determinant = cross(p, q);
+  return a.center + Vec2{(x * q.y - y * p.y) / determinant, (p.x * y - q.x * x) / determinant};
+}
+
 // What an edit brings and what it takes away; nothing where a thing is not yet or no more.
 template <class Edit>
 void count(const Edit& edit, MagnitudeCounts& counts) {
@@ -78,6 +106,10 @@ Document Document::successor() const {
 }
 
 Vec2 Document::place_of(const Anchor& anchor) const {
+  if (!anchor.balls.empty()) {
+    const Vec2 place = place_by_balls(anchor);
+    return is_finite(place) ? place : anchor.at;
+  }
   std::array<Vec2, 3> on{};
   if (anchor.samples.empty() || anchor.samples.size() > on.size()) return anchor.at;
   for (std::size_t i = 0; i < anchor.samples.size(); ++i) {
@@ -87,7 +119,50 @@ Vec2 Document::place_of(const Anchor& anchor) const {
   }
   if (anchor.samples.size() == 1) return on[0];
   const Vec2 center = circumcircle(on[0], on[1], on[2]).center;
-  return std::isfinite(center.x) && std::isfinite(center.y) ? center : anchor.at;
+  return is_finite(center) ? center : anchor.at;
+}
+
+std::optional<std::array<Disk, 4>> Document::followed_disks(const Anchor& anchor) const {
+  std::array<Disk, 4> out{};
+  if (anchor.balls.empty() || anchor.balls.size() > out.size()) return std::nullopt;
+  for (std::size_t i = 0; i < anchor.balls.size(); ++i) {
+    const BallSlot slot = ball_slot_of(BallId{first_ball_id().value + anchor.balls[i]});
+    if (slot == kNoSlot) return std::nullopt;
+    out[i] = {disk(slot).center, anchor.scale * disk(slot).radius};
+  }
+  return out;
+}
+
+Vec2 Document::place_by_balls(const Anchor& anchor) const {
+  const auto on = followed_disks(anchor);
+  if (!on) return anchor.at;
+  const auto& [a, b, c, d] = *on;
+  switch (anchor.balls.size()) {
+    case 1: return a.center;
+    case 2: return left_crossing(a, b);
+    case 3: return power_center(a, b, c);
+    default: {
+      const Vec2 from = left_crossing(a, b);
+      const Vec2 to = left_crossing(c, d);
+      return 0.5 * from + 0.5 * to + anchor.along * perpendicular(to - from);
+    }
+  }
+}
+
+double Document::radius_unit(const Anchor& anchor) const {
+  if (anchor.samples.size() == 3) {
+    std::array<Vec2, 3> on{};
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      const SampleSlot slot = slot_of(SampleId{first_id().value + anchor.samples[i]});
+      if (slot == kNoSlot) return 1.0;
+      on[i] = position(slot);
+    }
+    return circumcircle(on[0], on[1], on[2]).radius;
+  }
+  const auto on = followed_disks(anchor);
+  if (!on) return 1.0;
+  if (anchor.balls.size() == 1) return (*on)[0].radius;
+  return anchor.balls.size() == 4 ? distance(place_of(anchor), left_crossing((*on)[0], (*on)[1])) : 1.0;
 }
 
 std::vector<SampleId> Document::samples_of_source() const {
@@ -107,7 +182,7 @@ Box2 Document::bounding_box() const {
     if (is_ball_alive(slot)) box.add(bounding_box_of(disk(slot)));
   for (const Annotation& annotation : *annotations_)
     for (const Anchor& anchor : annotation.anchors)
-      if (anchor.samples.empty()) box.add(anchor.at);
+      if (anchor.is_fixed()) box.add(anchor.at);
   return box;
 }
 

@@ -20,8 +20,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,8 +64,15 @@ class Document {
   const std::shared_ptr<const CurveSource>& source() const { return source_; }
   /// Those of the samples taken from curves that are left, by increasing id. O(of those that were taken).
   std::vector<SampleId> samples_of_source() const;
-  /// Where the anchor is now.
+  /// Where the anchor is now. What it follows may have no such place, as three samples in line have no circle: it is
+  /// then where it was put.
   Vec2 place_of(const Anchor& anchor) const;
+  /// What a radius about it is a multiple of: see `HighlightedElement`.
+  double radius_unit(const Anchor& anchor) const;
+  /// How many of them there are or were since everything was last replaced.
+  NumberedThings numbered_things() const {
+    return {next_id().value - first_id().value, next_ball_id().value - first_ball_id().value};
+  }
 
   /// Id that the first sample had since everything was last replaced: what counts from it is the same however often
   /// the same data were opened before.
@@ -112,6 +121,9 @@ class Document {
   std::shared_ptr<const BallSnapshot> ball_snapshot() const;
 
  private:
+  /// With their radii scaled; nothing if it follows none, or one that is not alive.
+  std::optional<std::array<Disk, 4>> followed_disks(const Anchor& anchor) const;
+  Vec2 place_by_balls(const Anchor& anchor) const;
   std::uint64_t digest_of_sample(SampleSlot slot) const;
   std::uint64_t digest_of_ball(BallSlot slot) const;
   void replace_all(const DocumentDelta& delta);

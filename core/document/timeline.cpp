@@ -12,8 +12,9 @@ namespace {
 
 // Dragging fewer than this many things leaves each move of the pointer on record.
 constexpr std::size_t kLargeEdit = 4096;
-// So many annotations or fewer leave each move on record, too.
+// So many annotations or fewer, with so many highlighted elements together, leave each move on record, too.
 constexpr std::size_t kManyAnnotations = 32;
+constexpr std::size_t kManyHighlighted = 64;
 // So many moves of an evolution stay on record, state by state; some 24 bytes each.
 constexpr std::size_t kMostEvolutionEdits = 1U << 20U;
 
@@ -166,7 +167,8 @@ void Timeline::note_edit(const Document& document, const DocumentDelta& delta, c
   if (!gesture_at_) out.name = name;
   out.continues = continues;
   const bool is_large = delta.edits.size() + delta.ball_edits.size() > kLargeEdit ||
-                        (out.annotations && out.annotations->size() > kManyAnnotations);
+                        (out.annotations && (out.annotations->size() > kManyAnnotations ||
+                                             highlighted_elements(*out.annotations) > kManyHighlighted));
   if (is_large && gesture_at_ && entries_.size() > *gesture_at_ + 1) {
     const TimelineEntry before = entries_.back();
     if (const auto* last = std::get_if<TimelineEdit>(&before);
@@ -282,7 +284,7 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
                                         .changed_balls = changed_balls,
                                         .inserted_balls = edit.inserted_balls});
   if (out && edit.annotations) {
-    const std::size_t numbered = edit.inserted.size() + known;
+    const NumberedThings numbered{edit.inserted.size() + known, edit.inserted_balls.size() + known_balls};
     if (auto fault = fault_of(*edit.annotations, numbered); !fault.empty()) return refuse(std::move(fault));
     if (*edit.annotations != *out->annotations_after)
       out->annotations_after = std::make_shared<const Annotations>(*edit.annotations);

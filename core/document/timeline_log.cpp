@@ -151,7 +151,8 @@ void each(auto& archive, Some<Rgb> auto& color) {
   fields(archive, color.r, color.g, color.b);
 }
 void each(auto& archive, Some<Anchor> auto& anchor) {
-  fields(archive, anchor.at, anchor.samples);
+  fields(archive, anchor.at, anchor.samples, anchor.balls);
+  if (!anchor.balls.empty()) fields(archive, anchor.along, anchor.scale);
 }
 void each(auto& archive, Some<HighlightedElement> auto& element) {
   auto kind = static_cast<std::uint8_t>(element.kind);

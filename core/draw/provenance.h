@@ -66,15 +66,20 @@ struct ProvenanceQuestion {
   double high = 0.0;
 };
 
-/// The samples that a place of a shape follows: none, one, or the three of whose circle it is the centre; no slot
-/// stands for none.
-using FollowedSamples = std::array<SampleSlot, 3>;
+/// What a place of a shape follows: nothing, samples, or balls of the document, as an `Anchor` does
+/// (core/document/annotation.h). No slot stands for none.
+struct Followed {
+  std::array<SampleSlot, 3> samples{};
+  std::array<BallSlot, 4> balls{};
+  double along = 0.0;
+  double scale = 1.0;
+};
 
 struct ProvenanceShape {
   PrimitiveKind kind = PrimitiveKind::point;
   std::array<double, 7> values{};  ///< as in core/draw/primitives.h, without the scalar
   /// Of the places that define it, in the order that `HighlightedElement` has (core/document/annotation.h).
-  std::array<FollowedSamples, 3> follows{};
+  std::array<Followed, 3> follows{};
 };
 
 enum class ProvenanceRole : std::uint8_t { itself, origin, product };

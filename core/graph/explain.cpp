@@ -9,7 +9,7 @@
 namespace mes {
 
 void ProvenanceShapes::add(PrimitiveKind kind, const std::array<double, 7>& values,
-                           const std::array<FollowedSamples, 3>& follows) {
+                           const std::array<Followed, 3>& follows) {
   if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
     shapes_.push_back({kind, values, follows});
 }

@@ -13,12 +13,12 @@
 
 namespace mes {
 
-/// A place of a shape, and the samples that it follows.
+/// A place of a shape, and what it follows.
 struct ShapePlace {
   Vec2 at{};
-  FollowedSamples follows{};
+  Followed follows{};
   ShapePlace(Vec2 p) : at(p) {}  // NOLINT(google-explicit-constructor): a place that follows nothing
-  ShapePlace(Vec2 p, const FollowedSamples& samples) : at(p), follows(samples) {}
+  ShapePlace(Vec2 p, const Followed& followed) : at(p), follows(followed) {}
 };
 
 /// Shapes of one line; those with coordinates that are not finite are left out.
@@ -26,7 +26,7 @@ class ProvenanceShapes {
  public:
   void point(const ShapePlace& p) { add(PrimitiveKind::point, {p.at.x, p.at.y}, {p.follows}); }
   /// `follows`: of its centre.
-  void circle(const Disk& disk, const FollowedSamples& follows = {}) {
+  void circle(const Disk& disk, const Followed& follows = {}) {
     add(PrimitiveKind::circle, {disk.center.x, disk.center.y, disk.radius}, {follows});
   }
   void segment(const ShapePlace& a, const ShapePlace& b) {
@@ -44,8 +44,10 @@ class ProvenanceShapes {
     const Vec2 along = perpendicular(b.at - a.at);
     add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}, {a.follows, b.follows});
   }
-  void arc(const Disk& disk, Vec2 from, Vec2 to) {
-    add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.x, from.y, to.x, to.y}, {});
+  /// `follows`: of its centre.
+  void arc(const Disk& disk, const ShapePlace& from, const ShapePlace& to, const Followed& follows = {}) {
+    add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.at.x, from.at.y, to.at.x, to.at.y},
+        {follows, from.follows, to.follows});
   }
   void triangle(const ShapePlace& a, const ShapePlace& b, const ShapePlace& c) {
     add(PrimitiveKind::triangle, {a.at.x, a.at.y, b.at.x, b.at.y, c.at.x, c.at.y}, {a.follows, b.follows, c.follows});
@@ -54,7 +56,7 @@ class ProvenanceShapes {
   std::vector<ProvenanceShape> take() { return std::move(shapes_); }
 
  private:
-  void add(PrimitiveKind kind, const std::array<double, 7>& values, const std::array<FollowedSamples, 3>& follows);
+  void add(PrimitiveKind kind, const std::array<double, 7>& values, const std::array<Followed, 3>& follows);
   std::vector<ProvenanceShape> shapes_;
 };
 

@@ -24,15 +24,30 @@ constexpr std::array<std::string_view, 3> role_names() {
 json to_json(const Annotation& annotation) {
   json at = json::array();
   json follows = json::array();
+  json balls = json::array();
+  json along = json::array();
+  json scales = json::array();
   bool follows_any = false;
+  bool follows_balls = false;
+  bool is_along = false;
+  bool is_scaled = false;
   for (const Anchor& anchor : annotation.anchors) {
     at.push_back(anchor.at.x);
     at.push_back(anchor.at.y);
     follows.push_back(anchor.samples);
+    balls.push_back(anchor.balls);
+    along.push_back(anchor.along);
+    scales.push_back(anchor.scale);
     follows_any = follows_any || !anchor.samples.empty();
+    follows_balls = follows_balls || !anchor.balls.empty();
+    is_along = is_along || anchor.along != 0.0;
+    is_scaled = is_scaled || anchor.scale != 1.0;
   }
   json out = {{"kind", id_of(annotation.kind)}, {"at", std::move(at)}};
   if (follows_any) out["follows"] = std::move(follows);
+  if (follows_balls) out["balls"] = std::move(balls);
+  if (is_along) out["along"] = std::move(along);
+  if (is_scaled) out["scales"] = std::move(scales);
   if (!annotation.text.empty()) out["text"] = annotation.text;
   if (annotation.shift != Vec2{}) out["shift"] = {annotation.shift.x, annotation.shift.y};
   if (annotation.letters != kUsualLetters) out["letters"] = annotation.letters;
@@ -51,17 +66,21 @@ json to_json(const Annotation& annotation) {
 /// Reads one; the first fault stays.
 class Reader {
  public:
-  /// Nothing for a kind that is not known, and where there is a fault.
+  /// Nothing where there is a fault, such as a kind that is not known.
   std::optional<Annotation> read(JsonView object) {
     if (!object.is_object()) return complain("is not an object");
-    const auto [kind, at, follows, text, shift, letters, color, elements] =
-        object.pick<8>({"kind", "at", "follows", "text", "shift", "letters", "color", "elements"});
+    const auto [kind, at, follows, balls, along, scales, text, shift, letters, color, elements] = object.pick<11>(
+        {"kind", "at", "follows", "balls", "along", "scales", "text", "shift", "letters", "color", "elements"});
     if (!kind.is_text()) return complain("does not say its kind");
-    const auto known = kind.text_length() < 100 ? annotation_kind_of(kind.text()) : std::nullopt;
-    if (!known) return std::nullopt;
+    const auto known = kind.text_length() < kLongName ? annotation_kind_of(kind.text()) : std::nullopt;
+    if (!known) return refuse_later("of the kind", kind);
     Annotation out{.kind = *known};
     if (out.kind == AnnotationKind::highlight && !read_elements(elements, out)) return std::nullopt;
-    read_places(at, follows, out);
+    read_places(at, out);
+    read_followed(follows, "follows", 3, &Anchor::samples, out);
+    read_followed(balls, "balls", 4, &Anchor::balls, out);
+    read_numbers(along, "along", &Anchor::along, out);
+    read_numbers(scales, "scales", &Anchor::scale, out);
     if (text) read_text(text, out.text);
     if (shift) {
       if (shift.size() != 2) return complain("has a \"shift\" that is not two numbers");
@@ -75,8 +94,8 @@ class Reader {
       if (!out.color) return complain("has a \"color\" that is not #RRGGBB");
     }
     if (!fault_.empty()) return std::nullopt;
-    constexpr std::size_t kAnySample = std::numeric_limits<std::size_t>::max();
-    if (const std::string fault = fault_of(out, kAnySample); !fault.empty()) {
+    constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+    if (const std::string fault = fault_of(out, {kAny, kAny}); !fault.empty()) {
       fault_ = fault;
       return std::nullopt;
     }
@@ -85,9 +104,17 @@ class Reader {
   const std::string& fault() const { return fault_; }
 
  private:
+  static constexpr std::size_t kLongName = 100;
+
   std::nullopt_t complain(std::string_view what) {
     if (fault_.empty()) fault_ = "an annotation " + std::string(what);
     return std::nullopt;
+  }
+  /// Of a name that is not known.
+  std::nullopt_t refuse_later(std::string_view what, JsonView name) {
+    const std::string named = name.text_length() < kLongName ? " \"" + name.text() + '"' : std::string();
+    return complain(
+        fmt::format("{}{}: made by a later version of the program, which this one does not understand", what, named));
   }
   double number_of(JsonView value) {
     if (value.is_number()) return value.number();
@@ -103,7 +130,7 @@ class Reader {
     else
       out = value.text();
   }
-  /// False for kinds and roles that are not known, and where there is a fault.
+  /// False where there is a fault, such as a kind or a role that is not known.
   bool read_elements(JsonView list, Annotation& out) {
     if (!list.is_list() || list.size() > kMostHighlighted) {
       complain(fmt::format("of the kind highlight has no list of up to {} \"elements\"", kMostHighlighted));
@@ -118,7 +145,6 @@ class Reader {
     return true;
   }
   std::optional<HighlightedElement> element_of(JsonView list) {
-    constexpr std::size_t kLongName = 100;
     const bool has_size = list.is_list() && (list.size() == 2 || list.size() == 3);
     std::array<JsonView, 3> part{};
     if (has_size) {
@@ -133,11 +159,12 @@ class Reader {
     const std::string role_name = part[1].text();
     const auto kind = std::ranges::find(kAllPrimitiveKinds, std::string_view(kind_name), name_of);
     const auto role = std::ranges::find(kRoles, std::string_view(role_name));
-    if (kind == kAllPrimitiveKinds.end() || role == kRoles.end()) return std::nullopt;
+    if (kind == kAllPrimitiveKinds.end()) return refuse_later("has an element of the kind", part[0]);
+    if (role == kRoles.end()) return refuse_later("has an element of the role", part[1]);
     return HighlightedElement{*kind, static_cast<ProvenanceRole>(role - kRoles.begin()),
                               list.size() == 3 ? part[2].number() + 0.0 : 0.0};
   }
-  void read_places(JsonView at, JsonView follows, Annotation& out) {
+  void read_places(JsonView at, Annotation& out) {
     const std::size_t count = anchor_count(out);
     if (!at.is_list() || at.size() != 2 * count) {
       complain(fmt::format("of the kind {} has no {} numbers in \"at\"", id_of(out.kind), 2 * count));
@@ -152,27 +179,41 @@ class Reader {
         ++number;
       }
     }
-    if (!follows) return;
-    if (!follows.is_list() || follows.size() != count) {
-      complain("has a \"follows\" without a list for each place");
+  }
+  /// `key` is a list for each place, of `most` numbers at most.
+  void read_followed(JsonView value, std::string_view key, std::size_t most, std::vector<std::uint32_t> Anchor::*to,
+                     Annotation& out) {
+    if (!value) return;
+    if (!value.is_list() || value.size() != out.anchors.size()) {
+      complain(fmt::format("has a \"{}\" without a list for each place", key));
       return;
     }
     std::size_t i = 0;
-    for (const JsonView list : follows.elements()) read_followed(list, out.anchors[i++]);
-  }
-  void read_followed(JsonView list, Anchor& out) {
-    if (!list.is_list() || list.size() > 3) {
-      complain("follows something that is not a list of up to three samples");
-      return;
-    }
-    for (const JsonView element : list.elements()) {
-      const auto sample = element.is_number() ? element.count() : std::nullopt;
-      if (!sample || *sample > std::numeric_limits<std::uint32_t>::max()) {
-        complain("follows something that is not the number of a sample");
+    for (const JsonView list : value.elements()) {
+      std::vector<std::uint32_t>& numbers = out.anchors[i++].*to;
+      if (!list.is_list() || list.size() > most) {
+        complain(fmt::format("has something in \"{}\" that is not a list of up to {} numbers", key, most));
         return;
       }
-      out.samples.push_back(static_cast<std::uint32_t>(*sample));
+      for (const JsonView element : list.elements()) {
+        const auto number = element.is_number() ? element.count() : std::nullopt;
+        if (!number || *number > std::numeric_limits<std::uint32_t>::max()) {
+          complain(fmt::format("has something in \"{}\" that is not the number of something", key));
+          return;
+        }
+        numbers.push_back(static_cast<std::uint32_t>(*number));
+      }
     }
+  }
+  /// `key` is a number for each place.
+  void read_numbers(JsonView value, std::string_view key, double Anchor::*to, Annotation& out) {
+    if (!value) return;
+    if (!value.is_list() || value.size() != out.anchors.size()) {
+      complain(fmt::format("has a \"{}\" without a number for each place", key));
+      return;
+    }
+    std::size_t i = 0;
+    for (const JsonView number : value.elements()) out.anchors[i++].*to = number_of(number) + 0.0;
   }
 
   std::string fault_;
@@ -186,6 +227,14 @@ json to_json(const Annotations& annotations) {
   return out;
 }
 
+std::uint64_t schema_of(const Annotations& annotations) {
+  const auto is_later = [](const Annotation& annotation) {
+    return annotation.kind == AnnotationKind::highlight ||
+           std::ranges::any_of(annotation.anchors, [](const Anchor& anchor) { return !anchor.balls.empty(); });
+  };
+  return std::ranges::any_of(annotations, is_later) ? 2 : 1;
+}
+
 Expected<Annotations> annotations_from(JsonView value) {
   const auto bad = [](std::string text) {
     return std::unexpected(Error{ErrorCode::bad_input, std::move(text), {}, 0, 0});
@@ -196,7 +245,6 @@ Expected<Annotations> annotations_from(JsonView value) {
   for (const JsonView element : value.elements()) {
     auto annotation = reader.read(element);
     if (!reader.fault().empty()) return bad(reader.fault());
-    if (!annotation) continue;
     if (out.size() == kMostAnnotations) return bad(fmt::format("more than {} annotations", kMostAnnotations));
     out.push_back(std::move(*annotation));
   }

@@ -2,6 +2,7 @@
 // Annotations as JSON: part of sessions.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/base/error.h"
@@ -11,10 +12,13 @@
 namespace mes {
 
 nlohmann::json to_json(const Annotations& annotations);
+/// The first version of sessions (`kSessionSchema`) whose readers understand them.
+std::uint64_t schema_of(const Annotations& annotations);
 
-/// Kinds and keys that are not known are skipped; sizes and shifts out of range are brought into it. Error:
-/// `bad_input` when something is of the wrong kind, or a place, a text or their number is out of range. Whether the
-/// samples that are named exist is for the document to say.
+/// Keys that are not known are skipped; sizes and shifts out of range are brought into it. Error: `bad_input` when
+/// something is of the wrong kind, a place, a text or their number is out of range, or a kind of annotation, of element
+/// or a role is not known: without it, edits of annotations would change nothing, and undo would be counted wrongly.
+/// Whether the samples and balls that are named exist is for the document to say.
 Expected<Annotations> annotations_from(JsonView value);
 
 }  // namespace mes

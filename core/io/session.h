@@ -7,7 +7,10 @@
 // What it guarantees:
 //  1. What is written reads back equal, every double bit for bit; equal sessions give equal bytes.
 //  2. Keys and kinds of entries that are not known are skipped, so that a later version's files can be opened; the
-//     positions of a lesson count what is left.
+//     positions of a lesson count what is left. What changes the document or can be undone is never skipped: with a new
+//     kind of it comes another `schema`, which earlier versions refuse, and a kind of annotation that is not known is
+//     refused, too. A file says the least schema that its contents need: 2 with highlights or annotations that follow
+//     balls, otherwise 1. Journals say the greatest.
 //  3. Anything else that makes no sense is an error that says where; nothing crashes. Reading takes less memory than
 //     twelve times the text, the text included, whatever it holds.
 //
@@ -32,7 +35,7 @@
 namespace mes {
 
 /// Version of the keys of a session file. A file with a greater one is refused.
-inline constexpr std::uint64_t kSessionSchema = 1;
+inline constexpr std::uint64_t kSessionSchema = 2;
 
 /// The slider of evolutions.
 struct SessionEvolution {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as text.
 #include <fmt/core.h>
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "core/io/json_annotations.h"
 #include "core/io/json_curves.h"
@@ -200,27 +202,39 @@ std::string lesson_text(const Lesson& lesson, bool is_spread) {
 }
 
 // Keys are sorted; the one that tells what this is comes first all the same.
-std::string head_text(const Session& session) {
-  return fmt::format(R"({{"mesecina":"session","schema":{},)", kSessionSchema) + text_of(head_of(session)).substr(1);
+constexpr std::string_view kHeadBegin = R"({"mesecina":"session","schema":)";
+std::string head_text(const Session& session, std::uint64_t schema) {
+  return fmt::format("{}{},", kHeadBegin, schema) + text_of(head_of(session)).substr(1);
+}
+
+std::uint64_t schema_of(const TimelineEntry& entry) {
+  const auto* const edit = std::get_if<TimelineEdit>(&entry);
+  return edit != nullptr && edit->annotations ? schema_of(*edit->annotations) : 1;
 }
 
 }  // namespace
 
 std::string write_session(const Session& session) {
   // One entry a line: files of sessions are compared and kept under version control.
-  std::string out = head_text(session);
+  std::uint64_t schema = schema_of(session.data->annotations);
+  std::string out = head_text(session, 0);
   out.pop_back();
   out += lesson_text(session.lesson, true);
   out += ",\n\"timeline\":[";
   for (std::size_t i = 0; i < session.entries.size(); ++i) {
+    const TimelineEntry entry = session.entries[i];
+    schema = std::max(schema, schema_of(entry));
     out += i == 0 ? "\n" : ",\n";
-    out += text_of(to_json(session.entries[i]));
+    out += text_of(to_json(entry));
   }
+  // Known only now, and one digit, as the zero in its place.
+  static_assert(kSessionSchema < 10);
+  out[kHeadBegin.size()] = static_cast<char>('0' + schema);
   return out + "\n]}\n";
 }
 
 std::string write_journal_head(const Session& session) {
-  std::string out = head_text(session);
+  std::string out = head_text(session, kSessionSchema);
   out.pop_back();
   return out + lesson_text(session.lesson, false) + "}\n";
 }

@@ -29,6 +29,12 @@ struct Desk {
   }
   void insert(std::span<const Vec2> positions) { perform(insert_samples(document, positions)); }
   void move(std::uint32_t number, Vec2 to) { perform(move_samples(document, std::array{std::pair{id(number), to}})); }
+  void insert_ball(const Disk& disk) { perform(insert_balls(document, std::array{disk})); }
+  void change_ball(std::uint32_t number, const Disk& disk) {
+    perform(change_balls(document, std::array{std::pair{ball(number), disk}}));
+  }
+  void remove_ball(std::uint32_t number) { perform(remove_balls(document, std::array{ball(number)})); }
+  BallId ball(std::uint32_t number) const { return BallId{document.first_ball_id().value + number}; }
   void remove(std::uint32_t number) { perform(remove_samples(document, std::array{id(number)})); }
   SampleId id(std::uint32_t number) const { return SampleId{document.first_id().value + number}; }
   void undo() {
@@ -63,7 +69,106 @@ Annotation highlight_on(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
                        {.kind = PrimitiveKind::point, .role = ProvenanceRole::origin}}};
 }
 
+/// A segment between the centres of these balls, their crossings, the first circle, a place between the crossings.
+Annotation highlight_on_balls(std::uint32_t a, std::uint32_t b, double scale = 1.0) {
+  const auto on = [scale](std::vector<std::uint32_t> balls, double along = 0.0) {
+    return Anchor{.at = {}, .samples = {}, .balls = std::move(balls), .along = along, .scale = scale};
+  };
+  return {.kind = AnnotationKind::highlight,
+          .anchors = {on({a}), on({b}), on({a, b}), on({b, a}), on({a}), on({a, b, b, a}, 0.25)},
+          .elements = {{.kind = PrimitiveKind::segment, .role = ProvenanceRole::itself},
+                       {.kind = PrimitiveKind::segment, .role = ProvenanceRole::product},
+                       {.kind = PrimitiveKind::circle, .role = ProvenanceRole::origin, .radius = 1.0},
+                       {.kind = PrimitiveKind::point, .role = ProvenanceRole::product}}};
+}
+
 }  // namespace
+
+TEST_CASE("anchors on balls are at centres, crossings, places of equal power, and between crossings") {
+  Desk desk;
+  for (const Disk& disk : {Disk{{0, 0}, 5}, Disk{{6, 0}, 5}, Disk{{0, 8}, 1}}) desk.insert_ball(disk);
+  const auto at = [&](std::vector<std::uint32_t> balls, double along = 0.0, double scale = 1.0) {
+    return desk.document.place_of({.at = {77, 77}, .balls = std::move(balls), .along = along, .scale = scale});
+  };
+  CHECK(at({2}) == Vec2{0, 8});
+  CHECK(at({0, 1}) == Vec2{3, 4});
+  CHECK(at({1, 0}) == Vec2{3, -4});
+  // Equal power to the first two on x = 3; to the first and the third: y = (64 + 25 - 1) / 16.
+  CHECK(at({0, 1, 2}) == Vec2{3, 5.5});
+  // On the line of the centres, half the distance of the crossings to the left of the way down.
+  CHECK(at({0, 1, 1, 0}, 0.5) == Vec2{7, 0});
+  CHECK(at({1, 0, 0, 1}, 0.5) == Vec2{-1, 0});
+  // Circles that do not cross: where they are of equal power, on the line of the centres.
+  CHECK(at({0, 1}, 0.0, 0.5) == Vec2{3, 0});
+  CHECK(at({1, 0}, 0.0, 0.5) == Vec2{3, 0});
+  CHECK(desk.document.radius_unit({.at = {}, .balls = {1}, .scale = 0.5}) == 2.5);
+  CHECK(desk.document.radius_unit({.at = {}, .balls = {0, 1, 1, 0}}) == 4.0);
+  CHECK(desk.document.radius_unit({.at = {1, 2}}) == 1.0);
+  // Concentric circles have no crossing, three centres in line no place of equal power.
+  desk.change_ball(1, {{0, 0}, 3});
+  CHECK(at({0, 1}) == Vec2{77, 77});
+  CHECK(at({0, 1, 2}) == Vec2{77, 77});
+  // Further off and larger by a power of two, all is, to the last bit.
+  desk.change_ball(0, {{0.3, 0.7}, 1.1});
+  desk.change_ball(1, {{1.2, -0.1}, 0.9});
+  const std::array before{at({0, 1}), at({0, 1, 2}), at({0, 1, 1, 2}, 0.3)};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Disk disk = desk.document.disk(desk.document.ball_slot_of(desk.ball(i)));
+    desk.change_ball(i, {1024.0 * disk.center, 1024.0 * disk.radius});
+  }
+  CHECK(at({0, 1}) == 1024.0 * before[0]);
+  CHECK(at({0, 1, 2}) == 1024.0 * before[1]);
+  CHECK(at({0, 1, 1, 2}, 0.3) == 1024.0 * before[2]);
+}
+
+TEST_CASE("what is highlighted on balls goes with them, and comes back with them; words stay") {
+  Desk desk;
+  desk.insert(std::array{Vec2{9, 9}});
+  for (const Disk& disk : {Disk{{0, 0}, 5}, Disk{{6, 0}, 5}, Disk{{0, 8}, 1}}) desk.insert_ball(disk);
+  const Annotation words{.kind = AnnotationKind::leader, .text = "here", .anchors = {{.at = {}, .balls = {1}}}};
+  desk.perform(annotate(desk.document, {highlight_on_balls(0, 1), words, highlight_on_balls(2, 2), note_on({0})}));
+  const Annotations before = *desk.document.annotations();
+  desk.change_ball(1, {{6, 1}, 5});
+  CHECK(places(desk.document)[1] == Vec2{6, 1});
+  // A sample of the same number is another thing.
+  desk.remove_ball(1);
+  REQUIRE(desk.document.annotations()->size() == 4);
+  const Annotation& left = desk.document.annotations()->front();
+  REQUIRE(left.elements.size() == 1);
+  CHECK(left.elements[0].kind == PrimitiveKind::circle);
+  CHECK(left.anchors == std::vector<Anchor>{{.at = {}, .balls = {0}}});
+  CHECK(desk.document.annotations()->at(1).anchors == std::vector<Anchor>{{.at = {6, 1}}});
+  CHECK(desk.document.annotations()->at(2) == before[2]);
+  CHECK(desk.document.annotations()->at(3) == before[3]);
+  desk.remove_ball(0);
+  CHECK(desk.document.annotations()->size() == 3);
+  desk.undo();
+  desk.undo();
+  CHECK(*desk.document.annotations() == before);
+  desk.redo();
+  desk.redo();
+  CHECK(desk.document.annotations()->size() == 3);
+}
+
+TEST_CASE("anchors that follow balls in a way that makes no sense are refused") {
+  Desk desk;
+  desk.insert(std::array{Vec2{9, 9}});
+  desk.insert_ball({{0, 0}, 5});
+  const auto refused = [&](const Anchor& anchor) {
+    return !annotate(desk.document, {{.kind = AnnotationKind::leader, .text = "a", .anchors = {anchor}}});
+  };
+  CHECK_FALSE(refused({.at = {}, .balls = {0}}));
+  CHECK_FALSE(refused({.at = {}, .balls = {0, 0, 0, 0}, .along = -1.0, .scale = 2.0}));
+  CHECK(refused({.at = {}, .balls = {1}}));
+  CHECK(refused({.at = {}, .samples = {0}, .balls = {0}}));
+  CHECK(refused({.at = {}, .balls = {0, 0, 0, 0, 0}}));
+  CHECK(refused({.at = {}, .balls = {0}, .along = 1.0}));
+  CHECK(refused({.at = {}, .samples = {0}, .scale = 2.0}));
+  CHECK(refused({.at = {}, .balls = {0}, .scale = 0.0}));
+  CHECK(refused({.at = {}, .balls = {0}, .scale = -1.0}));
+  CHECK(refused({.at = {}, .balls = {0}, .scale = std::numeric_limits<double>::quiet_NaN()}));
+  CHECK(refused({.at = {}, .balls = {0, 0, 0, 0}, .along = std::numeric_limits<double>::infinity()}));
+}
 
 TEST_CASE("what is highlighted goes with its samples, and comes back with them") {
   Desk desk;
@@ -150,15 +255,32 @@ TEST_CASE("undo, redo and the timeline bring annotations back, whatever happened
   const auto any = [&](std::size_t count) { return static_cast<std::uint32_t>(rng.below(count)); };
   const auto any_place = [&] { return Vec2{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)}; };
   desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}, Vec2{1, 1}});
-  states.push_back(*desk.document.annotations());
-  place_states.push_back(places(desk.document));
-  for (int step = 0; step < 60; ++step) {
+  desk.insert_ball({{0.5, 0.25}, 1.0});
+  for (int twice = 0; twice < 2; ++twice) {
+    states.push_back(*desk.document.annotations());
+    place_states.push_back(places(desk.document));
+  }
+  for (int step = 0; step < 100; ++step) {
     const std::size_t before = desk.history.step_count();
     const std::uint32_t numbers = desk.document.next_id().value - desk.document.first_id().value;
     const std::uint32_t number = any(numbers);
     const bool is_alive = desk.document.slot_of(desk.id(number)) != kNoSlot;
     Annotations now = *desk.document.annotations();
-    switch (any(6)) {
+    const std::uint32_t balls = desk.document.next_ball_id().value - desk.document.first_ball_id().value;
+    const std::uint32_t ball = any(balls);
+    const bool is_ball_alive = desk.document.ball_slot_of(desk.ball(ball)) != kNoSlot;
+    switch (any(10)) {
+      case 6: desk.insert_ball({any_place(), rng.uniform(0.5, 1.5)}); break;
+      case 7:
+        if (is_ball_alive) desk.change_ball(ball, {any_place(), rng.uniform(0.5, 1.5)});
+        break;
+      case 8:
+        if (is_ball_alive) desk.remove_ball(ball);
+        break;
+      case 9:
+        now.push_back(highlight_on_balls(ball, any(balls), rng.uniform(0.5, 1.5)));
+        desk.perform(annotate(desk.document, now));
+        break;
       case 0: desk.insert(std::array{any_place()}); break;
       case 1:
         if (is_alive) desk.move(number, any_place());
@@ -261,6 +383,28 @@ TEST_CASE("dragging one of many annotations does not fill the timeline") {
     }
     desk.timeline.note_gesture_ended();
     // The step before, the beginning of the gesture, its moves, its end.
+    CHECK(desk.timeline.entries().size() == (count == 3 ? 53 : 4));
+    DocumentReplay replay;
+    REQUIRE(replay.begin(*desk.timeline.data()));
+    for (const TimelineEntry& entry : desk.timeline.entries()) REQUIRE(replay.apply(entry));
+    CHECK(*replay.document().annotations() == *desk.document.annotations());
+    CHECK(replay.history().step_count() == 2);
+  }
+}
+
+TEST_CASE("dragging the words of a large highlight does not fill the timeline") {
+  for (const std::size_t count : {3U, 2000U}) {
+    Desk desk;
+    Annotation large{.kind = AnnotationKind::highlight};
+    large.elements.assign(count, {PrimitiveKind::point, ProvenanceRole::origin});
+    large.anchors.assign(count, {.at = {1, 1}});
+    desk.perform(annotate(desk.document, {large}), "Annotate");
+    desk.timeline.note_gesture_begun("Move annotation");
+    for (int i = 1; i <= 50; ++i) {
+      large.shift.x = i;
+      desk.perform(annotate(desk.document, {large}));
+    }
+    desk.timeline.note_gesture_ended();
     CHECK(desk.timeline.entries().size() == (count == 3 ? 53 : 4));
     DocumentReplay replay;
     REQUIRE(replay.begin(*desk.timeline.data()));

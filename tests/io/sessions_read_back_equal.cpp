@@ -66,7 +66,13 @@ Session sample_session() {
                                                .text = "a ball",
                                                .anchors = {{{0, 0}, {0, 1, 2}}, {{1, 2}}, {{3, 4}}, {{5, 1}}},
                                                .elements = {{PrimitiveKind::disk, ProvenanceRole::product, 1.1},
-                                                            {PrimitiveKind::ray, ProvenanceRole::origin}}}}},
+                                                            {PrimitiveKind::ray, ProvenanceRole::origin}}},
+                                              {.kind = AnnotationKind::highlight,
+                                               .anchors = {{.at = {0, 0}, .balls = {0, 1}, .scale = 1.1},
+                                                           {.at = {1, 2}, .balls = {1, 0, 0, 1}, .along = 1.0 / 3.0},
+                                                           {.at = {5, 6}}},
+                                               .elements = {{PrimitiveKind::segment, ProvenanceRole::itself},
+                                                            {PrimitiveKind::point, ProvenanceRole::origin}}}}},
       TimelineEdit{.name = "Annotate", .annotations = Annotations{}},
       TimelineEdit{.name = "Sample",
                    .inserted = {{4, 4}},
@@ -355,13 +361,59 @@ TEST_CASE("a session is a source of samples and balls: those of its last state")
   CHECK(file->data.balls[0].radius == 0.1);
 }
 
+TEST_CASE("what can be undone is not skipped: kinds of annotations of a later version are refused in one line") {
+  for (const char* annotation :
+       {R"({"kind":"fresco","at":"a wall"})", R"({"kind":"highlight","at":[1,2],"elements":[["torus","itself",7]]})",
+        R"({"kind":"highlight","at":[1,2],"elements":[["point","cousin"]]})"}) {
+    for (const char* place : {R"("data":{"annotations":[@]})", R"("timeline":[{"edit":{"annotations":[@]}}])"}) {
+      std::string text = std::string(R"({"mesecina":"session","schema":1,)") + place + "}";
+      text.replace(text.find('@'), 1, annotation);
+      INFO(text);
+      const auto read = read_session(text, "a.json");
+      REQUIRE_FALSE(read);
+      CHECK(read.error().code == ErrorCode::bad_input);
+      const std::string message = read.error().message();
+      CHECK(message.starts_with("a.json"));
+      CHECK(message.find("made by a later version") != std::string::npos);
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("a session asks for as late a reader as its contents need") {
+  const auto schema_of = [](const Annotations& of_data, const Annotations& of_entry) {
+    Session session;
+    session.data = std::make_shared<const SampleData>(
+        SampleData{.positions = {{1, 2}}, .balls = {{{3, 4}, 5}}, .annotations = of_data});
+    session.entries = {TimelineEdit{.name = "Annotate", .annotations = of_entry}};
+    const std::string text = write_session(session);
+    const auto read = read_session(text, "a.json");
+    REQUIRE(read);
+    CHECK(equal(*read, session));
+    const std::string key = "\"schema\":";
+    return text.at(text.find(key) + key.size());
+  };
+  const Annotations words{{.kind = AnnotationKind::leader, .text = "a", .anchors = {{.samples = {0}}}}};
+  const Annotations on_ball{{.kind = AnnotationKind::leader, .text = "a", .anchors = {{.balls = {0}}}}};
+  const Annotations highlight{
+      {.kind = AnnotationKind::highlight, .anchors = {{}}, .elements = {{PrimitiveKind::point, {}}}}};
+  CHECK(schema_of({}, {}) == '1');
+  CHECK(schema_of(words, words) == '1');
+  CHECK(schema_of(on_ball, {}) == '2');
+  CHECK(schema_of({}, on_ball) == '2');
+  CHECK(schema_of(highlight, words) == '2');
+  CHECK(schema_of(words, highlight) == '2');
+  // Highlights of files that said 1 are read.
+  CHECK(read_session(R"({"mesecina":"session","schema":1,"data":{"annotations":[
+    {"kind":"highlight","at":[1,2],"elements":[["point","itself"]]}]}})",
+                     "a.json"));
+}
+
 TEST_CASE("what is not known is skipped, what makes no sense is refused") {
   const auto read = [](const std::string& text) { return read_session(text, "a.json"); };
   const auto later = read(R"({"mesecina":"session","schema":1,"of the future":[1],
-    "data":{"samples":[1,2],"colours":7,"annotations":[{"kind":"fresco","at":"a wall"},
-      {"kind":"text","at":[1,2],"letters":1e9,"shift":[-1e9,3],"scent":"rose"},
-      {"kind":"highlight","at":[1,2],"elements":[["torus","itself",7]]},
-      {"kind":"highlight","at":[1,2],"elements":[["point","cousin"]]}]},
+    "data":{"samples":[1,2],"colours":7,"annotations":[
+      {"kind":"text","at":[1,2],"letters":1e9,"shift":[-1e9,3],"scent":"rose"}]},
     "settings":{"precision":"quantum","parameters":{"medial-sampling-angle":1e9,"union-shortcut":0.2,"x":1}},
     "timeline":[{"teleport":3},{"edit":{"insert":[3,4],"why":"because"}}]})");
   REQUIRE(later);
@@ -379,7 +431,7 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
        "[]",
        "null",
        R"({"mesecina":"session"})",
-       R"({"mesecina":"session","schema":2})",
+       R"({"mesecina":"session","schema":3})",
        R"({"mesecina":"session","schema":1,"data":{"samples":[1]}})",
        R"({"mesecina":"session","schema":1,"data":{"samples":[1,"2"]}})",
        R"({"mesecina":"session","schema":1,"data":{"samples":{"0":1}}})",
@@ -403,6 +455,15 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"highlight","at":[1,2],"elements":[["disk","itself"]]}]}})",
        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"highlight","at":[1,2],"elements":[["disk","itself","2"]]}]}})",
        R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"highlight","at":[1,2],"elements":["point"]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[1]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0],[0]]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0,1,2,3,4]]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[-1]]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0]],"follows":[[0]]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0]],"scales":[0]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0]],"scales":7}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0]],"along":[1]}]}})",
+       R"({"mesecina":"session","schema":1,"data":{"annotations":[{"kind":"text","at":[1,2],"scales":[2]}]}})",
        R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"annotations":[7]}}]})",
        R"({"mesecina":"session","schema":1,"evolution":{"seed":-1}})",
        R"({"mesecina":"session","schema":1,"evolution":{"parameters":{"x":"y"}}})"}) {
@@ -412,10 +473,11 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
     CHECK(refused.error().code == ErrorCode::bad_input);
     CHECK(refused.error().message().find('\n') == std::string::npos);
   }
-  // Well formed, but of samples that are not there.
+  // Well formed, but of samples and balls that are not there.
   for (
       const char* text :
       {R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"remove":[0]}}]})",
+       R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"annotations":[{"kind":"text","at":[1,2],"balls":[[0]]}]}}]})",
        R"({"mesecina":"session","schema":1,"timeline":[{"edit":{"annotations":[{"kind":"text","at":[1,2],"follows":[[0]]}]}}]})"}) {
     const auto impossible = read_sample_bytes(text, "a.json");
     REQUIRE_FALSE(impossible);

@@ -73,6 +73,18 @@ const std::vector<Question> kQuestions{{"points", PrimitiveKind::point},
                                        {"a-dual-faces", PrimitiveKind::triangle},
                                        {"a-power-diagram", PrimitiveKind::segment}};
 
+const std::vector<Question> kBallQuestions{{"b-inner-centers", PrimitiveKind::point},
+                                           {"b-inner-circles", PrimitiveKind::circle},
+                                           {"b-inner-disks", PrimitiveKind::disk},
+                                           {"b-union-boundary", PrimitiveKind::arc},
+                                           {"b-dual-interior-edges", PrimitiveKind::segment},
+                                           {"b-dual-faces", PrimitiveKind::triangle},
+                                           {"b-ball-power-diagram", PrimitiveKind::segment},
+                                           {"b-ball-power-diagram", PrimitiveKind::ray},
+                                           {"b-v-points", PrimitiveKind::point},
+                                           {"b-v-interior-vertices", PrimitiveKind::point},
+                                           {"b-ball-medial-axis", PrimitiveKind::segment}};
+
 /// A place on the nth instance of a layer, where a click finds it.
 std::optional<Vec2> place_on(const Workbench& bench, const Question& question, std::size_t n) {
   const std::size_t stride = stride_of(question.kind);
@@ -83,6 +95,8 @@ std::optional<Vec2> place_on(const Workbench& bench, const Question& question, s
     case PrimitiveKind::segment: return Vec2{0.625 * v[0] + 0.375 * v[2], 0.625 * v[1] + 0.375 * v[3]};
     case PrimitiveKind::ray: return Vec2{v[0] + 0.375 * v[2], v[1] + 0.375 * v[3]};
     case PrimitiveKind::triangle: return Vec2{(v[0] + v[2] + v[4]) / 3.0, (v[1] + v[3] + v[5]) / 3.0};
+    case PrimitiveKind::circle: return Vec2{v[0] + v[2], v[1]};
+    case PrimitiveKind::arc: return Vec2{v[3], v[4]};
     default: return Vec2{v[0], v[1]};
   }
 }
@@ -100,8 +114,7 @@ TEST_CASE("what is kept is what was shown, and follows a move as what is shown t
       if (shown.lines.empty()) continue;
       const KeptHighlight kept = highlight_of(shown, bench.document());
       CHECK(kept.left_out == 0);
-      REQUIRE(
-          fault_of(kept.annotation, bench.document().next_id().value - bench.document().first_id().value).empty());
+      REQUIRE(fault_of(kept.annotation, bench.document().numbered_things()).empty());
       check_same(highlighted_shapes(kept.annotation, bench.document()), shown);
       // Turned by a right angle, twice as large and shifted: the same elements at other places.
       const auto moved = [](Vec2 p) { return Vec2{-2.0 * p.y + 8.0, 2.0 * p.x - 16.0}; };
@@ -140,12 +153,61 @@ TEST_CASE("of one line its own shapes are kept, and of an element without sample
     CHECK(kept.annotation.elements.size() == shown.lines[i].shapes.size());
     for (const HighlightedElement& element : kept.annotation.elements) CHECK(element.role == shown.lines[i].role);
   }
-  bench.insert_balls({{{0.5, 0.25}, 1.5}});
-  const Provenance ball = bench.ask({0.5, 0.25}, 1e-3, {"b-inner-centers"});
-  REQUIRE_FALSE(ball.lines.empty());
-  const KeptHighlight kept = highlight_of(ball, bench.document(), 0);
-  REQUIRE_FALSE(kept.annotation.elements.empty());
-  for (const Anchor& anchor : kept.annotation.anchors) CHECK(anchor.samples.empty());
+}
+
+TEST_CASE("what is kept of the user's balls follows them") {
+  // Six that overlap in a ring, one that makes a singular dual edge with the first, one alone.
+  std::vector<Disk> balls;
+  for (int i = 0; i < 6; ++i)
+    balls.push_back({{3.0 * std::cos(1.05 * i) + 0.1 * i, 3.0 * std::sin(1.05 * i)}, 1.7 + 0.07 * i});
+  balls.push_back({{5.1, 0.3}, 1.0});
+  balls.push_back({{0.2, 0.1}, 1.9});
+  balls.push_back({{12.0, 9.0}, 1.0});
+  const auto moved_ball = [](const Disk& disk) {
+    return Disk{{-2.0 * disk.center.y + 8.0, 2.0 * disk.center.x - 16.0}, 2.0 * disk.radius};
+  };
+  const auto moved = [](Vec2 p) { return Vec2{-2.0 * p.y + 8.0, 2.0 * p.x - 16.0}; };
+  std::size_t whole_lines = 0;
+  for (const double scale : {1.0, 1.125}) {
+    for (const Question& question : kBallQuestions) {
+      for (const std::size_t n : {0U, 1U, 4U}) {
+        Workbench bench(std::vector<Vec2>{});
+        ComputationSettings settings;
+        settings[Parameter::b_scale] = scale;
+        bench.choose(settings);
+        bench.insert_balls(balls);
+        const auto at = place_on(bench, question, n);
+        if (!at) continue;
+        INFO(question.layer << ' ' << name_of(question.kind) << ' ' << n << " scale " << scale);
+        const Provenance shown = bench.ask(*at, 1e-3, {question.layer});
+        REQUIRE_FALSE(shown.lines.empty());
+        const KeptHighlight kept = highlight_of(shown, bench.document());
+        CHECK(kept.left_out == 0);
+        REQUIRE(fault_of(kept.annotation, bench.document().numbered_things()).empty());
+        for (std::size_t i = 0; i < kept.annotation.anchors.size(); ++i) {
+          INFO("place " << i);
+          CHECK_FALSE(kept.annotation.anchors[i].is_fixed());
+        }
+        const auto before = highlighted_shapes(kept.annotation, bench.document());
+        check_same(before, shown);
+        for (const BallId id : bench.ball_ids())
+          bench.change_ball(id, moved_ball(bench.document().disk(bench.document().ball_slot_of(id))));
+        const auto after = highlighted_shapes(kept.annotation, bench.document());
+        REQUIRE(after.size() == before.size());
+        for (std::size_t i = 0; i < after.size(); ++i) {
+          const auto& a = before[i].shape;
+          const auto& b = after[i].shape;
+          CHECK(distance(Vec2{b.values[0], b.values[1]}, moved({a.values[0], a.values[1]})) < 1e-6);
+          if (a.kind == PrimitiveKind::circle || a.kind == PrimitiveKind::disk || a.kind == PrimitiveKind::arc)
+            CHECK(b.values[2] == Approx(2.0 * a.values[2]).epsilon(1e-9));
+          if (a.kind == PrimitiveKind::segment)
+            CHECK(distance(Vec2{b.values[2], b.values[3]}, moved({a.values[2], a.values[3]})) < 1e-6);
+        }
+        ++whole_lines;
+      }
+    }
+  }
+  CHECK(whole_lines > 20);
 }
 
 TEST_CASE("more than can be kept is counted, and what no document can hold is left out") {

@@ -23,7 +23,7 @@ void AnnotateTool::press(const Pointer& pointer) {
   // What is highlighted is there to be written about.
   if (pressed.annotation && *pressed.annotation < document.annotations()->size() &&
       (*document.annotations())[*pressed.annotation].kind == AnnotationKind::highlight &&
-      !anchor_at(pointer).samples.empty())
+      !anchor_at(pointer).is_fixed())
     pressed.annotation.reset();
   if (pressed.annotation && *pressed.annotation < document.annotations()->size()) {
     pressed.before = (*document.annotations())[*pressed.annotation];
@@ -47,9 +47,9 @@ Annotation AnnotateTool::moved(const Pointer& pointer) const {
     return out;
   }
   const Vec2 way = pointer.world - pressed_->at.world;
-  const bool is_text = out.kind == AnnotationKind::text && out.anchors[0].samples.empty();
+  const bool is_text = out.kind == AnnotationKind::text && out.anchors[0].is_fixed();
   const bool is_free_arrow =
-      out.kind == AnnotationKind::arrow && out.anchors[0].samples.empty() && out.anchors[1].samples.empty();
+      out.kind == AnnotationKind::arrow && out.anchors[0].is_fixed() && out.anchors[1].is_fixed();
   if (is_text || is_free_arrow) {
     for (Anchor& anchor : out.anchors) anchor.at = anchor.at + way;
   } else {
@@ -77,7 +77,7 @@ void AnnotateTool::end_gesture() {
 /// What a click or a drag over free space makes.
 void AnnotateTool::make(const Pointer& pointer) {
   const Anchor& from = pressed_->anchor;
-  const bool is_on_element = !from.samples.empty();
+  const bool is_on_element = !from.is_fixed();
   Annotation out{.anchors = {from}};
   if (!pressed_->is_dragged) {
     out.kind = is_on_element ? AnnotationKind::leader : AnnotationKind::text;
@@ -130,9 +130,9 @@ ToolFeedback AnnotateTool::feedback() const {
   const bool moves_words = pressed_ && pressed_->annotation && !pressed_->end;
   if (!now_ || moves_words || (!pressed_ && hovered_)) return out;
   // A line to words keeps the element where it began; any other end takes the one under the pointer.
-  const bool is_leader = pressed_ && !pressed_->annotation && !pressed_->anchor.samples.empty();
+  const bool is_leader = pressed_ && !pressed_->annotation && !pressed_->anchor.is_fixed();
   const Anchor& on = is_leader ? pressed_->anchor : under_pointer_;
-  if (!on.samples.empty()) out.ringed = context_.editor.document().place_of(on);
+  if (!on.is_fixed()) out.ringed = context_.editor.document().place_of(on);
   return out;
 }
 

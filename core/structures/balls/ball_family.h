@@ -54,6 +54,8 @@ class BallFamily {
   virtual void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const = 0;
   /// A ball came, changed or went in the last update of what the family is made of.
   virtual bool has_changed() const = 0;
+  /// The ball of the document that it is, or none.
+  virtual BallSlot ball_of_document(FamilySlot) const { return {}; }
 
   /// What radii are multiplied by.
   double scale() const { return scale_; }

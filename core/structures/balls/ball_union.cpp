@@ -69,6 +69,7 @@ class OwnBalls final : public BallFamily {
   bool is_ball(FamilySlot row) const override { return balls_.is_alive(same_row<BallSlot>(row)); }
   Disk plain_disk(FamilySlot row) const override { return balls_.disk(same_row<BallSlot>(row)); }
   bool is_from_samples() const override { return false; }
+  BallSlot ball_of_document(FamilySlot row) const override { return same_row<BallSlot>(row); }
   std::array<Vec2, 3> corners(FamilySlot) const override { return {}; }
   void touched_samples(FamilySlot, std::vector<TouchedSample>&) const override {}
   bool has_changed() const override { return !balls_.changes().is_empty(); }

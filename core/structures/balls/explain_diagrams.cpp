@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What rows of the diagrams of a union of balls are.
+#include <algorithm>
+#include <array>
+
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/balls/ball_diagrams.h"
@@ -8,38 +11,64 @@
 namespace mes {
 namespace {
 
-void add_edge(ProvenanceShapes& shapes, const PowerEdge& edge) {
+/// A power centre, of the balls at a triangle. O(edges) for balls of the document.
+ShapePlace power_center(const PowerDiagram& diagram, const BallPlaces& places, Vec2 at, TriangleSlot face) {
+  std::array<FamilySlot, 3> balls{};
+  std::size_t found = 0;
+  if (face == kNoSlot || !places.follow_balls()) return at;
+  for (const PowerEdge& edge : diagram.edges()) {
+    if (edge.face[0] != face && edge.face[1] != face) continue;
+    for (const FamilySlot ball : edge.ball)
+      if (found < balls.size() && std::ranges::find(balls, ball) == balls.end()) balls[found++] = ball;
+  }
+  return found == balls.size() ? places.power_center(at, balls) : ShapePlace(at);
+}
+
+void add_edge(ProvenanceShapes& shapes, const PowerDiagram& diagram, const BallPlaces& places,
+              const PowerEdge& edge) {
+  const auto center = [&](Vec2 at, TriangleSlot face) { return power_center(diagram, places, at, face); };
   switch (edge.kind) {
-    case PowerEdge::Kind::segment: shapes.segment(edge.from, edge.to); break;
-    case PowerEdge::Kind::ray: shapes.ray(edge.from, edge.to); break;
+    case PowerEdge::Kind::segment:
+      shapes.segment(center(edge.from, edge.face[0]), center(edge.to, edge.face[1]));
+      break;
+    case PowerEdge::Kind::ray: {
+      const ShapePlace from = center(edge.from, edge.face[0] != kNoSlot ? edge.face[0] : edge.face[1]);
+      const ShapePlace a = places.center(edge.ball[0]);
+      const ShapePlace b = places.center(edge.ball[1]);
+      if (!places.follow_balls()) return shapes.ray(edge.from, edge.to);
+      const bool is_left = dot(perpendicular(b.at - a.at), edge.to) > 0.0;
+      shapes.ray_along_bisector(from, is_left ? a : b, is_left ? b : a);
+      break;
+    }
     case PowerEdge::Kind::line: shapes.line(edge.from, edge.to); break;
   }
 }
 
-void explain_v_face(const UnionTables& t, VFaceSlot row, Explanation& out) {
+void explain_v_face(const UnionTables& t, const BallPlaces& places, VFaceSlot row, Explanation& out) {
   if (!t.v_faces.has(row)) return;
   const VFace& face = t.v_faces[row];
   ProvenanceShapes itself, points;
-  itself.point(face.center);
-  itself.circle({face.center, face.radius});
+  const ShapePlace center = places.between(t, face.center, face.v[0], face.v[1]);
+  itself.point(center);
+  itself.circle({face.center, face.radius}, center.follows);
   out.say(ProvenanceRole::itself,
           std::string("Voronoi vertex of the v-points ") + (face.is_inside != 0 ? "inside" : "outside") +
               " the dual complex" + (face.ball != kNoSlot ? ", the centre of a ball" : ""),
           itself);
-  for (const VPointSlot v : face.v) points.point(t.v_points[v].position);
+  for (const VPointSlot v : face.v) points.point(places.at(t, v));
   out.say(ProvenanceRole::origin, "3 v-points on its circle", points);
 }
 
-void explain_v_edge(const UnionTables& t, VEdgeSlot row, Explanation& out) {
+void explain_v_edge(const UnionTables& t, const BallPlaces& places, VEdgeSlot row, Explanation& out) {
   if (!t.v_edges.has(row)) return;
   const VEdge& edge = t.v_edges[row];
   ProvenanceShapes itself, points;
-  itself.segment(t.v_points[edge.v[0]].position, t.v_points[edge.v[1]].position);
+  itself.segment(places.at(t, edge.v[0]), places.at(t, edge.v[1]));
   constexpr const char* kKind[] = {"Voronoi edge of two v-points",
                                    "Voronoi edge of two v-points, through a ball's centre",
                                    "Voronoi edge of two v-points, along a singular dual edge"};
   out.say(ProvenanceRole::itself, kKind[static_cast<std::size_t>(edge.kind)], itself);
-  for (const VPointSlot v : edge.v) points.point(t.v_points[v].position);
+  for (const VPointSlot v : edge.v) points.point(places.at(t, v));
   out.say(ProvenanceRole::origin, "2 v-points", points);
 }
 
@@ -51,8 +80,8 @@ void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) co
   if (!edges().has(own)) return;
   const PowerEdge& edge = edges()[own];
   ProvenanceShapes itself, circles;
-  add_edge(itself, edge);
   const BallPlaces places(family(), out);
+  add_edge(itself, *this, places, edge);
   itself.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   out.say(ProvenanceRole::itself, "Edge of the power diagram, and of the triangulation of the balls", itself);
   for (const FamilySlot ball : edge.ball) places.add_circle(circles, ball);
@@ -61,9 +90,10 @@ void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) co
 
 void PowerDiagram::explain_cell(FamilySlot ball, Explanation& out) const {
   ProvenanceShapes cell;
+  const BallPlaces places(family(), out);
   for (const PowerEdge& edge : edges()) {
     if (edge.ball[0] != ball && edge.ball[1] != ball) continue;
-    add_edge(cell, edge);
+    add_edge(cell, *this, places, edge);
   }
   out.say_any(ProvenanceRole::product, "side of its power cell", "sides of its power cell", cell);
 }
@@ -82,8 +112,9 @@ void BPowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) c
 }
 
 void VDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) const {
-  if (kind == ElementKind::v_face) explain_v_face(tables(), VFaceSlot(row), out);
-  if (kind == ElementKind::v_edge) explain_v_edge(tables(), VEdgeSlot(row), out);
+  const BallPlaces places(union_.family(), out);
+  if (kind == ElementKind::v_face) explain_v_face(tables(), places, VFaceSlot(row), out);
+  if (kind == ElementKind::v_edge) explain_v_edge(tables(), places, VEdgeSlot(row), out);
 }
 
 }  // namespace mes

@@ -28,7 +28,10 @@ void explain_dual_edge(const BallUnion& balls, DualEdgeSlot row, Explanation& ou
               (balls.family().touch_samples() && edge.shares_sample != 0 ? ", and share a sample" : ""),
           circles);
   for (const VOrigin& origin : t.v_origins)
-    if (origin.is_alive() && origin.edge == row) points.point(places.at(t.v_points[origin.v]));
+    if (origin.is_alive() && origin.edge == row)
+      points.point(t.v_points[origin.v].site != kNoSlot || balls.family().is_from_samples()
+                       ? places.at(t, origin.v)
+                       : places.crossing(t.v_points[origin.v].position, edge.ball[0], edge.ball[1]));
   out.say_any(ProvenanceRole::product, "v-point made by it", "v-points made by it", points);
 }
 
@@ -64,13 +67,20 @@ void explain_dual_face(const BallUnion& balls, DualFaceSlot row, Explanation& ou
   out.say_any(ProvenanceRole::origin, "sample that all three touch", "samples that all three touch", common);
 }
 
+/// An end of a piece of the axis.
+ShapePlace end_of(const UnionTables& t, const BallPlaces& places, const AxisPiece& piece, std::size_t end) {
+  const Vec2 at = end == 0 ? piece.a : piece.b;
+  if (t.is_ball(piece.node[end])) return {at, places.follows(ball_of(piece.node[end]))};
+  return places.between(t, at, piece.v[0], piece.v[1]);
+}
+
 void explain_v_point(const BallUnion& balls, VPointSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
   if (!t.v_points.has(row) || !t.v_points[row].is_alive()) return;
   const VPoint& v = t.v_points[row];
   const BallPlaces places(balls.family(), out);
   ProvenanceShapes itself, edges, circles, pieces;
-  itself.point(places.at(v));
+  itself.point(places.at(t, row));
   const bool is_foreign = balls.family().touch_samples() && v.site == kNoSlot;
   out.say(
       ProvenanceRole::itself,
@@ -90,11 +100,7 @@ void explain_v_point(const BallUnion& balls, VPointSlot row, Explanation& out) {
   }
   for (const AxisPiece& piece : t.axis) {
     if (!piece.is_alive() || (piece.v[0] != row && piece.v[1] != row)) continue;
-    const auto end = [&](int i) {
-      const Vec2 at = i == 0 ? piece.a : piece.b;
-      return t.is_ball(piece.node[i]) ? ShapePlace(at, places.follows(ball_of(piece.node[i]))) : ShapePlace(at);
-    };
-    pieces.segment(end(0), end(1));
+    pieces.segment(end_of(t, places, piece, 0), end_of(t, places, piece, 1));
     for (const AxisNodeSlot node : piece.node)
       if (t.is_ball(node)) add_ball(ball_of(node));
   }
@@ -117,33 +123,48 @@ void explain_axis_piece(const BallUnion& balls, AxisPieceSlot row, Explanation& 
   const BallPlaces places(balls.family(), out);
   ProvenanceShapes itself, points, circles;
   const std::array<Disk, 2> ends{Disk{piece.a, piece.radius_a}, Disk{piece.b, piece.radius_b}};
-  const auto follows = [&](std::size_t end) {
-    return t.is_ball(piece.node[end]) ? places.follows(ball_of(piece.node[end])) : FollowedSamples{};
-  };
-  itself.segment({piece.a, follows(0)}, {piece.b, follows(1)});
+  const std::array<ShapePlace, 2> places_of_ends{end_of(t, places, piece, 0), end_of(t, places, piece, 1)};
+  itself.segment(places_of_ends[0], places_of_ends[1]);
   out.say(ProvenanceRole::itself,
           std::string(piece.is_singular != 0 ? "Piece of the axis along a singular dual edge"
                                              : "Piece of the axis on the Voronoi diagram of the v-points") +
               ", radius " + number_text(piece.radius_a) + " to " + number_text(piece.radius_b),
           itself);
   for (const VPointSlot v : piece.v)
-    if (t.v_points.has(v) && t.v_points[v].is_alive()) points.point(places.at(t.v_points[v]));
+    if (t.v_points.has(v) && t.v_points[v].is_alive()) points.point(places.at(t, v));
   out.say_any(ProvenanceRole::origin, "v-point nearest to all of it", "v-points nearest to all of it", points);
-  for (std::size_t i = 0; i < ends.size(); ++i) circles.circle(ends[i], follows(i));
+  for (std::size_t i = 0; i < ends.size(); ++i) circles.circle(ends[i], places_of_ends[i].follows);
   out.say(ProvenanceRole::origin, "the maximal balls at its two ends", circles);
+}
+
+/// An end of an arc of a ball: the v-point there. O(v-points).
+ShapePlace arc_end(const UnionTables& t, const BallPlaces& places, Vec2 at, FamilySlot ball) {
+  for (const VOrigin& origin : t.v_origins) {
+    if (!origin.is_alive() || t.v_points[origin.v].position != at) continue;
+    const DualEdge& edge = t.dual_edges[origin.edge];
+    if (edge.ball[0] == ball || edge.ball[1] == ball) return places.crossing(at, edge.ball[0], edge.ball[1]);
+  }
+  return at;
 }
 
 void explain_arc(const BallUnion& balls, ArcSlot row, Explanation& out) {
   const UnionTables& t = balls.tables();
   if (!t.arcs.has(row) || !t.arcs[row].is_alive()) return;
   ProvenanceShapes itself, circle;
-  if (const auto drawn = drawn_arc(t.arcs[row], balls.family().disk(t.arcs[row].ball)))
-    itself.arc({drawn->center, drawn->radius}, drawn->from, drawn->to);
+  const BoundaryArc& arc = t.arcs[row];
+  const BallPlaces places(balls.family(), out);
+  if (const auto drawn = drawn_arc(arc, balls.family().disk(arc.ball))) {
+    if (drawn->from == drawn->to)
+      places.add_circle(itself, arc.ball);
+    else
+      itself.arc({drawn->center, drawn->radius}, arc_end(t, places, drawn->from, arc.ball),
+                 arc_end(t, places, drawn->to, arc.ball), places.follows(arc.ball));
+  }
   out.say(ProvenanceRole::itself,
-          t.arcs[row].is_whole != 0 ? "A whole circle on the boundary of the union"
-                                    : "Arc on the boundary of the union, between two v-points",
+          arc.is_whole != 0 ? "A whole circle on the boundary of the union"
+                            : "Arc on the boundary of the union, between two v-points",
           itself);
-  BallPlaces(balls.family(), out).add_circle(circle, t.arcs[row].ball);
+  places.add_circle(circle, arc.ball);
   out.say(ProvenanceRole::origin, "its ball", circle);
 }
 
@@ -170,7 +191,7 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
     for (const Vec2 end : {arc.from, arc.to})
       if (std::ranges::find(ends, end) == ends.end()) ends.push_back(end);
   }
-  for (const Vec2 end : ends) points.point(end);
+  for (const Vec2 end : ends) points.point(arc_end(t, places, end, row));
   out.say_any(ProvenanceRole::product, "dual edge at it", "dual edges at it", edges);
   out.say_any(ProvenanceRole::product, "dual triangle at it", "dual triangles at it", triangles);
   out.say_any(ProvenanceRole::product, "end of its arcs on the boundary of the union",

@@ -7,12 +7,12 @@
 namespace mes {
 
 ShapePlace place_of(const Delaunay& delaunay, SiteSlot site) {
-  return {delaunay.site_position(site), {delaunay.site_sample(site)}};
+  return {delaunay.site_position(site), {.samples = {delaunay.site_sample(site)}}};
 }
 
-FollowedSamples corners_of(const Delaunay& delaunay, FaceSlot face) {
+Followed corners_of(const Delaunay& delaunay, FaceSlot face) {
   const auto& v = delaunay.face(face).v;
-  return {delaunay.site_sample(v[0]), delaunay.site_sample(v[1]), delaunay.site_sample(v[2])};
+  return {.samples = {delaunay.site_sample(v[0]), delaunay.site_sample(v[1]), delaunay.site_sample(v[2])}};
 }
 
 void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, EdgeSlot edge) {

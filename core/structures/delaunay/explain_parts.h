@@ -15,7 +15,7 @@ void add_triangle(ProvenanceShapes& shapes, const Delaunay& delaunay, FaceSlot f
 /// Where a site is, on its first sample.
 ShapePlace place_of(const Delaunay& delaunay, SiteSlot site);
 /// The corners of a finite face, whose circle has the Voronoi vertex as its centre.
-FollowedSamples corners_of(const Delaunay& delaunay, FaceSlot face);
+Followed corners_of(const Delaunay& delaunay, FaceSlot face);
 inline ShapePlace place_of(const Delaunay& delaunay, FaceSlot face) {
   return {delaunay.circumcenter(face), corners_of(delaunay, face)};
 }

@@ -99,8 +99,8 @@ void UserBalls::explain(ElementKind kind, RowNumber row, Explanation& out) const
   const BallSlot ball(row);
   if (kind != ElementKind::own_ball || !is_alive(ball)) return;
   ProvenanceShapes itself;
-  itself.circle(disk(ball));
-  itself.point(disk(ball).center);
+  itself.circle(disk(ball), {.balls = {ball}});
+  itself.point({disk(ball).center, {.balls = {ball}}});
   out.say(ProvenanceRole::itself,
           "Ball at " + place_text(disk(ball).center) + ", radius " + number_text(disk(ball).radius), itself);
 }

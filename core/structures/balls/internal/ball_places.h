@@ -2,6 +2,8 @@
 // What balls of a family and v-points follow, for shapes of explanations.
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "core/graph/explain.h"
@@ -11,31 +13,75 @@
 
 namespace mes {
 
-/// The samples on whose circle a ball is, or none: of balls that are no circumdisks, and where the triangulation is not
-/// up to date. Threads: const is safe.
+/// Balls of the document follow themselves, circumdisks the samples on their circle; others nothing, nor does anything
+/// where the triangulation is not up to date. Threads: const is safe.
 class BallPlaces {
  public:
   BallPlaces(const BallFamily& family, const Explanation& out)
       : family_(family), delaunay_(out.current<Delaunay>()) {}
 
-  FollowedSamples follows(FamilySlot ball) const {
+  Followed follows(FamilySlot ball) const {
+    if (const BallSlot own = family_.ball_of_document(ball); own != kNoSlot)
+      return {.balls = {own}, .scale = family_.scale()};
     if (delaunay_ == nullptr || !family_.is_from_samples() || family_.origin(ball) != BallOrigin::circumdisk)
       return {};
     std::vector<TouchedSample> touched;
     family_.touched_samples(ball, touched);
     if (touched.size() < 3) return {};
-    FollowedSamples out;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = delaunay_->site_sample(touched[i].site);
+    Followed out;
+    for (std::size_t i = 0; i < out.samples.size(); ++i) out.samples[i] = delaunay_->site_sample(touched[i].site);
     return out;
   }
+  /// Its balls may be balls of the document.
+  bool follow_balls() const { return !family_.is_from_samples(); }
   ShapePlace center(FamilySlot ball) const { return {family_.disk(ball).center, follows(ball)}; }
   void add_circle(ProvenanceShapes& shapes, FamilySlot ball) const {
     shapes.circle(family_.disk(ball), follows(ball));
   }
-  /// A v-point that is a sample follows it.
-  ShapePlace at(const VPoint& v) const {
-    if (delaunay_ == nullptr || v.site == kNoSlot || !delaunay_->is_site(v.site)) return v.position;
-    return {v.position, {delaunay_->site_sample(v.site)}};
+  /// A crossing of the circles of two balls of the document follows them.
+  ShapePlace crossing(Vec2 at, FamilySlot a, FamilySlot b) const {
+    BallSlot first = family_.ball_of_document(a);
+    BallSlot second = family_.ball_of_document(b);
+    if (first == kNoSlot || second == kNoSlot) return at;
+    const Vec2 from = family_.disk(a).center;
+    // Both crossings are on the line of the centres, and the same, where rounding could choose the wrong one.
+    if (cross(family_.disk(b).center - from, at - from) < 0.0) std::swap(first, second);
+    return {at, {.balls = {first, second}, .scale = family_.scale()}};
+  }
+  /// A v-point that is a sample follows it, one of balls of the document two of those that cross there. O(v-points).
+  ShapePlace at(const UnionTables& t, VPointSlot row) const {
+    const VPoint& v = t.v_points[row];
+    if (v.site != kNoSlot && delaunay_ != nullptr && delaunay_->is_site(v.site))
+      return {v.position, {.samples = {delaunay_->site_sample(v.site)}}};
+    if (v.site != kNoSlot || family_.is_from_samples()) return v.position;
+    for (const VOrigin& origin : t.v_origins)
+      if (origin.is_alive() && origin.v == row)
+        return crossing(v.position, t.dual_edges[origin.edge].ball[0], t.dual_edges[origin.edge].ball[1]);
+    return v.position;
+  }
+  /// A place of equal distance to two v-points follows the balls that cross there. O(v-points).
+  ShapePlace between(const UnionTables& t, Vec2 place, VPointSlot first, VPointSlot second) const {
+    for (const VPointSlot v : {first, second})
+      if (!t.v_points.has(v) || !t.v_points[v].is_alive()) return place;
+    const ShapePlace a = at(t, first);
+    const ShapePlace b = at(t, second);
+    const Vec2 way = b.at - a.at;
+    const double squared = dot(way, way);
+    if (a.follows.balls[1] == kNoSlot || b.follows.balls[1] == kNoSlot || squared == 0.0) return place;
+    const double along = dot(perpendicular(way), place - (0.5 * a.at + 0.5 * b.at)) / squared;
+    return {place,
+            {.balls = {a.follows.balls[0], a.follows.balls[1], b.follows.balls[0], b.follows.balls[1]},
+             .along = along,
+             .scale = family_.scale()}};
+  }
+  /// The power centre of three balls.
+  ShapePlace power_center(Vec2 at, const std::array<FamilySlot, 3>& balls) const {
+    Followed out{.scale = family_.scale()};
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      out.balls[i] = family_.ball_of_document(balls[i]);
+      if (out.balls[i] == kNoSlot) return at;
+    }
+    return {at, out};
   }
 
  private:
