@@ -9,10 +9,10 @@
 
 namespace mes {
 
-std::string zlib_compressed(std::string_view bytes) {
-  constexpr int kLevel = 6;
+std::string zlib_compressed(std::string_view bytes, ZlibEffort effort) {
+  const int level = effort == ZlibEffort::fast ? 1 : 6;
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-      libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
+      libdeflate_alloc_compressor(level), libdeflate_free_compressor);
   if (!compressor) throw std::bad_alloc();
   std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
   out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));

@@ -10,8 +10,11 @@
 
 namespace mes {
 
-/// Throws std::bad_alloc. Cost: linear.
-std::string zlib_compressed(std::string_view bytes);
+enum class ZlibEffort { fast, usual };
+
+/// Throws std::bad_alloc. Cost: linear; `fast` takes a fifth of the time for digits of coordinates, and gives some 7 %
+/// more bytes.
+std::string zlib_compressed(std::string_view bytes, ZlibEffort effort = ZlibEffort::usual);
 
 /// What a stream at the beginning of `bytes` holds; whatever follows it is not looked at. Error: `bad_input` for a stream
 /// that is cut or broken, or holds more than `most` bytes. Takes at most four times the memory of what the stream holds,

@@ -111,7 +111,8 @@ bool is_xml(std::string_view bytes) {
 std::optional<std::string> packed_session(const Session& session) {
   const std::string text = write_session(session);
   if (text.size() > kMostCarriedBytes) return std::nullopt;
-  return zlib_compressed(text);
+  // Digits have little to be found by a longer search, and a snapshot is waited for.
+  return zlib_compressed(text, ZlibEffort::fast);
 }
 
 bool looks_like_manifest(std::string_view bytes) {
