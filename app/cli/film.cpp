@@ -135,10 +135,12 @@ class Studio {
     if (!panes_.is_empty() && fonts_) return draw_panes(player);
     const auto& [width, height] = film_.size;
     const int band = title_band();
-    const render::Camera camera =
-        player.view().is_empty()
-            ? camera_below(band, width, height, player.document().bounding_box(), kMargin * (height - band))
-            : camera_below(band, width, height, player.view(), 0.0);
+    EdgeRoom edges;
+    if (film_.marks.axes && player.view().is_empty()) edges = room_of_axes(1.0);
+    edges.above = band;
+    const render::Camera camera = player.view().is_empty()
+                                      ? camera_within(edges, width, height, player.document().bounding_box(), kMargin)
+                                      : camera_within(edges, width, height, player.view(), 0.0);
     const LayerStack& layers = player.layers();
     follow_picture(layers.image());
     std::vector<render::LayerView> views;
@@ -199,7 +201,8 @@ class Studio {
       const FigureRequest one = request_for(all, comparison, i, panes_.has_free_cameras());
       const SeenByAll here = i == 0 || !panes_.has_free_cameras() ? seen : seen_in(panes_.views()[i - 1], document);
       const render::Camera camera =
-          camera_below(0, pane_width, pane_height, here.box, here.margin * std::min(pane_width, pane_height));
+          camera_within(film_.marks.axes && here.margin > 0.0 ? room_of_axes(1.0) : EdgeRoom(), pane_width,
+                        pane_height, here.box, here.margin);
       std::vector<render::LayerView> views;
       for (const LayerIndex layer : pane.shown.layers)
         views.push_back({layer, pane.shown.styles[plain_layer(layer)]});

@@ -129,7 +129,8 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
     if (canvas) {
       const TitleBand title = title_of(request, picture->size, picture->shown);
       const auto image = draw_pixels(picture->shown, {}, *canvas,
-                                     camera_for(picture->size, seen_by(*picture, bounds, mirror), title.pixels),
+                                     camera_for(picture->size, seen_by(*picture, bounds, mirror), request.marks.axes,
+                                                picture->shown.scale, title.pixels),
                                      source, figure_request(*picture, request), title.drawing);
       if (!image) return std::unexpected(image.error());
       return encoded(*image, session);

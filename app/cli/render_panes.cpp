@@ -44,8 +44,9 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
     const Pane& pane = panes.comparison.panes[i];
     const bool is_free = panes.request.has_free_cameras;
     const SeenByAll seen = is_free ? seen_alone(panes.comparison, panes.sources, i) : panes.seen;
-    auto part = draw_pixels(pane.shown, pane.marks, canvas, camera_for(size, {seen.box, seen.margin}),
-                            panes.sources[i], request_for(all, panes.comparison, i, is_free), {});
+    auto part =
+        draw_pixels(pane.shown, pane.marks, canvas, camera_for(size, {seen.box, seen.margin}, all.marks.axes, scale),
+                    panes.sources[i], request_for(all, panes.comparison, i, is_free), {});
     if (!part) return part;
     parts.push_back(std::move(*part));
     sheet.labels.push_back(pane.label);

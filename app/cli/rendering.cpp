@@ -85,9 +85,11 @@ Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirr
   return {fit_box(samples, mirror, picture.shown.layers), kFitMargin};
 }
 
-render::Camera camera_for(const PictureSize& size, const Seen& seen, int band) {
-  return camera_below(band, size.width, size.height, seen.box,
-                      seen.margin * std::min(size.width, size.height - band));
+render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale, int band) {
+  EdgeRoom edges;
+  if (has_axes && seen.margin > 0.0) edges = room_of_axes(scale);
+  edges.above = band;
+  return camera_within(edges, size.width, size.height, seen.box, seen.margin);
 }
 
 TitleBand title_of(const RenderRequest& request, const PictureSize& size, const ShownLayers& shown) {
@@ -157,6 +159,9 @@ Expected<std::string> written(const PictureRequest& picture, DrawnFigure drawn, 
     said.push_back(remark);
   }
   auto bytes = figure::bytes_of(drawn.figure, *picture.format);
+  if (std::string text = tex_warning(figure::shape_count(drawn.figure), picture.format->extension);
+      bytes && !text.empty())
+    say(text);
   if (bytes && bytes->size() > kLargeFigure) {
     std::string text = fmt::format("the figure has {:.0f} MB", 1e-6 * static_cast<double>(bytes->size()));
     if (const figure::FigureLayer* const layer = largest_layer(drawn.figure); layer && picture.format->has_images)

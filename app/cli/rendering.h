@@ -30,8 +30,8 @@ struct Seen {
   double margin = 0.0;
 };
 Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror);
-/// Below a band of so many pixels at the upper edge.
-render::Camera camera_for(const PictureSize& size, const Seen& seen, int band = 0);
+/// Below a band of so many pixels at the upper edge. What is fitted with a margin is kept clear of axes, too.
+render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale, int band = 0);
 
 /// The title of a picture in pixels, and the height of its band in pixels.
 struct TitleBand {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/figure.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -64,20 +65,22 @@ figure::Page page_for(const FigureRequest& request, const FigureSource& source) 
   if (const figure::Page* const natural = std::get_if<figure::Page>(&request.part))
     return request.page ? resized(*natural, *request.page) : *natural;
   const FittedBox shown = fitted_box(request, source);
-  render::Camera camera;
-  if (!request.page) {
-    camera.set_viewport(request.pixels[0], request.pixels[1]);
-    camera.fit(shown.box, shown.margin * std::min(request.pixels[0], request.pixels[1]));
-    return figure::page_of(camera);
-  }
+  // Pixels of the camera per logical pixel.
+  const auto edges = [&](double scale) {
+    return request.marks.axes && shown.margin > 0.0 && !request.is_tight ? room_of_axes(scale) : EdgeRoom();
+  };
+  if (!request.page)
+    return figure::page_of(
+        camera_within(edges(request.shown.scale), request.pixels[0], request.pixels[1], shown.box, shown.margin));
   // A camera counts whole pixels: enough of them that the rounding of the page's sides cannot be seen.
   constexpr double kPixelsPerPoint = 64.0;
   const double width = request.page->width;
-  const double height = request.page->height.value_or(natural_height(shown, width));
+  const EdgeRoom axes = edges(kPixelsPerPoint * figure::kPointsPerPixel * request.shown.scale);
+  const double height = request.page->height.value_or(
+      natural_height(shown, std::max(1.0, width - axes.left / kPixelsPerPoint)) + axes.below / kPixelsPerPoint);
   const auto pixels = [](double points) { return static_cast<int>(std::lround(kPixelsPerPoint * points)); };
-  camera.set_viewport(pixels(width), pixels(height));
-  camera.fit(shown.box, shown.margin * std::min(camera.width(), camera.height()));
-  figure::Page page = figure::page_of(camera, width);
+  figure::Page page =
+      figure::page_of(camera_within(axes, pixels(width), pixels(height), shown.box, shown.margin), width);
   page.height = height;
   return page;
 }
@@ -213,6 +216,13 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   lacking.look_at(out.figure);
   if (std::string words = lacking.words(); !words.empty()) out.remarks.push_back(std::move(words));
   return out;
+}
+
+std::string tex_warning(std::size_t shapes, std::string_view extension) {
+  if (extension != ".tex" || shapes <= kMostTexShapes) return {};
+  return fmt::format(
+      "the figure has {} shapes, and pdflatex has memory for some {}: show less, or write PDF and include that",
+      shapes, kMostTexShapes);
 }
 
 }  // namespace mes

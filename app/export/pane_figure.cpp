@@ -39,10 +39,12 @@ figure::Page part_for(const FigureRequest& request, const SeenByAll& seen, const
     return resized(*natural, {grid.pane_width, grid.pane_height});
   // Panes are seen through cameras of whole pixels, fine enough that their rounding cannot be seen.
   constexpr double kPixelsPerPoint = 64.0;
-  render::Camera camera;
-  camera.set_viewport(static_cast<int>(std::lround(kPixelsPerPoint * grid.pane_width)),
-                      static_cast<int>(std::lround(kPixelsPerPoint * grid.pane_height)));
-  camera.fit(seen.box, seen.margin * std::min(camera.width(), camera.height()));
+  EdgeRoom edges;
+  if (request.marks.axes && seen.margin > 0.0)
+    edges = room_of_axes(kPixelsPerPoint * figure::kPointsPerPixel * request.shown.scale);
+  const render::Camera camera =
+      camera_within(edges, static_cast<int>(std::lround(kPixelsPerPoint * grid.pane_width)),
+                    static_cast<int>(std::lround(kPixelsPerPoint * grid.pane_height)), seen.box, seen.margin);
   figure::Page part = figure::page_of(camera, grid.pane_width);
   part.height = grid.pane_height;
   return part;

@@ -322,6 +322,8 @@ void FigureDialog::draw_facts(const Gui& gui) {
   text += bytes != nullptr ? ", " + size_text(bytes->size()) : desk.is_drawing() ? ", drawing..." : ", writing...";
   ImGui::TextUnformatted(text.c_str());
   for (const std::string& remark : preview->remarks) warning(gui, remark);
+  if (const std::string memory = tex_warning(preview->shapes, uses_->settings.extension); !memory.empty())
+    warning(gui, memory);
   if (bytes == nullptr || bytes->size() <= kLargeFigure) return;
   warning(gui, "Files of this size are slow to open, and mail refuses them.");
   const auto largest = std::ranges::max_element(preview->layers, {}, &FigurePreview::Layer::shapes);

@@ -53,5 +53,7 @@ MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const
 
 /// The height in logical pixels that axes take from the lower edge.
 inline constexpr double kAxisRoom = 26.0;
+/// The width that they take from the left edge, with numbers of four digits and a sign.
+inline constexpr double kAxisRoomBeside = 46.0;
 
 }  // namespace mes

@@ -2,8 +2,10 @@
 #include "app/picture/title_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/picture/rich_text.h"
+#include "app/picture/scale_drawing.h"
 
 namespace mes {
 namespace {
@@ -61,13 +63,18 @@ PictureTitle layout_title(std::string_view words, double width, double height, c
   return out;
 }
 
-render::Camera camera_below(int band_px, int width, int height, const Box2& box, double margin_px) {
+render::Camera camera_within(const EdgeRoom& edges, int width, int height, const Box2& box, double margin) {
   render::Camera camera;
-  camera.set_viewport(width, std::max(1, height - band_px));
-  camera.fit(box, margin_px);
+  camera.set_viewport(std::max(1, width - edges.left), std::max(1, height - edges.above - edges.below));
+  camera.fit(box, margin * std::min(camera.width(), camera.height()));
   camera.set_viewport(width, height);
-  camera.pan({0.0, 0.5 * band_px});
+  camera.pan({0.5 * edges.left, 0.5 * (edges.above - edges.below)});
   return camera;
+}
+
+EdgeRoom room_of_axes(double scale) {
+  return {.below = static_cast<int>(std::ceil(scale * kAxisRoom)),
+          .left = static_cast<int>(std::ceil(scale * kAxisRoomBeside))};
 }
 
 figure::Page with_band(figure::Page page, double band) {

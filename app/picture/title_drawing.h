@@ -29,8 +29,18 @@ struct PictureTitle {
 PictureTitle layout_title(std::string_view words, double width, double height, const MeasureText& measure,
                           const std::optional<Rgb>& background);
 
-/// A camera that shows the box below a band at the upper edge of a picture; the band shows more of the plane.
-render::Camera camera_below(int band_px, int width, int height, const Box2& box, double margin_px);
+/// Parts of a picture that what is fitted is kept clear of, in pixels of it.
+struct EdgeRoom {
+  int above = 0;
+  int below = 0;
+  int left = 0;
+};
+/// A camera that shows the box in what is left of a picture, with a margin of so large a part of its shorter side there;
+/// at the edges it shows more of the plane.
+render::Camera camera_within(const EdgeRoom& edges, int width, int height, const Box2& box, double margin);
+
+/// What axes take from the edges, for a picture of so many pixels a logical pixel.
+EdgeRoom room_of_axes(double scale);
 
 /// The page with a band of so many points above it, which shows more of the plane.
 figure::Page with_band(figure::Page page, double band);

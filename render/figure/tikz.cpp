@@ -98,15 +98,18 @@ class TikzWriter {
   }
 
   void write(const Run& run) {
-    std::string command = run.is_filled ? "\\fill[" : "\\draw[";
-    command += color(run.color);
-    if (run.opacity < 1.0) command += ",opacity=" + fraction(run.opacity);
-    if (run.dashes != Dashes{})
-      command += ",line cap=butt,dash pattern=on " + length(run.dashes.on) + " off " + length(run.dashes.off) +
-                 ",dash phase=" + length(run.dashes.offset);
-    command += ']';
     const bool is_one_path = run.opacity >= 1.0;
     const std::span<const Shape> shapes(run.shapes);
+    std::string look = color(run.color);
+    if (run.opacity < 1.0) look += ",opacity=" + fraction(run.opacity);
+    if (run.dashes != Dashes{})
+      look += ",line cap=butt,dash pattern=on " + length(run.dashes.on) + " off " + length(run.dashes.off) +
+              ",dash phase=" + length(run.dashes.offset);
+    // What many paths have in common is said once: TeX keeps it in its memory each time that it is said.
+    const bool has_scope = !is_one_path && shapes.size() > 1;
+    if (has_scope) body_ += "\\begin{scope}[" + look + "]\n";
+    const std::string command =
+        std::string(run.is_filled ? "\\fill" : "\\draw") + (has_scope ? std::string() : '[' + look + ']');
     std::size_t in_path = 0;
     for (std::size_t i = 0; i < shapes.size();) {
       if (in_path == 0) body_ += command;
@@ -120,6 +123,7 @@ class TikzWriter {
       body_ += ";\n";
       in_path = 0;
     }
+    if (has_scope) body_ += "\\end{scope}\n";
   }
 
   void curves(const std::vector<Bezier>& beziers) {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/export/figure.h"
+#include "app/picture/scale_drawing.h"
 #include "app/picture/title_drawing.h"
 #include "core/document/commands.h"
 #include "core/draw/layer_descriptor.h"
@@ -115,11 +116,46 @@ TEST_CASE("the camera and the page below a band show what they showed, lower") {
   Box2 box;
   box.add(Vec2{0, 0});
   box.add(Vec2{4, 3});
-  const render::Camera camera = camera_below(60, 400, 360, box, 0.0);
+  const render::Camera camera = camera_within({.above = 60}, 400, 360, box, 0.0);
   CHECK(camera.to_screen({0, 3}).y == Approx(60.0));
   CHECK(camera.to_screen({4, 0}).x == Approx(400.0));
   CHECK(camera.to_screen({4, 0}).y == Approx(360.0));
-  CHECK(camera_below(500, 400, 360, box, 0.0).units_per_pixel() > 0.0);
+  CHECK(camera_within({.above = 500}, 400, 360, box, 0.0).units_per_pixel() > 0.0);
+}
+
+TEST_CASE("what is fitted is kept clear of title and axes at any scale") {
+  Box2 box;
+  box.add(Vec2{0, 0});
+  box.add(Vec2{4, 3});
+  for (const double scale : {0.5, 1.0, 3.0}) {
+    EdgeRoom edges = room_of_axes(scale);
+    CHECK(edges.below >= scale * kAxisRoom);
+    CHECK(edges.left >= scale * kAxisRoomBeside);
+    edges.above = 60;
+    const render::Camera camera = camera_within(edges, 400 + edges.left, 360 + edges.below, box, 0.0);
+    CHECK(camera.to_screen({0, 3}).x == Approx(edges.left));
+    CHECK(camera.to_screen({0, 3}).y == Approx(60.0));
+    CHECK(camera.to_screen({4, 0}).x == Approx(400.0 + edges.left));
+    CHECK(camera.to_screen({4, 0}).y == Approx(360.0));
+    CHECK(camera_within(edges, 20, 20, box, 0.0).units_per_pixel() > 0.0);
+  }
+}
+
+TEST_CASE("samples of a figure lie above and beside its axes, and what was asked to be seen is not moved for them") {
+  const auto with_axes = [](bool has_axes, const ShownPart& part, std::optional<PageSize> page) {
+    return drawn({.shown = {}, .part = part, .page = page, .marks = {.axes = has_axes}}).figure;
+  };
+  for (const auto& page : {std::optional(PageSize{240.0, std::nullopt}), std::optional(PageSize{240.0, 100.0}),
+                           std::optional<PageSize>()}) {
+    const figure::Figure figure = with_axes(true, Everything{}, page);
+    const auto [first, last] = numbers(figure);
+    CHECK(first.x >= figure::kPointsPerPixel * kAxisRoomBeside);
+    CHECK(first.y <= figure.height - figure::kPointsPerPixel * kAxisRoom);
+    CHECK(last.x <= figure.width);
+    CHECK(last.y >= 0.0);
+    const Box2 box{{0, 0}, {4, 3}};
+    CHECK(numbers(with_axes(true, box, page)) == numbers(with_axes(false, box, page)));
+  }
 }
 
 TEST_CASE("a figure with a title has it in its legend, as text, above the drawing") {
