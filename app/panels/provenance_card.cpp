@@ -104,7 +104,7 @@ void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   }
 }
 
-ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width) {
+ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width, const std::string& keep_key) {
   const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorPos();
   const float keep_width = ImGui::CalcTextSize("Keep").x + 8 * unit;
@@ -122,7 +122,8 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});
   out.kept = ImGui::Button("Keep");
   ImGui::PopStyleVar();
-  tooltip(gui, "Keep all of this highlighted, as an annotation (Shift+K); Shift+click on a row: that alone");
+  tooltip(gui, "Keep all of this highlighted, as an annotation" + (keep_key.empty() ? "" : " (" + keep_key + ')') +
+                   "; Shift+click on a row: that alone");
   ImGui::SameLine(width - 30 * unit);
   out.closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
   tooltip(gui, "Close (Esc)");
@@ -176,7 +177,7 @@ bool ProvenanceCard::is_of(const Editor& editor) const {
 }
 
 std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor,
-                                                         ImVec2 corner, ImVec2 room) {
+                                                         ImVec2 corner, ImVec2 room, const std::string& keep_key) {
   if (answer_ && !is_of(editor)) clear();
   if (!answer_) return std::nullopt;
   draw_shapes(gui, canvas);
@@ -193,7 +194,7 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  const HeadClicks head = draw_head(gui, width);
+  const HeadClicks head = draw_head(gui, width, keep_key);
   const std::optional<std::size_t> clicked = draw_lines(gui, width);
   if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
   tooltip(gui, "Select the samples, or balls, that this is or comes from");

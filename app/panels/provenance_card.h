@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/canvas/canvas.h"
@@ -39,8 +40,9 @@ class ProvenanceCard {
     std::optional<std::size_t> line;
   };
   /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is, one with Shift held
-  /// asks to keep it highlighted, as the button does for all rows.
-  std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room);
+  /// asks to keep it highlighted, as the button does for all rows. `keep_key`: that of the action that keeps all, or empty.
+  std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room,
+                           const std::string& keep_key);
   /// `select_sources` was called for what is shown: the new selection does not take it away. O(1).
   void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
   /// The button that selects what it comes from was pressed since the last call.
@@ -55,7 +57,7 @@ class ProvenanceCard {
     bool closed = false;
     bool kept = false;
   };
-  HeadClicks draw_head(const Gui& gui, float width);
+  HeadClicks draw_head(const Gui& gui, float width, const std::string& keep_key);
   bool is_of(const Editor& editor) const;
 
   std::uint64_t ticket_ = 0;

@@ -368,27 +368,28 @@ bool DrawingBoard::shows_annotations() const {
 
 void DrawingBoard::keep_measurement() {
   auto measured = canvas_.tool().measurement();
-  if (measured) keep(std::move(*measured));
+  if (measured) static_cast<void>(keep(std::move(*measured)));
 }
 
 void DrawingBoard::keep_highlight(std::optional<std::size_t> line) {
   if (!provenance_.can_be_kept(work_.editor())) return;
   KeptHighlight kept = highlight_of(*provenance_.shown(), work_.document(), line);
   if (kept.annotation.elements.empty()) return messages_.remark("Nothing of it can be kept highlighted");
+  if (!keep(std::move(kept.annotation))) return;
   if (kept.left_out != 0)
     messages_.remark(
         fmt::format("{} of its shapes are not kept: there are too many, or they are too far away", kept.left_out));
   provenance_.clear();
-  keep(std::move(kept.annotation));
 }
 
-void DrawingBoard::keep(Annotation annotation) {
+bool DrawingBoard::keep(Annotation annotation) {
   if (const auto done = work_.annotations().begin(std::move(annotation)); !done) {
     messages_.problem(done.error().message());
-    return;
+    return false;
   }
   canvas_.clear_tool();
   canvas_.choose_tool(ToolId::annotate);
+  return true;
 }
 
 }  // namespace mes

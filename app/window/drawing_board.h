@@ -100,7 +100,7 @@ class DrawingBoard {
   bool may_ask();
   void select_sources();
   void take_answer(Provenance answer);
-  void keep(Annotation annotation);
+  bool keep(Annotation annotation);
 
   Workspace& work_;
   const Settings& settings_;

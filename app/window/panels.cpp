@@ -353,7 +353,8 @@ void Panels::draw_over(Sides& sides) {
     list.PushClipRect(on_screen(places[0].left, places[0].top),
                       on_screen(places[0].left + places[0].width, places[0].top + places[0].height), true);
   const auto keep = uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
-                                                  {width, 0.6F * (screen.y - sides.top - sides.bottom)});
+                                                  {width, 0.6F * (screen.y - sides.top - sides.bottom)},
+                                                  uses_.actions.keymap().key_of(ActionId::keep_highlight));
   list.PopClipRect();
   if (keep) uses_.board.keep_highlight(keep->line);
 }
