@@ -32,8 +32,8 @@ class BallPlaces {
     for (std::size_t i = 0; i < out.samples.size(); ++i) out.samples[i] = delaunay_->site_sample(touched[i].site);
     return out;
   }
-  /// Its balls may be balls of the document.
-  bool follow_balls() const { return !family_.is_from_samples(); }
+  /// The balls are those of the document, all of them or none.
+  bool follow_balls() const { return family_.ball_of_document(FamilySlot(0)) != kNoSlot; }
   ShapePlace center(FamilySlot ball) const { return {family_.disk(ball).center, follows(ball)}; }
   void add_circle(ProvenanceShapes& shapes, FamilySlot ball) const {
     shapes.circle(family_.disk(ball), follows(ball));
@@ -53,7 +53,7 @@ class BallPlaces {
     const VPoint& v = t.v_points[row];
     if (v.site != kNoSlot && delaunay_ != nullptr && delaunay_->is_site(v.site))
       return {v.position, {.samples = {delaunay_->site_sample(v.site)}}};
-    if (v.site != kNoSlot || family_.is_from_samples()) return v.position;
+    if (!follow_balls()) return v.position;
     for (const VOrigin& origin : t.v_origins)
       if (origin.is_alive() && origin.v == row)
         return crossing(v.position, t.dual_edges[origin.edge].ball[0], t.dual_edges[origin.edge].ball[1]);
@@ -61,6 +61,7 @@ class BallPlaces {
   }
   /// A place of equal distance to two v-points follows the balls that cross there. O(v-points).
   ShapePlace between(const UnionTables& t, Vec2 place, VPointSlot first, VPointSlot second) const {
+    if (!follow_balls()) return place;
     for (const VPointSlot v : {first, second})
       if (!t.v_points.has(v) || !t.v_points[v].is_alive()) return place;
     const ShapePlace a = at(t, first);
