@@ -21,9 +21,10 @@ enum class Parameter : std::uint8_t {
   angle_limit,
   angle_mode,
   keep_topology,
-  scale_axis_factor
+  scale_axis_factor,
+  alpha_radius
 };
-inline constexpr std::size_t kParameters = 11;
+inline constexpr std::size_t kParameters = 12;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -94,7 +95,15 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       .high = 3.0,
       .default_value = 1.0,
       .is_of_document = true,
-      .is_limit = true}}};
+      .is_limit = true},
+     {.id = "alpha-radius",
+      .explanation = "The alpha complex is that of disks of this radius about the samples",
+      .unit = "units",
+      .low = 0.0,
+      .high = 1e150,
+      .is_of_document = true,
+      .is_limit = true,
+      .is_length = true}}};
 static_assert(!kParameterDescriptors.back().id.empty(), "as many as there are names for");
 
 constexpr bool is_switch(const ParameterDescriptor& descriptor) {

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "core/graph/structure.h"
+#include "core/structures/alpha/alpha_complex.h"
+#include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/axis/axis_nodes.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/axis/medial_axis.h"
@@ -73,6 +75,8 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<CoverAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, CoverDates>(set);
   add<FeatureSize, Delaunay, OneStepCrust>(set);
   add<LastChange, Delaunay>(set);
+  add<AlphaFiltration, Delaunay>(set);
+  add<AlphaComplex, SettingsSource, Delaunay, AlphaFiltration>(set);
   add<AxisCertificate, Delaunay, Labels, InnerBalls>(set);
   add<AUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisCertificate>(set);
   add<AxisDifference, Delaunay, OneStepCrust, InnerBalls, MedialAxis, AUnion>(set);

@@ -45,6 +45,7 @@
 #include "core/raster/trace.h"
 #include "core/resampling/resampling.h"
 #include "core/shapes/shape.h"
+#include "core/structures/alpha/persistence.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 #include "core/structures/filters/axis_pruning.h"
 
@@ -407,6 +408,20 @@ TEST_CASE("core/base/box_tree.h") {
   double nearest = std::numeric_limits<double>::infinity();  // squared
   tree.visit_near(p, nearest, [&](Vec2 at) { nearest = std::min(nearest, dot(at - p, at - p)); });
   CHECK(nearest == 1.0);
+}
+
+TEST_CASE("core/structures/alpha/persistence.h") {
+  PlaneFiltration plane;
+  plane.corners = {{0, 0}, {0, 1}, {0, 2}};
+  const std::uint32_t none = PlaneFiltration::kOutside;
+  plane.edges = {{1, {0, 1}, {0, none}}, {1, {1, 2}, {0, none}}, {2, {0, 2}, {0, none}}};
+  plane.triangles = {{3, 0}};
+  const std::vector<PersistentClass> classes = persistent_classes(plane);
+  REQUIRE(classes.size() == 4);
+  CHECK(classes[0] == PersistentClass{false, 1, 0, 0, 1});
+  CHECK(classes[1] == PersistentClass{false, 2, 1, 0, 1});
+  CHECK(classes[2] == PersistentClass{true, 2, 0, 2, 3});
+  CHECK(classes[3].death == PersistentClass::kNever);
 }
 
 TEST_CASE("core/structures/filters/axis_pruning.h") {

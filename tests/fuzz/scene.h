@@ -63,6 +63,7 @@ inline ComputationSettings read_settings(ByteSource& bytes) {
     out[Parameter::scale_axis_factor] = std::max(1.0, kScales[choices % kScales.size()]);
   out[Parameter::keep_topology] = (choices & 8U) != 0 ? 1.0 : 0.0;
   out[Parameter::lambda_limit] = (choices & 16U) != 0 ? 0.5 : 0.0;
+  out[Parameter::alpha_radius] = (choices & 48U) != 0 ? 0.75 : 0.0;
   out[Parameter::angle_limit] = (choices & 32U) != 0 ? 45.0 : 0.0;
   out[Parameter::angle_mode] = static_cast<double>((choices >> 6U) % 3U);
   for (const Parameter scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})

@@ -131,7 +131,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
     Document other;
     if (!replace_all(other, *moved)) return 0;  // out of the range of coordinates
     ComputationSettings as_large = settings;
-    as_large[Parameter::lambda_limit] *= image.scale;  // a length
+    for (const Parameter length : {Parameter::lambda_limit, Parameter::alpha_radius}) as_large[length] *= image.scale;
     const auto run = fresh_run(*moved, as_large, is_small);
     test::GeometryState state = run->state();
     state.normals.clear();

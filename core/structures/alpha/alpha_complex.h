@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The alpha complex at one radius, and the union of the disks of that radius.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/arc.h"
+#include "core/base/change_set.h"
+#include "core/structures/alpha/alpha_filtration.h"
+#include "core/structures/inputs/settings_source.h"
+
+namespace mes {
+
+/// Either end of an edge: row 2 e + i is end i of edge e.
+using EdgeEndSlot = Slot<struct EdgeEndTag>;
+using ClassSlot = Slot<struct ClassTag>;
+
+/// What it guarantees:
+///  1. `holds` is exact: what comes at `alpha-radius` or before, ties included.
+///  2. `arc` gives each arc of the boundary of the union of the disks once, to the left of the edge at whose crossing it
+///     begins; a disk that meets no other has a whole circle instead (`is_alone`). Arcs are rounded.
+///  3. A class is alive if it is born at the radius or before, and does not die by then.
+///
+/// Cost: an update costs what comes or goes between the old radius and the new one, and O(n) where disks are shown. Rows
+/// are those of `Delaunay`, and of `AlphaFiltration::classes`.
+class AlphaComplex final : public Structure {
+ public:
+  AlphaComplex(SettingsSource& settings, Delaunay& delaunay, AlphaFiltration& filtration);
+
+  double radius() const { return radius_; }
+  bool holds(EdgeSlot edge) const { return filtration_.rank(edge) <= last_; }
+  /// Of a finite face.
+  bool holds(FaceSlot face) const { return filtration_.rank(face) <= last_; }
+  bool is_alive(const AlphaFiltration::Class& one) const { return one.birth <= last_ && last_ < one.death; }
+  /// No edge at the site is held.
+  bool is_alone(SiteSlot site) const { return is_alone_[site] != 0; }
+  /// That begins at the crossing to the left of the edge, seen from this end, and goes around the end.
+  std::optional<Arc> arc(EdgeEndSlot row) const;
+
+  const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
+  const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
+  /// All sites, after the radius has changed.
+  const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
+  /// All ends of edges that are or were held, after the radius has changed.
+  const ChangeSet<EdgeEndSlot>& end_changes() const { return end_changes_; }
+  const ChangeSet<ClassSlot>& class_changes() const { return class_changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override;
+  std::size_t touched() const override { return edge_changes_.size() + face_changes_.size() + site_changes_.size(); }
+  StatList statistics() const override;
+
+ private:
+  double wish() const { return settings_.current()[Parameter::alpha_radius]; }
+  void set_radius();
+  /// Where the circles around the ends of an edge cross, to its left seen from `site`.
+  Vec2 crossing(SiteSlot site, SiteSlot other) const;
+  bool is_open(FaceSlot face) const { return face == kNoSlot || delaunay_.face(face).is_infinite() || !holds(face); }
+
+  const SettingsSource& settings_;
+  const Delaunay& delaunay_;
+  const AlphaFiltration& filtration_;
+  double radius_ = 0.0;
+  std::uint32_t last_ = 0;
+  Table<SiteSlot, std::uint8_t> is_alone_;
+  ChangeSet<EdgeSlot> edge_changes_;
+  ChangeSet<FaceSlot> face_changes_;
+  ChangeSet<SiteSlot> site_changes_;
+  ChangeSet<EdgeEndSlot> end_changes_;
+  ChangeSet<ClassSlot> class_changes_;
+};
+
+}  // namespace mes

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Disks of one radius about the samples, for all radii at once: when each edge and triangle of the alpha complex comes,
+// and which components and holes are born and die.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/graph/structure.h"
+#include "core/kernel/circle_order.h"
+#include "core/structures/delaunay/delaunay.h"
+
+namespace mes {
+
+/// The alpha complex of radius r holds a Delaunay edge or triangle if the disks of radius r about its corners have a
+/// point in common that lies in no other sample's Voronoi cell: if its smallest empty circle has at most this radius. It
+/// has the homotopy type of the union of these disks. That union is additive growth of balls of radius 0: radii grow from
+/// 0 to r as sqrt(0 + r^2).
+///
+/// What it guarantees:
+///  1. Simplices that come at the same radius, as a real number, have the same *rank*; others have the ranks in the
+///     order of their radii. Rank 0 is the radius 0, at which the samples come.
+///  2. Which edges and triangles bear and end which classes is a function of the sites: of simplices of one rank and
+///     dimension those with the lexicographically smaller corners come first. Classes that live for no time are left out.
+///  3. Radii are right to 2^-34 of their size, and do not decrease with the rank.
+///
+/// Cost: O(n log n), about that of the triangulation (docs/decisions.md); updates make it anew. Rows are those of
+/// `Delaunay`.
+/// Source: Edelsbrunner, Kirkpatrick and Seidel 1983; Edelsbrunner, Letscher and Zomorodian 2002.
+class AlphaFiltration final : public Structure {
+ public:
+  static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+
+  explicit AlphaFiltration(Delaunay& delaunay);
+
+  std::uint32_t rank(EdgeSlot edge) const { return edge_rank_[edge]; }
+  /// Of a finite face.
+  std::uint32_t rank(FaceSlot face) const { return face_rank_[face]; }
+  std::size_t rank_count() const { return radius_.size(); }
+  double radius(std::uint32_t rank) const { return radius_[rank]; }
+  /// The largest rank that has come at this radius, exactly. `r` is not negative.
+  std::uint32_t last_rank(double r) const;
+
+  /// In the order in which they come.
+  const std::vector<EdgeSlot>& edges() const { return edges_; }
+  const std::vector<FaceSlot>& faces() const { return faces_; }
+
+  /// A component of the union, or a hole in it.
+  struct Class {
+    bool is_hole = false;
+    std::uint32_t birth = 0;       ///< rank
+    std::uint32_t death = kNever;  ///< rank; `kNever`: it stays
+    SiteSlot site{};               ///< of a component: where it is born
+    EdgeSlot edge{};               ///< joins the component to an older one, or closes the hole; kNoSlot: it stays
+    FaceSlot face{};               ///< of a hole: fills it
+  };
+  const std::vector<Class>& classes() const { return classes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+  std::string_view kernel() const override { return "doubles with a proved bound, rationals"; }
+
+ private:
+  /// The triangle that the edge comes with, as its third corner is in the smallest circle around both ends; kNoSlot: the
+  /// edge comes by itself.
+  FaceSlot comes_with(EdgeSlot edge) const;
+  void find_ranks(JobControl& job);
+  void find_order();
+  void find_classes();
+
+  const Delaunay& delaunay_;
+  Table<EdgeSlot, std::uint32_t> edge_rank_;
+  Table<FaceSlot, std::uint32_t> face_rank_;
+  std::vector<double> radius_;
+  std::vector<SpannedCircle> circle_;  ///< of each rank but the first: one that has this radius
+  std::vector<EdgeSlot> edges_;
+  std::vector<FaceSlot> faces_;
+  std::vector<Class> classes_;
+};
+
+}  // namespace mes
