@@ -179,6 +179,8 @@ constexpr auto kViewRows = std::to_array<Row>({
      "Write beside each corner of the curves its angle, as an annotation"},
     {Id::toggle_branches, "toggle-branches", "Branches of the axis",
      "Show or hide the table of the branches of the axis, with histograms of radius and lambda", "Shift+B"},
+    {Id::toggle_persistence, "toggle-persistence", "Persistence diagram",
+     "Show or hide births and deaths of components and holes while disks about the samples grow", "Shift+G"},
     {Id::toggle_sampling, "toggle-sampling", "Sampling",
      "Show or hide what speaks against the sampling and where, and what can be done about it"},
     {Id::toggle_legend, "toggle-legend", "Legend", "Show or hide the colour bars of layers with a colour map", "C"},

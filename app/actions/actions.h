@@ -89,6 +89,7 @@ enum class ActionId : std::uint8_t {
   curves_of_samples,
   mark_corners,
   toggle_branches,
+  toggle_persistence,
   toggle_sampling,
   toggle_legend,
   toggle_key,

@@ -56,6 +56,7 @@ struct Arguments {
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
+  PersistenceRequest persistence;
   ResampleRequest repair;
   ResampleRequest decimate;
   ExportRequest exported;
@@ -241,6 +242,16 @@ void describe_commands(CLI::App& app, Arguments& to) {
       "point),\n"
       "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
       "layer's.");
+
+  CLI::App* const persistence =
+      app.add_subcommand("persistence", "Births and deaths of components and holes of growing disks, as CSV");
+  add_source(*persistence, to.persistence.source);
+  persistence->add_option("-o,--output", to.persistence.output, "Write to this file instead of standard output");
+  add_force(*persistence, to.persistence.force);
+  persistence->footer(
+      "One line for each class of the alpha complexes of the samples, the longest first: dimension (0: component,\n"
+      "1: hole), radii of birth and death, the sample of the component or the centre of the circle that fills the\n"
+      "hole, and the edge that joins or closes. What stays has no death.");
 
   const auto add_resampling = [](CLI::App& command, ResampleRequest& request, const char* epsilon) {
     command.add_option("FILE", request.file, "Samples to read, or - for standard input")->required();
@@ -448,8 +459,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
 
-  for (CLI::App* const command : {compute, sweep, branches, repair, decimate, exported, render, play, demo, lesson,
-                                  evolve, shape, sample, text, list, manual, completions})
+  for (CLI::App* const command : {compute, sweep, branches, persistence, repair, decimate, exported, render, play,
+                                  demo, lesson, evolve, shape, sample, text, list, manual, completions})
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -479,6 +490,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
   if (command.get_name() == "branches") return run(arguments.branches, run_branches);
+  if (command.get_name() == "persistence") return run(arguments.persistence, run_persistence);
   if (command.get_name() == "repair") return run_repair(arguments.repair, interruption);
   if (command.get_name() == "decimate") return run_decimate(arguments.decimate, interruption);
   if (command.get_name() == "export") return run(arguments.exported, run_export);

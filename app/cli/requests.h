@@ -60,6 +60,13 @@ struct BranchesRequest {
 };
 Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption);
 
+struct PersistenceRequest {
+  Source source;
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_persistence(const PersistenceRequest& request, Interruption& interruption);
+
 /// Of `repair` and `decimate`.
 struct ResampleRequest {
   std::string file;

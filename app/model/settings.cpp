@@ -23,8 +23,8 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
 // In the order of `DetailsPage`.
-constexpr std::array<std::string_view, 9> kPages{"none",      "statistics", "parameters", "log",     "lesson",
-                                                 "selection", "curves",     "branches",   "sampling"};
+constexpr std::array<std::string_view, 10> kPages{"none",      "statistics", "parameters", "log",         "lesson",
+                                                  "selection", "curves",     "branches",   "persistence", "sampling"};
 
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";

@@ -28,6 +28,7 @@ enum class DetailsPage : std::uint8_t {
   selection,
   curves,
   branches,
+  persistence,
   sampling
 };
 

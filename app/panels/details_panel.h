@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection, curves, sampling,
-// branches.
+// branches, persistence.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -10,6 +10,7 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
+#include "app/panels/persistence_panel.h"
 #include "app/panels/sampling_panel.h"
 #include "app/panels/selection_panel.h"
 #include "app/panels/statistics_panel.h"
@@ -22,7 +23,8 @@ class DetailsPanel {
   /// Which page is shown is in `shown`.
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
                ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection,
-               CurvesPanel curves, BranchesPanel branches, const SamplingPanel& sampling)
+               CurvesPanel curves, BranchesPanel branches, PersistencePanel persistence,
+               const SamplingPanel& sampling)
       : gui_(gui),
         actions_(actions),
         shown_(shown),
@@ -33,6 +35,7 @@ class DetailsPanel {
         selection_(std::move(selection)),
         curves_(std::move(curves)),
         branches_(std::move(branches)),
+        persistence_(std::move(persistence)),
         sampling_(sampling) {}
 
   void draw(const PanelArea& area);
@@ -52,6 +55,7 @@ class DetailsPanel {
   SelectionPanel selection_;
   CurvesPanel curves_;
   BranchesPanel branches_;
+  PersistencePanel persistence_;
   SamplingPanel sampling_;
 };
 

@@ -164,7 +164,8 @@ void view_menu(const MenuBar& menu) {
   for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters})
     action_item(menu, id);
   if (ImGui::BeginMenu("More panels")) {
-    for (const ActionId id : {ActionId::toggle_branches, ActionId::toggle_sampling, ActionId::toggle_log})
+    for (const ActionId id :
+         {ActionId::toggle_branches, ActionId::toggle_persistence, ActionId::toggle_sampling, ActionId::toggle_log})
       action_item(menu, id);
     ImGui::EndMenu();
   }

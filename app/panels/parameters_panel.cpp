@@ -208,6 +208,63 @@ void ParametersPanel::draw_critical_values(double& limit) {
   tooltip(gui_, words);
 }
 
+void ParametersPanel::draw_alpha_events(double& radius) {
+  const float unit = gui_.unit();
+  const bool is_shown = std::ranges::any_of(
+      layers_.visible_layers(), [](LayerIndex layer) { return layer_descriptors()[layer].id.starts_with("alpha-"); });
+  if (!is_shown) return persistence_.rest();
+  const Document& document = editor_.document();
+  persistence_.follow(document.revision(), [&document] { return data_of(document); });
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  // Below the slider, which ends before its number.
+  const float number = 80 * unit;
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x - number), 12 * unit};
+  const bool is_clicked = ImGui::InvisibleButton("births", size);
+  const double end = longest();
+  const auto x_of = [&](double value) {
+    return at.x + size.x * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
+  };
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
+  std::string words =
+      !persistence_.problem().empty() ? "Births and deaths cannot be found: " + persistence_.problem()
+      : !persistence_.is_current()
+          ? "Looking for births and deaths"
+          : "Radii at which components are joined (green), holes are closed (purple) and filled (blue); "
+            "a click goes to the nearest";
+  if (persistence_.is_current()) {
+    const PersistenceTable& table = *persistence_.table();
+    const float mouse = ImGui::GetIO().MousePos.x;
+    double nearest = -1.0;
+    const char* what = "";
+    const auto draw_all = [&](const std::vector<double>& radii, Rgb color, const char* happens) {
+      float drawn = at.x - 1.0F;
+      for (const double value : radii) {
+        if (value > end) break;
+        const float x = x_of(value);
+        if (nearest < 0.0 || std::abs(x - mouse) < std::abs(x_of(nearest) - mouse)) {
+          nearest = value;
+          what = happens;
+        }
+        // One line a pixel is enough.
+        if (x - drawn < 1.0F) continue;
+        drawn = x;
+        list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(color), unit);
+      }
+    };
+    draw_all(table.joins, palette::green, "components are joined");
+    draw_all(table.fills, palette::blue, "a hole is filled");
+    draw_all(table.closes, palette::purple, "a hole is closed");
+    if (nearest >= 0.0 && std::abs(x_of(nearest) - mouse) <= 4 * unit && ImGui::IsItemHovered()) {
+      words = fmt::format("{:.4g}: {}", nearest, what);
+      if (is_clicked) radius = nearest;
+    }
+  }
+  const float now = x_of(radius);
+  list.AddTriangleFilled({now - 4 * unit, at.y}, {now + 4 * unit, at.y}, {now, at.y + 6 * unit}, gui_.colors().text);
+  tooltip(gui_, words);
+}
+
 void ParametersPanel::draw_parameter(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
   const float unit = gui_.unit();
@@ -243,6 +300,7 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   if (!is_switch(descriptor)) draw_value(descriptor, value);
   if (parameter == Parameter::scale_axis_factor) draw_scale_events(value);
   if (parameter == Parameter::lambda_limit) draw_critical_values(value);
+  if (parameter == Parameter::alpha_radius) draw_alpha_events(value);
   ImGui::PopID();
   if (settings != computation_.settings()) {
     if (runs) computation_.animation().stop();

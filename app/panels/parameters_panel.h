@@ -8,6 +8,7 @@
 #include "app/model/critical_values.h"
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
+#include "app/model/persistence_desk.h"
 #include "app/model/scale_events.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
@@ -17,14 +18,16 @@ namespace mes {
 class ParametersPanel {
  public:
   ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture, const Editor& editor,
-                  const LayerStack& layers, ScaleEvents& events, CriticalValues& critical)
+                  const LayerStack& layers, ScaleEvents& events, CriticalValues& critical,
+                  PersistenceDesk& persistence)
       : gui_(gui),
         computation_(computation),
         picture_(picture),
         editor_(editor),
         layers_(layers),
         scale_events_(events),
-        critical_values_(critical) {}
+        critical_values_(critical),
+        persistence_(persistence) {}
 
   void draw();
   void search(const std::string& text) { search_ = text; }
@@ -37,6 +40,8 @@ class ParametersPanel {
   void draw_scale_events(double& factor);
   /// Critical values of lambda, while a layer of it is shown; a click sets the limit.
   void draw_critical_values(double& limit);
+  /// Births and deaths while a layer of the alpha complex is shown; a click sets the radius.
+  void draw_alpha_events(double& radius);
   /// A length that no radius of what is drawn exceeds by much.
   double longest() const;
 
@@ -47,6 +52,7 @@ class ParametersPanel {
   const LayerStack& layers_;
   ScaleEvents& scale_events_;
   CriticalValues& critical_values_;
+  PersistenceDesk& persistence_;
   std::string search_;
 };
 

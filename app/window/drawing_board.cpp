@@ -38,6 +38,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                       constexpr double kReach = 7.0;
                       if (settings_.details == DetailsPage::branches)
                         work_.branches().pick(pointer.world, kReach * pointer.units_per_px);
+                      if (settings_.details == DetailsPage::persistence)
+                        work_.persistence().pick(pointer.world, kReach * pointer.units_per_px);
                     },
                     [this](Vec2 px) {
                       constexpr double kReach = 6.0;

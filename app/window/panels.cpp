@@ -65,13 +65,17 @@ Panels::Panels(const Uses& uses)
           uses.screen.gui, uses.actions, uses.settings.details,
           {uses.screen.gui, uses.board.picture(), uses.screen.times},
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.scale_events(), uses.work.critical_values()},
+           uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence()},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
           BranchesPanel({uses.screen.gui, uses.work.branches(), uses.board.canvas(), uses.work.editor(),
                          uses.work.computation(),
                          [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
+          PersistencePanel(
+              {uses.screen.gui, uses.work.persistence(), uses.board.canvas(), uses.work.editor(),
+               uses.work.computation(),
+               [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
                          uses.work.document(), uses.board.picture()})) {
   layers_panel_.set_select(
@@ -157,6 +161,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_page(ActionId::toggle_selection, DetailsPage::selection);
   bind_page(ActionId::toggle_curves, DetailsPage::curves);
   bind_page(ActionId::toggle_branches, DetailsPage::branches);
+  bind_page(ActionId::toggle_persistence, DetailsPage::persistence);
   bind_page(ActionId::toggle_sampling, DetailsPage::sampling);
   bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
   actions.bind(ActionId::save_bundle, {[this, &settings] {
@@ -218,6 +223,9 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   follow_lesson();
   if (!are_shown_ || uses_.settings.details != DetailsPage::branches) uses_.work.branches().rest();
+  if (!are_shown_ ||
+      (uses_.settings.details != DetailsPage::persistence && uses_.settings.details != DetailsPage::parameters))
+    uses_.work.persistence().rest();
   if (!are_shown_ || uses_.settings.details != DetailsPage::parameters) {
     uses_.work.scale_events().rest();
     uses_.work.critical_values().rest();

@@ -22,6 +22,7 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       contour_desk_(editor_, layers_, wake),
       curve_sampler_(editor_, wake),
       branches_(wake),
+      persistence_(wake),
       resampling_(editor_, wake),
       scale_events_(wake),
       critical_values_(wake),

@@ -23,6 +23,7 @@
 #include "app/model/layer_stack.h"
 #include "app/model/messages.h"
 #include "app/model/pane_list.h"
+#include "app/model/persistence_desk.h"
 #include "app/model/resample_desk.h"
 #include "app/model/scale_events.h"
 #include "app/model/selection_desk.h"
@@ -63,6 +64,8 @@ class Workspace {
   const ResampleDesk& resampling() const { return resampling_; }
   BranchDesk& branches() { return branches_; }
   const BranchDesk& branches() const { return branches_; }
+  PersistenceDesk& persistence() { return persistence_; }
+  const PersistenceDesk& persistence() const { return persistence_; }
   /// The crust is being found, to select along it or to make contours of it.
   bool is_finding_crust() const { return curve_selector_.is_under_way() || contour_desk_.is_under_way(); }
   CurveSampler& curve_sampler() { return curve_sampler_; }
@@ -160,6 +163,7 @@ class Workspace {
   ContourDesk contour_desk_;
   CurveSampler curve_sampler_;
   BranchDesk branches_;
+  PersistenceDesk persistence_;
   ResampleDesk resampling_;
   ScaleEvents scale_events_;
   CriticalValues critical_values_;

@@ -209,3 +209,27 @@ TEST_CASE("an undersampled curve is repaired, and a dense one decimated, and wha
     CHECK_THAT(nothing.err, Catch::Contains("0 samples inserted"));
   }
 }
+
+TEST_CASE("births and deaths are a table, the longest first") {
+  const RunResult result = run({"persistence", kDude});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK_THAT(result.err, Catch::Contains("components") && Catch::Contains("the longest hole"));
+  const Table table = table_of(result.out);
+  REQUIRE(table.size() > 10);
+  CHECK(table[1][column(table, "death")].empty());
+  CHECK(table[1][column(table, "dimension")] == "0");
+  double before = std::stod(table[2][column(table, "persistence")]);
+  for (std::size_t i = 2; i < table.size(); ++i) {
+    REQUIRE(table[i].size() == table.front().size());
+    const double persistence = std::stod(table[i][column(table, "persistence")]);
+    CHECK(0.0 < persistence);
+    CHECK(persistence <= before);
+    before = persistence;
+  }
+  const TemporaryFolder folder;
+  const RunResult none = run({"persistence", folder.write("one.xyz", "0 0\n").string()});
+  CHECK(none.exit_code == 0);
+  CHECK_THAT(none.err, Catch::Contains("1 component, 0 holes"));
+  CHECK(run({"persistence", folder.write("bad.xyz", "0 zero\n").string()}).exit_code == 3);
+}

@@ -12,8 +12,8 @@ using mes::test::TemporaryFolder;
 TEST_CASE("the man page names each command and each key") {
   const std::string page = run({"manual", "--man"}).out;
   CHECK_THAT(page, Catch::Contains(".TH MESECINA 1"));
-  for (const std::string command : {"compute", "sweep", "branches", "repair", "decimate", "export", "render", "play",
-                                    "demo", "evolve", "list", "manual", "completions"})
+  for (const std::string command : {"compute", "sweep", "branches", "persistence", "repair", "decimate", "export",
+                                    "render", "play", "demo", "evolve", "list", "manual", "completions"})
     CHECK_THAT(page, Catch::Contains(".SS mesecina " + command + '\n'));
   for (const std::string title : {"NAME", "SYNOPSIS", "EXAMPLES", "EXIT CODES", "KEYS OF THE WINDOW", "FILES"})
     CHECK_THAT(page, Catch::Contains(".SH " + title + '\n'));

@@ -25,7 +25,8 @@ namespace mes {
 ///     dimension those with the lexicographically smaller corners come first. Classes that live for no time are left out.
 ///  3. Radii are right to 2^-34 of their size, and do not decrease with the rank.
 ///
-/// Cost: O(n log n), about that of the triangulation (docs/decisions.md); updates make it anew. Rows are those of
+/// Cost: O(n log n), two to four times that of the triangulation, and more where most radii are equal to others, as on a
+/// lattice; updates make it anew. Rows are those of
 /// `Delaunay`.
 /// Source: Edelsbrunner, Kirkpatrick and Seidel 1983; Edelsbrunner, Letscher and Zomorodian 2002.
 class AlphaFiltration final : public Structure {

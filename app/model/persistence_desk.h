@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Births and deaths of what is shown, and the class that is chosen.
+//
+// What it guarantees:
+//  1. Nothing waits: the table is computed afresh on a thread of its own. It is of one state of the document;
+//     `is_current` says whether that is the one asked for last.
+//  2. While it is not asked for, nothing is computed.
+//  3. A class stays chosen in the next table if one there has the same dimension, place and edge.
+//
+// Smallest use, once a frame:
+//     desk.follow(document.revision(), data);
+//     if (desk.table() != nullptr) draw(*desk.table());
+//
+// Cost: of the triangulation and its filtration from scratch, beside the window. Threads: the window's; `wake` is called
+// from the other.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/model/persistence_table.h"
+#include "app/system/background_job.h"
+
+namespace mes {
+
+class PersistenceDesk {
+ public:
+  explicit PersistenceDesk(std::function<void()> wake) : job_(std::move(wake)) {}
+
+  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
+  void follow(std::uint64_t document, const std::function<SampleData()>& data);
+  /// It is not looked at any more.
+  void rest() { job_.give_up(); }
+
+  /// The last one; null before the first.
+  const PersistenceTable* table() const { return table_.get(); }
+  bool is_current() const { return table_ != nullptr && state_ == wanted_; }
+  bool is_under_way() const { return job_.is_under_way(); }
+  /// Why the computation of the table failed; empty if it did not.
+  const std::string& problem() const { return problem_; }
+
+  /// Row of the table.
+  std::optional<std::size_t> chosen() const { return chosen_; }
+  void choose(std::optional<std::size_t> row) { chosen_ = row; }
+  /// Chooses what `row_near` finds, or nothing. False while the table is not that of what is shown.
+  bool pick(Vec2 place, double reach);
+
+ private:
+  struct Done {
+    std::uint64_t document = 0;
+    std::shared_ptr<const PersistenceTable> table;
+    std::string problem;
+  };
+  void take(Done done);
+
+  BackgroundJob<Done> job_;
+  std::uint64_t wanted_ = 0;
+  std::uint64_t state_ = 0;
+  std::optional<std::uint64_t> failed_;
+  std::shared_ptr<const PersistenceTable> table_;
+  std::string problem_;
+  std::optional<std::size_t> chosen_;
+};
+
+}  // namespace mes

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Births and deaths of components and holes of the alpha complexes, as a table: computed from samples, looked up by
+// place, and written as CSV.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/base/vec2.h"
+#include "core/document/commands.h"
+
+namespace mes {
+
+/// A component is born at a sample and dies by an edge that joins it to an older one; a hole is born with the edge that
+/// closes it and dies with the triangle that fills it.
+struct PersistenceRow {
+  bool is_hole = false;
+  double birth = 0.0;             ///< radius
+  double death = 0.0;             ///< radius; infinite: it stays
+  Vec2 place{};                   ///< of a component its sample, of a hole the centre of the circle that fills it
+  bool has_edge = false;          ///< a component that stays has none
+  std::array<Vec2, 2> edge{};     ///< joins or closes
+  std::uint32_t edge_number = 0;  ///< in the order in which edges come
+  std::uint32_t triangle = 0;     ///< of a hole: the one that fills it
+
+  double persistence() const { return death - birth; }
+};
+
+struct PersistenceTable {
+  std::vector<PersistenceRow> rows;  ///< the longest first
+  std::vector<double> joins;         ///< radii at which components are joined, ascending
+  std::vector<double> closes;        ///< at which holes are closed
+  std::vector<double> fills;         ///< at which holes are filled
+  /// Of the rows.
+  double largest_death = 0.0;
+
+  static constexpr std::uint32_t kOutside = 0xffffffffU;
+  struct Triangle {
+    std::array<Vec2, 3> corner{};
+    std::array<std::uint32_t, 3> across{};  ///< the triangle opposite each corner, or `kOutside`
+    std::array<std::uint32_t, 3> edge{};    ///< the number of the edge opposite each corner
+  };
+  std::vector<Triangle> triangles;
+};
+
+/// Throws `Cancelled`. Error: a structure failed. Cost: the triangulation and its filtration from scratch.
+Expected<PersistenceTable> persistence_table_of(const SampleData& data, JobControl& job);
+
+/// The edges around a hole when it is closed; none of a component.
+std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row);
+
+/// The row whose sample, edge or centre is nearest to the place, if it is no farther than `reach`; else the longest hole
+/// of those whose last triangle holds the place.
+std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, double reach);
+
+/// "hole, born at 1.5, filled at 4, persistence 2.5".
+std::string in_words(const PersistenceRow& row);
+
+/// A component has the dimension 0, a hole 1; death and persistence of what stays, and its edge, are empty.
+std::string persistence_as_csv(const PersistenceTable& table);
+
+}  // namespace mes

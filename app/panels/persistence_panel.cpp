@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/persistence_panel.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "app/panels/shape_pen.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+#include "core/base/color.h"
+
+namespace mes {
+namespace {
+
+constexpr float kLeastSize = 120.0F;  // logical pixels
+constexpr float kReach = 6.0F;
+constexpr std::size_t kMostSegments = 20'000;
+
+Rgb color_of(const PersistenceRow& row) {
+  return row.is_hole ? palette::purple : palette::green;
+}
+
+}  // namespace
+
+void PersistencePanel::draw() {
+  const Document& document = uses_.editor.document();
+  uses_.desk.follow(document.revision(), [&document] { return data_of(document); });
+  draw_choices();
+  const PersistenceTable* const table = uses_.desk.table();
+  if (table == nullptr || (!uses_.desk.is_current() && !uses_.desk.problem().empty())) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s",
+                        uses_.desk.problem().empty() ? "Computing births and deaths" : uses_.desk.problem().c_str());
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  if (table->rows.empty()) {
+    ImGui::TextDisabled("No sample, so nothing is born");
+    return;
+  }
+  pointed_at_.reset();
+  draw_words();
+  draw_diagram();
+  if (!uses_.desk.is_current()) return;
+  if (const auto chosen = uses_.desk.chosen()) draw_places(*chosen, true);
+  if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_places(*pointed_at_, false);
+}
+
+void PersistencePanel::draw_choices() {
+  const float unit = uses_.gui.unit();
+  ImGui::Checkbox("Components", &shows_components_);
+  tooltip(uses_.gui, "Show components, which are born at samples and die where an edge joins them to older ones");
+  ImGui::SameLine(0, 8 * unit);
+  ImGui::Checkbox("Holes", &shows_holes_);
+  tooltip(uses_.gui, "Show holes, which an edge closes and a triangle fills");
+  ImGui::SameLine(0, 8 * unit);
+  ImGui::BeginDisabled(!uses_.desk.is_current() || !uses_.export_csv);
+  if (ImGui::Button("Export...")) uses_.export_csv(persistence_as_csv(*uses_.desk.table()));
+  ImGui::EndDisabled();
+  tooltip(uses_.gui, "Write all births and deaths to a file as CSV, as mesecina persistence does");
+}
+
+void PersistencePanel::draw_words() {
+  const PersistenceTable& table = *uses_.desk.table();
+  const double radius = uses_.computation.settings()[Parameter::alpha_radius];
+  std::size_t components = 0;
+  std::size_t holes = 0;
+  for (const PersistenceRow& row : table.rows)
+    if (row.birth <= radius && radius < row.death) ++(row.is_hole ? holes : components);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
+                                        components == 1 ? "component" : "components", holes,
+                                        holes == 1 ? "hole" : "holes", uses_.desk.is_current() ? "" : "; computing")
+                                .c_str());
+  const auto chosen = uses_.desk.chosen();
+  ImGui::TextUnformatted(chosen ? in_words(table.rows[*chosen]).c_str() : "Click on a point, or on its place");
+  ImGui::PopTextWrapPos();
+}
+
+void PersistencePanel::draw_diagram() {
+  const float unit = uses_.gui.unit();
+  const PersistenceTable& table = *uses_.desk.table();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float size = std::max(kLeastSize * unit, std::min(room.x, room.y - ImGui::GetTextLineHeightWithSpacing()));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("diagram", {size, size});
+  const bool is_hovered = ImGui::IsItemHovered();
+  const bool is_pressed = ImGui::IsItemActivated();
+  const bool is_active = ImGui::IsItemActive();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
+
+  // Deaths that never come stand on the upper edge.
+  const float margin = 7 * unit;
+  const float inner = size - 2 * margin;
+  const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : 1.0;
+  const auto x_of = [&](double birth) {
+    return at.x + margin + inner * static_cast<float>(std::min(1.0, birth / end));
+  };
+  const auto y_of = [&](double death) {
+    return at.y + margin + inner * (1.0F - static_cast<float>(std::min(1.0, death / end)));
+  };
+  ComputationSettings settings = uses_.computation.settings();
+  double& radius = settings[Parameter::alpha_radius];
+  // What is alive at the radius is to the left of it and above it.
+  list.AddRectFilled({at.x, at.y}, {x_of(radius), y_of(radius)}, ImGui::GetColorU32(ImGuiCol_Text, 0.07F));
+  const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  list.AddLine({x_of(0.0), y_of(0.0)}, {x_of(end), y_of(end)}, faint, unit);
+
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  float nearest = kReach * unit;
+  std::unordered_set<std::uint64_t> drawn;  // one point a pixel is enough
+  const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
+  // The longest come first, and lie on top.
+  for (std::size_t i = table.rows.size(); i-- > 0;) {
+    const PersistenceRow& row = table.rows[i];
+    if (!(row.is_hole ? shows_holes_ : shows_components_)) continue;
+    const ImVec2 p{x_of(row.birth), y_of(row.death)};
+    const float away = std::hypot(p.x - mouse.x, p.y - mouse.y);
+    if (is_hovered && away <= nearest) {
+      nearest = away;
+      pointed_at_ = i;
+    }
+    const auto pixel = (static_cast<std::uint64_t>(std::max(0.0F, p.x)) << 33U) |
+                       (static_cast<std::uint64_t>(std::max(0.0F, p.y)) << 1U) | (row.is_hole ? 1U : 0U);
+    if (!drawn.insert(pixel).second) continue;
+    const ImU32 color = to_imgui(color_of(row), opacity);
+    const float half = 2.5F * unit;
+    if (row.is_hole)
+      list.AddRectFilled({p.x - half, p.y - half}, {p.x + half, p.y + half}, color);
+    else
+      list.AddCircleFilled(p, half, color);
+  }
+  const auto mark = [&](std::size_t i, float width) {
+    const PersistenceRow& row = table.rows[i];
+    list.AddCircle({x_of(row.birth), y_of(row.death)}, 6 * unit, uses_.gui.colors().text, 0, width);
+  };
+  if (const auto chosen = uses_.desk.chosen()) mark(*chosen, 2 * unit);
+  if (pointed_at_) mark(*pointed_at_, unit);
+
+  if (is_pressed) {
+    is_dragging_ = !pointed_at_;
+    if (pointed_at_) {
+      uses_.desk.choose(uses_.desk.chosen() == pointed_at_ ? std::nullopt : pointed_at_);
+      if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        uses_.desk.choose(pointed_at_);
+        show(*pointed_at_);
+      }
+    }
+  }
+  if (is_active && is_dragging_) {
+    radius = end * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0);
+    if (settings != uses_.computation.settings()) uses_.computation.set(settings);
+  }
+  const ImU32 text = uses_.gui.colors().text;
+  list.AddLine({x_of(radius), at.y}, {x_of(radius), y_of(radius)}, text, 2 * unit);
+  list.AddLine({at.x, y_of(radius)}, {x_of(radius), y_of(radius)}, text, unit);
+  if (is_hovered && !pointed_at_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (is_hovered && !is_active) {
+    if (pointed_at_)
+      ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_]).c_str());
+    else
+      ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex");
+  }
+  ImGui::TextDisabled("%s", "0");
+  const std::string high = fmt::format("{:.4g}", end);
+  ImGui::SameLine(std::max(0.0F, size - ImGui::CalcTextSize(high.c_str()).x));
+  ImGui::TextDisabled("%s", high.c_str());
+}
+
+void PersistencePanel::show(std::size_t row) const {
+  constexpr double kMarginPx = 120.0;
+  const PersistenceRow& one = uses_.desk.table()->rows[row];
+  Box2 box;
+  box.add(one.place);
+  if (one.has_edge)
+    for (const Vec2 p : one.edge) box.add(p);
+  for (const auto& side : outline_of(*uses_.desk.table(), one)) box.add(side[0]);
+  uses_.canvas.view().fit(box, kMarginPx * uses_.canvas.content_scale());
+}
+
+void PersistencePanel::draw_places(std::size_t row, bool is_chosen) {
+  const float unit = uses_.gui.unit();
+  const PersistenceTable& table = *uses_.desk.table();
+  const PersistenceRow& one = table.rows[row];
+  if (outline_of_ != &table || outline_row_ != row) {
+    outline_of_ = &table;
+    outline_row_ = row;
+    outline_ = outline_of(table, one);
+  }
+  const auto pen_of = [&](Rgb color, float width) {
+    return ShapePen(uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
+                    {to_imgui(color, is_chosen ? 1.0 : 0.6), width * unit, PenMark::ring});
+  };
+  const ShapePen pen = pen_of(color_of(one), is_chosen ? 4.0F : 3.0F);
+  const auto segment = [](const ShapePen& with, Vec2 a, Vec2 b) {
+    with.draw({PrimitiveKind::segment, {a.x, a.y, b.x, b.y}});
+  };
+  for (std::size_t i = 0; i < std::min(outline_.size(), kMostSegments); ++i)
+    segment(pen, outline_[i][0], outline_[i][1]);
+  if (one.is_hole) {
+    const auto& corner = table.triangles[one.triangle].corner;
+    const ShapePen fills = pen_of(palette::blue, 2.0F);
+    for (std::size_t i = 0; i < 3; ++i) segment(fills, corner[i], corner[(i + 1) % 3]);
+  }
+  if (one.has_edge) segment(pen_of(palette::orange, is_chosen ? 5.0F : 4.0F), one.edge[0], one.edge[1]);
+  pen.draw({PrimitiveKind::point, {one.place.x, one.place.y}});
+}
+
+}  // namespace mes

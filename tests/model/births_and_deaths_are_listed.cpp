@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "app/model/persistence_desk.h"
+#include "app/model/persistence_table.h"
+#include "core/base/rng.h"
+
+using namespace mes;
+
+namespace {
+
+PersistenceTable table_of(const SampleData& data) {
+  JobControl job;
+  auto out = persistence_table_of(data, job);
+  REQUIRE(out.has_value());
+  return *std::move(out);
+}
+
+SampleData ring(std::size_t count, std::uint64_t seed) {
+  Rng rng(seed);
+  SampleData out;
+  while (out.positions.size() < count) {
+    const Vec2 p{2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0};
+    if (length(p) >= 0.6 && length(p) <= 1.0) out.positions.push_back(p);
+  }
+  return out;
+}
+
+void wait_for(PersistenceDesk& desk, std::uint64_t document, const SampleData& data) {
+  do desk.follow(document, [&] { return data; });
+  while (!desk.is_current());
+}
+
+}  // namespace
+
+TEST_CASE("the longest class comes first, and a ring has one long hole in its middle") {
+  const PersistenceTable table = table_of(ring(400, 1));
+  REQUIRE(table.rows.size() > 400);
+  CHECK(std::isinf(table.rows[0].death));
+  CHECK_FALSE(table.rows[0].has_edge);
+  REQUIRE(table.rows[1].is_hole);
+  CHECK(table.rows[1].persistence() > 0.4);
+  CHECK(length(table.rows[1].place) < 0.2);
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    CHECK(table.rows[i].persistence() <= table.rows[i - 1].persistence());
+    CHECK(table.rows[i].persistence() > 0.0);
+  }
+  CHECK(table.joins.size() + 1 + table.closes.size() == table.rows.size());
+  CHECK(table.closes.size() == table.fills.size());
+  CHECK(std::ranges::is_sorted(table.joins));
+  CHECK(std::ranges::max(table.fills) == table.rows[1].death);
+}
+
+TEST_CASE("the outline of a hole is closed, holds its edge and goes around its centre") {
+  const PersistenceTable table = table_of(ring(400, 2));
+  std::size_t seen = 0;
+  for (const PersistenceRow& row : table.rows) {
+    const auto outline = outline_of(table, row);
+    if (!row.is_hole) {
+      CHECK(outline.empty());
+      continue;
+    }
+    ++seen;
+    REQUIRE(outline.size() >= 3);
+    std::map<std::pair<double, double>, int> balance;
+    double turn = 0.0;
+    bool holds_edge = false;
+    for (const auto& [a, b] : outline) {
+      ++balance[{a.x, a.y}];
+      --balance[{b.x, b.y}];
+      const Vec2 u = a - row.place;
+      const Vec2 v = b - row.place;
+      turn += std::atan2(cross(u, v), dot(u, v));
+      // Every edge is there when the hole is closed.
+      CHECK(0.5 * distance(a, b) <= row.birth * (1.0 + 1e-9));
+      holds_edge = holds_edge || (a == row.edge[0] && b == row.edge[1]) || (a == row.edge[1] && b == row.edge[0]);
+    }
+    for (const auto& [place, sum] : balance) CHECK(sum == 0);
+    CHECK(turn == Approx(2.0 * std::numbers::pi));
+    CHECK(holds_edge);
+  }
+  CHECK(seen > 10);
+}
+
+TEST_CASE("a class is found by its places") {
+  const PersistenceTable table = table_of({.positions = {{0, 0}, {4, 0}, {4, 4}, {0, 4.5}}});
+  const auto hole = std::ranges::find(table.rows, true, &PersistenceRow::is_hole);
+  REQUIRE(hole != table.rows.end());
+  const auto number = static_cast<std::size_t>(hole - table.rows.begin());
+  CHECK(row_near(table, hole->place, 0.1) == number);
+  CHECK(row_near(table, 0.5 * (hole->edge[0] + hole->edge[1]), 0.1) == number);
+  const auto at_sample = row_near(table, {4.0, 4.05}, 0.1);
+  REQUIRE(at_sample.has_value());
+  CHECK_FALSE(row_near(table, {100.0, 100.0}, 0.1).has_value());
+  CHECK_FALSE(row_near(table_of({}), {0.0, 0.0}, 1.0).has_value());
+}
+
+TEST_CASE("few samples have few classes, and words and CSV say which") {
+  CHECK(table_of({}).rows.empty());
+  CHECK(persistence_as_csv(table_of({})) ==
+        "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n");
+  const PersistenceTable one = table_of({.positions = {{1, 2}, {1, 2}}});
+  REQUIRE(one.rows.size() == 1);
+  CHECK(in_words(one.rows[0]) == "component, born at 0, stays");
+  const PersistenceTable right = table_of({.positions = {{0, 0}, {3, 0}, {0, 4}}});
+  // The hypotenuse comes with the triangle, so no hole lives.
+  CHECK(persistence_as_csv(right) ==
+        "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n"
+        "0,0,,,0,0,,,,\n"
+        "0,0,2,2,0,4,0,0,0,4\n"
+        "0,0,1.5,1.5,3,0,0,0,3,0\n");
+  CHECK(in_words(right.rows[1]) == "component, born at 0, joined at 2, persistence 2");
+}
+
+TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an outdated table") {
+  PersistenceDesk desk([] {});
+  SampleData data = ring(200, 3);
+  CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
+  wait_for(desk, 1, data);
+  desk.choose(1);
+  const PersistenceRow chosen = desk.table()->rows[1];
+  data.positions.push_back({5.0, 5.0});
+  desk.follow(2, [&] { return data; });
+  CHECK_FALSE(desk.is_current());
+  CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
+  wait_for(desk, 2, data);
+  REQUIRE(desk.chosen().has_value());
+  CHECK(desk.table()->rows[*desk.chosen()].place == chosen.place);
+  CHECK(desk.pick({50.0, 50.0}, 0.1));
+  CHECK_FALSE(desk.chosen().has_value());
+}
