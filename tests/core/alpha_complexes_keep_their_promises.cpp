@@ -352,7 +352,19 @@ TEST_CASE("places, order and size change no rank and no class") {
     Workbench reversed(points);
     show_alpha(reversed);
     CHECK(bars_of(reversed) == bars);
-    for (const double scale : {0x1p-300, 0x1p10, 0x1p300}) {
+    const auto arcs_at = [](Workbench& bench, double radius) {
+      bench.choose(at_radius(radius));
+      const auto arcs = bench.instances("alpha-boundary", PrimitiveKind::arc);
+      std::vector<double> out;
+      for (std::size_t i = 0; i < arcs.size(); ++i)
+        if (i % stride_of(PrimitiveKind::arc) + 1 != stride_of(PrimitiveKind::arc)) out.push_back(arcs[i]);
+      std::ranges::sort(out);
+      return out;
+    };
+    const double radius = grid == 0 ? 0x1.3p16 : 1.2;
+    const std::vector<double> arcs = arcs_at(reversed, radius);
+    CHECK(arcs.size() > 100);
+    for (const double scale : {0x1p-300, 0x1p-3, 0x1p10, 0x1p300}) {
       std::vector<Vec2> large = points;
       for (Vec2& p : large) p = scale * p;
       Workbench scaled(large);
@@ -363,6 +375,9 @@ TEST_CASE("places, order and size change no rank and no class") {
         if (bar.death >= 0.0) bar.death *= scale;
       }
       CHECK(bars_of(scaled) == expected);
+      std::vector<double> scaled_arcs = arcs;
+      for (double& x : scaled_arcs) x *= scale;
+      CHECK(arcs_at(scaled, scale * radius) == scaled_arcs);
     }
     for (Vec2& p : points) p = p + Vec2{12345.0, -777.0};
     Workbench moved(points);

@@ -69,7 +69,7 @@ Vec2 AlphaComplex::crossing(SiteSlot site, SiteSlot other) const {
   const Vec2 along = is_turned ? p - q : q - p;
   const double size = length(along);
   const double half = 0.5 * size;
-  const double height = std::sqrt(std::max(0.0, radius_ - half)) * std::sqrt(radius_ + half);
+  const double height = std::sqrt(std::max(0.0, radius_ - half) * (radius_ + half));
   const double side = (is_turned ? -height : height) / size;
   return {first.x + 0.5 * along.x - side * along.y, first.y + 0.5 * along.y + side * along.x};
 }
