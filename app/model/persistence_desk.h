@@ -37,6 +37,7 @@ class PersistenceDesk {
 
   /// The last one; null before the first.
   const PersistenceTable* table() const { return table_.get(); }
+  std::shared_ptr<const PersistenceTable> shared_table() const { return table_; }
   bool is_current() const { return table_ != nullptr && state_ == wanted_; }
   bool is_under_way() const { return job_.is_under_way(); }
   /// Why the computation of the table failed; empty if it did not.

@@ -224,6 +224,10 @@ void ParametersPanel::draw_alpha_events(double& radius) {
   const auto x_of = [&](double value) {
     return at.x + size.x * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
   };
+  const auto value_at = [&](float x) {
+    const double part = std::clamp(static_cast<double>((x - at.x) / size.x), 0.0, 1.0);
+    return part * part * end;
+  };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
   std::string words =
@@ -238,18 +242,20 @@ void ParametersPanel::draw_alpha_events(double& radius) {
     double nearest = -1.0;
     const char* what = "";
     const auto draw_all = [&](const std::vector<double>& radii, Rgb color, const char* happens) {
-      float drawn = at.x - 1.0F;
-      for (const double value : radii) {
-        if (value > end) break;
-        const float x = x_of(value);
-        if (nearest < 0.0 || std::abs(x - mouse) < std::abs(x_of(nearest) - mouse)) {
-          nearest = value;
-          what = happens;
-        }
-        // One line a pixel is enough.
-        if (x - drawn < 1.0F) continue;
-        drawn = x;
+      const auto last = std::ranges::upper_bound(radii, end);
+      const auto look_at = [&](double value) {
+        if (nearest >= 0.0 && std::abs(x_of(value) - mouse) >= std::abs(x_of(nearest) - mouse)) return;
+        nearest = value;
+        what = happens;
+      };
+      const auto next = std::lower_bound(radii.begin(), last, value_at(mouse));
+      if (next != last) look_at(*next);
+      if (next != radii.begin()) look_at(*std::prev(next));
+      // One line a pixel is enough.
+      for (auto i = radii.begin(); i != last;) {
+        const float x = x_of(*i);
         list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(color), unit);
+        i = std::upper_bound(std::next(i), last, value_at(x + 1.0F));
       }
     };
     draw_all(table.joins, palette::green, "components are joined");

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <unordered_set>
 
 #include "app/panels/shape_pen.h"
@@ -65,10 +66,13 @@ void PersistencePanel::draw_choices() {
 void PersistencePanel::draw_words() {
   const PersistenceTable& table = *uses_.desk.table();
   const double radius = uses_.computation.settings()[Parameter::alpha_radius];
-  std::size_t components = 0;
-  std::size_t holes = 0;
-  for (const PersistenceRow& row : table.rows)
-    if (row.birth <= radius && radius < row.death) ++(row.is_hole ? holes : components);
+  if (alive_.table != uses_.desk.shared_table() || alive_.radius != radius) {
+    alive_ = {uses_.desk.shared_table(), radius, 0, 0};
+    for (const PersistenceRow& row : table.rows)
+      if (row.birth <= radius && radius < row.death) ++(row.is_hole ? alive_.holes : alive_.components);
+  }
+  const std::size_t components = alive_.components;
+  const std::size_t holes = alive_.holes;
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled("%s", fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
                                         components == 1 ? "component" : "components", holes,
@@ -77,6 +81,25 @@ void PersistencePanel::draw_words() {
   const auto chosen = uses_.desk.chosen();
   ImGui::TextUnformatted(chosen ? in_words(table.rows[*chosen]).c_str() : "Click on a point, or on its place");
   ImGui::PopTextWrapPos();
+}
+
+void PersistencePanel::place_dots(const Scale& scale) {
+  if (scale == scale_) return;
+  scale_ = {};
+  dots_.clear();
+  std::unordered_set<std::uint64_t> drawn;
+  const auto place = [&](double value) {
+    return scale.length * static_cast<float>(std::min(1.0, value / scale.end));
+  };
+  for (std::size_t i = 0; i < scale.table->rows.size(); ++i) {
+    const PersistenceRow& row = scale.table->rows[i];
+    if (!(row.is_hole ? scale.has_holes : scale.has_components)) continue;
+    const Dot dot{place(row.birth), place(row.death), i, row.is_hole};
+    const auto pixel = (static_cast<std::uint64_t>(dot.x) << 33U) | (static_cast<std::uint64_t>(dot.y) << 1U) |
+                       (row.is_hole ? 1U : 0U);
+    if (drawn.insert(pixel).second) dots_.push_back(dot);
+  }
+  scale_ = scale;
 }
 
 void PersistencePanel::draw_diagram() {
@@ -111,24 +134,19 @@ void PersistencePanel::draw_diagram() {
 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   float nearest = kReach * unit;
-  std::unordered_set<std::uint64_t> drawn;  // one point a pixel is enough
+  place_dots({uses_.desk.shared_table(), inner, end, shows_components_, shows_holes_});
   const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
   // The longest come first, and lie on top.
-  for (std::size_t i = table.rows.size(); i-- > 0;) {
-    const PersistenceRow& row = table.rows[i];
-    if (!(row.is_hole ? shows_holes_ : shows_components_)) continue;
-    const ImVec2 p{x_of(row.birth), y_of(row.death)};
+  for (const Dot& dot : dots_ | std::views::reverse) {
+    const ImVec2 p{at.x + margin + dot.x, at.y + margin + inner - dot.y};
     const float away = std::hypot(p.x - mouse.x, p.y - mouse.y);
     if (is_hovered && away <= nearest) {
       nearest = away;
-      pointed_at_ = i;
+      pointed_at_ = dot.row;
     }
-    const auto pixel = (static_cast<std::uint64_t>(std::max(0.0F, p.x)) << 33U) |
-                       (static_cast<std::uint64_t>(std::max(0.0F, p.y)) << 1U) | (row.is_hole ? 1U : 0U);
-    if (!drawn.insert(pixel).second) continue;
-    const ImU32 color = to_imgui(color_of(row), opacity);
+    const ImU32 color = to_imgui(dot.is_hole ? palette::purple : palette::green, opacity);
     const float half = 2.5F * unit;
-    if (row.is_hole)
+    if (dot.is_hole)
       list.AddRectFilled({p.x - half, p.y - half}, {p.x + half, p.y + half}, color);
     else
       list.AddCircleFilled(p, half, color);
@@ -185,8 +203,8 @@ void PersistencePanel::draw_places(std::size_t row, bool is_chosen) {
   const float unit = uses_.gui.unit();
   const PersistenceTable& table = *uses_.desk.table();
   const PersistenceRow& one = table.rows[row];
-  if (outline_of_ != &table || outline_row_ != row) {
-    outline_of_ = &table;
+  if (outline_of_ != uses_.desk.shared_table() || outline_row_ != row) {
+    outline_of_ = uses_.desk.shared_table();
     outline_row_ = row;
     outline_ = outline_of(table, one);
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@
 namespace mes {
 
 /// What it guarantees: a point of the diagram and its place on the canvas are chosen together. While the table is not that
-/// of what is shown it is dimmed, and nothing of it is drawn over the picture. Threads: the window's.
+/// of what is shown it is dimmed, and nothing of it is drawn over the picture. A frame costs O(points that can be told
+/// apart on screen); what changes them, O(rows). Threads: the window's.
 class PersistencePanel {
  public:
   struct Uses {
@@ -37,6 +39,22 @@ class PersistencePanel {
   void draw_choices();
   void draw_words();
   void draw_diagram();
+  /// What is drawn of one or more rows in one pixel; the longest of them is meant.
+  struct Dot {
+    float x = 0.0F;  ///< to the right of the point for 0, in pixels
+    float y = 0.0F;  ///< above it
+    std::size_t row = 0;
+    bool is_hole = false;
+  };
+  struct Scale {
+    std::shared_ptr<const PersistenceTable> table;
+    float length = 0.0F;  ///< in pixels
+    double end = 0.0;     ///< the radius there
+    bool has_components = false;
+    bool has_holes = false;
+    friend bool operator==(const Scale&, const Scale&) = default;
+  };
+  void place_dots(const Scale& scale);
   void draw_places(std::size_t row, bool is_chosen);
   void show(std::size_t row) const;
 
@@ -45,7 +63,17 @@ class PersistencePanel {
   bool shows_holes_ = true;
   bool is_dragging_ = false;  // the radius
   std::optional<std::size_t> pointed_at_;
-  const PersistenceTable* outline_of_ = nullptr;  // whose hole that below is of
+  Scale scale_;            // of the dots
+  std::vector<Dot> dots_;  // the longest first
+  /// How many are alive.
+  struct Alive {
+    std::shared_ptr<const PersistenceTable> table;
+    double radius = 0.0;
+    std::size_t components = 0;
+    std::size_t holes = 0;
+  };
+  Alive alive_;
+  std::shared_ptr<const PersistenceTable> outline_of_;  // whose hole that below is of
   std::size_t outline_row_ = 0;
   std::vector<std::array<Vec2, 2>> outline_;
 };
