@@ -149,6 +149,10 @@ class Collector {
     places_.assign(mask + 1, kFree);
     std::size_t kept = first;
     for (std::size_t i = first; i < p.size(); ++i) {
+      if (!is_finite(p[i])) {  // equal to nothing; the caller refuses it
+        p[kept++] = p[i];
+        continue;
+      }
       std::size_t at = hash_of(p[i]) & mask;
       while (places_[at] != kFree && p[first + places_[at]] != p[i]) at = (at + 1) & mask;
       if (places_[at] != kFree) continue;

@@ -17,6 +17,7 @@ namespace mes {
 
 struct Engine::Impl {
   explicit Impl(Options given) : options(std::move(given)) {
+    found.reserve(kProvenanceWishes);
     if (options.take_instances) graph.make_one_shot(options.take_instances);
     graph.set_on_task([this](std::string_view id) {
       const std::lock_guard lock(mutex);
@@ -85,6 +86,7 @@ struct Engine::Impl {
   bool has_work() const { return has_to_compute() || !questions.empty(); }
   /// Under the lock, after something was given to do.
   void announce() {
+    if (!has_work()) return;
     awaited.request_stop();
     work_there.notify_one();
   }
@@ -154,10 +156,11 @@ struct Engine::Impl {
     job.set_token(job_stop.get_token());
     lock.unlock();
     wake();
-    std::vector<Provenance> found = graph.answer(job);
+    graph.answer(found, job);
     lock.lock();
     is_answering = false;
     std::ranges::move(found, std::back_inserter(answers));
+    found.clear();
   }
 
   std::unique_ptr<FramePatch> take_spare() {
@@ -198,6 +201,7 @@ struct Engine::Impl {
   bool has_findings = false;
   std::vector<ProvenanceQuestion> questions;  // that the graph has not seen
   std::vector<Provenance> answers;            // that were not taken
+  std::vector<Provenance> found;              // touched by the engine's thread only
   bool unfinished = false;
   bool is_running = false;    // the graph is at work; `status.busy` says whether it computes
   bool is_answering = false;  // ... and its last patch is finished
@@ -243,12 +247,16 @@ void Engine::set_settings(const ComputationSettings& settings) {
 
 void Engine::set_want_statistics(bool wanted) {
   const std::lock_guard lock(impl_->mutex);
+  if (impl_->want_statistics == wanted) return;
+  impl_->stop_answering();
   impl_->want_statistics = wanted;
   impl_->announce();
 }
 
 void Engine::set_want_findings(bool wanted) {
   const std::lock_guard lock(impl_->mutex);
+  if (impl_->want_findings == wanted) return;
+  impl_->stop_answering();
   impl_->want_findings = wanted;
   impl_->announce();
 }

@@ -2,6 +2,7 @@
 // The geometry graph: structures and layers, brought up to date on demand.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -71,9 +72,10 @@ class Graph {
   /// Brings all demanded layers up to date and writes what changed. False when it was stopped: the patch then holds
   /// no layer, its frame and revision are those of the last complete run, and the next run goes on.
   bool run(FramePatch& out, JobControl& job);
-  bool has_questions() const { return !questions_.empty(); }
-  /// After a complete run: answers to what was asked, of that run. What is not answered when it is stopped stays asked.
-  std::vector<Provenance> answer(JobControl& job);
+  bool has_questions() const;
+  /// After a complete run: adds answers to what was asked, of that run. What is not answered when it is stopped stays
+  /// asked. `out` has room for `kProvenanceWishes` more.
+  void answer(std::vector<Provenance>& out, JobControl& job);
   /// After a complete run, before the next edit comes: the structures make what the next edit needs. Ends early when
   /// stopped. Judges of the theorem light come last and look at the second job: an edit that waits for them would
   /// rather come first.
@@ -166,7 +168,7 @@ class Graph {
   bool demand_changed_ = true;
   bool want_statistics_ = false;
   bool want_findings_ = false;
-  std::vector<ProvenanceQuestion> questions_;  ///< without an answer, of different wishes
+  std::array<std::optional<ProvenanceQuestion>, kProvenanceWishes> questions_;  ///< by wish; without an answer
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
   InstanceTaker take_;  ///< empty unless the graph is a one-shot one

@@ -10,8 +10,11 @@
 namespace mes {
 
 void Graph::ask(ProvenanceQuestion question) {
-  std::erase_if(questions_, [&](const ProvenanceQuestion& earlier) { return earlier.wish == question.wish; });
-  questions_.push_back(std::move(question));
+  questions_[static_cast<std::size_t>(question.wish)] = std::move(question);
+}
+
+bool Graph::has_questions() const {
+  return std::ranges::any_of(questions_, [](const auto& question) { return question.has_value(); });
 }
 
 // What the elements are and come from, as one line; the elements themselves count as far as they are samples or balls.
@@ -21,12 +24,14 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   constexpr std::size_t kMost = 20'000;
   constexpr std::size_t kLook = 4096;  // instances between two looks at the job
   struct Found {
+    VariantIndex variant;
     Element element;
     ProvenanceShape shape;
   };
   std::vector<Found> found;
   std::size_t seen = 0;
   for (const LayerIndex layer : question.layers) {
+    if (layer >= layer_nodes_.size()) continue;  // of a variant that is gone
     const LayerNode& node = layer_nodes_[layer];
     if (!node.demanded || node.state != NodeState::up_to_date) continue;
     for (const auto& part : layers_[layer].parts)
@@ -37,51 +42,40 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
         if (!(values[last] >= question.low && values[last] <= question.high)) return;
         ProvenanceShape shape{kind, {}};
         std::copy_n(values, last, shape.values.begin());
-        found.push_back({element, shape});
+        found.push_back({layer / static_cast<LayerIndex>(layer_count_), element, shape});
       });
   }
   if (found.empty()) return {};
   if (found.size() > kMost)
     return {{ProvenanceRole::itself, "more than 20,000 elements have such a value", {}, false}};
   ProvenanceLine out{ProvenanceRole::origin, count_text(found.size(), "element", "elements"), {}, false};
-  for (const auto& [element, shape] : found) {
+  for (const auto& [variant, element, shape] : found) {
     job.checkpoint();  // some elements are found by looking at all
     out.shapes.push_back(shape);
-    for (const ProvenanceLine& line :
-         explain(structures(question.layers.front() / static_cast<LayerIndex>(layer_count_)), is_current, element))
+    for (const ProvenanceLine& line : explain(structures(variant), is_current, element))
       if (line.role != ProvenanceRole::product)
         out.shapes.insert(out.shapes.end(), line.shapes.begin(), line.shapes.end());
   }
   return {std::move(out)};
 }
 
-// Without memory for it an answer is empty.
-std::vector<Provenance> Graph::answer(JobControl& job) {
-  std::vector<Provenance> out;
-  try {
-    out.reserve(questions_.size());
-    // Those of a place take no time, and are not to wait for the others.
-    std::ranges::stable_partition(questions_, [](const ProvenanceQuestion& question) {
-      return question.wish != ProvenanceWish::sources_of_values;
-    });
-    while (!questions_.empty()) {
-      const ProvenanceQuestion& question = questions_.front();
-      Provenance& found = out.emplace_back();
-      found.ticket = question.ticket;
-      try {
-        find_answer(question, found, job);
-      } catch (const Cancelled&) {
-        out.pop_back();
-        break;
-      } catch (const std::bad_alloc&) {
-        found.lines.clear();
-      }
-      questions_.erase(questions_.begin());
+// Without memory for it an answer is empty. Those about a place take no time, and come first.
+void Graph::answer(std::vector<Provenance>& out, JobControl& job) {
+  static_assert(static_cast<std::size_t>(ProvenanceWish::sources_of_values) + 1 == kProvenanceWishes);
+  for (std::optional<ProvenanceQuestion>& question : questions_) {
+    if (!question) continue;
+    Provenance found;
+    found.ticket = question->ticket;
+    try {
+      find_answer(*question, found, job);
+    } catch (const Cancelled&) {
+      return;
+    } catch (const std::bad_alloc&) {
+      found.lines.clear();
     }
-  } catch (const std::bad_alloc&) {
-    // Not even for the list; they stay asked.
+    out.push_back(std::move(found));
+    question.reset();
   }
-  return out;
 }
 
 void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, JobControl& job) const {
@@ -98,6 +92,7 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
     return;
   }
   for (const LayerIndex layer : question.layers) {
+    if (layer >= layer_nodes_.size()) continue;  // of a variant that is gone
     const LayerNode& node = layer_nodes_[layer];
     if (!node.demanded || node.state != NodeState::up_to_date) continue;
     HitSearch search(question.at, question.reach);

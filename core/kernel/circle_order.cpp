@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/base/coordinate_range.h"
@@ -142,7 +143,11 @@ class CloseRadii {
     }
     order_.resize(groups_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::sort(order_, [this](std::size_t a, std::size_t b) { return groups_[a].square < groups_[b].square; });
+    std::size_t looks = 0;
+    std::ranges::sort(order_, [&](std::size_t a, std::size_t b) {
+      if (++looks % 1024 == 0) checkpoint();
+      return groups_[a].square < groups_[b].square;
+    });
     std::uint32_t rank = 0;
     for (std::size_t i = 0; i < order_.size(); ++i) {
       if (i != 0 && groups_[order_[i - 1]].square != groups_[order_[i]].square) ++rank;
@@ -194,13 +199,10 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
 
   RadiusRanks out;
   out.rank.resize(circles.size());
-  std::vector<double> square;  // of each rank: the least of its circles
+  std::vector<std::uint32_t> one_of;  // of each rank
   const auto give = [&](std::uint32_t circle, std::uint32_t rank) {
     out.rank[circle] = rank;
-    if (rank < square.size())
-      square[rank] = std::min(square[rank], measures[circle].square);
-    else
-      square.push_back(measures[circle].square);
+    if (rank == one_of.size()) one_of.push_back(circle);
   };
   CloseRadii close(circles, measures, unit);
   std::vector<std::uint32_t> run;
@@ -208,7 +210,7 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
     double high = measures[keys[begin].circle].high;
     std::size_t end = begin + 1;
     for (; end < keys.size() && keys[end].low <= high; ++end) high = std::max(high, measures[keys[end].circle].high);
-    const auto first = static_cast<std::uint32_t>(square.size());
+    const auto first = static_cast<std::uint32_t>(one_of.size());
     if (end - begin == 1) {
       give(keys[begin].circle, first);
     } else {
@@ -218,10 +220,11 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
     }
     begin = end;
   }
-  // Rounding may put nearly equal ones the wrong way round.
-  double last = 0.0;
-  out.radius.reserve(square.size());
-  for (const double value : square) out.radius.push_back(last = std::max(last, std::sqrt(value) / unit));
+  checkpoint();
+  out.radius.resize(one_of.size());
+  parallel_for(one_of.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) out.radius[i] = radius_above(circles[one_of[i]]);
+  });
   return out;
 }
 
@@ -236,24 +239,71 @@ bool sees_wide(Vec2 p, Vec2 a, Vec2 b) {
   return minus(a.x, p.x) * minus(b.x, p.x) + minus(a.y, p.y) * minus(b.y, p.y) <= 0;
 }
 
-int compare_radius(const SpannedCircle& circle, double r) {
-  const double unit = unit_of({&circle, 1});
-  const SpannedCircle here = scaled(circle, unit);
-  const Measure measured = measure(here);
-  const double limit = r * unit;
-  // Squares of what is beyond are not normal doubles; radii are not that small or large.
-  if (limit < 0x1p-450) {
-    if (limit == 0.0 || r > 0x1p-1000) return 1;
-  } else if (limit > 0x1p450) {
-    return -1;
-  } else {
-    const double square = limit * limit;
-    if (measured.low > square * (1.0 + 0x1p-50)) return 1;
-    if (measured.high < square * (1.0 - 0x1p-50)) return -1;
-  }
+namespace {
+
+/// The squared radius, and by how much it may be wrong; in the extended precision that the machine has. No double in the
+/// range of coordinates is too large or too small for its exponents, where they are longer than those of doubles.
+struct FineMeasure {
+  long double square = 0.0L;
+  long double error = 0.0L;  ///< relative; infinite where nothing is known
+};
+
+FineMeasure fine_measure(const SpannedCircle& circle) {
+  using Limits = std::numeric_limits<long double>;
+  constexpr long double kUnit = Limits::epsilon();  // twice what one operation is wrong by
+  const auto p = sorted_corners(circle);
+  const auto side = [&](std::size_t from, std::size_t to) {
+    return std::array{static_cast<long double>(p[to].x) - p[from].x, static_cast<long double>(p[to].y) - p[from].y};
+  };
+  const auto squared_length = [](const std::array<long double, 2>& v) { return v[0] * v[0] + v[1] * v[1]; };
+  if (!circle.has_third) return {0.25L * squared_length(side(0, 1)), 4 * kUnit};
+  std::array<long double, 3> opposite{};
+  for (std::size_t i = 0; i < 3; ++i) opposite[i] = squared_length(side((i + 1) % 3, (i + 2) % 3));
+  std::size_t top = opposite[1] > opposite[0] ? 1 : 0;
+  if (opposite[2] > opposite[top]) top = 2;
+  const auto u = side(top, (top + 1) % 3);
+  const auto v = side(top, (top + 2) % 3);
+  const long double area = std::abs(u[0] * v[1] - u[1] * v[0]);
+  const long double terms = std::abs(u[0] * v[1]) + std::abs(u[1] * v[0]);
+  const long double uncertain = 4 * kUnit * (terms / area);
+  if (!(uncertain < 0x1p-8L)) return {0.0L, Limits::infinity()};
+  return {(opposite[0] / area) * (opposite[1] / area) * (0.25L * opposite[2]), 16 * kUnit + 4 * uncertain};
+}
+
+/// Exact.
+int compare_with_rationals(const SpannedCircle& circle, double r) {
   const Rational exact = exact_square(circle);
   const Rational wanted = Rational(r) * Rational(r);
   return exact < wanted ? -1 : (wanted < exact ? 1 : 0);
+}
+
+/// Of a circle brought near 1, whose squares are far from the ends of the range of doubles.
+int compare_near_one(const SpannedCircle& circle, const FineMeasure& fine, double r) {
+  const long double wanted = static_cast<long double>(r) * r;
+  const long double apart = fine.square - wanted;
+  const long double margin = fine.square * (fine.error + 4 * std::numeric_limits<long double>::epsilon());
+  if (std::abs(apart) > margin) return apart > 0.0L ? 1 : -1;
+  return compare_with_rationals(circle, r);
+}
+
+}  // namespace
+
+double radius_above(const SpannedCircle& circle) {
+  const double unit = unit_of({&circle, 1});
+  const SpannedCircle here = scaled(circle, unit);
+  FineMeasure fine = fine_measure(here);
+  if (!(fine.error < 0x1p-20L)) {
+    // To the nearest double, so that the search below ends at once.
+    fine = {static_cast<long double>(CGAL::to_double(exact_square(here))), 0x1p-50L};
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  auto out = static_cast<double>(std::sqrt(fine.square));
+  while (compare_near_one(here, fine, out) > 0) out = std::nextafter(out, infinity);
+  for (;;) {
+    const double below = std::nextafter(out, 0.0);
+    if (compare_near_one(here, fine, below) > 0) return out / unit;
+    out = below;
+  }
 }
 
 }  // namespace mes

@@ -21,7 +21,7 @@ struct SpannedCircle {
 /// Places of circles among their different radii.
 struct RadiusRanks {
   std::vector<std::uint32_t> rank;  ///< of each circle: how many different radii are smaller than its own
-  std::vector<double> radius;       ///< of each rank, rounded
+  std::vector<double> radius;       ///< of each rank, rounded up
 };
 
 /// What it guarantees:
@@ -29,11 +29,11 @@ struct RadiusRanks {
 ///     otherwise the larger radius has the larger rank. `radius` never decreases with the rank.
 ///  2. Ranks and radii depend on the set of circles alone, not on the order of circles or of points. Circles times a power
 ///     of two have the same ranks, and radii times that power to the last bit.
-///  3. Radii are right to 2^-34 of their size.
+///  3. The radius of a rank is the least double that is not smaller than it.
 ///
 /// Cost: O(n log n) on all cores where radii are well apart; a rational number for each different circle whose radius is
 /// equal to another, or nearly so. Circles with sides of the same squares, each of them a double, as on a lattice of
-/// integers, count once. `checkpoint` is called now and then, and may throw. Coordinates are within
+/// integers, count once. Samples of one circle have many such triangles. `checkpoint` is called now and then, and may throw. Coordinates are within
 /// core/base/coordinate_range.h.
 RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::function<void()>& checkpoint);
 
@@ -41,7 +41,7 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
 /// a nor b.
 bool sees_wide(Vec2 p, Vec2 a, Vec2 b);
 
-/// Exact order of the radius of a circle and `r`: -1, 0 or 1. `r` is not negative, and finite.
-int compare_radius(const SpannedCircle& circle, double r);
+/// The least double that is not smaller than the radius, exactly.
+double radius_above(const SpannedCircle& circle);
 
 }  // namespace mes

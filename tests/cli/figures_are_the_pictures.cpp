@@ -126,7 +126,7 @@ const std::vector<Case>& cases() {
         "voronoi:dashed=on,line-width=2", "--set-style", "interior-voronoi-circles:dashed=on,line-width=1.5",
         "--set-style", "curve:dashed=on,line-width=3"},
        0.012},
-      {"scale", {kBean, "--scale-bar", "--axes", "--grid"}, 0.004},
+      {"scale", {kBean, "--scale-bar", "--axes", "--grid"}, 0.006},
       {"key", {kBean, "--key", "--layers", "interior-voronoi-disks,interior-voronoi-circles,curve,points"}, 0.006},
       {"title", {kBean, "--title", "Beans of $r_i^2 \\le \\varepsilon$\\\\\\textbf{second} line", "--key"}, 0.006},
       {"places",

@@ -217,13 +217,15 @@ TEST_CASE("ranks are those of rational numbers") {
         REQUIRE((ranks[i - 1].second <= ranks[i].second));
         REQUIRE(filtration.radius(ranks[i].first) == Approx(std::sqrt(ranks[i].second.get_d())).epsilon(1e-9));
         REQUIRE(filtration.radius(ranks[i - 1].first) <= filtration.radius(ranks[i].first));
+        // At its own radius, as it is written, everything has come.
+        REQUIRE(filtration.last_rank(filtration.radius(ranks[i].first)) >= ranks[i].first);
       }
       CHECK(ranks.back().first + std::size_t{1} == filtration.rank_count());
     }
   }
 }
 
-TEST_CASE("radii are compared exactly") {
+TEST_CASE("radii are rounded up to the next double") {
   Rng rng(13);
   int equal = 0;
   for (int round = 0; round < 4000; ++round) {
@@ -239,14 +241,11 @@ TEST_CASE("radii are compared exactly") {
       square = squared(points[0], points[1]) * squared(points[1], points[2]) * squared(points[2], points[0]) /
                (4 * det * det);
     }
-    const double near = std::sqrt(square.get_d());
-    for (const double r :
-         {near, std::nextafter(near, 0.0), std::nextafter(near, 1e9), 0.0, 1e300, 1e-300, 0.7 * near}) {
-      const mpq_class other = mpq_class(r) * mpq_class(r);
-      const int expected = square < other ? -1 : (other < square ? 1 : 0);
-      REQUIRE(compare_radius(circle, r) == expected);
-      equal += expected == 0 ? 1 : 0;
-    }
+    const double above = radius_above(circle);
+    const auto reaches = [&](double r) { return mpq_class(mpq_class(r) * mpq_class(r)) >= square; };
+    REQUIRE(reaches(above));
+    REQUIRE_FALSE(reaches(std::nextafter(above, 0.0)));
+    equal += mpq_class(mpq_class(above) * mpq_class(above)) == square ? 1 : 0;
     if (!has_third)
       REQUIRE(sees_wide(points[2], points[0], points[1]) ==
               (squared(points[0], points[2]) + squared(points[2], points[1]) <= squared(points[0], points[1])));
@@ -384,6 +383,61 @@ TEST_CASE("places, order and size change no rank and no class") {
     show_alpha(moved);
     CHECK(bars_of(moved) == bars);
   }
+}
+
+TEST_CASE("at the radius of an event it has happened, and no arc of the boundary goes through a disk") {
+  Rng rng(29);
+  std::vector<Vec2> points(150);
+  for (Vec2& p : points) p = {rng.uniform(), rng.uniform()};
+  Workbench bench(points);
+  bench.show({"alpha-boundary", "alpha-holes", "alpha-components"});
+  std::size_t arcs_seen = 0;
+  const auto classes = bench.get<AlphaFiltration>().classes();
+  for (const AlphaFiltration::Class& one : classes) {
+    if (one.death == AlphaFiltration::kNever) continue;
+    const auto& filtration = bench.get<AlphaFiltration>();
+    const double radius = filtration.radius(one.death);
+    REQUIRE(filtration.last_rank(radius) >= one.death);
+    REQUIRE(filtration.last_rank(std::nextafter(radius, 0.0)) < one.death);
+    bench.choose(at_radius(radius));
+    const auto arcs = bench.instances("alpha-boundary", PrimitiveKind::arc);
+    for (std::size_t at = 0; at < arcs.size(); at += stride_of(PrimitiveKind::arc)) {
+      const Arc arc{
+          {arcs[at], arcs[at + 1]}, arcs[at + 2], {arcs[at + 3], arcs[at + 4]}, {arcs[at + 5], arcs[at + 6]}};
+      const double turn = 0.5 * sweep_of(arc);
+      const Vec2 start = arc.from - arc.center;
+      const Vec2 middle = arc.center + Vec2{std::cos(turn) * start.x - std::sin(turn) * start.y,
+                                            std::sin(turn) * start.x + std::cos(turn) * start.y};
+      for (const Vec2 p : points) REQUIRE(distance(middle, p) > radius * (1.0 - 1e-6));
+      ++arcs_seen;
+    }
+  }
+  CHECK(arcs_seen > 1000);
+}
+
+TEST_CASE("the hub of a wheel is joined to all its spokes, and each arc is found once") {
+  // Each edge at the hub looks for the next one.
+  std::vector<Vec2> wheel{{0.0, 0.0}};
+  constexpr int kSpokes = 12;
+  for (int i = 0; i < kSpokes; ++i)
+    wheel.push_back({std::cos(2.0 * std::numbers::pi * i / kSpokes), std::sin(2.0 * std::numbers::pi * i / kSpokes)});
+  // Between the radius at which the hub is joined and that at which the triangles are filled.
+  constexpr double kRadius = 0.505;
+  SampleData data{.positions = wheel};
+  for (const Vec2 p : wheel) data.balls.push_back({p, kRadius});
+  Workbench bench;
+  bench.load(data);
+  bench.show({"alpha-boundary", "alpha-edges", "b-union-boundary"});
+  bench.choose(at_radius(kRadius));
+  CHECK(bench.count("alpha-complex", "holes") == kSpokes);
+  double perimeter = 0.0;
+  const auto arcs = bench.instances("alpha-boundary", PrimitiveKind::arc);
+  for (std::size_t at = 0; at < arcs.size(); at += stride_of(PrimitiveKind::arc))
+    perimeter +=
+        arcs[at + 2] *
+        sweep_of(
+            {{arcs[at], arcs[at + 1]}, arcs[at + 2], {arcs[at + 3], arcs[at + 4]}, {arcs[at + 5], arcs[at + 6]}});
+  CHECK(perimeter == Approx(bench.measure("b-union", "perimeter")).epsilon(1e-9));
 }
 
 TEST_CASE("edits and changes of the radius leave what a fresh computation has") {

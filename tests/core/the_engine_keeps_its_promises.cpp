@@ -195,13 +195,13 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
   client.sync();
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < client.last().layer_count; ++i) {
-    // Diagrams of balls, what is made of all poles, what any ball may swallow, and unions of what filters keep, are made
-    // anew.
+    // Diagrams of balls, what is made of all poles, what any ball may swallow, unions of what filters keep, and the order
+    // in which alpha complexes grow, are made anew.
     const LayerIndex layer = client.last().layers[i].layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     if (std::ranges::any_of(descriptor.structures, [](std::string_view s) {
           return s.ends_with("diagram") || s == "p-union" || s == "power-crust" || s.starts_with("cover-") ||
-                 s == "lambda-union" || s == "angle-union";
+                 s.starts_with("alpha-") || s == "lambda-union" || s == "angle-union";
         }))
       continue;
     for (const KindPatch& kind : client.last().layers[i].kinds) {
@@ -604,12 +604,14 @@ TEST_CASE("a question whose answer is stopped stays asked, and is answered after
   graph.ask({2, {1.1, 1.0}, 0.2, demand, ProvenanceWish::shape});
   JobControl stopped;
   stopped.stop_at_look(3);
-  const std::vector<Provenance> first = graph.answer(stopped);
+  std::vector<Provenance> first;
+  graph.answer(first, stopped);
   REQUIRE(first.size() == 1);
   CHECK(first.front().ticket == 2);
   CHECK(graph.has_questions());
   JobControl unstopped;
-  const std::vector<Provenance> second = graph.answer(unstopped);
+  std::vector<Provenance> second;
+  graph.answer(second, unstopped);
   REQUIRE(second.size() == 1);
   CHECK(second.front().ticket == 1);
   REQUIRE_FALSE(second.front().lines.empty());

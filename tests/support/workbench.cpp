@@ -122,7 +122,8 @@ Provenance Workbench::ask(ProvenanceQuestion question) {
   graph_.ask(std::move(question));
   run();
   JobControl job;
-  const std::vector<Provenance> answers = graph_.answer(job);
+  std::vector<Provenance> answers;
+  graph_.answer(answers, job);
   REQUIRE(answers.size() == 1);
   REQUIRE(answers.front().ticket == ticket);
   return answers.front();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mes {
 
@@ -74,6 +75,24 @@ Vec2 AlphaComplex::crossing(SiteSlot site, SiteSlot other) const {
   return {first.x + 0.5 * along.x - side * along.y, first.y + 0.5 * along.y + side * along.x};
 }
 
+SiteSlot AlphaComplex::next_held(SiteSlot site, EdgeSlot edge, FaceSlot left) const {
+  if (delaunay_.dimension() < 2) {
+    // At most one other.
+    SiteSlot out = kNoSlot;
+    SiteSlot own = kNoSlot;
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot at, SiteSlot end, FaceSlot) {
+      if (holds(at)) (at == edge ? own : out) = end;
+    });
+    return out == kNoSlot ? own : out;
+  }
+  for (FaceSlot at = left;;) {
+    const FaceRow& row = delaunay_.face(at);
+    const int i = row.index_of_site(site);
+    if (const EdgeSlot next = row.e[next3(i)]; next != kNoSlot && holds(next)) return row.v[prev3(i)];
+    at = row.n[next3(i)];
+  }
+}
+
 std::optional<Arc> AlphaComplex::arc(EdgeEndSlot row) const {
   const EdgeSlot edge(row.index() / 2);
   if (!delaunay_.edge(edge).is_alive() || !holds(edge)) return std::nullopt;
@@ -81,25 +100,24 @@ std::optional<Arc> AlphaComplex::arc(EdgeEndSlot row) const {
   const bool is_second = row.index() % 2 != 0;
   const SiteSlot site = ends.v[is_second ? 1 : 0];
   const SiteSlot other = ends.v[is_second ? 0 : 1];
-  if (!is_open(ends.f[is_second ? 1 : 0])) return std::nullopt;
-  // The next edge counter-clockwise that is held; the edge itself where there is no other.
-  SiteSlot first = kNoSlot;
-  SiteSlot next = kNoSlot;
-  bool is_behind = false;
-  delaunay_.for_each_edge_at(site, [&](EdgeSlot at, SiteSlot end, FaceSlot) {
-    if (!holds(at)) return;
-    if (first == kNoSlot) first = end;
-    if (is_behind && next == kNoSlot) next = end;
-    if (at == edge) is_behind = true;
-  });
-  if (next == kNoSlot) next = first;
+  const FaceSlot left = ends.f[is_second ? 1 : 0];
+  if (!is_open(left)) return std::nullopt;
+  const SiteSlot next = next_held(site, edge, left);
   const Vec2 from = crossing(site, other);
   // To the right of the next edge, which is to the left of it seen from its other end.
   const Vec2 to = crossing(next, site);
   // Circles that touch leave everything of a circle that touches one other only, and else arcs of length zero between
   // equal ends, which would mean the whole circle.
   if (from == to && next != other) return std::nullopt;
-  return Arc{delaunay_.site_position(site), radius_, from, to};
+  const Vec2 center = delaunay_.site_position(site);
+  const Arc out{center, radius_, from, to};
+  // The arc lies between the two edges. One that is shorter than its ends are rounded may have them the wrong way round,
+  // and then goes nearly all the way about the centre.
+  if (next != other) {
+    const double between = sweep_of({center, 1.0, delaunay_.site_position(other), delaunay_.site_position(next)});
+    if (sweep_of(out) > 0.5 * between + std::numbers::pi) return std::nullopt;
+  }
+  return out;
 }
 
 StatList AlphaComplex::statistics() const {

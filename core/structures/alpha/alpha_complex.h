@@ -56,6 +56,9 @@ class AlphaComplex final : public Structure {
  private:
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void set_radius();
+  /// The other end of the next held edge at the site, counter-clockwise from a held edge with this face to its left; the
+  /// edge's own, where there is no other. Each edge at the site is passed for one held edge only.
+  SiteSlot next_held(SiteSlot site, EdgeSlot edge, FaceSlot left) const;
   /// Where the circles around the ends of an edge cross, to its left seen from `site`.
   Vec2 crossing(SiteSlot site, SiteSlot other) const;
   bool is_open(FaceSlot face) const { return face == kNoSlot || delaunay_.face(face).is_infinite() || !holds(face); }

@@ -85,8 +85,6 @@ void AlphaFiltration::find_ranks(JobControl& job) {
     circles.push_back({delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), {}, false});
   }
   const RadiusRanks ranks = rank_radii(circles, [&job] { job.checkpoint(); });
-  circle_.assign(ranks.radius.size(), {});
-  for (std::size_t i = 0; i < circles.size(); ++i) circle_[ranks.rank[i]] = circles[i];
   radius_.assign(1, 0.0);
   radius_.insert(radius_.end(), ranks.radius.begin(), ranks.radius.end());
   if (delaunay_.site_count() == 0) radius_.clear();
@@ -148,10 +146,8 @@ void AlphaFiltration::find_classes() {
 }
 
 std::uint32_t AlphaFiltration::last_rank(double r) const {
-  // From where the rounded radius says on, to where it is certain.
-  auto at = static_cast<std::size_t>(std::ranges::upper_bound(radius_, r) - radius_.begin());
-  while (at < radius_.size() && compare_radius(circle_[at - 1], r) <= 0) ++at;
-  while (at > 1 && compare_radius(circle_[at - 2], r) > 0) --at;
+  // Exact: no double lies between a radius and its rounding up.
+  const auto at = std::ranges::upper_bound(radius_, r) - radius_.begin();
   return at == 0 ? 0 : static_cast<std::uint32_t>(at - 1);
 }
 

@@ -23,11 +23,10 @@ namespace mes {
 ///     order of their radii. Rank 0 is the radius 0, at which the samples come.
 ///  2. Which edges and triangles bear and end which classes is a function of the sites: of simplices of one rank and
 ///     dimension those with the lexicographically smaller corners come first. Classes that live for no time are left out.
-///  3. Radii are right to 2^-34 of their size, and do not decrease with the rank.
+///  3. A radius is the least double that is not smaller than it: at a parameter of this value, what comes there has come.
 ///
-/// Cost: O(n log n), two to four times that of the triangulation, and more where most radii are equal to others, as on a
-/// lattice; updates make it anew. Rows are those of
-/// `Delaunay`.
+/// Cost: O(n log n), some times that of the triangulation, and more where most radii are equal to others or nearly so, as
+/// on a lattice or on one circle; updates make it anew. Rows are those of `Delaunay`.
 /// Source: Edelsbrunner, Kirkpatrick and Seidel 1983; Edelsbrunner, Letscher and Zomorodian 2002.
 class AlphaFiltration final : public Structure {
  public:
@@ -77,7 +76,6 @@ class AlphaFiltration final : public Structure {
   Table<EdgeSlot, std::uint32_t> edge_rank_;
   Table<FaceSlot, std::uint32_t> face_rank_;
   std::vector<double> radius_;
-  std::vector<SpannedCircle> circle_;  ///< of each rank but the first: one that has this radius
   std::vector<EdgeSlot> edges_;
   std::vector<FaceSlot> faces_;
   std::vector<Class> classes_;
