@@ -19,6 +19,10 @@ std::string zlib_compressed(std::string_view bytes, ZlibEffort effort) {
   return out;
 }
 
+std::uint32_t crc32_of(std::string_view bytes) {
+  return libdeflate_crc32(0, bytes.data(), bytes.size());
+}
+
 Expected<std::string> zlib_expanded(std::string_view bytes, std::size_t most) {
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
       libdeflate_alloc_decompressor(), libdeflate_free_decompressor);

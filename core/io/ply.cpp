@@ -132,6 +132,7 @@ class Values {
   void set_place(std::string_view element, std::uint64_t index) {
     element_ = element;
     index_ = index;
+    begin_ = size_ - bytes_.size();
   }
 
   /// Nothing is refused but what is no number, or missing.
@@ -155,16 +156,19 @@ class Values {
     return 0.0;
   }
 
-  /// At the value that was read last.
-  std::unexpected<Error> refuse(std::string text) const {
-    if (encoding_ == Encoding::text) return lines_.refuse(word_ == 0 ? 0 : word_ - 1, std::move(text));
-    return bad_input(fmt::format("at byte {}: {}", size_ - bytes_.size(), text), name_, 0, 0);
-  }
+  /// In text at the value that was read last, in bytes at the next one.
+  std::unexpected<Error> refuse(std::string text) const { return refuse_at(size_ - bytes_.size(), std::move(text)); }
+  /// In bytes where the element begins.
   std::unexpected<Error> refuse_value(const std::string& text) const {
-    return refuse(fmt::format("{} {}: {}", printable(element_), index_, text));
+    return refuse_at(begin_, fmt::format("{} {}: {}", printable(element_), index_, text));
   }
 
  private:
+  std::unexpected<Error> refuse_at(std::size_t place, std::string text) const {
+    if (encoding_ == Encoding::text) return lines_.refuse(word_ == 0 ? 0 : word_ - 1, std::move(text));
+    return bad_input(fmt::format("at byte {}: {}", place, text), name_, 0, 0);
+  }
+
   Expected<double> next_word() {
     while (word_ >= lines_.count()) {
       word_ = 0;
@@ -195,6 +199,7 @@ class Values {
   std::size_t word_ = 0;
   std::string_view element_;
   std::uint64_t index_ = 0;
+  std::size_t begin_ = 0;  // of the element, in bytes
 };
 
 class PlyReader {

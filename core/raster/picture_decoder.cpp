@@ -87,8 +87,8 @@ bool looks_like_picture(std::string_view bytes) {
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels,
                                std::size_t most_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
-  if (const std::string_view hazard = decoding_hazard(bytes); !hazard.empty())
-    return fail("the picture is broken: " + std::string(hazard), name);
+  if (const std::string hazard = decoding_hazard(bytes); !hazard.empty())
+    return fail("the picture is broken: " + hazard, name);
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   Pixels out;
@@ -104,7 +104,10 @@ Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::stri
   try {
     const std::unique_ptr<stbi_uc, FreePixels> pixels(
         stbi_load_from_memory(data, size, &out.width, &out.height, &found, channels));
-    if (!pixels) return fail(std::string("the picture is broken: ") + stbi_failure_reason(), name);
+    if (!pixels) {
+      const std::string place = place_of_damage(bytes);
+      return fail("the picture is broken: " + (place.empty() ? stbi_failure_reason() : place), name);
+    }
     out.channels = channels == 0 ? found : channels;
     const std::size_t count = static_cast<std::size_t>(out.channels) * static_cast<std::size_t>(out.width) *
                               static_cast<std::size_t>(out.height);

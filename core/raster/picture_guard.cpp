@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/raster/picture_guard.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <optional>
+#include <string_view>
+
+#include "core/base/zlib.h"
 
 namespace mes {
 namespace {
 
 using Bytes = std::span<const std::byte>;
 
-constexpr std::string_view kTooMuch = "it announces more than it can hold";
+/// Where a part of the file begins.
+std::size_t place_of(Bytes part, Bytes whole) {
+  return static_cast<std::size_t>(part.data() - whole.data());
+}
 
 /// A number of `count` bytes, big-endian; bytes beyond the end count as zero.
 std::size_t number(Bytes bytes, std::size_t count) {
@@ -47,38 +54,60 @@ bool are_tables_sound(Bytes from_segment, std::size_t segment) {
 
 /// Walks from marker to marker: 0xFF and a byte that is neither zero, which means data, nor 0xFF, which is a filler.
 /// The decoder finds the same markers between segments, or it fails earlier.
-bool is_safe_jpeg(Bytes rest) {
+std::string jpeg_hazard(Bytes bytes) {
   constexpr unsigned kTables = 0xC4;
+  Bytes rest = bytes;
   for (;;) {
     while (rest.size() >= 2 && (rest[0] != kMarker || rest[1] == kMarker || rest[1] == std::byte{0}))
       rest = rest.subspan(1);
-    if (rest.size() < 2) return true;
+    if (rest.size() < 2) return {};
+    const std::size_t place = place_of(rest, bytes);
     const auto marker = std::to_integer<unsigned>(rest[1]);
     rest = rest.subspan(2);
     if (stands_alone(marker)) continue;
     const std::size_t length = std::max<std::size_t>(number(rest, 2), 2);
-    if (marker == kTables && !are_tables_sound(without_first(rest, 2), length - 2)) return false;
+    if (marker == kTables && !are_tables_sound(without_first(rest, 2), length - 2))
+      return fmt::format("at byte {}: a table of codes announces more symbols than there are", place);
     rest = without_first(rest, length);
   }
 }
 
 // --- PNG ---
 
+constexpr std::size_t kSignature = 8;
+constexpr std::size_t kBeforeContents = 8;
+constexpr std::size_t kChecksum = 4;
+constexpr std::size_t kEnd = 0x49454E44;
+
 /// Chunks: length, name, contents, checksum.
-bool is_safe_png(Bytes rest) {
-  constexpr std::size_t kSignature = 8;
-  constexpr std::size_t kBeforeContents = 8;
-  constexpr std::size_t kChecksum = 4;
-  constexpr std::size_t kEnd = 0x49454E44;
-  rest = without_first(rest, kSignature);
+std::string png_hazard(Bytes bytes) {
+  Bytes rest = without_first(bytes, kSignature);
   while (rest.size() >= kBeforeContents) {
     const std::size_t length = number(rest, 4);
-    if (number(rest.subspan(4), 4) == kEnd) return true;
-    rest = rest.subspan(kBeforeContents);
-    if (length > rest.size()) return false;
-    rest = without_first(rest, length + kChecksum);
+    if (number(rest.subspan(4), 4) == kEnd) return {};
+    if (length > rest.size() - kBeforeContents)
+      return fmt::format("at byte {}: a chunk announces {} bytes, and the file ends after {}", place_of(rest, bytes),
+                         length, rest.size() - kBeforeContents);
+    rest = without_first(rest, kBeforeContents + length + kChecksum);
   }
-  return true;
+  return {};
+}
+
+/// The first chunk that is cut, or whose checksum is not that of its contents.
+std::string png_damage(Bytes bytes) {
+  Bytes rest = without_first(bytes, kSignature);
+  while (!rest.empty()) {
+    const std::size_t length = number(rest, 4);
+    if (rest.size() < kBeforeContents + kChecksum || length > rest.size() - kBeforeContents - kChecksum)
+      return fmt::format("the file ends within the chunk at byte {}", place_of(rest, bytes));
+    const Bytes checked = rest.subspan(4, 4 + length);
+    const Bytes checksum = rest.subspan(kBeforeContents + length, kChecksum);
+    if (crc32_of({reinterpret_cast<const char*>(checked.data()), checked.size()}) != number(checksum, kChecksum))
+      return fmt::format("the chunk at byte {} does not fit its checksum", place_of(rest, bytes));
+    if (number(rest.subspan(4), 4) == kEnd) return {};
+    rest = rest.subspan(kBeforeContents + length + kChecksum);
+  }
+  return fmt::format("the file ends at byte {}, before the chunk that ends a picture", bytes.size());
 }
 
 // --- BMP ---
@@ -90,18 +119,21 @@ std::size_t little_endian(Bytes bytes, std::size_t count) {
   return out;
 }
 
-/// The largest number of so many bits in the bytes.
-unsigned largest_index(Bytes bytes, unsigned bits) {
-  unsigned out = 0;
-  for (const std::byte byte : bytes)
+/// The first byte that holds a number of so many bits that is not below `end`.
+std::optional<std::size_t> first_index_from(std::size_t end, Bytes bytes, unsigned bits) {
+  for (std::size_t i = 0; i < bytes.size(); ++i)
     for (unsigned shift = 0; shift < 8; shift += bits)
-      out = std::max(out, std::to_integer<unsigned>(byte) >> shift & ((1U << bits) - 1U));
-  return out;
+      if ((std::to_integer<std::size_t>(bytes[i]) >> shift & ((std::size_t{1} << bits) - 1U)) >= end) return i;
+  return std::nullopt;
+}
+
+std::string ends_in_row(std::size_t row, std::size_t rows) {
+  return fmt::format("the file ends in row {} of {}", row + 1, rows);
 }
 
 /// The decoder takes what lies between header and pixels for the palette, reads colours beyond its end from memory that
 /// was never written, and zeros beyond the end of the file.
-std::string_view bmp_hazard(Bytes bytes) {
+std::string bmp_hazard(Bytes bytes) {
   constexpr std::size_t kFileHeader = 14;
   constexpr std::size_t kOldHeader = 12;  // of OS/2, which the decoder takes for longer
   constexpr std::size_t kMostSide = std::size_t{1} << 16U;
@@ -115,13 +147,16 @@ std::string_view bmp_hazard(Bytes bytes) {
   const std::size_t bits = little_endian(without_first(rest, is_old ? 6 : 10), 2);
   if (width >= kMostSide || height >= kMostSide || bits == 0 || bits > 32) return {};  // refused anyway
   const std::size_t row = (width * bits + 31) / 32 * 4;
-  if (offset < kFileHeader + header || offset > bytes.size() || bytes.size() - offset < row * height) return kTooMuch;
+  if (offset < kFileHeader + header || offset > bytes.size())
+    return fmt::format("at byte 10: its pixels cannot begin at byte {}", offset);
+  if (bytes.size() - offset < row * height) return ends_in_row((bytes.size() - offset) / row, height);
   if (bits > 8) return {};
   const std::size_t colors =
       is_old ? (std::max<std::size_t>(offset, 38) - 38) / 3 : (offset - kFileHeader - header) / 4;
   if (bits != 1 && bits != 4 && bits != 8) return {};
-  const bool is_within = largest_index(bytes.subspan(offset, row * height), static_cast<unsigned>(bits)) < colors;
-  return is_within ? std::string_view() : "it has colours that its palette lacks";
+  const auto beyond = first_index_from(colors, bytes.subspan(offset, row * height), static_cast<unsigned>(bits));
+  return beyond ? fmt::format("at byte {}: there is a colour that its palette lacks", offset + *beyond)
+                : std::string();
 }
 
 // --- PGM and PPM ---
@@ -145,7 +180,7 @@ std::optional<std::size_t> next_number(Bytes& rest) {
 }
 
 /// The decoder adds up digits without end, takes 16 bits for 8, and does not look whether all pixels are there.
-std::string_view pnm_hazard(Bytes bytes) {
+std::string pnm_hazard(Bytes bytes) {
   Bytes rest = bytes.subspan(2);
   const auto width = next_number(rest);
   const auto height = next_number(rest);
@@ -153,23 +188,29 @@ std::string_view pnm_hazard(Bytes bytes) {
   if (!width || !height || !most || *most == 0) return "its header is not that of a PGM or PPM";
   if (*most > 255) return "values of 16 bits in PGM and PPM are not read";
   const std::size_t channels = bytes[1] == std::byte{'6'} ? 3 : 1;
-  const bool holds_all = !rest.empty() && rest.size() - 1 >= channels * *width * *height;
-  return holds_all ? std::string_view() : kTooMuch;
+  const std::size_t pixels = rest.empty() ? 0 : rest.size() - 1;
+  const std::size_t row = channels * *width;
+  return pixels < row * *height ? ends_in_row(pixels / row, *height) : std::string();
 }
+
+constexpr std::byte kPng{0x89};
 
 }  // namespace
 
-std::string_view decoding_hazard(Bytes bytes) {
-  constexpr std::byte kPng{0x89};
+std::string decoding_hazard(Bytes bytes) {
   const auto is_at = [&](std::size_t place, char c) {
     return place < bytes.size() && bytes[place] == static_cast<std::byte>(c);
   };
   if (bytes.empty()) return {};
-  if (bytes.front() == kMarker) return is_safe_jpeg(bytes) ? std::string_view() : kTooMuch;
-  if (bytes.front() == kPng) return is_safe_png(bytes) ? std::string_view() : kTooMuch;
+  if (bytes.front() == kMarker) return jpeg_hazard(bytes);
+  if (bytes.front() == kPng) return png_hazard(bytes);
   if (is_at(0, 'B') && is_at(1, 'M')) return bmp_hazard(bytes);
   if (is_at(0, 'P') && (is_at(1, '5') || is_at(1, '6'))) return pnm_hazard(bytes);
   return {};
+}
+
+std::string place_of_damage(Bytes bytes) {
+  return !bytes.empty() && bytes.front() == kPng ? png_damage(bytes) : std::string();
 }
 
 }  // namespace mes

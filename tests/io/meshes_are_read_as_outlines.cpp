@@ -258,6 +258,19 @@ TEST_CASE("PLY files that are wrong are refused where they are wrong") {
   std::string binary = binary_ply(false);
   const std::string cut = binary.substr(0, binary.size() - 1);
   check_refused(cut, " at byte " + std::to_string(cut.size() - 1) + ": the file ends within edge 0");
+  const std::size_t body = binary.find("end_header\n") + 11;
+  for (std::size_t size = body; size < binary.size(); ++size) {
+    const auto read = read_sample_bytes(binary.substr(0, size), "a.ply");
+    REQUIRE_FALSE(read);
+    CHECK_THAT(read.error().text, Catch::StartsWith("at byte ") && Catch::Contains(": the file ends within "));
+  }
+  // A value is refused where its element begins, whatever of it is wrong.
+  const std::string floats =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty float x\n"
+      "property float y\nproperty uchar q\nend_header\n";
+  const std::string nan = std::string("\x00\x00\xC0\x7F", 4) + std::string(5, '\0');
+  check_refused(floats + std::string(9, '\0') + nan,
+                " at byte " + std::to_string(floats.size() + 9) + ": vertex 1: nan is not a finite number");
   // Elements without properties take no time, however many there are.
   CHECK(read_good("ply\nformat ascii 1.0\nelement nothing 9999999999999999999\nelement vertex 1\nproperty int x\n"
                   "property int y\nend_header\n1 2\n")

@@ -33,7 +33,7 @@ std::string bmp(std::uint32_t width, std::uint32_t height, std::uint32_t bits, s
          number(1, 2) + number(bits, 2) + number(0, 24);
 }
 
-const std::string kTooMuch = "a: the picture is broken: it announces more than it can hold";
+const std::string kBroken = "a: the picture is broken: ";
 
 }  // namespace
 
@@ -54,9 +54,11 @@ TEST_CASE("PGM and PPM are read with comments between their numbers") {
 }
 
 TEST_CASE("PGM and PPM that lack what they announce are refused") {
-  CHECK(refusal("P5 2 2 255 abc") == kTooMuch);
-  CHECK(refusal("P6 1 1 255 ab") == kTooMuch);
-  CHECK(refusal("P5 30000 30000 255 a") == kTooMuch);
+  CHECK(refusal("P5 2 2 255 abc") == kBroken + "the file ends in row 2 of 2");
+  CHECK(refusal("P5 2 2 255 a") == kBroken + "the file ends in row 1 of 2");
+  CHECK(refusal("P5 2 2 255") == kBroken + "the file ends in row 1 of 2");
+  CHECK(refusal("P6 1 1 255 ab") == kBroken + "the file ends in row 1 of 1");
+  CHECK(refusal("P5 30000 30000 255 a") == kBroken + "the file ends in row 1 of 30000");
   CHECK(refusal("P5 1 1 65535 ab") == "a: the picture is broken: values of 16 bits in PGM and PPM are not read");
   for (const char* header : {"P5", "P5 ", "P5 a", "P5 1 1", "P5 1 1 0 a", "P5 99999999999 1 255 a", "P5 -1 1 255 a"})
     CHECK(refusal(header) == "a: the picture is broken: its header is not that of a PGM or PPM");
@@ -81,12 +83,17 @@ TEST_CASE("BMP is read from below and from above") {
 
 TEST_CASE("BMP with less than it announces is refused") {
   const std::string palette("\x00\x00\x00\x00\xff\xff\xff\x00", 8);
-  CHECK(refusal(bmp(3, 2, 8, 2) + palette + std::string(7, '\0')) == kTooMuch);
+  CHECK(refusal(bmp(3, 2, 8, 2) + palette + std::string(7, '\0')) == kBroken + "the file ends in row 2 of 2");
   CHECK(decoded(bmp(3, 2, 8, 2) + palette + std::string(8, '\0')).has_value());
   CHECK(refusal(bmp(3, 2, 8, 2) + palette + std::string(8, '\2')) ==
-        "a: the picture is broken: it has colours that its palette lacks");
+        kBroken + "at byte 62: there is a colour that its palette lacks");
+  CHECK(refusal(bmp(3, 2, 8, 2) + palette + std::string(5, '\1') + std::string(3, '\2')) ==
+        kBroken + "at byte 67: there is a colour that its palette lacks");
+  std::string moved = bmp(3, 2, 8, 2) + palette + std::string(8, '\0');
+  moved[11] = '\1';
+  CHECK(refusal(moved) == kBroken + "at byte 10: its pixels cannot begin at byte 318");
   CHECK(refusal(bmp(1, 1, 24, 0).substr(0, 30)).starts_with("a: "));
-  CHECK(refusal(bmp(30000, 30000, 24, 0)) == kTooMuch);
+  CHECK(refusal(bmp(30000, 30000, 24, 0)) == kBroken + "the file ends in row 1 of 30000");
   CHECK(refusal(bmp(1, 0x80000000U, 24, 0) + std::string(8, '\0')).starts_with("a: "));
 }
 

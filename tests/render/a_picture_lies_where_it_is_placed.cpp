@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture to trace: read from any bytes, and drawn where doubles say.
+#include <fmt/core.h>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <fstream>
@@ -170,7 +171,8 @@ TEST_CASE("what was written as PNG is read back, and broken bytes are an error o
 TEST_CASE("a picture that announces more than it can hold is refused before it is decoded") {
   const auto refused = [](std::span<const std::byte> bytes) {
     const auto read = render::decode_picture(bytes, "a");
-    return !read && read.error().message() == "a: the picture is broken: it announces more than it can hold";
+    return !read && read.error().message().starts_with("a: the picture is broken: at byte ") &&
+           read.error().message().contains(" announces ");
   };
   const auto jpeg = [](std::initializer_list<int> values) {
     std::vector<std::byte> out{std::byte{0xFF}, std::byte{0xD8}};
@@ -194,4 +196,33 @@ TEST_CASE("a picture that announces more than it can hold is refused before it i
   constexpr std::size_t kLengthOfData = 33;  // behind the signature and the header
   longer[kLengthOfData] = std::byte{0x3F};
   CHECK(refused(longer));
+}
+
+TEST_CASE("the place is named where a PNG is cut or damaged") {
+  const auto png = render::encode_png(three_fields(5, 4));
+  REQUIRE(png);
+  const auto message_of = [](std::span<const std::byte> bytes) {
+    const auto read = render::decode_picture(bytes, "a");
+    return read ? std::string() : read.error().message();
+  };
+  const std::string broken = "a: the picture is broken: ";
+  constexpr std::size_t kData = 33;  // the chunk behind the signature and the header
+  const std::size_t length = std::to_integer<std::size_t>((*png)[kData + 3]);
+  REQUIRE(length > 10);
+  const std::span<const std::byte> whole(*png);
+  // Shorter ones are no PNG: they lack the size.
+  for (std::size_t size = kData; size + 1 < whole.size(); ++size) {
+    const std::string message = message_of(whole.first(size));
+    INFO(size << ": " << message);
+    // The decoder does not need the end.
+    const bool holds_data = size >= kData + 8 + length;
+    CHECK((message.empty() ? holds_data : message.starts_with(broken) && message.contains(" byte ")));
+  }
+  CHECK(message_of(whole.first(kData + 8 + length - 1)) ==
+        fmt::format("{}at byte 33: a chunk announces {} bytes, and the file ends after {}", broken, length,
+                    length - 1));
+  // Of the compressed data a byte is wrong.
+  std::vector<std::byte> damaged = *png;
+  damaged[kData + 8] = std::byte{0xFF};
+  CHECK(message_of(damaged) == broken + "the chunk at byte 33 does not fit its checksum");
 }
