@@ -19,6 +19,7 @@ enum class ActionId : std::uint8_t {
   open,
   save,
   save_as,
+  keep_degrees,
   trace_picture,
   picture_to_samples,
   make_shape,

@@ -97,7 +97,7 @@ void add_source(CLI::App& command, Source& source) {
   command.add_option("FILE", source.file, "Samples to read, or - for standard input")->required();
   command.add_option("--from", source.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_trace(command, source.trace);
+  add_reading(command, source.reading);
   command.add_option("--precision", source.precision,
                      "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
   command
@@ -257,7 +257,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
     command.add_option("FILE", request.file, "Samples to read, or - for standard input")->required();
     command.add_option("--from", request.from,
                        "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-    add_trace(command, request.trace);
+    add_reading(command, request.reading);
     command.add_option("--epsilon", request.epsilon, epsilon)->capture_default_str();
     command.add_option("-o,--output", request.output, "Write to this file instead of standard output");
     add_force(command, request.force);
@@ -426,7 +426,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
   evolve->add_option("FILE", to.evolve.file, "Samples to read, or - for standard input")->required();
   evolve->add_option("--from", to.evolve.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_trace(*evolve, to.evolve.trace);
+  add_reading(*evolve, to.evolve.reading);
   evolve->add_option("--evolution", to.evolve.evolution, "Evolution id (mesecina list evolutions)")->required();
   evolve->add_option("--steps", to.evolve.steps, "How many steps")->required();
   evolve->add_option("--seed", to.evolve.seed, "Of the random numbers, where an evolution draws any")

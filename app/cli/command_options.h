@@ -19,8 +19,8 @@ std::string ids_of(const auto& descriptors) {
   return out;
 }
 
-/// How a picture becomes samples.
-void add_trace(CLI::App& command, TraceOptions& trace);
+/// How a picture or a map becomes samples.
+void add_reading(CLI::App& command, ReadingOptions& reading);
 void add_force(CLI::App& command, bool& force);
 
 // Each adds a command and returns it.

@@ -81,7 +81,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   const auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_output(request.output); !good) return good;
-  auto input = read_input(request.source.file, request.source.from, request.source.trace);
+  auto input = read_input(request.source.file, request.source.from, request.source.reading);
   if (!input) return std::unexpected(input.error());
 
   const std::size_t samples = input->data.positions.size();

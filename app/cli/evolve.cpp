@@ -41,7 +41,7 @@ Expected<void> run_evolve(const EvolveRequest& request, Interruption& interrupti
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.trace);
+  const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
 
   Document document;

@@ -55,7 +55,7 @@ Expected<void> run_export(const ExportRequest& request, Interruption& interrupti
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_layers(**format, *layers); !good) return good;
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from, request.source.trace);
+  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
   if (!input) return std::unexpected(input.error());
 
   const auto out = compute_text(input->data, **format, *layers, *settings);

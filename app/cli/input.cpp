@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/cli/messages.h"
@@ -16,8 +17,9 @@ std::unexpected<Error> usage_error(std::string text) {
   return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
 }
 
-Expected<TraceRequest> understand(const TraceOptions& options) {
-  TraceRequest out;
+Expected<ReadRequest> understand(const ReadingOptions& options) {
+  ReadRequest request;
+  TraceRequest& out = request.trace;
   if (!options.threshold.empty()) {
     const auto value = parse_count(options.threshold);
     if (!value || *value > 254)
@@ -34,7 +36,14 @@ Expected<TraceRequest> understand(const TraceOptions& options) {
   if (options.figure == "light") out.figure = FigureSide::light;
   if (!options.figure.empty() && out.figure == FigureSide::found)
     return usage_error("--figure-side expects dark or light, not " + in_quotes(options.figure));
-  return out;
+  if (options.keeps_degrees) request.degrees = MapDegrees::kept;
+  return request;
+}
+
+bool is_map(std::string_view format) {
+  const auto formats = format_descriptors();
+  const auto found = std::ranges::find(formats, format, &FormatDescriptor::id);
+  return found != formats.end() && found->is_map;
 }
 
 }  // namespace
@@ -43,12 +52,14 @@ std::vector<std::string> figure_sides() {
   return {"dark", "light"};
 }
 
-Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const TraceOptions& options) {
-  const auto trace = understand(options);
-  if (!trace) return std::unexpected(trace.error());
-  auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *trace)
-                            : read_sample_file(file, format, {}, *trace);
+Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const ReadingOptions& options) {
+  const auto request = understand(options);
+  if (!request) return std::unexpected(request.error());
+  auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *request)
+                            : read_sample_file(file, format, {}, *request);
   if (!loaded) return loaded;
+  if (options.keeps_degrees && !is_map(loaded->format))
+    return std::unexpected(Error{ErrorCode::usage, "only maps have degrees to keep, and this is none", file});
   for (const std::string& warning : loaded->warnings) say(warning);
   return loaded;
 }

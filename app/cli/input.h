@@ -13,8 +13,9 @@ namespace mes::cli {
 
 /// Reads a file, or standard input when its name is "-". What is odd but bearable in it is said on stderr. Error: also
 /// `usage` for options of tracing that contradict each other, before anything is read, or that are given for a file
-/// that is not a picture.
-Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const TraceOptions& trace = {});
+/// that is not a picture, and for degrees to keep of a file that is not a map.
+Expected<LoadedFile> read_input(const std::string& file, const std::string& format,
+                                const ReadingOptions& options = {});
 
 /// The values of `--figure-side`.
 std::vector<std::string> figure_sides();

@@ -74,7 +74,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->shown.styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
     for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
-  const auto input = read_input(request.source.file, request.source.from, request.source.trace);
+  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
   if (!input) return std::unexpected(input.error());
   if (const Session* const session = input->session.get()) {
     picture = understand(request, maps.maps, session);

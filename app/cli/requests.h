@@ -16,18 +16,19 @@
 
 namespace mes::cli {
 
-/// What of a picture is traced; empty: what is found out.
-struct TraceOptions {
+/// What of a picture is traced, empty: what is found out; and what becomes of the degrees of a map.
+struct ReadingOptions {
   std::string threshold;
   std::string specks;
-  std::string figure;  ///< "dark" or "light"
+  std::string figure;          ///< "dark" or "light"
+  bool keeps_degrees = false;  ///< longitude and latitude are not projected
 };
 
 /// Common to everything that reads samples and computes.
 struct Source {
   std::string file;
   std::string from;  ///< id of the input format; empty = find out
-  TraceOptions trace{};
+  ReadingOptions reading{};
   std::string precision;              ///< empty: fast, or in a picture what a session has
   std::vector<std::string> settings;  ///< NAME=VALUE
 };
@@ -71,7 +72,7 @@ Expected<void> run_persistence(const PersistenceRequest& request, Interruption& 
 struct ResampleRequest {
   std::string file;
   std::string from;
-  TraceOptions trace{};
+  ReadingOptions reading{};
   std::string epsilon = "0.25";
   std::string output;
   bool force = false;
@@ -155,7 +156,7 @@ Expected<void> run_lesson(const LessonRequest& request, Interruption& interrupti
 struct EvolveRequest {
   std::string file;
   std::string from;
-  TraceOptions trace{};
+  ReadingOptions reading{};
   std::string evolution;
   std::string steps;
   std::string seed = "1";
@@ -180,7 +181,7 @@ Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption
 struct SampleRequest {
   std::string file;
   std::string from;
-  TraceOptions trace{};
+  ReadingOptions reading{};
   std::string rule;  ///< id of a sampling rule; empty: what the other options ask for
   std::string samples;
   std::string spacing;

@@ -40,7 +40,7 @@ Expected<void> run_repair(const ResampleRequest& request, Interruption& interrup
   const auto epsilon = epsilon_of(request);
   if (!epsilon) return std::unexpected(epsilon.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.trace);
+  const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
   const auto repaired = repair(input->data, *epsilon, job);
@@ -53,7 +53,7 @@ Expected<void> run_decimate(const ResampleRequest& request, Interruption& interr
   const auto epsilon = epsilon_of(request);
   if (!epsilon) return std::unexpected(epsilon.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.trace);
+  const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
   const auto decimated = decimate(input->data, *epsilon, job);

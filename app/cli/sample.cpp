@@ -89,7 +89,7 @@ Expected<void> run_sample(const SampleRequest& request, Interruption& interrupti
   const auto sampling = sampling_of(request);
   if (!sampling) return std::unexpected(sampling.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.trace);
+  const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   if (input->data.positions.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "there are no samples and no curves", request.file});

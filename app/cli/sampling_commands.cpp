@@ -36,7 +36,7 @@ CLI::App* describe_sample(CLI::App& app, SampleRequest& to) {
   sample->add_option("FILE", to.file, "File to read, or - for standard input")->required();
   sample->add_option("--from", to.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_trace(*sample, to.trace);
+  add_reading(*sample, to.reading);
   sample->add_option("--rule", to.rule,
                      "Where samples lie: " + ids_of(sampling_rules()) +
                          ";\n"

@@ -246,8 +246,8 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
   return {};
 }
 
-Expected<void> SelectionDesk::paste(std::string_view text, Vec2 step) {
-  auto read = read_sample_bytes(text, "clipboard");
+Expected<void> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
+  auto read = read_sample_bytes(text, "clipboard", {}, {.degrees = degrees});
   if (!read) return std::unexpected(read.error());
   SampleData& data = read->data;
   if (data.positions.empty() && data.balls.empty())

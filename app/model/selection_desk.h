@@ -10,6 +10,7 @@
 
 #include "app/model/editor.h"
 #include "core/edit/arrangement.h"
+#include "core/io/format.h"
 
 namespace mes {
 
@@ -72,8 +73,8 @@ class SelectionDesk {
   std::string text() const;
   /// Adds what the text holds, in any format that can be opened, and selects it. Where its first place is taken, all of
   /// it is moved by as many `step`s as it takes to find a free one. Curve order and annotations of the text are left out.
-  /// Error: as when a file is read.
-  Expected<void> paste(std::string_view text, Vec2 step);
+  /// `degrees` of a map. Error: as when a file is read.
+  Expected<void> paste(std::string_view text, Vec2 step, MapDegrees degrees = MapDegrees::projected);
   /// Adds the same once more, moved by a step, and selects it.
   Expected<void> duplicate(Vec2 step);
 

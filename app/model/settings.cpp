@@ -202,6 +202,7 @@ Settings from_json(const json& object) {
   out.snap.grid = flag_in(object, "snaps_to_grid", out.snap.grid);
   out.snap.pixels = flag_in(object, "snaps_to_pixels", out.snap.pixels);
   out.show_handles = flag_in(object, "show_handles", out.show_handles);
+  out.keep_degrees = flag_in(object, "keep_degrees", out.keep_degrees);
   out.show_insertion_preview = flag_in(object, "show_insertion_preview", out.show_insertion_preview);
   out.show_evolution = flag_in(object, "show_evolution", out.show_evolution);
   out.classic_keys = flag_in(object, "classic_keys", out.classic_keys);
@@ -298,6 +299,7 @@ json to_json(const Settings& settings) {
           {"snaps_to_pixels", settings.snap.pixels},
           {"show_handles", settings.show_handles},
           {"show_insertion_preview", settings.show_insertion_preview},
+          {"keep_degrees", settings.keep_degrees},
           {"show_evolution", settings.show_evolution},
           {"classic_keys", settings.classic_keys},
           {"last_folder", settings.last_folder},

@@ -62,6 +62,7 @@ struct Settings {
   SnapSettings snap{};
   bool show_handles = true;             ///< of the frame around what is selected
   bool show_insertion_preview = false;  ///< what a sample at the cursor would change
+  bool keep_degrees = false;            ///< of maps, which are projected otherwise
   bool show_evolution = false;
   bool classic_keys = false;  ///< those of the program of 2007
   std::string last_folder;    ///< of the file browser

@@ -55,6 +55,7 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::new_document);
   action_item(menu, ActionId::open);
   recent_files_menu(menu);
+  action_item(menu, ActionId::keep_degrees);
   ImGui::Separator();
   action_item(menu, ActionId::save);
   action_item(menu, ActionId::save_as);

@@ -38,11 +38,12 @@ FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::fu
 }
 FileDesk::~FileDesk() = default;
 
-FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, const std::stop_token& stop) {
+FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, MapDegrees degrees,
+                                     const std::stop_token& stop) {
   LoadedFiles out;
   for (const fs::path& file : files) {
     try {
-      out.push_back(read_sample_file(file, {}, stop));
+      out.push_back(read_sample_file(file, {}, stop, {.degrees = degrees}));
     } catch (const std::bad_alloc&) {
       out.push_back(
           std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()}));
@@ -56,15 +57,17 @@ FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, const std:
 
 void FileDesk::begin(Asked asked) {
   asked_ = std::move(asked);
-  reading_.begin([files = asked_.files](const std::stop_token& stop) { return read(files, stop); });
+  reading_.begin([files = asked_.files, degrees = asked_.degrees](const std::stop_token& stop) {
+    return read(files, degrees, stop);
+  });
 }
 
-void FileDesk::open(const std::vector<fs::path>& files) {
-  if (!files.empty()) begin({files, {}});
+void FileDesk::open(const std::vector<fs::path>& files, MapDegrees degrees) {
+  if (!files.empty()) begin({.files = files, .degrees = degrees});
 }
 
 void FileDesk::open_shape(const fs::path& file, const std::string& title) {
-  begin({{file}, title});
+  begin({.files = {file}, .title = title});
 }
 
 void FileDesk::cancel_reading() {
@@ -128,6 +131,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
       data.positions = std::move(loaded.data.positions);
       data.contours = std::move(loaded.data.contours);
       data.source = std::move(loaded.data.source);
+      out.degrees = loaded.degrees;
     }
     if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
     std::ranges::move(loaded.warnings, std::back_inserter(out.warnings));

@@ -43,8 +43,8 @@ class FileDesk {
   ~FileDesk();
 
   /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something
-  /// else each: a file of samples and a file of balls are one document again.
-  void open(const std::vector<std::filesystem::path>& files);
+  /// else each: a file of samples and a file of balls are one document again. `degrees` of maps among them.
+  void open(const std::vector<std::filesystem::path>& files, MapDegrees degrees = MapDegrees::projected);
   void open(const std::filesystem::path& file) { open(std::vector{file}); }
   /// The same for a built-in shape: it has a title, but saving asks for a file.
   void open_shape(const std::filesystem::path& file, const std::string& title);
@@ -59,6 +59,7 @@ class FileDesk {
     bool is_shape = false;
     std::shared_ptr<const Session> session;  ///< if it was one; the document is the session's already
     std::string format;
+    std::optional<MapDegrees> degrees;  ///< what became of longitude and latitude; none: there were none
     std::size_t samples = 0;
     std::size_t balls = 0;
     std::vector<std::string> warnings;
@@ -111,11 +112,13 @@ class FileDesk {
   /// What is asked for by `open`.
   struct Asked {
     std::vector<std::filesystem::path> files;
-    std::string title;  // of a shape
+    std::string title{};  // of a shape
+    MapDegrees degrees = MapDegrees::projected;
   };
   using LoadedFiles = std::vector<Expected<LoadedFile>>;  // up to the first that failed
   void begin(Asked asked);
-  static LoadedFiles read(std::span<const std::filesystem::path> files, const std::stop_token& stop);
+  static LoadedFiles read(std::span<const std::filesystem::path> files, MapDegrees degrees,
+                          const std::stop_token& stop);
   /// Which files hold what.
   struct Held {
     std::filesystem::path file{};

@@ -36,7 +36,7 @@ Expected<TracePreview> read_preview(const std::filesystem::path& file, const std
 
 Expected<TraceDesk::Samples> read_samples(const std::filesystem::path& file, const TraceRequest& request,
                                           const std::stop_token& stop) {
-  auto loaded = read_sample_file(file, "picture", stop, request);
+  auto loaded = read_sample_file(file, "picture", stop, {.trace = request});
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   TraceDesk::Samples out{.data = std::move(loaded->data)};
   if (!loaded->warnings.empty()) out.remark = std::move(loaded->warnings.front());

@@ -54,7 +54,7 @@ App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, Loade
 void App::bind_actions() {
   ActionBindings& actions = keys_.actions();
   work_.bind(actions, settings_.settings());
-  bind_selection(actions, {work_.editor(), work_.selection_desk(), messages_,
+  bind_selection(actions, {work_.editor(), work_.selection_desk(), messages_, settings_.settings(),
                            [] {
                              const char* const text = ImGui::GetClipboardText();
                              return std::string(text == nullptr ? "" : text);

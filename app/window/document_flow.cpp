@@ -74,11 +74,18 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                      const std::vector<fs::path> files = without_bundles({file.string()});
                      if (files.empty()) return;
                      traced_with_next_.clear();
-                     files_.open(files);
+                     open_documents(files);
                    };
                    uses_.dialogs.browser.ask_open(browse_folder(), remembering(open_one));
                  });
                }});
+  actions.bind(ActionId::keep_degrees, {[this] {
+                                          bool& keeps = uses_.settings.keep_degrees;
+                                          keeps = !keeps;
+                                          read_map_again();
+                                        },
+                                        {},
+                                        [this] { return uses_.settings.keep_degrees; }});
   actions.bind(ActionId::trace_picture, {[this] {
                  uses_.dialogs.browser.ask_open(
                      browse_folder(), remembering([this](const fs::path& file) { uses_.board.traced().trace(file); }),
@@ -193,6 +200,7 @@ void DocumentFlow::start_empty() {
 void DocumentFlow::leave_document() {
   uses_.work.leave_document();
   uses_.board.traced().give_up();
+  map_files_.clear();
 }
 
 // What is being read or saved is about the document that the lesson would put aside.

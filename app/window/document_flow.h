@@ -95,6 +95,9 @@ class DocumentFlow {
   bool can_present() const;
 
   // document_opening.cpp
+  void open_documents(const std::vector<std::filesystem::path>& files);
+  /// The map that is open is read once more, as the settings say now what becomes of its degrees.
+  void read_map_again();
   void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
   void ask_trace();
   /// In the place of what there is, as one step of undo.
@@ -126,9 +129,10 @@ class DocumentFlow {
   WorkKeeper keeper_;
   FigureFlow figures_;
   TraceFlow tracing_;
-  std::function<void()> after_save_;        // what waits for a save, under a new name perhaps
-  std::filesystem::path traced_with_next_;  // when what is being read is there
-  bool presents_next_ = false;              // what is being read
+  std::function<void()> after_save_;              // what waits for a save, under a new name perhaps
+  std::filesystem::path traced_with_next_;        // when what is being read is there
+  std::vector<std::filesystem::path> map_files_;  // that were opened, if they had longitude and latitude
+  bool presents_next_ = false;                    // what is being read
   bool had_first_file_ = false;
   bool is_left_ = false;
 };

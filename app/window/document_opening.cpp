@@ -28,7 +28,7 @@ std::string take_picture(std::vector<std::string>& files) {
 void DocumentFlow::open_first(std::vector<std::string> files) {
   const std::string picture = take_picture(files);
   if (const std::vector<fs::path> documents = without_bundles(files); !documents.empty()) {
-    files_.open(documents);
+    open_documents(documents);
     traced_with_next_ = picture;
     return;
   }
@@ -37,6 +37,19 @@ void DocumentFlow::open_first(std::vector<std::string> files) {
   else
     uses_.board.fitter().want(ViewFitter::How::at_once);
   if (!picture.empty()) tracing_.open(picture);
+}
+
+void DocumentFlow::open_documents(const std::vector<fs::path>& files) {
+  files_.open(files, uses_.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected);
+}
+
+// Not when what is open has been saved to a file of its own since.
+void DocumentFlow::read_map_again() {
+  if (map_files_.empty() || !files_.file().empty()) return;
+  with_saved_work([this, files = map_files_] {
+    traced_with_next_.clear();
+    open_documents(files);
+  });
 }
 
 void DocumentFlow::open(std::vector<std::string> files) {
@@ -51,7 +64,7 @@ void DocumentFlow::open_with_picture(const std::vector<std::string>& files, cons
     return;
   }
   with_saved_work([this, documents = std::move(documents), picture] {
-    files_.open(documents);
+    open_documents(documents);
     traced_with_next_ = picture;
   });
 }
@@ -103,6 +116,7 @@ void DocumentFlow::take_read_file() {
   }
   uses_.demo.end(true);
   leave_document();
+  if (outcome->degrees) map_files_ = outcome->files;
   if (outcome->session) show_as_in(*outcome->session);
   if (!picture.empty()) uses_.board.traced().trace(picture);
   uses_.board.fitter().want(had_first_file_ ? ViewFitter::How::glide : ViewFitter::How::at_once);
@@ -128,6 +142,8 @@ void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
   }
   if (outcome.warnings.empty()) return;
   std::string text = outcome.warnings.front();
+  if (outcome.degrees == MapDegrees::projected)
+    text += fmt::format(" (File > {} leaves them)", descriptor_of(ActionId::keep_degrees).name);
   if (outcome.warnings.size() > 1) text += fmt::format(" (and {} more remarks)", outcome.warnings.size() - 1);
   uses_.messages.problem(text);
 }

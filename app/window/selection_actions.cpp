@@ -38,7 +38,8 @@ void bind_clipboard(ActionBindings& actions, const std::shared_ptr<const Selecti
                                },
                                has_selection});
   actions.bind(ActionId::paste, {[u, selected, step] {
-                 const Expected<void> done = u->desk.paste(u->clipboard(), step());
+                 const auto degrees = u->settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
+                 const Expected<void> done = u->desk.paste(u->clipboard(), step(), degrees);
                  report(u->messages, done);
                  if (done) u->messages.remark("Pasted " + selected());
                }});

@@ -8,6 +8,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/model/messages.h"
 #include "app/model/selection_desk.h"
+#include "app/model/settings.h"
 
 namespace mes {
 
@@ -16,6 +17,7 @@ struct SelectionUses {
   Editor& editor;
   SelectionDesk& desk;
   Messages& messages;
+  const Settings& settings;
   std::function<std::string()> clipboard;  ///< its text
   std::function<void(const std::string&)> to_clipboard;
   std::function<double()> units_per_px;  ///< of the view, in logical pixels

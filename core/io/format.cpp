@@ -92,13 +92,21 @@ bool is_known_all_the_same(std::string_view bytes) {
   });
 }
 
+Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const std::string& name,
+                             const ReadRequest& request, const fs::path* path) {
+  if (!request.trace.is_default()) return format.read_traced(bytes, name, request.trace);
+  if (format.read_map != nullptr) return format.read_map(bytes, name, request.degrees, path);
+  if (path != nullptr && format.read_beside != nullptr) return format.read_beside(bytes, name, *path);
+  return format.read(bytes, name);
+}
+
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
-                                const TraceRequest& trace, const fs::path* path) {
+                                const ReadRequest& request, const fs::path* path) {
   try {
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());
-      if (*text) return trace.is_default() ? read_carried(**text, name) : untraceable(name);
+      if (*text) return request.trace.is_default() ? read_carried(**text, name) : untraceable(name);
     }
     if (looks_like_manifest(bytes))
       return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
@@ -111,10 +119,8 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
       return bad_input("the file is empty", name, 1, 1);
     const auto format = choose_format(bytes, name, wanted);
     if (!format) return std::unexpected(format.error());
-    if (!trace.is_default() && (*format)->read_traced == nullptr) return untraceable(name);
-    auto file = !trace.is_default()                                    ? (*format)->read_traced(bytes, name, trace)
-                : path != nullptr && (*format)->read_beside != nullptr ? (*format)->read_beside(bytes, name, *path)
-                                                                       : (*format)->read(bytes, name);
+    if (!request.trace.is_default() && (*format)->read_traced == nullptr) return untraceable(name);
+    auto file = read_as(**format, bytes, name, request, path);
     if (!file) return file;
     file->format = (*format)->descriptor.id;
     if (path != nullptr && (*format)->read_companions != nullptr) (*format)->read_companions(*path, *file);
@@ -149,25 +155,25 @@ std::span<const FormatDescriptor> format_descriptors() {
 }
 
 Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, const std::stop_token& stop,
-                                      const TraceRequest& trace) {
+                                      const ReadRequest& request) {
   const auto bytes = read_whole(path, what_may_be_read(stop));
   if (!bytes) return std::unexpected(bytes.error());
-  auto file = read_bytes(*bytes, path.string(), format, trace, &path);
+  auto file = read_bytes(*bytes, path.string(), format, request, &path);
   std::error_code error;
   if (file && fs::is_regular_file(path, error)) file->sources.push_back({path, fingerprint_of(*bytes)});
   return file;
 }
 
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format,
-                                        const TraceRequest& trace) {
+                                        const ReadRequest& request) {
   const auto bytes = read_whole(descriptor, name, what_may_be_read({}));
   if (!bytes) return std::unexpected(bytes.error());
-  return read_bytes(*bytes, name, format, trace, nullptr);
+  return read_bytes(*bytes, name, format, request, nullptr);
 }
 
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format,
-                                       const TraceRequest& trace) {
-  return read_bytes(bytes, name, format, trace, nullptr);
+                                       const ReadRequest& request) {
+  return read_bytes(bytes, name, format, request, nullptr);
 }
 
 }  // namespace mes

@@ -2,8 +2,10 @@
 // Reading and writing of files of samples or balls, whatever their format.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -19,6 +21,18 @@ namespace mes {
 
 struct Session;
 
+/// What becomes of longitude and latitude.
+enum class MapDegrees : std::uint8_t {
+  projected,  ///< to kilometres about the middle of the map
+  kept,       ///< as coordinates of the plane, in degrees
+};
+
+/// How a file is read, where there is a choice.
+struct ReadRequest {
+  TraceRequest trace{};  ///< of pictures; a request that is not the default fits no other format
+  MapDegrees degrees = MapDegrees::projected;  ///< of maps; of no effect on other formats
+};
+
 /// What a file held.
 struct LoadedFile {
   SampleData data;
@@ -27,7 +41,8 @@ struct LoadedFile {
   std::vector<SourceFile> sources{};  ///< regular files that were read for it
   /// Of a session, all of it; `data` is its last state then.
   std::shared_ptr<const Session> session;
-  bool is_carried = false;  ///< the session was in a picture or figure (core/io/carried_session.h)
+  std::optional<MapDegrees> degrees{};  ///< what became of longitude and latitude; none: the file had none
+  bool is_carried = false;              ///< the session was in a picture or figure (core/io/carried_session.h)
 };
 
 struct FormatDescriptor {
@@ -36,6 +51,7 @@ struct FormatDescriptor {
   std::vector<std::string_view> extensions;  ///< with the dot, lower case
   bool can_read = false;
   bool can_write = false;
+  bool is_map = false;  ///< positions may be longitude and latitude
 };
 
 /// Every format, in the order in which contents are tried.
@@ -43,20 +59,20 @@ std::span<const FormatDescriptor> format_descriptors();
 
 /// Reads a file; the format is found by content first, extension second, unless `format` names one. A picture or a
 /// figure that carries a session is read as that session. A `.contours` file beside a POFF file is read too, if it is a
-/// regular file. A picture is traced as `trace` says, which no other format may be. Never allocates by what a header
+/// regular file. Never allocates by what a header
 /// promises. A pipe is waited for until a stop is requested (error
 /// `cancelled`). Error: `bad_input` with file, line, column; `usage` for a wish that does not fit
 /// the file.
 Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {},
-                                      const std::stop_token& stop = {}, const TraceRequest& trace = {});
+                                      const std::stop_token& stop = {}, const ReadRequest& request = {});
 
 /// The same for bytes in memory; `name` stands for the file in messages.
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {},
-                                       const TraceRequest& trace = {});
+                                       const ReadRequest& request = {});
 
 /// The same from an open file descriptor, e.g. standard input, read to its end and left open.
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format = {},
-                                        const TraceRequest& trace = {});
+                                        const ReadRequest& request = {});
 
 /// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
 std::string write_poff(const Document& document);

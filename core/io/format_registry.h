@@ -25,7 +25,8 @@ struct Format {
   FormatDescriptor descriptor;
   Match (*match)(std::string_view bytes);
   /// Everything but `LoadedFile::format`. `name` stands for the file in messages.
-  Expected<LoadedFile> (*read)(std::string_view bytes, const std::string& name);
+  /// Null of maps, which have `read_map`.
+  Expected<LoadedFile> (*read)(std::string_view bytes, const std::string& name) = nullptr;
   /// Of pictures: what `read` does, with a choice of what to trace; null for all others.
   Expected<LoadedFile> (*read_traced)(std::string_view bytes, const std::string& name,
                                       const TraceRequest& request) = nullptr;
@@ -33,6 +34,10 @@ struct Format {
   /// others.
   Expected<LoadedFile> (*read_beside)(std::string_view bytes, const std::string& name,
                                       const std::filesystem::path& path) = nullptr;
+  /// Of maps: what `read` does, with a choice of what becomes of longitude and latitude. `path` is that of the file, null
+  /// for bytes in memory.
+  Expected<LoadedFile> (*read_map)(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                                   const std::filesystem::path* path) = nullptr;
   /// Its files may be XML or binary, and say so themselves: what looks like no text of samples may be one of them.
   bool may_look_foreign = false;
   /// Reads what lies beside the file in files of its own; may be null. Only warns, never fails.

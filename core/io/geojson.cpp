@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoJSON (RFC 7946), and plain lists of rings or points in JSON.
 //
-// Positions are longitude and latitude, and projected (core/io/map_shapes.h). They are coordinates of the plane in
+// Positions are longitude and latitude, projected or kept (core/io/map_shapes.h). They are coordinates of the plane in
 // lists, where a member `crs` names another system, and in what this program has exported.
 #include <fmt/core.h>
 #include <algorithm>
@@ -37,7 +37,8 @@ constexpr std::array<std::string_view, 3> kContainers{"GeometryCollection", "Fea
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  GeoJsonReader(std::string_view text, const std::string& name, MapDegrees degrees)
+      : text_(text), name_(name), degrees_(degrees) {}
 
   Expected<LoadedFile> read() {
     const JsonView whole = JsonView::whole(text_);
@@ -48,7 +49,7 @@ class GeoJsonReader {
       if (names_another_system(whole)) unit_ = MapShapes::Unit::plane;
       if (auto done = read_object(whole); !done) return std::unexpected(done.error());
     }
-    auto file = std::move(shapes_).load(name_, unit_);
+    auto file = std::move(shapes_).load(name_, unit_, degrees_);
     if (file && first_height_)
       file->warnings.push_back(refuse(first_height_, "heights are left out").error().message());
     return file;
@@ -154,6 +155,7 @@ class GeoJsonReader {
 
   std::string_view text_;
   const std::string& name_;
+  MapDegrees degrees_;
   MapShapes shapes_;
   MapShapes::Unit unit_ = MapShapes::Unit::degrees;
   Magnitudes seen_;
@@ -187,10 +189,11 @@ Match match(std::string_view bytes) {
   return is_list_of_lists ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                          const std::filesystem::path*) {
   const std::string_view text = without_bom(bytes);
   if (auto good = check_json(text, name); !good) return std::unexpected(good.error());
-  return GeoJsonReader(text, name).read();
+  return GeoJsonReader(text, name, degrees).read();
 }
 
 }  // namespace
@@ -199,9 +202,10 @@ Format geojson_format() {
   return {.descriptor = {.id = "geojson",
                          .name = "GeoJSON, or lists of positions in JSON",
                          .extensions = {".geojson"},
-                         .can_read = true},
+                         .can_read = true,
+                         .is_map = true},
           .match = match,
-          .read = read};
+          .read_map = read};
 }
 
 }  // namespace mes

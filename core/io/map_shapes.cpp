@@ -48,9 +48,12 @@ void MapShapes::end(Kind kind) {
   parts_.push_back({kind, positions_.size()});
 }
 
+bool MapShapes::is_on_earth() const {
+  const auto is_position = [](Vec2 p) { return std::abs(p.x) <= 180.0 && std::abs(p.y) <= 90.0; };
+  return !positions_.empty() && std::ranges::all_of(positions_, is_position);
+}
+
 std::string MapShapes::project() {
-  const auto is_on_earth = [](Vec2 p) { return std::abs(p.x) <= 180.0 && std::abs(p.y) <= 90.0; };
-  if (positions_.empty() || !std::ranges::all_of(positions_, is_on_earth)) return {};
   join_across_the_antimeridian(positions_);
   const Box2 box = box_of(positions_);
   const Vec2 middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
@@ -63,8 +66,11 @@ std::string MapShapes::project() {
                      in_degrees(middle.y, 'N', 'S'));
 }
 
-Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit) && {
-  const std::string remark = unit == Unit::degrees ? project() : std::string();
+Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees) && {
+  const bool has_degrees = unit == Unit::degrees && is_on_earth();
+  std::string remark;
+  if (has_degrees)
+    remark = degrees == MapDegrees::projected ? project() : "degrees are kept as coordinates of the plane";
   CurveSet curves;
   std::size_t begin = 0;
   for (const Part& part : parts_) {
@@ -79,7 +85,10 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit) && {
   }
   positions_ = {};
   auto file = load_samples(std::move(curves), {.rule = SamplingRule::vertices}, name);
-  if (file && !remark.empty()) file->warnings.push_back(Error{ErrorCode::bad_input, remark, name}.message());
+  if (file && has_degrees) {
+    file->degrees = degrees;
+    file->warnings.push_back(Error{ErrorCode::bad_input, remark, name}.message());
+  }
   return file;
 }
 

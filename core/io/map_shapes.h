@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What maps consist of, points, lines and rings, on their way to samples: GeoJSON and WKT. Private to core/io.
+// What maps consist of, points, lines and rings, on their way to samples: GeoJSON, WKT and shapefiles.
+// Private to core/io.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace mes {
 ///     MapShapes shapes;
 ///     for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
 ///     shapes.end_ring();
-///     return std::move(shapes).load(name, MapShapes::Unit::degrees);
+///     return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected);
 class MapShapes {
  public:
   /// What the numbers of a position mean.
@@ -36,9 +37,9 @@ class MapShapes {
   void end_ring() { end(Kind::ring); }
 
   /// Degrees are projected to kilometres about the middle of the map, equirectangularly: true to scale there and along
-  /// meridians. A map across the 180th meridian stays in one piece. A
-  /// warning says so. Error: as `load_samples`.
-  Expected<LoadedFile> load(const std::string& name, Unit unit) &&;
+  /// meridians. A map across the 180th meridian stays in one piece. Degrees that are kept stay bit for bit, so such a
+  /// map has pieces at both ends. A warning says which it was. Error: as `load_samples`.
+  Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees) &&;
 
  private:
   enum class Kind : std::uint8_t { points, line, ring };
@@ -47,6 +48,7 @@ class MapShapes {
     std::size_t end;
   };
   void end(Kind kind);
+  bool is_on_earth() const;
   std::string project();
 
   std::vector<Vec2> positions_;

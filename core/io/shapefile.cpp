@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shapefiles of ESRI (technical description of July 1998): the geometry, which is the .shp file. Polygons, lines, points
 // and sets of points, with heights and measures left out. The .prj file beside it says whether positions are longitude
-// and latitude, which are projected (core/io/map_shapes.h); without one they are coordinates of the plane.
+// and latitude, projected or kept (core/io/map_shapes.h); without one they are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -39,8 +39,12 @@ std::uint32_t big(std::string_view bytes, std::size_t at) {
   return bits_at<std::uint32_t>(bytes, at, std::endian::big);
 }
 
+/// One that is cut within its header, too.
 Match match(std::string_view bytes) {
-  const bool is_shape_file = bytes.size() >= kHeader && big(bytes, 0) == kCode && little(bytes, 28) == kVersion;
+  constexpr std::size_t kVersionPlace = 28;
+  const bool has_code = bytes.size() >= 4 && big(bytes, 0) == kCode;
+  const bool is_shape_file =
+      has_code && (bytes.size() < kVersionPlace + 4 || little(bytes, kVersionPlace) == kVersion);
   return is_shape_file ? Match::surely : Match::no;
 }
 
@@ -52,13 +56,15 @@ class ShapeFileReader {
   ShapeFileReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   /// `unit` is what is known of the numbers.
-  Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit) {
-    if (match(bytes_) == Match::no) return fail("this is not a shapefile");
+  Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit, MapDegrees degrees) {
+    if (bytes_.size() < kHeader)
+      return fail(fmt::format("the file ends at byte {}, within its header", bytes_.size()));
+    if (match(bytes_) == Match::no) return fail("at byte 0: this is not the header of a shapefile");
     for (at_ = kHeader; at_ < bytes_.size(); ++record_) {
       if (auto done = read_record(); !done) return std::unexpected(done.error());
       pass_over_padding();
     }
-    auto file = std::move(shapes_).load(name_, unit.value_or(MapShapes::Unit::plane));
+    auto file = std::move(shapes_).load(name_, unit.value_or(MapShapes::Unit::plane), degrees);
     if (!file) return file;
     if (has_heights_) remark(*file, "heights and measures are left out");
     if (!unit && is_on_earth_)
@@ -72,9 +78,10 @@ class ShapeFileReader {
     file.warnings.push_back(Error{ErrorCode::bad_input, std::move(text), name_}.message());
   }
   std::unexpected<Error> fail(std::string text) const { return bad_input(std::move(text), name_, 0, 0); }
-  std::unexpected<Error> fail_here(const std::string& text) const {
-    return fail(fmt::format("record {} at byte {}: {}", record_, at_, text));
+  std::unexpected<Error> fail_at(std::size_t place, const std::string& text) const {
+    return fail(fmt::format("record {} at byte {}: {}", record_, place, text));
   }
+  std::unexpected<Error> fail_here(const std::string& text) const { return fail_at(at_, text); }
 
   /// What is there can be a record: it has room, and a type that there is.
   bool may_be_record(std::size_t at) const {
@@ -137,8 +144,10 @@ class ShapeFileReader {
       return std::bit_cast<double>(bits_at<std::uint64_t>(content, at + 8 * k, std::endian::little));
     };
     const Vec2 p{number(0), number(1)};
-    for (const double x : {p.x, p.y}) {
-      if (const auto fault = seen_.fault_of(x)) return fail_here(describe(*fault, x, seen_));
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double x = number(k);
+      if (const auto fault = seen_.fault_of(x))
+        return fail_at(at_ + kRecordHeader + at + 8 * k, describe(*fault, x, seen_));
       seen_.add(x);
     }
     is_on_earth_ = is_on_earth_ && p.x >= -180.0 && p.x <= 180.0 && p.y >= -90.0 && p.y <= 90.0;
@@ -210,15 +219,13 @@ MapShapes::Unit unit_of(std::string_view system) {
   return is_geographic && text.contains("degree") ? MapShapes::Unit::degrees : MapShapes::Unit::plane;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return ShapeFileReader(bytes, name).read(std::nullopt);
-}
-
-Expected<LoadedFile> read_beside(std::string_view bytes, const std::string& name, const std::filesystem::path& path) {
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                          const std::filesystem::path* path) {
+  if (path == nullptr) return ShapeFileReader(bytes, name).read(std::nullopt, degrees);
   std::optional<MapShapes::Unit> unit;
   std::optional<SourceFile> source;
   for (const char* extension : {".prj", ".PRJ"}) {
-    std::filesystem::path beside = path;
+    std::filesystem::path beside = *path;
     beside.replace_extension(extension);
     std::error_code error;
     if (source || !std::filesystem::exists(beside, error)) continue;
@@ -227,7 +234,7 @@ Expected<LoadedFile> read_beside(std::string_view bytes, const std::string& name
     unit = unit_of(*system);
     source = SourceFile{beside, fingerprint_of(*system)};
   }
-  auto file = ShapeFileReader(bytes, name).read(unit);
+  auto file = ShapeFileReader(bytes, name).read(unit, degrees);
   if (file && source) file->sources.push_back(*std::move(source));
   return file;
 }
@@ -235,10 +242,10 @@ Expected<LoadedFile> read_beside(std::string_view bytes, const std::string& name
 }  // namespace
 
 Format shapefile_format() {
-  return {.descriptor = {.id = "shapefile", .name = "Shapefile", .extensions = {".shp"}, .can_read = true},
+  return {.descriptor =
+              {.id = "shapefile", .name = "Shapefile", .extensions = {".shp"}, .can_read = true, .is_map = true},
           .match = match,
-          .read = read,
-          .read_beside = read_beside,
+          .read_map = read,
           .may_look_foreign = true};
 }
 

@@ -92,7 +92,8 @@ const GeometryType* type_named(std::string_view word) {
 
 class WktReader {
  public:
-  WktReader(std::string_view text, const std::string& name) : text_(text), name_(name), words_(text) {}
+  WktReader(std::string_view text, const std::string& name, MapDegrees degrees)
+      : text_(text), name_(name), degrees_(degrees), words_(text) {}
 
   Expected<LoadedFile> read() {
     while (!words_.is_at_end()) {
@@ -100,7 +101,7 @@ class WktReader {
       if (auto done = read_geometry(0); !done) return std::unexpected(done.error());
       while (words_.take(';') || words_.take(',')) continue;
     }
-    auto file = std::move(shapes_).load(name_, unit_);
+    auto file = std::move(shapes_).load(name_, unit_, degrees_);
     if (file && first_height_)
       file->warnings.push_back(bad("heights and measures are left out", *first_height_).error().message());
     return file;
@@ -215,6 +216,7 @@ class WktReader {
 
   std::string_view text_;
   const std::string& name_;
+  MapDegrees degrees_;
   Words words_;
   MapShapes shapes_;
   MapShapes::Unit unit_ = MapShapes::Unit::plane;
@@ -236,16 +238,18 @@ Match match(std::string_view bytes) {
   return follows ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return WktReader(without_bom(bytes), name).read();
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                          const std::filesystem::path*) {
+  return WktReader(without_bom(bytes), name, degrees).read();
 }
 
 }  // namespace
 
 Format wkt_format() {
-  return {.descriptor = {.id = "wkt", .name = "WKT, well-known text", .extensions = {".wkt"}, .can_read = true},
+  return {.descriptor =
+              {.id = "wkt", .name = "WKT, well-known text", .extensions = {".wkt"}, .can_read = true, .is_map = true},
           .match = match,
-          .read = read};
+          .read_map = read};
 }
 
 }  // namespace mes

@@ -47,6 +47,53 @@ TEST_CASE("a map is opened with what was done to it on standard error") {
       Approx(12.0));
 }
 
+TEST_CASE("every command that reads a map keeps its degrees on request") {
+  const TemporaryFolder folder;
+  const std::string map = R"({"type": "Polygon", "coordinates": [[[9, 50], [11, 50], [11, 51.5], [9, 51.5]]]})";
+  const std::string file = folder.write("a.geojson", map).string();
+  const std::string remark = "mesecina: " + file + ": degrees are kept as coordinates of the plane\n";
+
+  const RunResult computed = run({"compute", file, "--layers", "curve", "--degrees"});
+  CHECK(computed.exit_code == 0);
+  CHECK(computed.err == remark);
+  const nlohmann::json samples = nlohmann::json::parse(computed.out)["structures"]["samples"];
+  CHECK(samples["width"] == 2);
+  CHECK(samples["height"] == 1.5);
+
+  const RunResult points = run({"export", file, "--layer", "points", "--format", "csv", "--degrees"});
+  CHECK(points.exit_code == 0);
+  CHECK_THAT(points.out, Catch::Contains("51.5"));
+  CHECK_THAT(run({"sample", file, "--rule", "vertices", "--degrees"}).out, Catch::Contains("11 51.5"));
+  const std::string picture = (folder.path() / "a.svg").string();
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"render", file, "--layers", "curve", "-o", picture, "--degrees"},
+        {"decimate", file, "--degrees"},
+        {"repair", file, "--degrees"},
+        {"branches", file, "--degrees"}}) {
+    const RunResult done = run(command);
+    INFO(command.front() << ": " << done.err);
+    CHECK(done.exit_code == 0);
+    CHECK_THAT(done.err, Catch::StartsWith(remark));
+  }
+  // By standard input too.
+  const RunResult piped = run({"compute", "-", "--layers", "curve", "--degrees"}, {.input = map});
+  CHECK(nlohmann::json::parse(piped.out)["structures"]["samples"]["height"] == 1.5);
+}
+
+TEST_CASE("degrees are kept where there can be some, and are asked of nothing else") {
+  const TemporaryFolder folder;
+  const std::string points = folder.write("a.poff", "POFF 1 0 0\n1 2\n").string();
+  const RunResult none = run({"compute", points, "--degrees"});
+  CHECK(none.exit_code == 2);
+  CHECK(none.out.empty());
+  CHECK(none.err == "mesecina: " + points + ": only maps have degrees to keep, and this is none\n");
+  // A map of the plane stays what it is.
+  const RunResult plane =
+      run({"compute", folder.write("a.wkt", "POINT (1 2)").string(), "--layers", "points", "--degrees"});
+  CHECK(plane.exit_code == 0);
+  CHECK(plane.err.empty());
+}
+
 TEST_CASE("a drawing that cannot be read ends the command in one line, with its place") {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.svg", "<svg>\n<g></svg>");

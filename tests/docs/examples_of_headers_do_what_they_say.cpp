@@ -89,7 +89,7 @@ Expected<LoadedFile> crete(const std::string& name) {
   MapShapes shapes;
   for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
   shapes.end_ring();
-  return std::move(shapes).load(name, MapShapes::Unit::degrees);
+  return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected);
 }
 
 Expected<LoadedFile> file_of_triangle(const std::string& name) {

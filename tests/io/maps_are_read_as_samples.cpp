@@ -9,8 +9,8 @@ using namespace mes;
 
 namespace {
 
-LoadedFile read_good(std::string_view bytes, const std::string& name = "map") {
-  auto read = read_sample_bytes(bytes, name);
+LoadedFile read_good(std::string_view bytes, const std::string& name = "map", const ReadRequest& request = {}) {
+  auto read = read_sample_bytes(bytes, name, {}, request);
   INFO((read ? std::string() : read.error().message()));
   REQUIRE(read.has_value());
   return *std::move(read);
@@ -117,6 +117,34 @@ TEST_CASE("degrees become kilometres about the middle of the map") {
   CHECK_THAT(fiji.warnings[0], Catch::Contains("about 179 E, 17 S"));
   CHECK(fiji.data.positions[1].x - fiji.data.positions[0].x ==
         Approx(2 * kKilometresADegree * std::cos(17 * 3.14159265358979323846 / 180)).epsilon(1e-12));
+}
+
+TEST_CASE("degrees are kept bit for bit where that is asked for") {
+  const ReadRequest kept{.degrees = MapDegrees::kept};
+  const std::vector<Vec2> positions{{179.1, -17.3}, {-179.7, -17}, {177, -16.9}};
+  for (const char* text : {R"({"type": "LineString", "coordinates": [[179.1, -17.3], [-179.7, -17], [177, -16.9]]})",
+                           "SRID=4326;LINESTRING (179.1 -17.3, -179.7 -17, 177 -16.9)"}) {
+    const LoadedFile file = read_good(text, "map", kept);
+    CHECK(file.data.positions == positions);
+    CHECK(file.degrees == MapDegrees::kept);
+    CHECK(file.warnings == std::vector<std::string>{"map: degrees are kept as coordinates of the plane"});
+    const LoadedFile projected = read_good(text);
+    CHECK(projected.degrees == MapDegrees::projected);
+    CHECK(projected.data.positions != positions);
+    CHECK(projected.data.contours == file.data.contours);
+  }
+}
+
+TEST_CASE("what is kept or projected is longitude and latitude alone") {
+  const ReadRequest kept{.degrees = MapDegrees::kept};
+  for (const char* text : {R"({"type": "Point", "coordinates": [181, 2]})", "POINT (181 2)", "181 2\n"}) {
+    for (const ReadRequest& request : {kept, ReadRequest{}}) {
+      const LoadedFile file = read_good(text, "map", request);
+      CHECK(file.data.positions == std::vector<Vec2>{{181, 2}});
+      CHECK(file.degrees == std::nullopt);
+      CHECK(file.warnings.empty());
+    }
+  }
 }
 
 TEST_CASE("coordinates of the plane stay as they are") {

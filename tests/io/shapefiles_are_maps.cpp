@@ -156,6 +156,14 @@ TEST_CASE("the .prj beside it says whether positions are degrees") {
   CHECK(distance(projected.data.positions[1], projected.data.positions[2]) == Approx(111.195).epsilon(1e-4));
   REQUIRE(projected.sources.size() == 2);
   CHECK(projected.sources[0].path == beside);
+  CHECK(projected.degrees == MapDegrees::projected);
+
+  const LoadedFile kept = good(read_sample_file(path, {}, {}, {.degrees = MapDegrees::kept}));
+  CHECK(kept.data.positions == alone.data.positions);
+  CHECK(kept.degrees == MapDegrees::kept);
+  REQUIRE(kept.warnings.size() == 1);
+  CHECK_THAT(kept.warnings[0], Catch::Contains("degrees are kept as coordinates of the plane"));
+  CHECK(kept.sources.size() == 2);
 
   folder.write("a.prj", "PROJCS[\"ETRS_1989_UTM_Zone_32N\"," + std::string(kDegrees) + ",UNIT[\"Meter\",1.0]]");
   const LoadedFile plane = good(read_sample_file(path));
@@ -169,6 +177,13 @@ TEST_CASE("a shapefile that is wrong is refused with its record and byte") {
     const auto read = read_sample_bytes(good_file.substr(0, size), "a.shp");
     // After the header, and after the first record, what is there is a file.
     CHECK(read.has_value() == (size == 128));
+    if (!read && size > 100)
+      CHECK_THAT(read.error().text, Catch::StartsWith("record ") && Catch::Contains(" at byte "));
+  }
+  for (const std::size_t size : {4U, 36U, 99U}) {
+    const auto read = read_sample_bytes(good_file.substr(0, size), "a.shp");
+    REQUIRE_FALSE(read);
+    CHECK(read.error().message() == "a.shp: the file ends at byte " + std::to_string(size) + ", within its header");
   }
   check_refused(good_file.substr(0, 130), "record 2 at byte 128: the file ends within its header");
   check_refused(good_file.substr(0, 200), "record 2 at byte 128: the file ends within it");
@@ -177,7 +192,9 @@ TEST_CASE("a shapefile that is wrong is refused with its record and byte") {
   check_refused(file_of({number(20)}), "record 1 at byte 100: there is no type 20");
   check_refused(file_of({""}), "record 1 at byte 100: it has no type");
   check_refused(file_of({number(1)}), "record 1 at byte 100: it is too short for a point");
-  check_refused(file_of({point(1, {NAN, 1})}), "record 1 at byte 100: nan is not a finite number");
+  check_refused(file_of({point(1, {NAN, 1})}), "record 1 at byte 112: nan is not a finite number");
+  check_refused(file_of({parts(5, {{{0, 0}, {1, 0}, {1, NAN}, {0, 0}}})}),
+                "record 1 at byte 196: nan is not a finite number");
   std::string many = points({{1, 1}});
   many.replace(36, 4, number(0xFFFFFFFF));
   check_refused(file_of({many}), "record 1 at byte 100: it is too short for 4294967295 points");

@@ -22,8 +22,9 @@ struct Bench {
                 {}};
 
   FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
-  FileDesk::Outcome open(const std::vector<std::filesystem::path>& files) {
-    desk.open(files);
+  FileDesk::Outcome open(const std::vector<std::filesystem::path>& files,
+                         MapDegrees degrees = MapDegrees::projected) {
+    desk.open(files, degrees);
     for (;;) {
       if (auto outcome = desk.poll()) return *outcome;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -50,6 +51,19 @@ struct Bench {
 };
 
 }  // namespace
+
+TEST_CASE("the degrees of a map are projected or kept, as it is opened") {
+  Bench bench;
+  const auto map =
+      bench.folder.write("a.geojson", R"({"type": "MultiPoint", "coordinates": [[10, 60], [12.5, 61]]})");
+  const auto points = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
+  CHECK(bench.open({map}, MapDegrees::kept).degrees == MapDegrees::kept);
+  CHECK(bench.editor.document().position(SampleSlot{1}) == Vec2{12.5, 61});
+  CHECK(bench.open(map).degrees == MapDegrees::projected);
+  CHECK(bench.editor.document().position(SampleSlot{1}) != Vec2{12.5, 61});
+  // Each opening is asked anew, and what has no degrees says so.
+  CHECK(bench.open({points}, MapDegrees::kept).degrees == std::nullopt);
+}
 
 TEST_CASE("a file of balls is opened, changed and saved to itself") {
   Bench bench;

@@ -45,6 +45,7 @@ TEST_CASE("what is saved is loaded") {
   settings.marks.bar_at = PaperPlace{PaperCorner::top_right};
   settings.theme = Theme::dark;
   settings.for_projector = true;
+  settings.keep_degrees = true;
   settings.canvas_background = Rgb{1, 2, 3};
   settings.record = {.width = 1920,
                      .height = 1080,
@@ -70,6 +71,7 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.bundles_height == 133.0);
   CHECK(loaded.settings.theme == Theme::dark);
   CHECK(loaded.settings.for_projector);
+  CHECK(loaded.settings.keep_degrees);
   CHECK(loaded.settings.canvas_background == Rgb{1, 2, 3});
   CHECK(loaded.settings.record == settings.record);
   CHECK(loaded.settings.legend_at == settings.legend_at);
@@ -159,14 +161,15 @@ TEST_CASE("a theme or canvas that cannot be is the usual one") {
   const Folder folder;
   const fs::path path = folder.path / "settings.json";
   for (const char* look : {R"("theme": "pink", "canvas_background": "white")", R"("theme": 1)",
-                           R"("canvas_background": -1, "for_projector": "yes")", R"("canvas_background": 16777216)",
-                           R"("canvas_background": 1.5)"}) {
+                           R"("canvas_background": -1, "for_projector": "yes", "keep_degrees": 1)",
+                           R"("canvas_background": 16777216)", R"("canvas_background": 1.5)"}) {
     write(path, std::string(R"({"schema": 1, )") + look + "}");
     CAPTURE(look);
     const LoadedSettings loaded = load_settings(path);
     CHECK(loaded.message.empty());
     CHECK(loaded.settings.theme == Theme::light);
     CHECK_FALSE(loaded.settings.for_projector);
+    CHECK_FALSE(loaded.settings.keep_degrees);
     CHECK_FALSE(loaded.settings.canvas_background);
   }
 }

@@ -233,6 +233,8 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
   // Other formats are read as when they are opened.
   REQUIRE(d.desk.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))", {1, 1}));
   CHECK(d.document().sample_count() >= 4);
+  REQUIRE(d.desk.paste("SRID=4326;MULTIPOINT ((9 50), (11.5 51))", {1, 1}, MapDegrees::kept));
+  CHECK(d.positions().back() == Vec2{11.5, 51});
 }
 
 TEST_CASE("with nothing selected nothing happens") {
