@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture to trace: read from any bytes, and drawn where doubles say.
-#include <fmt/core.h>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <fstream>
@@ -219,8 +218,8 @@ TEST_CASE("the place is named where a PNG is cut or damaged") {
     CHECK((message.empty() ? holds_data : message.starts_with(broken) && message.contains(" byte ")));
   }
   CHECK(message_of(whole.first(kData + 8 + length - 1)) ==
-        fmt::format("{}at byte 33: a chunk announces {} bytes, and the file ends after {}", broken, length,
-                    length - 1));
+        broken + "at byte 33: a chunk announces " + std::to_string(length) + " bytes, and the file ends after " +
+            std::to_string(length - 1));
   // Of the compressed data a byte is wrong.
   std::vector<std::byte> damaged = *png;
   damaged[kData + 8] = std::byte{0xFF};
