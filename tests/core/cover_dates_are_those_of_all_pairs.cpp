@@ -57,6 +57,11 @@ TEST_CASE("cover dates are the least quotients of all pairs, bit for bit, after 
   std::vector<Vec2> random;
   for (int i = 0; i < 600; ++i) random.push_back({rng.uniform(), rng.uniform()});
   inputs.push_back(random);
+  // Squares of these leave the range of doubles, or nearly so.
+  for (const double scale : {0x1p-460, 0x1p-448, 0x1p448, 0x1p460}) {
+    std::vector<Vec2>& scaled = inputs.emplace_back(random);
+    for (Vec2& p : scaled) p = scale * p;
+  }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     INFO("input " << i);
     Workbench bench;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/parallel.h"
 
@@ -14,14 +15,20 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNoNode = -1.0;
 constexpr std::uint32_t kLeaf = 8;  // balls
+constexpr std::size_t kDepth = 64;  // of the tree at most, as nodes are halved
 
-double distance_to(const Box2& box, Vec2 p) {
+/// Squared, from a place to a box; 0 inside.
+double squared_distance_to(const Box2& box, Vec2 p) {
   const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
   const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
-  if (x == 0.0 || y == 0.0) return x + y;
-  // Only a bound: the last bits do not matter, but the range does.
-  const double squared = x * x + y * y;
-  return squared > 0x1p-900 && squared < 0x1p900 ? std::sqrt(squared) : length(Vec2{x, y});
+  return x * x + y * y;
+}
+
+/// Whether the square root of `squared` is `reach` or more, beyond what rounding can do to a quotient of both. False where
+/// squares leave the range of doubles.
+bool is_beyond(double squared, double reach) {
+  constexpr double kGivesWay = 1.0 - 0x1p-48;
+  return squared * kGivesWay >= reach * reach && squared > 0x1p-900 && squared < 0x1p900;
 }
 
 }  // namespace
@@ -65,17 +72,17 @@ void CoverDates::build(std::uint32_t at) {
 }
 
 // Nodes are passed over when no ball in them can do better: the distance to their box over the largest difference of radii
-// bounds every quotient, and so do the rounded ones up to the last bits, for which the bound gives way.
+// bounds every quotient. As the first quotients are mostly near the least, nodes need no order but the better of two first,
+// and are compared by squares, without roots and quotients.
 double CoverDates::search(const Ball& ball, std::uint32_t& guess) const {
-  constexpr double kGivesWay = 1.0 - 0x1p-48;
   double best = kNever;
   const auto look_at = [&](Vec2 center, double radius) {
-    if (!(radius > ball.radius)) return false;
-    // Most are too far by one coordinate alone.
-    const double aside = std::max(std::abs(center.x - ball.center.x), std::abs(center.y - ball.center.y));
-    if (aside * kGivesWay > best * (radius - ball.radius)) return false;
+    const double more = radius - ball.radius;
+    if (!(more > 0.0)) return false;
+    const Vec2 away = center - ball.center;
+    if (is_beyond(dot(away, away), best * more)) return false;
     // No inner ball lies inside another, as samples are on both and in neither: less than 1 is rounding.
-    const double date = std::max(1.0, distance(ball.center, center) / (radius - ball.radius));
+    const double date = std::max(1.0, distance(ball.center, center) / more);
     if (!(date < best)) return false;
     best = date;
     return true;
@@ -90,35 +97,35 @@ double CoverDates::search(const Ball& ball, std::uint32_t& guess) const {
       look_at(delaunay_.circumcenter(other), delaunay_.circumradius(other));
     }
   }
-  const auto bound_of = [&](const Node& node) {
-    return node.most > ball.radius ? distance_to(node.box, ball.center) / (node.most - ball.radius) * kGivesWay
-                                   : kNever;
-  };
   struct Waiting {
-    double bound;
+    double squared;  // distance to the box
+    double more;     // the largest radius in it than the ball's
     std::uint32_t node;
   };
-  const auto is_later = [](const Waiting& a, const Waiting& b) { return a.bound > b.bound; };
-  thread_local std::vector<Waiting> queue;  // kept for its memory
-  queue.clear();
-  queue.push_back({bound_of(tree_[0]), 0});
-  while (!queue.empty()) {
-    std::ranges::pop_heap(queue, is_later);
-    const Waiting next = queue.back();
-    queue.pop_back();
-    if (!(next.bound < best) || best <= 1.0) break;
+  const auto waiting = [&](std::uint32_t node) {
+    return Waiting{squared_distance_to(tree_[node].box, ball.center), tree_[node].most - ball.radius, node};
+  };
+  const auto can_be_better = [&](const Waiting& at) {
+    return at.more > 0.0 && !is_beyond(at.squared, best * at.more);
+  };
+  std::array<Waiting, kDepth> stack;
+  std::size_t size = 0;
+  stack[size++] = waiting(0);
+  while (size > 0 && best > 1.0) {
+    const Waiting next = stack[--size];
+    if (!can_be_better(next)) continue;
     const Node& node = tree_[next.node];
     if (node.child == 0) {
       for (std::uint32_t i = node.first; i < node.last; ++i)
         if (look_at(sorted_[i].center, sorted_[i].radius)) guess = i;
       continue;
     }
-    for (const std::uint32_t child : {node.child, node.child + 1}) {
-      const double bound = bound_of(tree_[child]);
-      if (!(bound < best)) continue;
-      queue.push_back({bound, child});
-      std::ranges::push_heap(queue, is_later);
-    }
+    Waiting first = waiting(node.child);
+    Waiting second = waiting(node.child + 1);
+    if (second.squared * (first.more * first.more) < first.squared * (second.more * second.more))
+      std::swap(first, second);
+    if (can_be_better(second)) stack[size++] = second;
+    if (can_be_better(first)) stack[size++] = first;
   }
   return best;
 }

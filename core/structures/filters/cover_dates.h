@@ -19,8 +19,8 @@ namespace mes {
 /// Not to be confused with the scale axis, which is of the union of grown balls.
 ///
 /// Rows: nodes, faces that stand for their ball (`InnerBalls::ball`). Cost: rebuild O(n log n) typically, O(n^2) at worst: a
-/// best-first search for each ball in a tree of boxes with their largest radii, which begins with its neighbours. An edit
-/// asks for a rebuild, as a new ball may swallow any other.
+/// search for each ball in a tree of boxes with their largest radii, which begins with what swallowed the ball before it
+/// and with its neighbours. An edit asks for a rebuild, as a new ball may swallow any other.
 class CoverDates final : public Structure {
  public:
   CoverDates(Delaunay& delaunay, InnerBalls& balls);
