@@ -231,8 +231,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   add_source(*branches, to.branches.source);
   branches
       ->add_option("--layer", to.branches.layer,
-                   "Which axis: medial-axis, lambda-medial-axis or angle-medial-axis, whose\n"
-                   "limits are parameters")
+                   "Which axis: medial-axis, lambda-medial-axis, angle-medial-axis or\n"
+                   "cover-medial-axis, whose limits are parameters")
       ->capture_default_str();
   branches->add_option("-o,--output", to.branches.output, "Write to this file instead of standard output");
   add_force(*branches, to.branches.force);
