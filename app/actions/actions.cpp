@@ -146,7 +146,8 @@ constexpr auto kToolsRows = std::to_array<Row>({
     {Id::keep_measurement, "keep-measurement", "Keep measurement",
      "Make what is measured a part of the document: a dimension line, an angle or a radius", "K"},
     {Id::keep_highlight, "keep-highlight", "Keep highlighted",
-     "Make what the card of a clicked element highlights a part of the document; it follows the samples", "Shift+K"},
+     "Make what the card of a clicked element highlights a part of the document; it follows the samples and balls",
+     "Shift+K"},
     {Id::toggle_snap, "toggle-snap", "Snap",
      "Put what is inserted or moved exactly on samples, centres, Voronoi vertices, circles or the grid near by; Ctrl "
      "held: not there",

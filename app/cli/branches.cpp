@@ -26,7 +26,7 @@ Expected<void> run_branches(const BranchesRequest& request, Interruption& interr
         fmt::format("--layer: {} has no branches; those that have are {}", in_quotes(request.layer), one_of(known)));
   }
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from);
+  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
   const auto table = branch_table_of(input->data, *settings, *axis, job);

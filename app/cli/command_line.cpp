@@ -93,11 +93,17 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out;
 }
 
-void add_source(CLI::App& command, Source& source) {
-  command.add_option("FILE", source.file, "Samples to read, or - for standard input")->required();
-  command.add_option("--from", source.from,
+/// What is read, and how; into `file`, `from` and `reading` of the request.
+template <class Request>
+void add_input(CLI::App& command, Request& request) {
+  command.add_option("FILE", request.file, "Samples to read, or - for standard input")->required();
+  command.add_option("--from", request.from,
                      "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_reading(command, source.reading);
+  add_reading(command, request.reading);
+}
+
+void add_source(CLI::App& command, Source& source) {
+  add_input(command, source);
   command.add_option("--precision", source.precision,
                      "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
   command
@@ -245,7 +251,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   CLI::App* const persistence =
       app.add_subcommand("persistence", "Births and deaths of components and holes of growing disks, as CSV");
-  add_source(*persistence, to.persistence.source);
+  add_input(*persistence, to.persistence);
   persistence->add_option("-o,--output", to.persistence.output, "Write to this file instead of standard output");
   add_force(*persistence, to.persistence.force);
   persistence->footer(
@@ -254,10 +260,7 @@ void describe_commands(CLI::App& app, Arguments& to) {
       "hole, and the edge that joins or closes. What stays has no death.");
 
   const auto add_resampling = [](CLI::App& command, ResampleRequest& request, const char* epsilon) {
-    command.add_option("FILE", request.file, "Samples to read, or - for standard input")->required();
-    command.add_option("--from", request.from,
-                       "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-    add_reading(command, request.reading);
+    add_input(command, request);
     command.add_option("--epsilon", request.epsilon, epsilon)->capture_default_str();
     command.add_option("-o,--output", request.output, "Write to this file instead of standard output");
     add_force(command, request.force);
@@ -490,7 +493,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
   if (command.get_name() == "branches") return run(arguments.branches, run_branches);
-  if (command.get_name() == "persistence") return run(arguments.persistence, run_persistence);
+  if (command.get_name() == "persistence") return run_persistence(arguments.persistence, interruption);
   if (command.get_name() == "repair") return run_repair(arguments.repair, interruption);
   if (command.get_name() == "decimate") return run_decimate(arguments.decimate, interruption);
   if (command.get_name() == "export") return run(arguments.exported, run_export);

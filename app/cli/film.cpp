@@ -136,7 +136,7 @@ class Studio {
     const auto& [width, height] = film_.size;
     const int band = title_band();
     EdgeRoom edges;
-    if (film_.marks.axes && player.view().is_empty()) edges = room_of_axes(1.0);
+    if (film_.marks.axes && player.view().is_empty()) edges = room_of_axes(scale_);
     edges.above = band;
     const render::Camera camera = player.view().is_empty()
                                       ? camera_within(edges, width, height, player.document().bounding_box(), kMargin)
@@ -201,7 +201,7 @@ class Studio {
       const FigureRequest one = request_for(all, comparison, i, panes_.has_free_cameras());
       const SeenByAll here = i == 0 || !panes_.has_free_cameras() ? seen : seen_in(panes_.views()[i - 1], document);
       const render::Camera camera =
-          camera_within(film_.marks.axes && here.margin > 0.0 ? room_of_axes(1.0) : EdgeRoom(), pane_width,
+          camera_within(film_.marks.axes && here.margin > 0.0 ? room_of_axes(scale_) : EdgeRoom(), pane_width,
                         pane_height, here.box, here.margin);
       std::vector<render::LayerView> views;
       for (const LayerIndex layer : pane.shown.layers)

@@ -13,7 +13,7 @@ namespace mes::cli {
 
 Expected<void> run_persistence(const PersistenceRequest& request, Interruption& interruption) {
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from);
+  const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
   const auto table = persistence_table_of(input->data, job);

@@ -62,7 +62,9 @@ struct BranchesRequest {
 Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption);
 
 struct PersistenceRequest {
-  Source source;
+  std::string file;
+  std::string from;
+  ReadingOptions reading{};
   std::string output;
   bool force = false;
 };

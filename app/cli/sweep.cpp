@@ -108,7 +108,7 @@ Expected<void> run_sweep(const SweepRequest& request, Interruption& interruption
   const auto layers = select_layers(request.layers);
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from);
+  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
   if (!input) return std::unexpected(input.error());
   Document document;
   auto replacement = replace_all(document, input->data);

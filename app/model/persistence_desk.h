@@ -30,8 +30,9 @@ class PersistenceDesk {
  public:
   explicit PersistenceDesk(std::function<void()> wake) : job_(std::move(wake)) {}
 
-  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
-  void follow(std::uint64_t document, const std::function<SampleData()>& data);
+  /// Takes what is ready, and begins what is missing: of other samples, or the same in other places, by
+  /// `Document::sample_digest`. `data` is called when a computation begins.
+  void follow(std::uint64_t digest, const std::function<SampleData()>& data);
   /// It is not looked at any more.
   void rest() { job_.give_up(); }
 

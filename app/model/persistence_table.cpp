@@ -130,14 +130,15 @@ std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const
 std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, double reach) {
   std::optional<std::size_t> out;
   double least = reach;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const PersistenceRow& row = table.rows[i];
-    double here = distance(row.place, place);
-    if (row.has_edge) here = std::min(here, distance_to_segment(row.edge, place));
-    if (here > least || (here == least && out)) continue;
+  const auto look_at = [&](std::size_t i, double here) {
+    if (here > least || (here == least && out)) return;
     least = here;
     out = i;
-  }
+  };
+  for (std::size_t i = 0; i < table.rows.size(); ++i) look_at(i, distance(table.rows[i].place, place));
+  // No end of an edge is nearer than the edge.
+  for (std::size_t i = 0, found = out ? 1 : 0; i < table.rows.size() && found == 0; ++i)
+    if (table.rows[i].has_edge) look_at(i, distance_to_segment(table.rows[i].edge, place));
   for (std::size_t i = 0; i < table.rows.size() && !out; ++i)
     if (table.rows[i].is_hole && holds(table.triangles[table.rows[i].triangle], place)) out = i;
   return out;

@@ -54,8 +54,8 @@ Expected<PersistenceTable> persistence_table_of(const SampleData& data, JobContr
 /// The edges around a hole when it is closed; none of a component.
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row);
 
-/// The row whose sample, edge or centre is nearest to the place, if it is no farther than `reach`; else the longest hole
-/// of those whose last triangle holds the place.
+/// The row whose sample or centre is nearest to the place, of those that are no farther than `reach`, or, where there is
+/// none, the one whose edge is; else the longest hole of those whose last triangle holds the place.
 std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, double reach);
 
 /// "hole, born at 1.5, filled at 4, persistence 2.5".

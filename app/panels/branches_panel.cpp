@@ -118,6 +118,11 @@ void BranchesPanel::draw_choices() {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(to_imgui(palette::vermilion)), "%s", filter_problem_.c_str());
     ImGui::PopTextWrapPos();
+    ImGui::Checkbox("Share of the shape", &measures_area_);
+    tooltip(
+        uses_.gui,
+        "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
+        "much longer than the table");
   }
 }
 
@@ -193,11 +198,6 @@ void BranchesPanel::draw_table() {
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled("%s", fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing").c_str());
   ImGui::PopTextWrapPos();
-  ImGui::Checkbox("Share of the shape", &measures_area_);
-  tooltip(
-      uses_.gui,
-      "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
-      "much longer than the table");
   if (rows_.size() != table.branches.size())
     ImGui::TextDisabled("%s",
                         fmt::format("{} of {} branches are listed", rows_.size(), table.branches.size()).c_str());

@@ -214,7 +214,7 @@ void ParametersPanel::draw_alpha_events(double& radius) {
       layers_.visible_layers(), [](LayerIndex layer) { return layer_descriptors()[layer].id.starts_with("alpha-"); });
   if (!is_shown) return persistence_.rest();
   const Document& document = editor_.document();
-  persistence_.follow(document.revision(), [&document] { return data_of(document); });
+  persistence_.follow(document.sample_digest(), [&document] { return data_of(document); });
   const ImVec2 at = ImGui::GetCursorScreenPos();
   // Below the slider, which ends before its number.
   const float number = 80 * unit;
@@ -342,6 +342,7 @@ void ParametersPanel::draw() {
   const auto is_listed = [this](Parameter parameter) { return matches(descriptor_of(parameter), search_); };
   if (!is_listed(Parameter::lambda_limit)) critical_values_.rest();
   if (!is_listed(Parameter::scale_axis_factor)) scale_events_.rest();
+  if (!is_listed(Parameter::alpha_radius)) persistence_.rest();
   ImGui::EndChild();
 }
 

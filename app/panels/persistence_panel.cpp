@@ -27,7 +27,7 @@ Rgb color_of(const PersistenceRow& row) {
 
 void PersistencePanel::draw() {
   const Document& document = uses_.editor.document();
-  uses_.desk.follow(document.revision(), [&document] { return data_of(document); });
+  uses_.desk.follow(document.sample_digest(), [&document] { return data_of(document); });
   draw_choices();
   const PersistenceTable* const table = uses_.desk.table();
   if (table == nullptr || (!uses_.desk.is_current() && !uses_.desk.problem().empty())) {

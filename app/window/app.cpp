@@ -200,6 +200,8 @@ void App::frame() {
   board_.follow();
   take_steps();
   board_.fit(room.legend);
+  // Marks are laid out before the view moves on: where it has come to rest, they need one frame more.
+  if (board_.canvas().views().is_moving()) screen_.clock.want(1);
   if (!recording_.holds_motion()) board_.canvas().advance(seconds);
   draw();
   screen_.window->swap();

@@ -151,6 +151,7 @@ void DrawingBoard::take_answer(Provenance answer) {
     return;
   }
   provenance_.take(std::move(answer));
+  screen_.clock.settle();  // a card that comes up is measured first
 }
 
 // The engine would answer about the document that it knows.

@@ -198,7 +198,8 @@ class Reader {
       for (const JsonView element : list.elements()) {
         const auto number = element.is_number() ? element.count() : std::nullopt;
         if (!number || *number > std::numeric_limits<std::uint32_t>::max()) {
-          complain(fmt::format("has something in \"{}\" that is not the number of something", key));
+          complain(fmt::format("has something in \"{}\" that is not the number of a {}", key,
+                               key == "balls" ? "ball" : "sample"));
           return;
         }
         numbers.push_back(static_cast<std::uint32_t>(*number));

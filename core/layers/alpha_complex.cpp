@@ -48,7 +48,7 @@ Layer make_alpha_triangles_layer(const StructureSet& set) {
   const auto& complex = set.get<AlphaComplex>();
   return make_layer(
       descriptor_of("alpha-triangles", "Alpha triangles",
-                    "Delaunay triangles whose corners have alpha disks with a point in common", "radius",
+                    "Delaunay triangles whose circumradius is at most alpha-radius", "radius",
                     {.color = palette::green, .opacity = 0.35}, {PrimitiveKind::triangle}),
       {&delaunay, &filtration, &complex},
       faces_part({PrimitiveKind::triangle}, delaunay, complex.face_changes(), [&](FaceSlot face, Instance& out) {

@@ -13,8 +13,8 @@
 
 namespace mes {
 
-/// The alpha complex of radius r holds a Delaunay edge or triangle if the disks of radius r about its corners have a
-/// point in common that lies in no other sample's Voronoi cell: if its smallest empty circle has at most this radius. It
+/// The alpha complex of radius r holds a Delaunay edge or triangle if the disks of radius r about its corners and the
+/// Voronoi cells of its corners have a point in common: if its smallest empty circle has at most this radius. It
 /// has the homotopy type of the union of these disks. That union is additive growth of balls of radius 0: radii grow from
 /// 0 to r as sqrt(0 + r^2).
 ///

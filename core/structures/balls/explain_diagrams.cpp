@@ -2,6 +2,7 @@
 // What rows of the diagrams of a union of balls are.
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
@@ -11,22 +12,50 @@
 namespace mes {
 namespace {
 
-/// A power centre, of the balls at a triangle. O(edges) for balls of the document.
-ShapePlace power_center(const PowerDiagram& diagram, const BallPlaces& places, Vec2 at, TriangleSlot face) {
-  std::array<FamilySlot, 3> balls{};
-  std::size_t found = 0;
-  if (face == kNoSlot || !places.follow_balls()) return at;
-  for (const PowerEdge& edge : diagram.edges()) {
-    if (edge.face[0] != face && edge.face[1] != face) continue;
-    for (const FamilySlot ball : edge.ball)
-      if (found < balls.size() && std::ranges::find(balls, ball) == balls.end()) balls[found++] = ball;
+/// Which balls meet at triangles of a diagram, where these are of the document. O(edges), for any number of triangles.
+class MeetingBalls {
+ public:
+  /// At both sides of the edges that are `wanted`.
+  template <class Wanted>
+  MeetingBalls(const PowerDiagram& diagram, const BallPlaces& places, Wanted wanted) : places_(places) {
+    if (!places.follow_balls()) return;
+    for (const PowerEdge& edge : diagram.edges())
+      if (wanted(edge))
+        for (const TriangleSlot face : edge.face)
+          if (face != kNoSlot) at_.try_emplace(face.index());
+    for (const PowerEdge& edge : diagram.edges())
+      for (const TriangleSlot face : edge.face)
+        if (face != kNoSlot) add(face, edge);
   }
-  return found == balls.size() ? places.power_center(at, balls) : ShapePlace(at);
-}
 
-void add_edge(ProvenanceShapes& shapes, const PowerDiagram& diagram, const BallPlaces& places,
+  /// The power centre at a triangle.
+  ShapePlace center(Vec2 at, TriangleSlot face) const {
+    if (face == kNoSlot) return at;
+    const auto found = at_.find(face.index());
+    if (found == at_.end() || found->second.count < 3) return at;
+    return places_.power_center(at, found->second.balls);
+  }
+
+ private:
+  struct Balls {
+    std::array<FamilySlot, 3> balls{};
+    std::size_t count = 0;
+  };
+  void add(TriangleSlot face, const PowerEdge& edge) {
+    const auto found = at_.find(face.index());
+    if (found == at_.end()) return;
+    auto& [balls, count] = found->second;
+    for (const FamilySlot ball : edge.ball)
+      if (count < balls.size() && std::ranges::find(balls, ball) == balls.end()) balls[count++] = ball;
+  }
+
+  const BallPlaces& places_;
+  std::unordered_map<RowNumber, Balls> at_;
+};
+
+void add_edge(ProvenanceShapes& shapes, const MeetingBalls& meeting, const BallPlaces& places,
               const PowerEdge& edge) {
-  const auto center = [&](Vec2 at, TriangleSlot face) { return power_center(diagram, places, at, face); };
+  const auto center = [&](Vec2 at, TriangleSlot face) { return meeting.center(at, face); };
   switch (edge.kind) {
     case PowerEdge::Kind::segment:
       shapes.segment(center(edge.from, edge.face[0]), center(edge.to, edge.face[1]));
@@ -81,7 +110,8 @@ void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) co
   const PowerEdge& edge = edges()[own];
   ProvenanceShapes itself, circles;
   const BallPlaces places(family(), out);
-  add_edge(itself, *this, places, edge);
+  const MeetingBalls meeting(*this, places, [&edge](const PowerEdge& other) { return &other == &edge; });
+  add_edge(itself, meeting, places, edge);
   itself.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   out.say(ProvenanceRole::itself, "Edge of the power diagram, and of the triangulation of the balls", itself);
   for (const FamilySlot ball : edge.ball) places.add_circle(circles, ball);
@@ -91,10 +121,10 @@ void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) co
 void PowerDiagram::explain_cell(FamilySlot ball, Explanation& out) const {
   ProvenanceShapes cell;
   const BallPlaces places(family(), out);
-  for (const PowerEdge& edge : edges()) {
-    if (edge.ball[0] != ball && edge.ball[1] != ball) continue;
-    add_edge(cell, *this, places, edge);
-  }
+  const auto is_side = [ball](const PowerEdge& edge) { return edge.ball[0] == ball || edge.ball[1] == ball; };
+  const MeetingBalls meeting(*this, places, is_side);
+  for (const PowerEdge& edge : edges())
+    if (is_side(edge)) add_edge(cell, meeting, places, edge);
   out.say_any(ProvenanceRole::product, "side of its power cell", "sides of its power cell", cell);
 }
 

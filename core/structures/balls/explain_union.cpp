@@ -2,6 +2,7 @@
 // What rows of a union of balls are.
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
@@ -183,15 +184,28 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
     if (face.is_alive() && std::ranges::find(face.ball, row) != std::end(face.ball))
       triangles.triangle(places.center(face.ball[0]), places.center(face.ball[1]), places.center(face.ball[2]));
   std::size_t free_arcs = 0;
-  std::vector<Vec2> ends;
+  std::vector<ShapePlace> ends;
+  std::map<std::array<double, 2>, std::size_t> found;  // by place: which end
   for (const BoundaryArc& arc : t.arcs) {
     if (!arc.is_alive() || arc.ball != row) continue;
     ++free_arcs;
     if (arc.is_whole != 0) continue;
     for (const Vec2 end : {arc.from, arc.to})
-      if (std::ranges::find(ends, end) == ends.end()) ends.push_back(end);
+      if (found.try_emplace({end.x, end.y}, ends.size()).second) ends.emplace_back(end);
   }
-  for (const Vec2 end : ends) points.point(arc_end(t, places, end, row));
+  // As `arc_end`, in one pass.
+  for (const VOrigin& origin : t.v_origins) {
+    if (found.empty()) break;
+    if (!origin.is_alive()) continue;
+    const DualEdge& edge = t.dual_edges[origin.edge];
+    if (edge.ball[0] != row && edge.ball[1] != row) continue;
+    const Vec2 at = t.v_points[origin.v].position;
+    const auto end = found.find({at.x, at.y});
+    if (end == found.end()) continue;
+    ends[end->second] = places.crossing(at, edge.ball[0], edge.ball[1]);
+    found.erase(end);
+  }
+  for (const ShapePlace& end : ends) points.point(end);
   out.say_any(ProvenanceRole::product, "dual edge at it", "dual edges at it", edges);
   out.say_any(ProvenanceRole::product, "dual triangle at it", "dual triangles at it", triangles);
   out.say_any(ProvenanceRole::product, "end of its arcs on the boundary of the union",
