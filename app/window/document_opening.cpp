@@ -40,13 +40,19 @@ void DocumentFlow::open_first(std::vector<std::string> files) {
 }
 
 void DocumentFlow::open_documents(const std::vector<fs::path>& files) {
-  files_.open(files, uses_.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected);
+  files_.open(files, degrees_wanted());
 }
 
-// Not when what is open has been saved to a file of its own since.
+MapDegrees DocumentFlow::degrees_wanted() const {
+  return uses_.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
+}
+
+// Not when what is open has been saved to a file of its own since, nor when it is as it is wanted: where the question about
+// unsaved work was cancelled, the setting has changed and the map has not.
 void DocumentFlow::read_map_again() {
-  if (map_files_.empty() || !files_.file().empty()) return;
+  if (map_files_.empty() || !files_.file().empty() || map_degrees_ == degrees_wanted()) return;
   with_saved_work([this, files = map_files_] {
+    if (!files_.file().empty()) return;  // saved by the answer
     traced_with_next_.clear();
     open_documents(files);
   });
@@ -116,7 +122,10 @@ void DocumentFlow::take_read_file() {
   }
   uses_.demo.end(true);
   leave_document();
-  if (outcome->degrees) map_files_ = outcome->files;
+  if (outcome->degrees) {
+    map_files_ = outcome->files;
+    map_degrees_ = *outcome->degrees;
+  }
   if (outcome->session) show_as_in(*outcome->session);
   if (!picture.empty()) uses_.board.traced().trace(picture);
   uses_.board.fitter().want(had_first_file_ ? ViewFitter::How::glide : ViewFitter::How::at_once);
@@ -142,7 +151,7 @@ void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
   }
   if (outcome.warnings.empty()) return;
   std::string text = outcome.warnings.front();
-  if (outcome.degrees == MapDegrees::projected)
+  if (outcome.degrees == MapDegrees::projected && outcome.files.size() == 1)
     text += fmt::format(" (File > {} leaves them)", descriptor_of(ActionId::keep_degrees).name);
   if (outcome.warnings.size() > 1) text += fmt::format(" (and {} more remarks)", outcome.warnings.size() - 1);
   uses_.messages.problem(text);

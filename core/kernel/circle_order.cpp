@@ -222,9 +222,13 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
   }
   checkpoint();
   out.radius.resize(one_of.size());
-  parallel_for(one_of.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) out.radius[i] = radius_above(circles[one_of[i]]);
-  });
+  constexpr std::size_t kLook = 0x10000;  // radii between two looks
+  for (std::size_t first = 0; first < one_of.size(); first += kLook) {
+    parallel_for(std::min(kLook, one_of.size() - first), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = first + begin; i < first + end; ++i) out.radius[i] = radius_above(circles[one_of[i]]);
+    });
+    checkpoint();
+  }
   return out;
 }
 
@@ -292,8 +296,8 @@ double radius_above(const SpannedCircle& circle) {
   const double unit = unit_of({&circle, 1});
   const SpannedCircle here = scaled(circle, unit);
   FineMeasure fine = fine_measure(here);
-  if (!(fine.error < 0x1p-20L)) {
-    // To the nearest double, so that the search below ends at once.
+  // The search below tries one double after another, by rationals where the error is larger than their distance.
+  if (!(fine.error < 0x1p-50L)) {
     fine = {static_cast<long double>(CGAL::to_double(exact_square(here))), 0x1p-50L};
   }
   const double infinity = std::numeric_limits<double>::infinity();

@@ -385,6 +385,44 @@ TEST_CASE("places, order and size change no rank and no class") {
   }
 }
 
+TEST_CASE("radii of nearly flat triangles are rounded up as others are") {
+  // A turned square with ten digits: samples of a side are nearly on a line, some on one side of it, some on the other.
+  std::vector<Vec2> points;
+  const auto rounded = [](double x) { return std::round(x * 1e10) / 1e10; };
+  const auto add = [&](double x, double y) {
+    points.push_back(
+        {rounded(std::cos(0.5) * x - std::sin(0.5) * y), rounded(std::sin(0.5) * x + std::cos(0.5) * y)});
+  };
+  constexpr int kSide = 40;
+  for (int i = 0; i < kSide; ++i) {
+    const double t = static_cast<double>(i) / kSide;
+    add(t, 0.0);
+    add(1.0, t);
+    add(1.0 - t, 1.0);
+    add(0.0, 1.0 - t);
+  }
+  Workbench bench(points);
+  show_alpha(bench);
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& filtration = bench.get<AlphaFiltration>();
+  std::size_t flat = 0;
+  for (const FaceSlot face : delaunay.face_slots()) {
+    if (!delaunay.is_finite_face(face)) continue;
+    const SiteSlot* const v = delaunay.face(face).v;
+    const std::array<Vec2, 3> p{delaunay.site_position(v[0]), delaunay.site_position(v[1]),
+                                delaunay.site_position(v[2])};
+    const mpq_class det = (mpq_class(p[1].x) - mpq_class(p[0].x)) * (mpq_class(p[2].y) - mpq_class(p[0].y)) -
+                          (mpq_class(p[1].y) - mpq_class(p[0].y)) * (mpq_class(p[2].x) - mpq_class(p[0].x));
+    const mpq_class square = squared(p[0], p[1]) * squared(p[1], p[2]) * squared(p[2], p[0]) / (4 * det * det);
+    const double radius = filtration.radius(filtration.rank(face));
+    REQUIRE((mpq_class(mpq_class(radius) * mpq_class(radius)) >= square));
+    const double below = std::nextafter(radius, 0.0);
+    REQUIRE((mpq_class(mpq_class(below) * mpq_class(below)) < square));
+    if (radius > 1e4) ++flat;
+  }
+  CHECK(flat > 10);
+}
+
 TEST_CASE("at the radius of an event it has happened, and no arc of the boundary goes through a disk") {
   Rng rng(29);
   std::vector<Vec2> points(150);
