@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/critical_values.h"
 
-#include <array>
-#include <memory>
 #include <new>
 #include <utility>
 
-#include "core/draw/layer_descriptor.h"
-#include "core/engine/graph.h"
+#include "app/model/samples_alone.h"
 #include "core/structures/filters/lambda_axis.h"
 
 namespace mes {
 
 Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job) {
-  const Document document;
-  auto delta = replace_all(document, {.positions = data.positions});
-  if (!delta) return std::unexpected(delta.error());
   Graph graph;
-  graph.set_demand(std::array{find_layer("lambda-medial-axis")});
-  graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
-  FramePatch patch;
-  if (!graph.run(patch, job)) throw Cancelled{};
-  for (const NodeReport& node : patch.nodes)
-    if (node.state == NodeState::failed)
-      return std::unexpected(
-          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
+  if (auto good = compute_samples_alone(graph, data.positions, "lambda-medial-axis", job); !good)
+    return std::unexpected(good.error());
   return graph.structures().get<LambdaAxis>().critical_values();
 }
 

@@ -21,8 +21,8 @@ struct KeptHighlight {
 };
 
 /// What it guarantees: an element that is defined by samples alone, or by balls of the document, follows them; one of
-/// which some place is not stays as a whole where it is. `line`: of the answer; none: all lines. The answer is of this state of the document.
-/// Cost: O(shapes). Threads: any.
+/// which some place is not stays as a whole where it is. `line`: of the answer; none: all lines. The answer is of this
+/// state of the document. Cost: O(shapes). Threads: any.
 KeptHighlight highlight_of(const Provenance& answer, const Document& document,
                            std::optional<std::size_t> line = std::nullopt);
 

@@ -8,7 +8,7 @@
 //  3. A class stays chosen in the next table if one there has the same dimension, place and edge.
 //
 // Smallest use, once a frame:
-//     desk.follow(document.revision(), data);
+//     desk.follow(document.sample_digest(), data);
 //     if (desk.table() != nullptr) draw(*desk.table());
 //
 // Cost: of the triangulation and its filtration from scratch, beside the window. Threads: the window's; `wake` is called

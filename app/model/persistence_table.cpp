@@ -8,8 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/draw/layer_descriptor.h"
-#include "core/engine/graph.h"
+#include "app/model/samples_alone.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
 
@@ -87,18 +86,9 @@ PersistenceTable table_of(const Delaunay& delaunay, const AlphaFiltration& filtr
 }  // namespace
 
 Expected<PersistenceTable> persistence_table_of(const SampleData& data, JobControl& job) {
-  const Document document;
-  auto delta = replace_all(document, {.positions = data.positions});
-  if (!delta) return std::unexpected(delta.error());
   Graph graph;
-  graph.set_demand(std::array{find_layer("alpha-edges")});
-  graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
-  FramePatch patch;
-  if (!graph.run(patch, job)) throw Cancelled{};
-  for (const NodeReport& node : patch.nodes)
-    if (node.state == NodeState::failed)
-      return std::unexpected(
-          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
+  if (auto good = compute_samples_alone(graph, data.positions, "alpha-edges", job); !good)
+    return std::unexpected(good.error());
   return table_of(graph.structures().get<Delaunay>(), graph.structures().get<AlphaFiltration>());
 }
 

@@ -11,7 +11,8 @@
 namespace mes {
 
 /// Smallest use, in each frame:
-///     if (wish != wished) maker.want([wish](JobControl& job) { return SampleMaking::Made{sample_curves(curves, wish, &job)}; });
+///     if (wish != wished)
+///       maker.want([wish](JobControl& job) { return SampleMaking::Made{sample_curves(curves, wish, &job)}; });
 ///     maker.draw_facts(gui);
 ///     if (maker.draw_buttons(gui, "Circle", "The shape ...")) is_open = false;
 ///     maker.draw_preview(gui);

@@ -99,7 +99,8 @@ class Engine {
   std::vector<Provenance> take_answers();
   /// The next finished patch, or null. Never waits.
   std::unique_ptr<FramePatch> poll();
-  /// Waits until everything posted is computed and everything asked is answered, then as `poll`; null when all patches have been taken.
+  /// Waits until everything posted is computed and everything asked is answered, then as `poll`; null when all patches
+  /// have been taken.
   std::unique_ptr<FramePatch> sync();
   /// Gives a patch's memory back for the next one.
   void recycle(std::unique_ptr<FramePatch> patch);

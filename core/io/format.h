@@ -59,10 +59,8 @@ std::span<const FormatDescriptor> format_descriptors();
 
 /// Reads a file; the format is found by content first, extension second, unless `format` names one. A picture or a
 /// figure that carries a session is read as that session. A `.contours` file beside a POFF file is read too, if it is a
-/// regular file. Never allocates by what a header
-/// promises. A pipe is waited for until a stop is requested (error
-/// `cancelled`). Error: `bad_input` with file, line, column; `usage` for a wish that does not fit
-/// the file.
+/// regular file. Never allocates by what a header promises. A pipe is waited for until a stop is requested (error
+/// `cancelled`). Error: `bad_input` with file, line, column; `usage` for a request that does not fit the file.
 Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {},
                                       const std::stop_token& stop = {}, const ReadRequest& request = {});
 

@@ -17,8 +17,8 @@ namespace mes {
 /// point, of which either may be missing.
 ///
 /// What it guarantees: the value is the double nearest to the number, as `std::from_chars` has it. 0, and `value` as it
-/// was, where that takes more: more than 18 digits, digits that are together above 2^53, an exponent, or what is no
-/// number. Cost: a few nanoseconds.
+/// was, where that takes more: more than 18 digits, digits that are together above 2^53, an exponent, or text that is not
+/// a number. Cost: a few nanoseconds.
 inline std::size_t short_decimal(std::string_view text, double& value) {
   constexpr std::array<double, 19> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                                            1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};

@@ -33,8 +33,8 @@ struct RadiusRanks {
 ///
 /// Cost: O(n log n) on all cores where radii are well apart; a rational number for each different circle whose radius is
 /// equal to another, or nearly so. Circles with sides of the same squares, each of them a double, as on a lattice of
-/// integers, count once. Samples of one circle have many such triangles. `checkpoint` is called now and then, and may throw. Coordinates are within
-/// core/base/coordinate_range.h.
+/// integers, count once; those of samples of one circle, whose radii are nearly equal, do not. `checkpoint` is called now
+/// and then, and may throw. Coordinates are within core/base/coordinate_range.h.
 RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::function<void()>& checkpoint);
 
 /// The smallest circle around a and b holds p, inside or on it: the angle at p is 90 degrees or more. Exact; p is neither

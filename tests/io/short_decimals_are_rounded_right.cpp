@@ -50,7 +50,7 @@ TEST_CASE("decimals of every length are read as the library reads them") {
   CHECK(quick > 100'000);
 }
 
-TEST_CASE("what is no short decimal is left alone") {
+TEST_CASE("texts that are not short decimals are not read") {
   for (const char* text : {"", "-", "+", ".", "-.", "+.", "e5", "1e5", "1.5E-3", "2em", "nan", "inf", "--1", "+-1",
                            "1234567890123456789", "9007199254740993", "0.0000000000000000001"}) {
     INFO(text);

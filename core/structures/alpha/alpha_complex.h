@@ -57,7 +57,7 @@ class AlphaComplex final : public Structure {
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void set_radius();
   /// The other end of the next held edge at the site, counter-clockwise from a held edge with this face to its left; the
-  /// edge's own, where there is no other. Each edge at the site is passed for one held edge only.
+  /// edge's own, where there is no other. For all held edges of a site together, O(edges at the site).
   SiteSlot next_held(SiteSlot site, EdgeSlot edge, FaceSlot left) const;
   /// Where the circles around the ends of an edge cross, to its left seen from `site`.
   Vec2 crossing(SiteSlot site, SiteSlot other) const;
