@@ -273,6 +273,109 @@ TEST_CASE("after every edit sizes are those of a fresh computation") {
   }
 }
 
+namespace {
+
+/// The least rounded distance to any edge of the axis, in a plain loop; not a trace of how it is searched.
+void check_least_of_all(const std::vector<Vec2>& samples) {
+  Workbench bench;
+  show_density(bench);
+  bench.replace(samples);
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& crust = bench.get<OneStepCrust>();
+  std::vector<AxisLine> lines;
+  for (const EdgeSlot edge : delaunay.edge_slots())
+    if (delaunay.edge(edge).is_alive() && !crust.is_crust(edge)) lines.push_back(axis_line(delaunay, edge, 1.0));
+  REQUIRE_FALSE(lines.empty());
+  for (const SiteSlot site : delaunay.site_slots()) {
+    if (!delaunay.is_site(site)) continue;
+    double least = std::numeric_limits<double>::infinity();
+    for (const AxisLine& line : lines) least = std::min(least, line.squared_distance(delaunay.site_position(site)));
+    REQUIRE(bench.get<FeatureSize>().size(site) == std::sqrt(least));
+  }
+}
+
+Vec2 on_circle(double turn, double radius = 1.0) {
+  return {radius * std::cos(2.0 * std::numbers::pi * turn), radius * std::sin(2.0 * std::numbers::pi * turn)};
+}
+
+}  // namespace
+
+TEST_CASE("sizes are the least of all rounded distances, to the last bit") {
+  Rng rng(11);
+  std::vector<Vec2> samples;
+  SECTION("a smooth curve, whose samples are near to thousands") {
+    for (int i = 0; i < 1500; ++i) samples.push_back(on_circle(i / 1500.0, 1.0 + 0.3 * std::cos(i * 0.02)));
+  }
+  SECTION("a cloud, where the crust branches everywhere") {
+    for (int i = 0; i < 1500; ++i) samples.push_back({rng.uniform(), rng.uniform()});
+  }
+  SECTION("clusters of clusters") {
+    for (int i = 0; i < 1200; ++i) {
+      const double scale = std::ldexp(1.0, -static_cast<int>(rng.below(30)));
+      samples.push_back({std::floor(4.0 * rng.uniform()) + scale * rng.uniform(),
+                         std::floor(4.0 * rng.uniform()) + scale * rng.uniform()});
+    }
+  }
+  SECTION("arcs of one circle, whose centre is the end of many edges") {
+    for (int i = 0; i < 400; ++i)
+      if (i % 100 < 37) samples.push_back(on_circle(i / 400.0));
+  }
+  SECTION("a lattice, and one with noise in the last digits") {
+    for (int i = 0; i < 30; ++i)
+      for (int j = 0; j < 30; ++j)
+        samples.push_back({i + (j < 15 ? 0.0 : 1e-15 * rng.uniform(-1.0, 1.0)), static_cast<double>(j)});
+  }
+  SECTION("a curve on which some samples are nearly doubled") {
+    for (int i = 0; i < 700; ++i) {
+      samples.push_back(on_circle(i / 700.0, 1.0 + 0.2 * std::cos(i * 0.05) + 1e-3 * rng.uniform()));
+      const double away = std::ldexp(1.0, -20 - static_cast<int>(rng.below(33)));
+      if (i % 5 == 0) samples.push_back({samples.back().x + away, samples.back().y + away * rng.uniform()});
+    }
+  }
+  SECTION("rows that are nearly straight, whose triangles are nearly flat") {
+    for (int i = 0; i < 300; ++i)
+      for (const double y : {0.0, 1.0, 3.0})
+        samples.push_back({0.05 * i + 0.01 * rng.uniform(), y + std::ldexp(rng.uniform(-1.0, 1.0), -20 - i % 32)});
+  }
+  SECTION("a comb of closed loops and single samples") {
+    for (int k = 0; k < 20; ++k)
+      for (int i = 0; i < 3 + 3 * k; ++i) {
+        const Vec2 at = on_circle(i / (3.0 + 3.0 * k), 0.3);
+        samples.push_back({k + at.x, at.y});
+      }
+    for (int i = 0; i < 40; ++i) samples.push_back({20.0 * rng.uniform(), 3.0 * rng.uniform(-1.0, 1.0)});
+  }
+  check_least_of_all(samples);
+}
+
+// An arc of more than half a circle is reached from its samples; edges of others on the circle end at its centre, too,
+// and no walk along the curve comes to them.
+TEST_CASE("edges that meet in one point count all, whether the curve joins their samples or not") {
+  std::vector<Vec2> circle;
+  constexpr int kRadius = 1105;
+  for (int x = -kRadius; x <= kRadius; ++x)
+    for (int y = -kRadius; y <= kRadius; ++y)
+      if (x * x + y * y == kRadius * kRadius) circle.push_back({static_cast<double>(x), static_cast<double>(y)});
+  REQUIRE(circle.size() == 108);
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    INFO("seed " << seed);
+    Rng rng(seed);
+    const double first = rng.uniform(-0.5, 0.5);
+    const double share = rng.uniform(0.48, 0.72);
+    const double keep = rng.uniform(0.05, 0.5);
+    std::vector<Vec2> samples;
+    for (const Vec2 p : circle) {
+      const double turn = std::remainder(std::atan2(p.y, p.x) / (2.0 * std::numbers::pi) - first, 1.0);
+      if (std::abs(turn) < 0.5 * share || rng.uniform() < keep) samples.push_back(p);
+    }
+    const double farthest = rng.uniform(1.02, 2.0);
+    for (std::uint64_t i = rng.below(60); i > 0; --i)
+      samples.push_back(on_circle(first + 0.5 + 0.5 * (1.0 - share) * rng.uniform(-1.0, 1.0),
+                                  kRadius * rng.uniform(1.003, farthest)));
+    check_least_of_all(samples);
+  }
+}
+
 TEST_CASE("without an axis there is no size, and the statistics say why") {
   for (const std::vector<Vec2>& samples :
        {std::vector<Vec2>{}, {{1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {1, 0}, {2, 0}}, {{0, 0}, {1, 0}, {0.5, 0.9}}}) {

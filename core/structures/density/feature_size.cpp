@@ -11,7 +11,7 @@
 
 #include "core/base/coordinate_range.h"
 #include "core/base/parallel.h"
-#include "core/kernel/corner_angle.h"
+#include "core/structures/density/cell_walk.h"
 
 namespace mes {
 namespace {
@@ -62,53 +62,21 @@ void FeatureSize::choose_unit() {
   unit_ = std::ldexp(1.0, -exponent_);
 }
 
-// Heights are half the edge times the cotangent of the angle opposite, as in `Delaunay::dual_length`: from differences
-// of samples, not from centres, which may be far away.
-FeatureSize::AxisLine FeatureSize::line_of(EdgeSlot edge) const {
-  const EdgeRow& row = delaunay_.edge(edge);
-  const Vec2 ends[2] = {place_of(row.v[0]), place_of(row.v[1])};
-  const int first = lexicographically_less(ends[1], ends[0]) ? 1 : 0;
-  AxisLine out;
-  out.edge = edge;
-  out.q = ends[first];
-  const Vec2 r = ends[1 - first];
-  const double length = distance(out.q, r);
-  out.along = {(r.x - out.q.x) / length, (r.y - out.q.y) / length};
-  out.half = 0.5 * length;
-  const auto height = [&](FaceSlot face) {
-    const SiteSlot apex = delaunay_.apex(face, edge);
-    return apex == kInfiniteSite ? kInfinity : out.half * cotangent_at(place_of(apex), out.q, r);
-  };
-  // A triangle lies on the left of q -> r, the other on the right; without one the bisector goes on.
-  const double left = height(row.f[first]);
-  const double right = height(row.f[1 - first]);
-  out.high = std::max(left, -right);
-  out.low = std::min(left, -right);
-  return out;
-}
-
-TreeBounds FeatureSize::AxisLine::bounds() const {
-  const Vec2 middle = q + half * along;
-  const Vec2 up = perpendicular(along);
-  const auto at = [](double from, double step, double height) {
-    return step == 0.0 ? from : from + step * height;  // the height may be infinite
-  };
-  TreeBounds out;
-  for (const double height : {low, high}) out.box.add(Vec2{at(middle.x, up.x, height), at(middle.y, up.y, height)});
-  return out;
-}
-
-void FeatureSize::make_line_tree() {
+std::vector<AxisLine> FeatureSize::all_lines() const {
   std::vector<EdgeSlot> edges;
   for (const EdgeSlot edge : delaunay_.edge_slots())
     if (is_axis(edge)) edges.push_back(edge);
   std::vector<AxisLine> lines(edges.size());
   parallel_for(edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) lines[i] = line_of(edges[i]);
+    for (std::size_t i = begin; i < end; ++i) lines[i] = axis_line(delaunay_, edges[i], unit_);
   });
+  return lines;
+}
+
+void FeatureSize::make_line_tree(std::span<const AxisLine> lines) {
   line_at_.assign(delaunay_.edge_rows(), kNowhere);
   lines_.build(
-      std::span<const AxisLine>(lines), [](const AxisLine& line) { return line.bounds(); },
+      lines, [](const AxisLine& line) { return line.bounds(); },
       [this](const AxisLine& line, std::uint32_t place) { line_at_[line.edge] = place; });
 }
 
@@ -231,35 +199,36 @@ void FeatureSize::rebuild(JobControl& job) {
   squared_.assign(delaunay_.site_rows(), kInfinity);
   nearest_.assign(delaunay_.site_rows(), kNoSlot);
   lines_.clear();
+  line_count_ = 0;
   balls_.clear();
   if (delaunay_.dimension() != 2) return;
   choose_unit();
-  make_line_tree();
+  const std::vector<AxisLine> lines = all_lines();
+  line_count_ = lines.size();
+  if (lines.empty()) return;
   job.checkpoint();
-  // To begin with, some edge of the site's own cell.
-  for (const EdgeSlot edge : line_at_.rows())
-    if (line_at_[edge] != kNowhere)
-      for (const SiteSlot site : delaunay_.edge(edge).v) nearest_[site] = edge;
-  std::vector<SiteSlot> sites;
-  std::vector<Box2> boxes;
-  sites.reserve(delaunay_.site_count());
-  boxes.reserve(delaunay_.site_count());
-  for (const SiteSlot site : delaunay_.site_slots())
-    if (delaunay_.is_site(site)) {
-      sites.push_back(site);
-      boxes.push_back({place_of(site), place_of(site)});
-    }
-  std::vector<SiteSlot> sorted;
-  sorted.reserve(sites.size());
-  for (const std::uint32_t i : order_along_z_curve(boxes)) sorted.push_back(sites[i]);
-  parallel_for(sorted.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+  const CellWalk walk(delaunay_, crust_, lines, unit_);
+  job.checkpoint();
+  std::vector<std::vector<SiteSlot>> given_up(chunk_count(walk.cell_count()));
+  parallel_for(walk.cell_count(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     job.checkpoint();
-    search_in_groups(std::span(sorted).subspan(begin, end - begin));
+    walk.search(begin, end, squared_, nearest_, given_up[chunk]);
+  });
+  if (std::ranges::all_of(given_up, [](const auto& sites) { return sites.empty(); })) return;
+  make_line_tree(lines);
+  // To begin with, some edge of the site's own cell.
+  for (const AxisLine& line : lines)
+    for (const SiteSlot site : delaunay_.edge(line.edge).v)
+      if (nearest_[site] == kNoSlot) nearest_[site] = line.edge;
+  run_tasks(given_up.size(), [&](std::size_t i) {
+    job.checkpoint();
+    search_in_groups(given_up[i]);
   });
 }
 
 void FeatureSize::get_ready_to_update(JobControl& job) {
-  if (is_ready_ || lines_.is_empty()) return;
+  if (is_ready_ || line_count_ == 0) return;
+  if (lines_.is_empty()) make_line_tree(all_lines());
   links_.assign(squared_.size(), {});
   first_site_.assign(line_at_.size(), kNoSlot);
   for (const SiteSlot site : squared_.rows())
@@ -329,7 +298,7 @@ void FeatureSize::shrink_balls_at(const AxisLine& line) {
 }
 
 bool FeatureSize::update(JobControl& job) {
-  if (delaunay_.dimension() != 2 || lines_.is_empty()) return false;
+  if (delaunay_.dimension() != 2 || line_count_ == 0) return false;
   if (!std::ranges::all_of(delaunay_.site_changes().touched, [this](SiteSlot site) { return fits(site); }))
     return false;
   // Of a new edge, all samples ask for it; so many are slower than all samples asking for all edges.
@@ -350,16 +319,16 @@ bool FeatureSize::update(JobControl& job) {
   new_lines_.clear();
   for (const auto* edges : {&delaunay_.edge_changes().removed, &delaunay_.edge_changes().touched})
     for (const EdgeSlot edge : *edges) {
-      if (line_at_[edge] == kNowhere) continue;
       for (SiteSlot site = first_site_[edge]; site != kNoSlot; site = links_[site].after) queue_search(site);
-      remove_line(edge);
+      if (line_at_[edge] != kNowhere) remove_line(edge);
     }
   for (const EdgeSlot edge : delaunay_.edge_changes().touched) {
     if (!is_axis(edge)) continue;
-    new_lines_.push_back(line_of(edge));
+    new_lines_.push_back(axis_line(delaunay_, edge, unit_));
     if (!lines_.is_worn()) add_line(new_lines_.back());
   }
-  if (lines_.is_worn()) make_line_tree();
+  if (lines_.is_worn()) make_line_tree(all_lines());
+  line_count_ = lines_.size();
   for (const SiteSlot site : delaunay_.site_changes().removed) {
     detach(site);
     remove_ball(site);

@@ -12,6 +12,7 @@
 #include "core/base/change_set.h"
 #include "core/graph/structure.h"
 #include "core/structures/crust/one_step_crust.h"
+#include "core/structures/density/axis_line.h"
 
 namespace mes {
 
@@ -30,8 +31,8 @@ inline constexpr double kDenseEpsilon = 0.25;
 ///     the samples achieve by this estimate.
 ///  3. Numbers that are there are finite and above 0. Without an axis there are none.
 ///
-/// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically, in a tree of all edges; an update O(changed edges
-/// times what their search meets).
+/// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically, by walks along the curve
+/// (cell_walk.h) or in a tree of all edges; an update O(changed edges times what their search meets).
 /// Source: Amenta, Bern and Eppstein, "The crust and the beta-skeleton", 1998.
 class FeatureSize final : public Structure {
  public:
@@ -56,25 +57,6 @@ class FeatureSize final : public Structure {
   StatList statistics() const override;
 
  private:
-  /// An edge of the axis on the bisector of q and r: the points at height `low` to `high` over the middle of qr, on the
-  /// left of q -> r. In scaled units.
-  struct alignas(64) AxisLine {
-    Vec2 q{};
-    Vec2 along{};  ///< unit vector from q to r
-    double half = 0.0;
-    double low = 0.0;
-    double high = 0.0;
-    EdgeSlot edge{};
-
-    double squared_distance(Vec2 p) const {
-      const Vec2 u = p - q;
-      const double aside = dot(u, along) - half;
-      const double height = cross(along, u);
-      const double rest = height - (height < low ? low : (height > high ? high : height));
-      return aside * aside + rest * rest;
-    }
-    TreeBounds bounds() const;
-  };
   struct Found {
     double squared = std::numeric_limits<double>::infinity();
     EdgeSlot edge{};
@@ -87,7 +69,7 @@ class FeatureSize final : public Structure {
   }
   bool fits(SiteSlot site) const;
   void choose_unit();
-  AxisLine line_of(EdgeSlot edge) const;
+  std::vector<AxisLine> all_lines() const;
   Found search(Vec2 p) const;
   void search_in_groups(std::span<const SiteSlot> sites);
   void attach(SiteSlot site, const Found& found);
@@ -95,7 +77,7 @@ class FeatureSize final : public Structure {
   void search_anew(SiteSlot site);
   void add_line(const AxisLine& line);
   void remove_line(EdgeSlot edge);
-  void make_line_tree();
+  void make_line_tree(std::span<const AxisLine> lines);
   void add_ball(SiteSlot site);
   void remove_ball(SiteSlot site);
   void make_ball_tree();
@@ -113,7 +95,8 @@ class FeatureSize final : public Structure {
   int exponent_ = 0;                 ///< of the largest coordinate when it was chosen
   Table<SiteSlot, double> squared_;  ///< of the size in scaled units; infinite without one
   Table<SiteSlot, EdgeSlot> nearest_;
-  BoxTree<AxisLine> lines_;
+  std::size_t line_count_ = 0;
+  BoxTree<AxisLine> lines_;                 ///< for updates, and for what is searched in it; else empty
   Table<EdgeSlot, std::uint32_t> line_at_;  ///< its place in the tree
 
   // What updates alone need. The sites of one nearest edge, as a list through the table of sites:

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One edge of the axis on both sides, and how far points are from it.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/box_tree.h"
+#include "core/structures/delaunay/delaunay.h"
+
+namespace mes {
+
+/// An edge of the axis on the bisector of q and r: the points at height `low` to `high` over the middle of qr, on the
+/// left of q -> r. Either may be infinite.
+struct alignas(64) AxisLine {
+  Vec2 q{};
+  Vec2 along{};  ///< unit vector from q to r
+  double half = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+  EdgeSlot edge{};
+  /// A height may be wrong by more than `kHeightError` of the distance to q: a triangle is nearly flat.
+  bool is_vague = false;
+
+  double squared_distance(Vec2 p) const {
+    const Vec2 u = p - q;
+    const double aside = dot(u, along) - half;
+    const double height = cross(along, u);
+    const double rest = height - (height < low ? low : (height > high ? high : height));
+    return aside * aside + rest * rest;
+  }
+  /// Of q and r, squared; no sample is nearer to the line.
+  double squared_reach() const {
+    const double rest = low > 0.0 ? low : (high < 0.0 ? high : 0.0);
+    return half * half + rest * rest;
+  }
+  TreeBounds bounds() const;
+};
+
+inline constexpr double kHeightError = 0x1p-10;
+
+/// The dual of `edge`, an edge between two triangles or at the hull. Coordinates are multiplied by `unit`, after which
+/// the squares of their differences are normal doubles.
+AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit);
+
+}  // namespace mes
