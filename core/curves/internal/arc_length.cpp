@@ -10,8 +10,9 @@ namespace mes {
 namespace {
 
 constexpr double kTolerance = 1e-12;
-// An arc of a whole turn may look even to eight points; a cusp is narrowed down to 2^-40 of its piece.
-constexpr int kLeastDepth = 2;
+// An arc of a whole turn may look even to eight points: each part of so many radians is halved once more. What varies
+// within polynomials is seen by eight points or by the next sixteen. A cusp is narrowed down to 2^-40 of its piece.
+constexpr double kEvenTurn = 2.0;
 constexpr int kMostDepth = 40;
 
 /// `length`, ten times as fast where squares are normal doubles.
@@ -20,21 +21,6 @@ double speed_of(Vec2 v) {
   constexpr double kMost = 0x1p900;
   const double squared = dot(v, v);
   return squared > kLeast && squared < kMost ? std::sqrt(squared) : length(v);
-}
-
-/// The length between two parameters. Source of nodes and weights: Abramowitz and Stegun, table 25.4.
-double quadrature(const Piece& piece, double begin, double end) {
-  constexpr std::array<std::pair<double, double>, 4> kNodes{{{0.183434642495649805, 0.362683783378361983},
-                                                             {0.525532409916328986, 0.313706645877887287},
-                                                             {0.796666477413626740, 0.222381034453374471},
-                                                             {0.960289856497536232, 0.101228536290376259}}};
-  const double middle = 0.5 * (begin + end);
-  const double half = 0.5 * (end - begin);
-  double sum = 0.0;
-  for (const auto& [node, weight] : kNodes)
-    sum += weight *
-           (speed_of(piece.derivative(middle - half * node)) + speed_of(piece.derivative(middle + half * node)));
-  return half * sum;
 }
 
 double polygon_length(const Piece& piece) {
@@ -52,18 +38,51 @@ PieceLength::PieceLength(const Piece& piece) : piece_(piece) {
     total_ = distance(piece.from(), piece.to());
     return;
   }
-  halve(0.0, 1.0, quadrature(piece, 0.0, 1.0), kTolerance * polygon_length(piece), 0);
+  int least_depth = 0;
+  if (piece.kind == PieceKind::arc) {
+    for (double turn = std::abs(piece.arc.sweep); turn > kEvenTurn; turn *= 0.5) ++least_depth;
+  } else {
+    const auto& p = piece.points;
+    const Vec2 first = p[1] - p[0];
+    const Vec2 second = p[2] - p[1];
+    if (piece.kind == PieceKind::quadratic) {
+      velocity_ = {2.0 * first, 2.0 * (second - first), Vec2{}};
+    } else {
+      const Vec2 third = p[3] - p[2];
+      velocity_ = {3.0 * first, 6.0 * (second - first), 3.0 * ((third - second) - (second - first))};
+    }
+  }
+  halve(0.0, 1.0, quadrature(0.0, 1.0), kTolerance * polygon_length(piece), least_depth, 0);
 }
 
-void PieceLength::halve(double begin, double end, double whole, double tolerance, int depth) {
+Vec2 PieceLength::velocity_at(double t) const {
+  if (piece_.kind == PieceKind::arc) return piece_.derivative(t);
+  return velocity_[0] + t * (velocity_[1] + t * velocity_[2]);
+}
+
+// The length between two parameters. Source of nodes and weights: Abramowitz and Stegun, table 25.4.
+double PieceLength::quadrature(double begin, double end) const {
+  constexpr std::array<std::pair<double, double>, 4> kNodes{{{0.183434642495649805, 0.362683783378361983},
+                                                             {0.525532409916328986, 0.313706645877887287},
+                                                             {0.796666477413626740, 0.222381034453374471},
+                                                             {0.960289856497536232, 0.101228536290376259}}};
   const double middle = 0.5 * (begin + end);
-  const double first = quadrature(piece_, begin, middle);
-  const double second = quadrature(piece_, middle, end);
+  const double half = 0.5 * (end - begin);
+  double sum = 0.0;
+  for (const auto& [node, weight] : kNodes)
+    sum += weight * (speed_of(velocity_at(middle - half * node)) + speed_of(velocity_at(middle + half * node)));
+  return half * sum;
+}
+
+void PieceLength::halve(double begin, double end, double whole, double tolerance, int least_depth, int depth) {
+  const double middle = 0.5 * (begin + end);
+  const double first = quadrature(begin, middle);
+  const double second = quadrature(middle, end);
   // Negated, so that what is not a number ends it too.
   const bool is_rough = std::abs(first + second - whole) > tolerance;
-  if (depth < kMostDepth && (depth < kLeastDepth || is_rough)) {
-    halve(begin, middle, first, tolerance, depth + 1);
-    halve(middle, end, second, tolerance, depth + 1);
+  if (depth < kMostDepth && (depth < least_depth || is_rough)) {
+    halve(begin, middle, first, tolerance, least_depth, depth + 1);
+    halve(middle, end, second, tolerance, least_depth, depth + 1);
     return;
   }
   intervals_.push_back({middle, total_ + first});
@@ -81,20 +100,31 @@ double PieceLength::parameter_at(double wanted) const {
   const double begin = is_first ? 0.0 : std::prev(interval)->end;
   const double reached = is_first ? 0.0 : std::prev(interval)->length;
 
-  // Newton's method, kept between bounds that bisection narrows.
+  // Newton's method, kept between bounds that bisection narrows, from a cubic through both ends with the speeds there.
   double low = begin;
   double high = interval->end;
-  double t = begin + (high - begin) * (wanted - reached) / (interval->length - reached);
+  const double width = high - begin;
+  const double share = (wanted - reached) / (interval->length - reached);
+  const double mean = (interval->length - reached) / width;
+  const double at_begin = mean / speed_of(velocity_at(begin));
+  const double at_end = mean / speed_of(velocity_at(high));
+  double t =
+      begin + width * (share + share * (1.0 - share) * ((1.0 - share) * (at_begin - 1.0) - share * (at_end - 1.0)));
+  if (!(t > low && t < high)) t = begin + width * share;
   constexpr int kMostSteps = 60;
   constexpr double kReached = 1e-14;  // of the length: nearer is rounding
+  // After a step of such a share of the interval, the next one would be about its square: rounding.
+  constexpr double kLast = 1e-10;
   for (int step = 0; step < kMostSteps; ++step) {
-    const double error = reached + quadrature(piece_, begin, t) - wanted;
+    const double error = reached + quadrature(begin, t) - wanted;
     if (std::abs(error) <= kReached * total_) return t;
     (error > 0.0 ? high : low) = t;
-    const double speed = speed_of(piece_.derivative(t));
+    const double speed = speed_of(velocity_at(t));
     double next = t - error / speed;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - t) <= 1e-16 || next == t) return next;
+    const bool is_inside = next > low && next < high;
+    if (!is_inside) next = 0.5 * (low + high);
+    const double moved = std::abs(next - t);
+    if (moved <= 1e-16 || next == t || (is_inside && moved <= kLast * width)) return next;
     t = next;
   }
   return t;

@@ -5,6 +5,7 @@
 // whole within 1e-12 of the length of the control polygon. Lines are measured without.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/curves/curve.h"
@@ -25,9 +26,12 @@ class PieceLength {
     double end;     // parameter
     double length;  // from the beginning to there
   };
-  void halve(double begin, double end, double whole, double tolerance, int depth);
+  Vec2 velocity_at(double t) const;
+  double quadrature(double begin, double end) const;
+  void halve(double begin, double end, double whole, double tolerance, int least_depth, int depth);
 
   Piece piece_;
+  std::array<Vec2, 3> velocity_{};   // of what is no arc: a polynomial, by powers of the parameter
   std::vector<Interval> intervals_;  // of what is not a line
   double total_ = 0.0;
 };
