@@ -222,8 +222,12 @@ void CellWalk::search(std::size_t begin, std::size_t end, Table<SiteSlot, double
   std::size_t pause = vague_.size() > kMostVague ? end - begin : 0;
   for (std::size_t first = begin; first < end;) {
     const double room = kSpread * reaches_[first];
+    const auto is_near_first = [&](std::size_t cell) {
+      const Vec2 d = places_[cell] - places_[first];
+      return dot(d, d) <= room * room;
+    };
     std::size_t last = first + 1;
-    while (last < end && last < first + kLanes && distance(places_[last], places_[first]) <= room) ++last;
+    while (last < end && last < first + kLanes && is_near_first(last)) ++last;
     bool is_found = false;
     Group group;
     if (pause != 0) {
