@@ -154,7 +154,7 @@ Place place_of(const Homogeneous& c, const std::vector<std::pair<ExactPoint, Exa
 
 struct RankedEdge {
   EdgeSlot edge;
-  bool mends;
+  int kind;  // 0 mends, 2 comes last, 1 is any other
   mpz_class squared_length;
   ExactCot certainty;
   Vec2 low, high;
@@ -215,26 +215,35 @@ std::vector<EdgeSlot> open_stroke(const Delaunay& delaunay, const std::set<EdgeS
 std::vector<RankedEdge> edges_in_order(const Delaunay& delaunay, const OneStepCrust& crust,
                                        const Table<SiteSlot, int>& degree) {
   const Table<SiteSlot, ExactPoint> exact = exact_sites(delaunay);
+  const auto square = [&](EdgeSlot edge) {
+    const ExactPoint along = exact[delaunay.edge(edge).v[1]] - exact[delaunay.edge(edge).v[0]];
+    return mpz_class(dot(along, along));
+  };
+  Table<SiteSlot, mpz_class> longest(delaunay.site_rows(), 0);
+  for (const EdgeSlot edge : delaunay.edge_slots())
+    if (delaunay.edge(edge).is_alive() && crust.is_crust(edge))
+      for (const SiteSlot site : delaunay.edge(edge).v) longest[site] = std::max(longest[site], square(edge));
   std::vector<RankedEdge> edges;
   for (const EdgeSlot edge : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(edge);
     if (!row.is_alive()) continue;
-    RankedEdge ranked{edge, false, {}, exact_edge(crust.corners(edge)).certainty(), {}, {}};
+    RankedEdge ranked{edge, 1, square(edge), exact_edge(crust.corners(edge)).certainty(), {}, {}};
+    const bool is_cocircular = exact_edge(crust.corners(edge)).is_cocircular();
+    const bool is_long = ranked.squared_length > 64 * std::max(longest[row.v[0]], longest[row.v[1]]);
+    if (!crust.is_crust(edge) && (is_cocircular || is_long)) ranked.kind = 2;
     const int a = degree[row.v[0]];
     const int b = degree[row.v[1]];
     // A diagonal of cocircular sites mends nothing: another triangulation has another one.
-    if (a % 2 == 1 && b % 2 == 1 && !exact_edge(crust.corners(edge)).is_cocircular())
-      ranked.mends = crust.is_crust(edge) ? a >= 3 && b >= 3 : a == 1 && b == 1;
-    const ExactPoint along = exact[row.v[1]] - exact[row.v[0]];
-    ranked.squared_length = dot(along, along);
+    if (a % 2 == 1 && b % 2 == 1 && !is_cocircular && (crust.is_crust(edge) ? a >= 3 && b >= 3 : a == 1 && b == 1))
+      if (crust.is_crust(edge) || !is_long) ranked.kind = 0;
     ranked.low = delaunay.site_position(row.v[0]);
     ranked.high = delaunay.site_position(row.v[1]);
     if (lexicographically_less(ranked.high, ranked.low)) std::swap(ranked.low, ranked.high);
     edges.push_back(std::move(ranked));
   }
   std::ranges::sort(edges, [](const RankedEdge& a, const RankedEdge& b) {
-    if (a.mends != b.mends) return a.mends;
-    const int order = a.mends ? cmp(a.squared_length, b.squared_length) : compare(a.certainty, b.certainty);
+    if (a.kind != b.kind) return a.kind < b.kind;
+    const int order = a.kind == 0 ? cmp(a.squared_length, b.squared_length) : compare(a.certainty, b.certainty);
     if (order != 0) return order < 0;
     if (a.low != b.low) return lexicographically_less(a.low, b.low);
     return lexicographically_less(a.high, b.high);
@@ -252,7 +261,7 @@ std::set<EdgeSlot> repaired_edges(const Delaunay& delaunay, const OneStepCrust& 
     const SiteSlot* end = delaunay.edge(ranked.edge).v;
     if (!is_odd[end[0]] || !is_odd[end[1]]) continue;
     const bool is_spur = crust.is_crust(ranked.edge) && (degree[end[0]] == 1 || degree[end[1]] == 1);
-    if (!ranked.mends && !is_spur) continue;
+    if (ranked.kind != 0 && !is_spur) continue;
     is_odd[end[0]] = is_odd[end[1]] = false;
     out.insert(ranked.edge);
   }
@@ -316,6 +325,10 @@ std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
   for (const EdgeSlot edge : repaired_edges(delaunay, crust, edges, degree, is_odd)) toggle(curve, edge);
   Tree tree(delaunay.site_rows());
   const Table<SiteSlot, Partner> partner = partners(delaunay, edges, is_odd, tree);
+  const Table<SiteSlot, ExactPoint> exact = exact_sites(delaunay);
+  const auto square = [&exact](SiteSlot from, SiteSlot to) {
+    return mpz_class(dot(exact[to] - exact[from], exact[to] - exact[from]));
+  };
 
   std::set<EdgeSlot> conflicts;
   for (const SiteSlot a : delaunay.site_slots()) {
@@ -323,6 +336,11 @@ std::set<PlaceEdge> conflicts_by_rule(const Workbench& bench) {
       if (!is_odd[a] || !is_odd[b] || degree[a] != 1 || degree[b] != 1) continue;
       const std::vector<EdgeSlot> chain = open_stroke(delaunay, curve, a, b);
       if (chain.empty()) continue;
+      // A gap that is not wide.
+      mpz_class longest = 0;
+      for (const EdgeSlot edge : chain)
+        longest = std::max(longest, square(delaunay.edge(edge).v[0], delaunay.edge(edge).v[1]));
+      if (square(a, b) <= 16 * longest) continue;
       const std::size_t reach = 128 + (chain.size() + 1) / 16;
       const auto finds = [&](SiteSlot site) { return partner[site].component <= reach; };
       const bool each_other =

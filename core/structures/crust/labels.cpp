@@ -93,7 +93,7 @@ void Labels::rebuild(JobControl& job) {
   tree_.reset();
   join_.clear();
   is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
-  order_.forget_keys();
+  order_.clear();
   // Among so many odd sites clusters are not small, and where strokes end is found sooner along the tree.
   Table<EdgeSlot, std::uint8_t> is_in_tree;
   if (!is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites)) {
@@ -120,7 +120,7 @@ void Labels::rebuild(JobControl& job) {
 }
 
 // Sites at which an edge is another one or has another crust bit or other corners, and the neighbours of those whose
-// degree changed: what an edge mends depends on the degrees at both of its ends.
+// degree or longest crust edge changed: what an edge mends, and whether it is long, depends on both of its ends.
 void Labels::find_touched_sites() {
   touched_.clear();
   touched_marks_.begin(delaunay_.site_rows());
@@ -131,15 +131,18 @@ void Labels::find_touched_sites() {
   for (const SiteSlot site : crust_.site_changes().touched) touch(site);
   for (const EdgeSlot edge : delaunay_.edge_changes().touched)
     for (const SiteSlot site : delaunay_.edge(edge).v) touch(site);
-  for (const SiteSlot site : crust_.degree_changes())
-    delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
+  order_.update(touched_);
+  for (const std::vector<SiteSlot>* sites : {&crust_.degree_changes(), &order_.changed_sites()})
+    for (const SiteSlot site : *sites)
+      delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
 }
 
 // True if all labels have been made anew on the way.
 bool Labels::follow_conflicts(JobControl& job) {
   is_idle_ = is_idle_ && crust_.odd_count() == 0;
-  if (is_idle_) return false;
+  if (is_idle_ && !order_.keeps_lengths()) return false;
   find_touched_sites();
+  if (is_idle_) return false;
   conflict_.resize(delaunay_.edge_rows(), 0);
   if (!strokes_.is_ready_to_update()) {
     strokes_.rebuild(job);

@@ -2,10 +2,12 @@
 #include "core/structures/crust/internal/certainty_order.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/structures/crust/internal/length_limits.h"
 
 namespace mes {
 
@@ -19,8 +21,97 @@ std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
 
 }  // namespace
 
+void CertaintyOrder::clear() {
+  forget_keys();
+  longest_ = {};
+  changed_sites_.clear();
+}
+
+double CertaintyOrder::square(EdgeSlot edge) const {
+  const SiteSlot* end = delaunay_.edge(edge).v;
+  const Vec2 along = delaunay_.site_position(end[1]) - delaunay_.site_position(end[0]);
+  return dot(along, along);
+}
+
+double CertaintyOrder::find_longest_at(SiteSlot site) const {
+  double longest = 0.0;
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) {
+    if (crust_.is_crust(edge)) longest = std::max(longest, square(edge));
+  });
+  return longest;
+}
+
+double CertaintyOrder::longest_at(SiteSlot site) const {
+  if (!longest_.has(site)) longest_.resize(delaunay_.site_rows(), kUnknown);
+  double& longest = longest_[site];
+  if (longest == kUnknown) longest = find_longest_at(site);
+  return longest;
+}
+
+// The bits of doubles that are not negative are in the order of their values, so the largest is found on all cores.
+void CertaintyOrder::find_all_longest() {
+  longest_.assign(delaunay_.site_rows(), 0.0);
+  parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
+      if (!delaunay_.edge(edge).is_alive() || !crust_.is_crust(edge)) continue;
+      const double length = square(edge);
+      for (const SiteSlot site : delaunay_.edge(edge).v) {
+        const std::atomic_ref longest(longest_[site]);
+        double before = longest.load(std::memory_order_relaxed);
+        while (before < length && !longest.compare_exchange_weak(before, length, std::memory_order_relaxed)) {
+        }
+      }
+    }
+  });
+}
+
+bool CertaintyOrder::is_long(EdgeSlot edge) const {
+  if (crust_.is_crust(edge)) return false;
+  const SiteSlot* end = delaunay_.edge(edge).v;
+  const int order = compare_rounded(square(edge), kLong, std::max(longest_at(end[0]), longest_at(end[1])));
+  if (order != 0) return order > 0;
+  bool is_longer_than_all = true;
+  for (const SiteSlot site : {end[0], end[1]})
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot other, SiteSlot far, FaceSlot) {
+      if (!crust_.is_crust(other) || !is_longer_than_all) return;
+      is_longer_than_all = is_longer(delaunay_.site_position(end[0]), delaunay_.site_position(end[1]), kLong,
+                                     delaunay_.site_position(site), delaunay_.site_position(far));
+    });
+  return is_longer_than_all;
+}
+
+// Some edge at the site is so close to the limit that rounded lengths do not tell on which side.
+bool CertaintyOrder::is_near_limit(SiteSlot site) const {
+  bool is_near = false;
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+    is_near = is_near || (!crust_.is_crust(edge) &&
+                          compare_rounded(square(edge), kLong, std::max(longest_at(site), longest_at(other))) == 0);
+  });
+  return is_near;
+}
+
+void CertaintyOrder::update(const std::vector<SiteSlot>& touched) {
+  changed_sites_.clear();
+  if (longest_.empty()) return;  // no length has been asked for, so nothing depends on one
+  longest_.resize(delaunay_.site_rows(), kUnknown);
+  for (const SiteSlot site : touched) {
+    const double before = longest_[site];
+    if (before == kUnknown) continue;
+    longest_[site] = delaunay_.is_site(site) ? find_longest_at(site) : kUnknown;
+    if (longest_[site] != before && delaunay_.is_site(site)) changed_sites_.push_back(site);
+  }
+  for (const SiteSlot site : touched)
+    if (delaunay_.is_site(site) && longest_[site] != kUnknown && is_near_limit(site)) changed_sites_.push_back(site);
+}
+
+bool CertaintyOrder::has_other_kind(const Rank& rank) const {
+  if (mends(rank.edge) != (rank.key < 0.0)) return true;
+  return rank.key >= 0.0 && comes_last(rank.edge) != (rank.key >= kLast);
+}
+
 void CertaintyOrder::find_keys() {
   forget_keys();
+  find_all_longest();
   Table<EdgeSlot, double> keys(delaunay_.edge_rows(), 0.0);
   parallel_for(keys.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
@@ -99,7 +190,7 @@ bool CertaintyOrder::mends(EdgeSlot edge) const {
   // labels.
   if (crust_.is_cocircular(edge)) return false;
   if (crust_.is_crust(edge)) return crust_.degree(end[0]) >= 3 && crust_.degree(end[1]) >= 3;
-  return crust_.degree(end[0]) == 1 && crust_.degree(end[1]) == 1;
+  return crust_.degree(end[0]) == 1 && crust_.degree(end[1]) == 1 && !is_long(edge);
 }
 
 bool CertaintyOrder::is_surer_by_exact_test(const Rank& a, const Rank& b) const {

@@ -11,17 +11,26 @@
 
 namespace mes {
 
-/// A strict total order on the edges of the triangulation that depends on the positions of the sites alone. First,
-/// as the most doubtful, come edges that *mend*: crust edges between two odd sites of degree three or more, and other
-/// edges between two sites of degree one, by length; then all others by certainty |cot(alpha + beta)|; ties by the
-/// lexicographic order of their ends.
+/// A strict total order on the edges of the triangulation that depends on the positions of the sites alone. An edge
+/// that is not crust is *long* if it is more than `kLong` times as long as every crust edge at its two ends. First, as
+/// the most doubtful, come edges that *mend*, by length: crust edges between two odd sites of degree three or more, and
+/// edges between two sites of degree one that are neither crust nor long. Then come all others by certainty
+/// |cot(alpha + beta)|, the long ones and those between cocircular sites after the rest. Ties are decided by the
+/// lexicographic order of the ends.
 ///
 /// What it guarantees: `is_surer` is exact. Keys are doubles with a proved bound, and where two are closer than that,
-/// the exact predicates of core/kernel/edge_predicates.h decide.
+/// the exact predicates of core/kernel/edge_predicates.h decide; so they do where a length is close to the limit.
 ///
 /// Why mending edges come first: at a sharp corner the test accepts rungs between its two legs, and by certainty alone
 /// the legs may give way instead, which cuts the corner off and makes a hole of it. Taking out the shortest rungs
 /// leaves every site at degree two.
+///
+/// Why long edges come last: where one of them gives way, the border of the labels runs along it, far from any curve.
+/// Certainty does not see that: an edge across a bay, or of the hull between two capes, is doubtful if the angles
+/// opposite happen to be near 90 degrees. The whole bay then changes sides.
+///
+/// Under edits: `update` follows them. Lengths are found when they are asked for, and kept. Threads: rank edges in
+/// several only after `find_keys`.
 class CertaintyOrder {
  public:
   /// The place of an edge: its key, for most comparisons enough, and the edge.
@@ -34,8 +43,20 @@ class CertaintyOrder {
 
   Rank rank_of(EdgeSlot edge) const {
     if (!keys_.empty()) return {keys_[edge], edge};
-    return {mends(edge) ? mending_key(edge) : ambiguity_key(crust_.corners(edge)), edge};
+    return {mends(edge) ? mending_key(edge) : (comes_last(edge) ? kLast : 0.0) + ambiguity_key(crust_.corners(edge)),
+            edge};
   }
+  /// Forgets everything, as before a rebuild.
+  void clear();
+  /// Takes note of an edit. `touched` are all sites at which an edge came or went, or changed its crust bit or an end.
+  void update(const std::vector<SiteSlot>& touched);
+  /// Lengths have been asked for since all was forgotten, so that `update` has something to do.
+  bool keeps_lengths() const { return !longest_.empty(); }
+  /// Live sites whose edges may be long now or not any more, by the last update.
+  const std::vector<SiteSlot>& changed_sites() const { return changed_sites_; }
+  /// The edge would have another kind of key now: one that mends, one of those that come last, or of the others.
+  bool has_other_kind(const Rank& rank) const;
+
   /// Finds the keys of all edges, on all cores, for when most of them will be asked for. They hold until `take_keys`
   /// or `forget_keys`, one of which has to come before the next edit.
   void find_keys();
@@ -52,6 +73,24 @@ class CertaintyOrder {
   bool mends(EdgeSlot edge) const;
 
  private:
+  /// 8 to 16 do about as well: less, and coasts lose capes whose samples lie far apart; more, and noise is labelled
+  /// as if there were no limit.
+  static constexpr double kLong = 8.0;
+  /// Keys of edges that come last begin here, those of the others end at 1. Adding it costs one rounding, for which the
+  /// bound of the keys has room.
+  static constexpr double kLast = 2.0;
+  static constexpr double kUnknown = -1.0;
+
+  bool is_long(EdgeSlot edge) const;
+  bool comes_last(EdgeSlot edge) const {
+    return !crust_.is_crust(edge) && (crust_.is_cocircular(edge) || is_long(edge));
+  }
+  double square(EdgeSlot edge) const;
+  double longest_at(SiteSlot site) const;
+  double find_longest_at(SiteSlot site) const;
+  bool is_near_limit(SiteSlot site) const;
+  void find_all_longest();
+
   /// From -2 for the shortest to -1, exact up to `kAmbiguityKeyError` and to spare.
   double mending_key(EdgeSlot edge) const {
     const SiteSlot* end = delaunay_.edge(edge).v;
@@ -64,6 +103,9 @@ class CertaintyOrder {
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
   Table<EdgeSlot, double> keys_;  ///< empty unless all are known
+  /// The square of the longest crust edge at a site, 0 if there is none, rounded; or `kUnknown`.
+  mutable Table<SiteSlot, double> longest_;
+  std::vector<SiteSlot> changed_sites_;
 };
 
 }  // namespace mes

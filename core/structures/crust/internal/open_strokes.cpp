@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/structures/crust/internal/length_limits.h"
 
 namespace mes {
 
@@ -132,8 +133,26 @@ bool OpenStrokes::finds_other_nearby(SiteSlot a, SiteSlot b, Walk& walk, JobCont
   return false;
 }
 
-bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, std::size_t edges, Walk& walk, JobControl& job) const {
+bool OpenStrokes::are_near(SiteSlot a, SiteSlot b, const std::vector<EdgeSlot>& edges) const {
+  const auto ends = [this](EdgeSlot edge) {
+    const SiteSlot* end = delaunay_.edge(edge).v;
+    return std::pair(delaunay_.site_position(end[0]), delaunay_.site_position(end[1]));
+  };
+  const auto square = [](Vec2 from, Vec2 to) { return dot(to - from, to - from); };
+  const Vec2 at_a = delaunay_.site_position(a);
+  const Vec2 at_b = delaunay_.site_position(b);
+  double longest = 0.0;
+  for (const EdgeSlot edge : edges) longest = std::max(longest, square(ends(edge).first, ends(edge).second));
+  const int order = compare_rounded(square(at_a, at_b), kGap, longest);
+  if (order != 0) return order < 0;
+  return std::ranges::any_of(
+      edges, [&](EdgeSlot edge) { return !is_longer(at_a, at_b, kGap, ends(edge).first, ends(edge).second); });
+}
+
+bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) const {
   using Place = CertaintyGrowth::Place;
+  const std::size_t edges = walk.edges.size();
+  if (are_near(a, b, walk.edges)) return false;
   if (finds_other_nearby(a, b, walk, job)) return false;
   const std::size_t reach = kReach + (edges + 1) / kStrokeSites;
   const bool b_finds = finds_partner(b, reach, walk, job);
@@ -180,7 +199,7 @@ SiteSlot OpenStrokes::end_of_stroke(SiteSlot begin, Walk& walk, JobControl& job)
     if (walk.edges.size() + 1 >= most_edges) return {};
   }
   // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
-  if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk.edges.size(), walk, job)) return {};
+  if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk, job)) return {};
   return site;
 }
 

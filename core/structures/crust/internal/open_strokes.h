@@ -25,7 +25,8 @@ namespace mes {
 ///     chain is an open stroke if neither end finds a partner. It is one as well if they find each other, more than
 ///     two edges of the tree apart and in a component that has more than a `kStrokeSites`-th of the chain's sites: a
 ///     component that is small against the chain is a gap in a closed curve, with dirt in it perhaps, and the ends of
-///     an arc have an edge in common.
+///     an arc have an edge in common. But it is none if its ends lie no more than `kGap` times the longest of its edges
+///     apart: that is a gap, whatever noise there is around it.
 ///
 /// Cost: O(odd sites, the chains, and what their ends grow). An update does this anew where a site has changed that
 /// the decision met: the walk along the chain and the two growths. Threads: a rebuild for labels alone borrows other
@@ -61,6 +62,8 @@ class OpenStrokes {
   /// 8 to 32 do about as well: less, and spirals pass for closed curves with a gap; more, and such curves for
   /// strokes.
   static constexpr std::size_t kStrokeSites = 16;
+  /// 4 to 8 do about as well: less, and noisy closed curves are lost as a whole; more, and short strokes are closed.
+  static constexpr double kGap = 4.0;
 
   using ChainSlot = Slot<struct ChainTag>;
   using WatchSlot = Slot<struct WatchTag>;
@@ -118,7 +121,8 @@ class OpenStrokes {
   bool grow(SiteSlot site, std::size_t reach, Walk& walk, JobControl& job) const;
   bool finds_other_nearby(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) const;
   bool finds_partner(SiteSlot site, std::size_t reach, Walk& walk, JobControl& job) const;
-  bool is_open(SiteSlot a, SiteSlot b, std::size_t edges, Walk& walk, JobControl& job) const;
+  bool are_near(SiteSlot a, SiteSlot b, const std::vector<EdgeSlot>& edges) const;
+  bool is_open(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) const;
   void toggle(const Chain& chain);
   void make_room();
   void clear();

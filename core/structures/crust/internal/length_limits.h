@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether one length exceeds a multiple of another, exactly.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/vec2.h"
+#include "core/kernel/edge_predicates.h"
+
+namespace mes {
+
+/// Of |ab| and |cd| from their rounded squares: 1 if |ab| exceeds `times` |cd|, -1 if it is less, 0 if rounding decides.
+/// `times` is a power of two.
+inline int compare_rounded(double square_of_ab, double times, double square_of_cd) {
+  const double limit = times * times * square_of_cd;
+  const double size = std::max(square_of_ab, limit);
+  // Either side is within 4 units of its true value unless it under- or overflows.
+  if (!(size > 1e-270 && size < 1e300) || std::abs(square_of_ab - limit) <= 0x1p-48 * size) return 0;
+  return square_of_ab > limit ? 1 : -1;
+}
+
+/// |ab| exceeds `times` |cd|, exactly. `times` is a power of two.
+inline bool is_longer(Vec2 a, Vec2 b, double times, Vec2 c, Vec2 d) {
+  const double size = std::max({std::abs(c.x), std::abs(c.y), std::abs(d.x), std::abs(d.y)});
+  if (size < 1e300) return compare_lengths(a, b, times * c, times * d) > 0;
+  return compare_lengths((1.0 / times) * a, (1.0 / times) * b, c, d) > 0;
+}
+
+}  // namespace mes
