@@ -35,6 +35,20 @@ std::vector<Vec2> grid_draws(std::size_t n, std::uint64_t size, std::uint64_t se
   return out;
 }
 
+// Lengths of one and of eight, so that many an edge is as long as a long one may just not be.
+Vec2 pair_place(Rng& rng) {
+  const auto side = [&rng] { return static_cast<double>(8 * rng.below(6) + rng.below(2)); };
+  const double x = side();
+  return {x, side()};
+}
+
+std::vector<Vec2> pairs_eight_apart(std::size_t n, std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i < n; ++i) out.push_back(pair_place(rng));
+  return out;
+}
+
 // Samples some 8 apart along a curve, up to `jitter` off it either way.
 template <class Curve>
 std::vector<Vec2> stroke(Curve at, double end, double jitter, std::uint64_t seed) {
@@ -104,6 +118,8 @@ std::vector<Input> inputs() {
         {"circle with a gap and dirt in it", both(stroke(circle, 5.8, 0.5, seed), {{185, -40}, {170, -70}})});
     out.push_back({"stroke in a circle", both(stroke(circle, 6.26, 0.0, seed), stroke(flat_wave, 1.2, 0.5, seed))});
   }
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+    out.push_back({"pairs eight apart", pairs_eight_apart(10 + 2 * seed, seed)});
   for (std::uint64_t seed = 1; seed <= 200; ++seed)
     out.push_back({"few of a small grid", grid_draws(5 + seed % 20, 6, 100 + seed)});
   return out;
@@ -466,16 +482,19 @@ TEST_CASE("the rule also holds after edits, one after the other") {
       {"wave", stroke(wave, 9.0, 1.0, 1)},
       {"jittery wave", stroke(wave, 9.0, 2.8, 2)},
       {"spiral", stroke(spiral, 9.0, 1.5, 3)},
+      {"pairs eight apart", pairs_eight_apart(50, 4)},
       {"stroke in a circle", both(stroke(circle, 6.26, 0.0, 1), stroke(flat_wave, 1.2, 0.5, 1))}};
   for (const Input& start : starts) {
     const bool lattice = start.name == "lattice";
+    const bool in_pairs = start.name == "pairs eight apart";
     Workbench bench(start.positions);
     for (int step = 0; step < 120; ++step) {
       const std::vector<SampleId> ids = bench.ids();
       const SampleId id = ids[rng.below(ids.size())];
       const Vec2 p = bench.document().position(bench.document().slot_of(id));
-      const Vec2 near = lattice ? Vec2{static_cast<double>(rng.below(7)), static_cast<double>(rng.below(7))}
-                                : p + Vec2{rng.uniform(-9.0, 9.0), rng.uniform(-9.0, 9.0)};
+      const Vec2 near = in_pairs  ? pair_place(rng)
+                        : lattice ? Vec2{static_cast<double>(rng.below(7)), static_cast<double>(rng.below(7))}
+                                  : p + Vec2{rng.uniform(-9.0, 9.0), rng.uniform(-9.0, 9.0)};
       const std::uint64_t action = rng.below(4);
       if (action == 0) {
         bench.insert({near});

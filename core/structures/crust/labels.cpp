@@ -119,8 +119,9 @@ void Labels::rebuild(JobControl& job) {
   if (!tree_) label_all(job);
 }
 
-// Sites at which an edge is another one or has another crust bit or other corners, and the neighbours of those whose
-// degree or longest crust edge changed: what an edge mends, and whether it is long, depends on both of its ends.
+// Sites at which an edge is another one or has another crust bit or other corners, the neighbours of those whose degree
+// changed, and the ends of edges that are long now or not any more: what an edge mends, and whether it is long, depends
+// on both of its ends.
 void Labels::find_touched_sites() {
   touched_.clear();
   touched_marks_.begin(delaunay_.site_rows());
@@ -132,9 +133,10 @@ void Labels::find_touched_sites() {
   for (const EdgeSlot edge : delaunay_.edge_changes().touched)
     for (const SiteSlot site : delaunay_.edge(edge).v) touch(site);
   order_.update(touched_);
-  for (const std::vector<SiteSlot>* sites : {&crust_.degree_changes(), &order_.changed_sites()})
-    for (const SiteSlot site : *sites)
-      delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
+  for (const SiteSlot site : crust_.degree_changes())
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot, SiteSlot other, FaceSlot) { touch(other); });
+  for (const EdgeSlot edge : order_.changed_edges())
+    for (const SiteSlot site : delaunay_.edge(edge).v) touch(site);
 }
 
 // True if all labels have been made anew on the way.

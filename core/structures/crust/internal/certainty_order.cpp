@@ -24,7 +24,7 @@ std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
 void CertaintyOrder::clear() {
   forget_keys();
   longest_ = {};
-  changed_sites_.clear();
+  changed_edges_.clear();
 }
 
 double CertaintyOrder::square(EdgeSlot edge) const {
@@ -80,28 +80,28 @@ bool CertaintyOrder::is_long(EdgeSlot edge) const {
   return is_longer_than_all;
 }
 
-// Some edge at the site is so close to the limit that rounded lengths do not tell on which side.
-bool CertaintyOrder::is_near_limit(SiteSlot site) const {
-  bool is_near = false;
-  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-    is_near = is_near || (!crust_.is_crust(edge) &&
-                          compare_rounded(square(edge), kLong, std::max(longest_at(site), longest_at(other))) == 0);
-  });
-  return is_near;
-}
-
+// Site by site, each with what the table says of the others: an edge that changes does so in one of these steps. Where
+// rounded lengths do not tell, it may have. If one end of an edge is unknown, nothing depends on the edge.
 void CertaintyOrder::update(const std::vector<SiteSlot>& touched) {
-  changed_sites_.clear();
-  if (longest_.empty()) return;  // no length has been asked for, so nothing depends on one
+  changed_edges_.clear();
+  if (longest_.empty()) return;
   longest_.resize(delaunay_.site_rows(), kUnknown);
   for (const SiteSlot site : touched) {
     const double before = longest_[site];
     if (before == kUnknown) continue;
-    longest_[site] = delaunay_.is_site(site) ? find_longest_at(site) : kUnknown;
-    if (longest_[site] != before && delaunay_.is_site(site)) changed_sites_.push_back(site);
+    if (!delaunay_.is_site(site)) {
+      longest_[site] = kUnknown;
+      continue;
+    }
+    const double now = longest_[site] = find_longest_at(site);
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+      if (crust_.is_crust(edge) || longest_[other] == kUnknown) return;
+      const double length = square(edge);
+      const int order = compare_rounded(length, kLong, std::max(now, longest_[other]));
+      if (order == 0 || order != compare_rounded(length, kLong, std::max(before, longest_[other])))
+        changed_edges_.push_back(edge);
+    });
   }
-  for (const SiteSlot site : touched)
-    if (delaunay_.is_site(site) && longest_[site] != kUnknown && is_near_limit(site)) changed_sites_.push_back(site);
 }
 
 bool CertaintyOrder::has_other_kind(const Rank& rank) const {

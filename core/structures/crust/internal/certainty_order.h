@@ -52,8 +52,8 @@ class CertaintyOrder {
   void update(const std::vector<SiteSlot>& touched);
   /// Lengths have been asked for since all was forgotten, so that `update` has something to do.
   bool keeps_lengths() const { return !longest_.empty(); }
-  /// Live sites whose edges may be long now or not any more, by the last update.
-  const std::vector<SiteSlot>& changed_sites() const { return changed_sites_; }
+  /// Edges that were there before and may be long now or not any more, by the last update.
+  const std::vector<EdgeSlot>& changed_edges() const { return changed_edges_; }
   /// The edge would have another kind of key now: one that mends, one of those that come last, or of the others.
   bool has_other_kind(const Rank& rank) const;
 
@@ -88,7 +88,6 @@ class CertaintyOrder {
   double square(EdgeSlot edge) const;
   double longest_at(SiteSlot site) const;
   double find_longest_at(SiteSlot site) const;
-  bool is_near_limit(SiteSlot site) const;
   void find_all_longest();
 
   /// From -2 for the shortest to -1, exact up to `kAmbiguityKeyError` and to spare.
@@ -105,7 +104,7 @@ class CertaintyOrder {
   Table<EdgeSlot, double> keys_;  ///< empty unless all are known
   /// The square of the longest crust edge at a site, 0 if there is none, rounded; or `kUnknown`.
   mutable Table<SiteSlot, double> longest_;
-  std::vector<SiteSlot> changed_sites_;
+  std::vector<EdgeSlot> changed_edges_;
 };
 
 }  // namespace mes

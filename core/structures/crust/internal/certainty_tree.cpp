@@ -154,11 +154,12 @@ void CertaintyTree::update(JobControl& job) {
   for (const EdgeSlot edge : delaunay_.edge_changes().removed) note(edge);
   for (const EdgeSlot edge : delaunay_.edge_changes().touched) note(edge);
   // What an edge mends depends on the degrees at both of its ends, and whether it is long on the crust edges there.
-  for (const std::vector<SiteSlot>* sites : {&crust_.degree_changes(), &order_.changed_sites()})
-    for (const SiteSlot site : *sites)
-      delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) {
-        if (order_.has_other_kind({key_[edge], edge})) note(edge);
-      });
+  const auto note_other_kind = [&](EdgeSlot edge) {
+    if (order_.has_other_kind({key_[edge], edge})) note(edge);
+  };
+  for (const SiteSlot site : crust_.degree_changes())
+    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) { note_other_kind(edge); });
+  for (const EdgeSlot edge : order_.changed_edges()) note_other_kind(edge);
 
   // Those that go become the surest of all: what is left of the tree of sites without them is then the minimum spanning
   // forest of the edges that stay.
