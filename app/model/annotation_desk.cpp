@@ -24,21 +24,13 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
   const Document& document = editor_.document();
   if (const SampleSlot sample = editor_.index().nearest(p, reach); sample != kNoSlot)
     return {document.position(sample), {document.id(sample).value - document.first_id().value}};
-  // The centre of a ball; of equal ones the one that came last, which lies on top.
-  BallSlot nearest;
-  double nearest_distance = reach;
-  for (const BallSlot ball : slots_below<BallSlot>(document.ball_slot_count())) {
-    if (!document.is_ball_alive(ball)) continue;
-    const double away = distance(p, document.disk(ball).center);
-    if (away < nearest_distance ||
-        (away == nearest_distance && nearest != kNoSlot && document.ball_id(nearest) < document.ball_id(ball))) {
-      nearest = ball;
-      nearest_distance = away;
-    }
+  if (BallSlot ball = editor_.centers().nearest(p, reach); ball != kNoSlot) {
+    const Vec2 center = document.disk(ball).center;
+    // Of those with one centre the one that came last, which lies on top.
+    for (const BallSlot other : editor_.centers().in_box({center, center}))
+      if (document.ball_id(ball) < document.ball_id(other)) ball = other;
+    return {.at = center, .balls = {document.ball_id(ball).value - document.first_ball_id().value}};
   }
-  if (nearest != kNoSlot)
-    return {.at = document.disk(nearest).center,
-            .balls = {document.ball_id(nearest).value - document.first_ball_id().value}};
   if (with_vertices)
     if (auto vertex = vertex_at(p, reach)) return std::move(*vertex);
   return {.at = p};

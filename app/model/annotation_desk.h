@@ -31,8 +31,8 @@ class AnnotationDesk {
   explicit AnnotationDesk(Editor& editor) : editor_(editor) {}
 
   /// On the nearest sample within `reach`, or else on the centre of the nearest ball, or else on the vertex of the Voronoi
-  /// diagram there, if vertices are wanted and there are at most `kMostSamplesForVertices`, or else fixed. O(samples +
-  /// balls) at worst.
+  /// diagram there, if vertices are wanted and there are at most `kMostSamplesForVertices`, or else fixed. As
+  /// `PlaceIndex::nearest`, and what has exactly the place that was found.
   static constexpr std::size_t kMostSamplesForVertices = 20'000;
   Anchor anchor_at(Vec2 p, double reach, bool with_vertices) const;
 

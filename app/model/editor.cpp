@@ -36,7 +36,11 @@ std::vector<Thing> placed(const Document& document, std::span<const Thing> thing
 }  // namespace
 
 Editor::Editor(Listener listener, LayerStack* layers)
-    : index_(document_), listener_(std::move(listener)), told_revision_(document_.revision()), layers_(layers) {}
+    : index_(document_),
+      centers_(document_),
+      listener_(std::move(listener)),
+      told_revision_(document_.revision()),
+      layers_(layers) {}
 
 std::vector<Editor::Posted> Editor::posted(std::span<const DocumentDelta> deltas) {
   std::vector<Posted> out;
@@ -59,6 +63,7 @@ DocumentDelta Editor::replacement() const {
 
 void Editor::follow(const DocumentDelta& delta) {
   index_.follow(delta);
+  centers_.follow(delta);
   selection_.follow(delta);
 }
 

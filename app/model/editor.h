@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/model/layer_stack.h"
-#include "app/model/sample_index.h"
+#include "app/model/place_index.h"
 #include "app/model/selection.h"
 #include "core/document/commands.h"
 #include "core/document/document.h"
@@ -52,6 +52,7 @@ class Editor {
 
   const Document& document() const { return document_; }
   const SampleIndex& index() const { return index_; }
+  const CenterIndex& centers() const { return centers_; }
   Selection& selection() { return selection_; }
   const Selection& selection() const { return selection_; }
 
@@ -213,6 +214,7 @@ class Editor {
   Timeline timeline_;
   Selection selection_;
   SampleIndex index_;
+  CenterIndex centers_;
   Listener listener_;
   std::uint64_t told_revision_ = 0;  // of the document, as the listener knows it
   LayerStack* layers_;

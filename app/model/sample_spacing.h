@@ -2,7 +2,7 @@
 // How close samples stand, and styles for pictures in which they stand closer than pixels.
 #pragma once
 
-#include "app/model/sample_index.h"
+#include "app/model/place_index.h"
 #include "core/draw/layer_descriptor.h"
 
 namespace mes {

@@ -43,9 +43,8 @@ std::optional<Snap> Snapper::point_at(Vec2 p, double reach, const Except& except
     for (const SampleSlot slot : editor_.index().in_box({p - Vec2{reach, reach}, p + Vec2{reach, reach}}))
       if (!except.sample || !except.sample(slot)) offer(document.position(slot), "sample");
   if (settings_.centers)
-    for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))
-      if (document.is_ball_alive(slot) && (!except.ball || !except.ball(slot)))
-        offer(document.disk(slot).center, "centre of a ball");
+    for (const BallSlot slot : editor_.centers().in_box({p - Vec2{reach, reach}, p + Vec2{reach, reach}}))
+      if (!except.ball || !except.ball(slot)) offer(document.disk(slot).center, "centre of a ball");
   if (settings_.vertices && !except.vertices)
     if (const Anchor vertex = vertices_.anchor_at(p, reach, true); vertex.samples.size() == 3)
       offer(vertex.at, "Voronoi vertex");

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/model/memory_problem.h"
-#include "app/model/sample_index.h"
+#include "app/model/place_index.h"
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 #include "core/document/timeline.h"

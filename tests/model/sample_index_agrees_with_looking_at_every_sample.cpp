@@ -103,3 +103,47 @@ TEST_CASE("an empty document and a nonsense question have no answer") {
   CHECK(editor.index().nearest({1, 1}, 0.0) == SampleSlot(0));
   CHECK(editor.index().in_box(Box2{}).empty());
 }
+
+TEST_CASE("the centres of balls are found as samples are, whatever becomes of their radii") {
+  Editor editor({});
+  Rng random(7);
+  const Document& document = editor.document();
+  const auto rows = [&] { return slots_below<BallSlot>(document.ball_slot_count()); };
+  for (int step = 0; step < 200; ++step) {
+    const auto choice = random.below(10);
+    if (choice < 4 || document.ball_count() == 0) {
+      std::vector<Disk> balls(random.below(20) + 1);
+      for (Disk& ball : balls)
+        ball = {random_point(random, static_cast<int>(random.below(3)), 1.0), random.uniform()};
+      REQUIRE(editor.insert_balls(balls, "insert"));
+    } else if (choice < 7) {
+      const BallSlot row(random.below(document.ball_slot_count()));
+      if (!document.is_ball_alive(row)) continue;
+      const Vec2 place = random.below(2) == 0 ? document.disk(row).center : random_point(random, 2, 1.0);
+      const std::array target{std::pair{document.ball_id(row), Disk{place, random.uniform()}}};
+      REQUIRE(editor.move({}, target, "change"));
+    } else if (choice == 7) {
+      std::vector<BallId> ids;
+      for (const BallSlot row : rows())
+        if (document.is_ball_alive(row) && random.below(4) != 0) ids.push_back(document.ball_id(row));
+      REQUIRE(editor.remove({}, ids, "remove"));
+    } else if (choice == 8) {
+      editor.undo();
+    } else {
+      editor.redo();
+    }
+    REQUIRE(editor.centers().size() == document.ball_count());
+    for (int i = 0; i < 8; ++i) {
+      // Places of the lattice as well, where many centres are.
+      const Vec2 p = random_point(random, i % 2 == 0 ? 0 : 2, 1.0);
+      const double radius = std::pow(10.0, random.uniform(-4.0, 1.0));
+      BallSlot expected;
+      for (const BallSlot row : rows())
+        if (document.is_ball_alive(row) && distance(document.disk(row).center, p) <= radius &&
+            (expected == kNoSlot ||
+             distance(document.disk(row).center, p) <= distance(document.disk(expected).center, p)))
+          expected = row;
+      REQUIRE(editor.centers().nearest(p, radius) == expected);
+    }
+  }
+}

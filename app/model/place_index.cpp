@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/model/sample_index.h"
+#include "app/model/place_index.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <new>
+#include <type_traits>
 
 #include "core/base/assert.h"
 
@@ -40,68 +41,76 @@ double robust_width(std::vector<double>& values) {
 
 }  // namespace
 
-std::size_t SampleIndex::CellHash::operator()(const Cell& cell) const noexcept {
+template <class Places>
+std::size_t PlaceIndex<Places>::CellHash::operator()(const Cell& cell) const noexcept {
   std::uint64_t h = static_cast<std::uint64_t>(cell.x) * 0x9e3779b97f4a7c15U;
   h ^= static_cast<std::uint64_t>(cell.y) + 0x517cc1b727220a95U + (h << 6U) + (h >> 2U);
   h *= 0xff51afd7ed558ccdU;
   return static_cast<std::size_t>(h ^ (h >> 32U));
 }
 
-SampleIndex::SampleIndex(const Document& document) : document_(document) {
+template <class Places>
+PlaceIndex<Places>::PlaceIndex(const Document& document) : document_(document) {
   rebuild();
 }
 
-SampleIndex::Cell SampleIndex::cell_of(Vec2 p, double size) const {
+template <class Places>
+typename PlaceIndex<Places>::Cell PlaceIndex<Places>::cell_of(Vec2 p, double size) const {
   return {to_cell((p.x - origin_.x) / size), to_cell((p.y - origin_.y) / size)};
 }
 
-SampleIndex::Cell SampleIndex::parent_of(Cell cell) {
+template <class Places>
+typename PlaceIndex<Places>::Cell PlaceIndex<Places>::parent_of(Cell cell) {
   return {floor_div(cell.x, kFanout), floor_div(cell.y, kFanout)};
 }
 
-Box2 SampleIndex::box_of(Cell cell, std::size_t level) const {
+template <class Places>
+Box2 PlaceIndex<Places>::box_of(Cell cell, std::size_t level) const {
   static_assert(kFanout == 4);
   const double size = std::ldexp(cell_size_, 2 * static_cast<int>(level));
   const Vec2 low{origin_.x + static_cast<double>(cell.x) * size, origin_.y + static_cast<double>(cell.y) * size};
-  // One part in 10^12 wider: rounding of the cell number must not hide a sample that lies on the border.
+  // One part in 10^12 wider: rounding of the cell number must not hide a place that lies on the border.
   const double slack = 1e-12 * (size + std::abs(low.x - origin_.x) + std::abs(low.y - origin_.y));
   return {{low.x - slack, low.y - slack}, {low.x + size + slack, low.y + size + slack}};
 }
 
-double SampleIndex::chosen_cell_size() const {
+template <class Places>
+double PlaceIndex<Places>::chosen_cell_size() const {
   std::vector<double> xs;
   std::vector<double> ys;
-  const std::size_t rows = document_.slot_count();
+  const std::size_t rows = Places::rows(document_);
   const std::size_t step = std::max<std::size_t>(1, rows / 4096);
   for (std::size_t row = 0; row < rows; row += step) {
-    const SampleSlot slot(row);
-    if (!document_.is_alive(slot)) continue;
-    xs.push_back(document_.position(slot).x);
-    ys.push_back(document_.position(slot).y);
+    const Row slot(row);
+    if (!Places::is_alive(document_, slot)) continue;
+    xs.push_back(Places::place(document_, slot).x);
+    ys.push_back(Places::place(document_, slot).y);
   }
   if (xs.size() < 2) return 1.0;
   const double width = std::max(robust_width(xs), robust_width(ys));
-  const double size = width / std::max(1.0, std::sqrt(static_cast<double>(document_.sample_count())));
+  const double size = width / std::max(1.0, std::sqrt(static_cast<double>(Places::count(document_))));
   return std::isfinite(size) && size > 1e-290 ? size : 1.0;
 }
 
-void SampleIndex::rebuild() {
+template <class Places>
+void PlaceIndex<Places>::rebuild() {
   head_.clear();
   occupied_children_.assign(kLevels - 1, {});
-  next_.assign(document_.slot_count(), kNoSlot);
-  previous_.assign(document_.slot_count(), kNoSlot);
+  next_.assign(Places::rows(document_), kNoSlot);
+  previous_.assign(Places::rows(document_), kNoSlot);
   size_ = 0;
   cell_size_ = chosen_cell_size();
   origin_ = {};
-  for (const SampleSlot slot : slots_below<SampleSlot>(document_.slot_count())) {
-    if (!document_.is_alive(slot)) continue;
-    if (size_ == 0) origin_ = document_.position(slot);
-    add(slot, document_.position(slot));
+  for (const Row slot : slots_below<Row>(Places::rows(document_))) {
+    if (!Places::is_alive(document_, slot)) continue;
+    if (size_ == 0) origin_ = Places::place(document_, slot);
+    add(slot, Places::place(document_, slot));
   }
   size_at_rebuild_ = size_;
 }
 
-void SampleIndex::add(SampleSlot slot, Vec2 p) {
+template <class Places>
+void PlaceIndex<Places>::add(Row slot, Vec2 p) {
   if (!next_.has(slot)) {
     next_.resize(slot.index() + std::size_t{1}, kNoSlot);
     previous_.resize(slot.index() + std::size_t{1}, kNoSlot);
@@ -122,7 +131,8 @@ void SampleIndex::add(SampleSlot slot, Vec2 p) {
   }
 }
 
-void SampleIndex::remove(SampleSlot slot, Vec2 p) {
+template <class Places>
+void PlaceIndex<Places>::remove(Row slot, Vec2 p) {
   --size_;
   Cell cell = cell_of(p, cell_size_);
   if (next_[slot] != kNoSlot) previous_[next_[slot]] = previous_[slot];
@@ -146,7 +156,8 @@ void SampleIndex::remove(SampleSlot slot, Vec2 p) {
   }
 }
 
-void SampleIndex::follow(const DocumentDelta& delta) {
+template <class Places>
+void PlaceIndex<Places>::follow(const DocumentDelta& delta) {
   try {
     follow_closely(delta);
     is_lost_ = false;
@@ -155,14 +166,16 @@ void SampleIndex::follow(const DocumentDelta& delta) {
   }
 }
 
-void SampleIndex::follow_closely(const DocumentDelta& delta) {
+template <class Places>
+void PlaceIndex<Places>::follow_closely(const DocumentDelta& delta) {
   if (delta.replaces_all() || is_lost_) {
     rebuild();
     return;
   }
-  for (const SampleEdit& edit : delta.edits) {
-    if (edit.kind != SampleEdit::Kind::insert) remove(edit.slot, edit.from);
-    if (edit.kind != SampleEdit::Kind::remove) add(edit.slot, edit.to);
+  for (const auto& edit : Places::edits(delta)) {
+    using Kind = std::remove_cvref_t<decltype(edit)>::Kind;
+    if (edit.kind != Kind::insert) remove(edit.slot, Places::place(edit.from));
+    if (edit.kind != Kind::remove) add(edit.slot, Places::place(edit.to));
   }
   constexpr std::size_t kSmall = 64;
   if (size_ > 4 * std::max(size_at_rebuild_, kSmall / 4) ||
@@ -170,8 +183,9 @@ void SampleIndex::follow_closely(const DocumentDelta& delta) {
     rebuild();
 }
 
+template <class Places>
 template <class Visit>
-void SampleIndex::descend(Cell cell, std::size_t level, const Box2& box, const Visit& visit) const {
+void PlaceIndex<Places>::descend(Cell cell, std::size_t level, const Box2& box, const Visit& visit) const {
   if (level == 0) {
     if (const auto entry = head_.find(cell); entry != head_.end()) visit(cell, entry->second);
     return;
@@ -191,8 +205,9 @@ void SampleIndex::descend(Cell cell, std::size_t level, const Box2& box, const V
 }
 
 // Visits the occupied cells of level 0 that meet the box, starting at the level where the box is a few cells wide.
+template <class Places>
 template <class Visit>
-void SampleIndex::visit_cells(const Box2& box, const Visit& visit) const {
+void PlaceIndex<Places>::visit_cells(const Box2& box, const Visit& visit) const {
   if (size_ == 0) return;
   const double extent = std::max(box.width(), box.height());
   std::size_t level = 0;
@@ -213,47 +228,52 @@ void SampleIndex::visit_cells(const Box2& box, const Visit& visit) const {
     for (std::int64_t x = low.x; x <= high.x; ++x) descend({x, y}, level, box, visit);
 }
 
-SampleSlot SampleIndex::nearest(Vec2 p, double radius) const {
+template <class Places>
+typename PlaceIndex<Places>::Row PlaceIndex<Places>::nearest(Vec2 p, double radius) const {
   if (!is_finite(p) || !(radius >= 0.0)) return kNoSlot;
   Best best{kNoSlot, radius};
-  const auto look_at = [&](SampleSlot slot) {
-    const double d = distance(document_.position(slot), p);
+  const auto look_at = [&](Row slot) {
+    const double d = distance(Places::place(document_, slot), p);
     if (d > best.distance || (d == best.distance && best.slot != kNoSlot && slot < best.slot)) return;
     best = {slot, d};
   };
   if (is_lost_) {
-    for (const SampleSlot slot : slots_below<SampleSlot>(document_.slot_count()))
-      if (document_.is_alive(slot)) look_at(slot);
+    for (const Row slot : slots_below<Row>(Places::rows(document_)))
+      if (Places::is_alive(document_, slot)) look_at(slot);
     return best.slot;
   }
   // Growing boxes: a wide radius in a dense place ends after the first ones.
   double reach = std::min(radius, cell_size_);
   for (;;) {
     const Box2 box{{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
-    visit_cells(box, [&](Cell cell, SampleSlot first) {
+    visit_cells(box, [&](Cell cell, Row first) {
       if (best.slot != kNoSlot && squared_distance_to(box_of(cell, 0), p) > best.distance * best.distance) return;
-      for (SampleSlot slot = first; slot != kNoSlot; slot = next_[slot]) look_at(slot);
+      for (Row slot = first; slot != kNoSlot; slot = next_[slot]) look_at(slot);
     });
-    // Within the box everything was seen, so a sample at most `reach` away cannot be beaten from outside it.
+    // Within the box everything was seen, so a place at most `reach` away cannot be beaten from outside it.
     if ((best.slot != kNoSlot && best.distance <= reach) || reach >= radius) return best.slot;
     reach = std::min(radius, reach * static_cast<double>(kFanout));
   }
 }
 
-std::vector<SampleSlot> SampleIndex::in_box(const Box2& box) const {
-  std::vector<SampleSlot> out;
+template <class Places>
+std::vector<typename PlaceIndex<Places>::Row> PlaceIndex<Places>::in_box(const Box2& box) const {
+  std::vector<Row> out;
   if (box.is_empty()) return out;
   if (is_lost_) {
-    for (const SampleSlot slot : slots_below<SampleSlot>(document_.slot_count()))
-      if (document_.is_alive(slot) && box.contains(document_.position(slot))) out.push_back(slot);
+    for (const Row slot : slots_below<Row>(Places::rows(document_)))
+      if (Places::is_alive(document_, slot) && box.contains(Places::place(document_, slot))) out.push_back(slot);
     return out;
   }
-  visit_cells(box, [&](Cell, SampleSlot first) {
-    for (SampleSlot slot = first; slot != kNoSlot; slot = next_[slot])
-      if (box.contains(document_.position(slot))) out.push_back(slot);
+  visit_cells(box, [&](Cell, Row first) {
+    for (Row slot = first; slot != kNoSlot; slot = next_[slot])
+      if (box.contains(Places::place(document_, slot))) out.push_back(slot);
   });
   std::ranges::sort(out);
   return out;
 }
+
+template class PlaceIndex<SamplePlaces>;
+template class PlaceIndex<CenterPlaces>;
 
 }  // namespace mes
