@@ -8,6 +8,11 @@
 #include "core/graph/explain.h"
 
 namespace mes {
+namespace {
+
+constexpr std::size_t kLook = 4096;  // instances between two looks at the job
+
+}  // namespace
 
 void Graph::ask(ProvenanceQuestion question) {
   questions_[static_cast<std::size_t>(question.wish)] = std::move(question);
@@ -22,7 +27,6 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
                                                      const std::function<bool(const Structure&)>& is_current,
                                                      JobControl& job) const {
   constexpr std::size_t kMost = 20'000;
-  constexpr std::size_t kLook = 4096;  // instances between two looks at the job
   struct Found {
     VariantIndex variant;
     Element element;
@@ -52,7 +56,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   for (const auto& [variant, element, shape] : found) {
     job.checkpoint();  // some elements are found by looking at all
     out.shapes.push_back(shape);
-    for (const ProvenanceLine& line : explain(structures(variant), is_current, element))
+    for (const ProvenanceLine& line : explain(structures(variant), is_current, element, job))
       if (line.role != ProvenanceRole::product)
         out.shapes.insert(out.shapes.end(), line.shapes.begin(), line.shapes.end());
   }
@@ -88,7 +92,7 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
     return;
   }
   if (question.wish == ProvenanceWish::insertion) {
-    out.lines = explain_insertion(structures(0), is_current, question.at);
+    out.lines = explain_insertion(structures(0), is_current, question.at, job);
     return;
   }
   for (const LayerIndex layer : question.layers) {
@@ -96,8 +100,10 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
     const LayerNode& node = layer_nodes_[layer];
     if (!node.demanded || node.state != NodeState::up_to_date) continue;
     HitSearch search(question.at, question.reach);
+    std::size_t seen = 0;
     for (const auto& part : layers_[layer].parts)
-      part->for_each_instance([&search](PrimitiveKind kind, const double* values, const Element& element) {
+      part->for_each_instance([&](PrimitiveKind kind, const double* values, const Element& element) {
+        if (++seen % kLook == 0) job.checkpoint();
         search.look_at(kind, values, element.type, element.row);
       });
     if (!search.best()) continue;
@@ -107,7 +113,7 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
       break;
     }
     out.lines =
-        explain(structures(layer / static_cast<LayerIndex>(layer_count_)), is_current, search.best()->element);
+        explain(structures(layer / static_cast<LayerIndex>(layer_count_)), is_current, search.best()->element, job);
     if (out.lines.empty())
       out.lines.push_back({ProvenanceRole::itself, std::string(layers_[layer].descriptor.tooltip), {}, false});
     if (out.lines.front().shapes.empty()) out.lines.front().shapes.push_back(search.best()->shape);

@@ -61,8 +61,8 @@ std::vector<ProvenanceLine> Explanation::take() {
 }
 
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
-                                    const Element& element) {
-  Explanation explanation(set, is_current);
+                                    const Element& element, JobControl& job) {
+  Explanation explanation(set, is_current, job);
   explanation.about(element);
   return explanation.take();
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/disk.h"
+#include "core/base/job_control.h"
 #include "core/draw/provenance.h"
 #include "core/graph/structure.h"
 
@@ -70,8 +71,14 @@ std::string count_text(std::size_t count, const std::string& one, const std::str
 /// its own tables know, so several may speak of one row.
 class Explanation {
  public:
-  Explanation(const StructureSet& set, const std::function<bool(const Structure&)>& is_current)
-      : set_(set), is_current_(is_current) {}
+  Explanation(const StructureSet& set, const std::function<bool(const Structure&)>& is_current, JobControl& job)
+      : set_(set), is_current_(is_current), job_(job) {}
+
+  /// To be called for each row where rows are found by looking at all. Throws `Cancelled`.
+  void look() {
+    constexpr std::size_t kRowsBetween = 1024;
+    if (++looks_ % kRowsBetween == 0) job_.checkpoint();
+  }
 
   /// Lets the owner of the row speak; where there is none, every structure that is up to date, inputs first: each
   /// adds what it knows of the row.
@@ -110,19 +117,23 @@ class Explanation {
 
   const StructureSet& set_;
   const std::function<bool(const Structure&)>& is_current_;
+  JobControl& job_;
+  std::size_t looks_ = 0;
   std::vector<Draft> lines_;
   std::optional<std::size_t> named_;  ///< the line of the last `say_itself`
 };
 
 /// Reads only structures for which `is_current` holds; the others are passed over in silence. Empty when the row is
-/// dead. O(size of the neighbourhood), O(n) where rows are found by looking at all.
+/// dead. Throws `Cancelled`. O(size of the neighbourhood), O(n) where rows are found by looking at all.
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
-                                    const Element& element);
+                                    const Element& element, JobControl& job);
 
 /// What a further sample at a place would change, as far as the structures are current: its Voronoi cell (itself), what
 /// goes (origin) and what comes (product); edges of the curve are heavy. Empty below dimension 2, where a sample is
-/// already, and where no number may be. Defined in core/structures/crust/explain_insertion.cpp. O(location + changes).
+/// already, and where no number may be. Throws `Cancelled`. Defined in core/structures/crust/explain_insertion.cpp.
+/// O(location + changes).
 std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
-                                              const std::function<bool(const Structure&)>& is_current, Vec2 at);
+                                              const std::function<bool(const Structure&)>& is_current, Vec2 at,
+                                              JobControl& job);
 
 }  // namespace mes

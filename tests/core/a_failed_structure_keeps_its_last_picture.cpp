@@ -92,8 +92,8 @@ StructureSet make_structures(const StructureSet* /*shared*/, bool /*has_document
   return set;
 }
 
-std::vector<ProvenanceLine> explain_insertion(const StructureSet&, const std::function<bool(const Structure&)>&,
-                                              Vec2) {
+std::vector<ProvenanceLine> explain_insertion(const StructureSet&, const std::function<bool(const Structure&)>&, Vec2,
+                                              JobControl&) {
   return {};
 }
 

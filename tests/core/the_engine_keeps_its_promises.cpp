@@ -2,7 +2,9 @@
 // The engine's guarantees, one by one. Where the moment matters, its thread is held in the `wake` callback, so that
 // nothing depends on how fast the machine is.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <condition_variable>
 #include <limits>
 #include <map>
@@ -616,4 +618,46 @@ TEST_CASE("a question whose answer is stopped stays asked, and is answered after
   CHECK(second.front().ticket == 1);
   REQUIRE_FALSE(second.front().lines.empty());
   CHECK_FALSE(graph.has_questions());
+}
+
+TEST_CASE("an explanation that looks at all rows is stopped among them, and is given after the next run") {
+  Graph graph;
+  Document document;
+  SampleData data;
+  for (int i = 0; i < 3000; ++i) data.balls.push_back({{static_cast<double>(i), 0.0}, 0.75});
+  const auto delta = replace_all(document, data);
+  REQUIRE(delta);
+  graph.post(std::make_shared<const DocumentDelta>(*delta));
+  const std::vector<LayerIndex> demand{find_layer("b-inner-disks"), find_layer("b-union-boundary"),
+                                       find_layer("b-v-points")};
+  graph.set_demand(demand);
+  FramePatch patch;
+  JobControl job;
+  REQUIRE(graph.run(patch, job));
+  const auto ask = [&](LayerIndex layer, Vec2 at) { graph.ask({1, at, 0.1, std::vector<LayerIndex>{layer}}); };
+  for (const LayerIndex layer : demand) {
+    CAPTURE(layer_descriptors()[layer].id);
+    // The crossing of the circles of the last two balls: what each of the layers shows is there.
+    const Vec2 at{2998.5, std::sqrt(0.75 * 0.75 - 0.25)};
+    ask(layer, at);
+    JobControl unstopped;
+    std::vector<Provenance> expected;
+    graph.answer(expected, unstopped);
+    REQUIRE(expected.size() == 1);
+    REQUIRE_FALSE(expected.front().lines.empty());
+    std::vector<Provenance> got;
+    std::int64_t looks = 0;
+    ask(layer, at);
+    while (graph.has_questions()) {
+      REQUIRE(got.empty());
+      JobControl stopped;
+      stopped.stop_at_look(++looks);
+      graph.answer(got, stopped);
+    }
+    REQUIRE(got.size() == 1);
+    CHECK(got.front().lines.size() == expected.front().lines.size());
+    CHECK(got.front().lines.front().text == expected.front().lines.front().text);
+    // At least each thousand of some 6,000 v-points.
+    CHECK(looks > 6);
+  }
 }

@@ -17,15 +17,20 @@ class MeetingBalls {
  public:
   /// At both sides of the edges that are `wanted`.
   template <class Wanted>
-  MeetingBalls(const PowerDiagram& diagram, const BallPlaces& places, Wanted wanted) : places_(places) {
+  MeetingBalls(const PowerDiagram& diagram, const BallPlaces& places, Wanted wanted, Explanation& out)
+      : places_(places) {
     if (!places.follow_balls()) return;
-    for (const PowerEdge& edge : diagram.edges())
-      if (wanted(edge))
-        for (const TriangleSlot face : edge.face)
-          if (face != kNoSlot) at_.try_emplace(face.index());
-    for (const PowerEdge& edge : diagram.edges())
+    for (const PowerEdge& edge : diagram.edges()) {
+      out.look();
+      if (!wanted(edge)) continue;
+      for (const TriangleSlot face : edge.face)
+        if (face != kNoSlot) at_.try_emplace(face.index());
+    }
+    for (const PowerEdge& edge : diagram.edges()) {
+      out.look();
       for (const TriangleSlot face : edge.face)
         if (face != kNoSlot) add(face, edge);
+    }
   }
 
   /// The power centre at a triangle.
@@ -110,7 +115,8 @@ void PowerDiagram::explain(ElementKind kind, RowNumber row, Explanation& out) co
   const PowerEdge& edge = edges()[own];
   ProvenanceShapes itself, circles;
   const BallPlaces places(family(), out);
-  const MeetingBalls meeting(*this, places, [&edge](const PowerEdge& other) { return &other == &edge; });
+  const MeetingBalls meeting(
+      *this, places, [&edge](const PowerEdge& other) { return &other == &edge; }, out);
   add_edge(itself, meeting, places, edge);
   itself.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   out.say(ProvenanceRole::itself, "Edge of the power diagram, and of the triangulation of the balls", itself);
@@ -122,9 +128,11 @@ void PowerDiagram::explain_cell(FamilySlot ball, Explanation& out) const {
   ProvenanceShapes cell;
   const BallPlaces places(family(), out);
   const auto is_side = [ball](const PowerEdge& edge) { return edge.ball[0] == ball || edge.ball[1] == ball; };
-  const MeetingBalls meeting(*this, places, is_side);
-  for (const PowerEdge& edge : edges())
+  const MeetingBalls meeting(*this, places, is_side, out);
+  for (const PowerEdge& edge : edges()) {
+    out.look();
     if (is_side(edge)) add_edge(cell, meeting, places, edge);
+  }
   out.say_any(ProvenanceRole::product, "side of its power cell", "sides of its power cell", cell);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <unordered_set>
 
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
@@ -28,11 +29,13 @@ void explain_dual_edge(const BallUnion& balls, DualEdgeSlot row, Explanation& ou
           std::string("2 balls that meet within their power cells") +
               (balls.family().touch_samples() && edge.shares_sample != 0 ? ", and share a sample" : ""),
           circles);
-  for (const VOrigin& origin : t.v_origins)
+  for (const VOrigin& origin : t.v_origins) {
+    out.look();
     if (origin.is_alive() && origin.edge == row)
       points.point(t.v_points[origin.v].site != kNoSlot || balls.family().is_from_samples()
                        ? places.at(t, origin.v)
                        : places.crossing(t.v_points[origin.v].position, edge.ball[0], edge.ball[1]));
+  }
   out.say_any(ProvenanceRole::product, "v-point made by it", "v-points made by it", points);
 }
 
@@ -87,19 +90,19 @@ void explain_v_point(const BallUnion& balls, VPointSlot row, Explanation& out) {
       ProvenanceRole::itself,
       "V-point at " + place_text(v.position) + (v.site != kNoSlot ? ", a sample" : (is_foreign ? ", no sample" : "")),
       itself);
-  std::vector<FamilySlot> touching;
+  std::unordered_set<RowNumber> touching;
   const auto add_ball = [&](FamilySlot ball) {
-    if (std::ranges::find(touching, ball) != touching.end()) return;
-    touching.push_back(ball);
-    places.add_circle(circles, ball);
+    if (touching.insert(ball.index()).second) places.add_circle(circles, ball);
   };
   for (const VOrigin& origin : t.v_origins) {
+    out.look();
     if (!origin.is_alive() || origin.v != row) continue;
     const DualEdge& edge = t.dual_edges[origin.edge];
     edges.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
     for (const FamilySlot ball : edge.ball) add_ball(ball);
   }
   for (const AxisPiece& piece : t.axis) {
+    out.look();
     if (!piece.is_alive() || (piece.v[0] != row && piece.v[1] != row)) continue;
     pieces.segment(end_of(t, places, piece, 0), end_of(t, places, piece, 1));
     for (const AxisNodeSlot node : piece.node)
@@ -139,8 +142,9 @@ void explain_axis_piece(const BallUnion& balls, AxisPieceSlot row, Explanation& 
 }
 
 /// An end of an arc of a ball: the v-point there. O(v-points).
-ShapePlace arc_end(const UnionTables& t, const BallPlaces& places, Vec2 at, FamilySlot ball) {
+ShapePlace arc_end(const UnionTables& t, const BallPlaces& places, Vec2 at, FamilySlot ball, Explanation& out) {
   for (const VOrigin& origin : t.v_origins) {
+    out.look();
     if (!origin.is_alive() || t.v_points[origin.v].position != at) continue;
     const DualEdge& edge = t.dual_edges[origin.edge];
     if (edge.ball[0] == ball || edge.ball[1] == ball) return places.crossing(at, edge.ball[0], edge.ball[1]);
@@ -158,8 +162,8 @@ void explain_arc(const BallUnion& balls, ArcSlot row, Explanation& out) {
     if (drawn->from == drawn->to)
       places.add_circle(itself, arc.ball);
     else
-      itself.arc({drawn->center, drawn->radius}, arc_end(t, places, drawn->from, arc.ball),
-                 arc_end(t, places, drawn->to, arc.ball), places.follows(arc.ball));
+      itself.arc({drawn->center, drawn->radius}, arc_end(t, places, drawn->from, arc.ball, out),
+                 arc_end(t, places, drawn->to, arc.ball, out), places.follows(arc.ball));
   }
   out.say(ProvenanceRole::itself,
           arc.is_whole != 0 ? "A whole circle on the boundary of the union"
@@ -177,16 +181,20 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
   const BallPlaces places(family(), out);
   ProvenanceShapes edges, triangles, points;
   for (const DualEdge& edge : t.dual_edges) {
+    out.look();
     if (!edge.is_alive() || (edge.ball[0] != row && edge.ball[1] != row)) continue;
     edges.segment(places.center(edge.ball[0]), places.center(edge.ball[1]));
   }
-  for (const DualFace& face : t.dual_faces)
+  for (const DualFace& face : t.dual_faces) {
+    out.look();
     if (face.is_alive() && std::ranges::find(face.ball, row) != std::end(face.ball))
       triangles.triangle(places.center(face.ball[0]), places.center(face.ball[1]), places.center(face.ball[2]));
+  }
   std::size_t free_arcs = 0;
   std::vector<ShapePlace> ends;
   std::map<std::array<double, 2>, std::size_t> found;  // by place: which end
   for (const BoundaryArc& arc : t.arcs) {
+    out.look();
     if (!arc.is_alive() || arc.ball != row) continue;
     ++free_arcs;
     if (arc.is_whole != 0) continue;
@@ -195,6 +203,7 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
   }
   // As `arc_end`, in one pass.
   for (const VOrigin& origin : t.v_origins) {
+    out.look();
     if (found.empty()) break;
     if (!origin.is_alive()) continue;
     const DualEdge& edge = t.dual_edges[origin.edge];

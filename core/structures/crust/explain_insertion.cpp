@@ -23,6 +23,8 @@ namespace {
 
 using Point = FastKernel::Point_2;
 
+constexpr std::size_t kStepsBetween = 1024;  // two looks at the job
+
 Point point(Vec2 p) {
   return {p.x, p.y};
 }
@@ -38,7 +40,7 @@ class Zone {
     FaceSlot beyond;
   };
 
-  Zone(const Delaunay& delaunay, Vec2 at);
+  Zone(const Delaunay& delaunay, Vec2 at, JobControl& job);
   /// False: a sample is there already.
   bool is_free() const { return !faces_.empty(); }
   const std::set<FaceSlot>& faces() const { return faces_; }
@@ -50,8 +52,8 @@ class Zone {
  private:
   CGAL::Orientation side_of(const FaceRow& row, int edge) const;
   bool goes(const FaceRow& row) const;
-  std::optional<FaceSlot> locate() const;
-  void collect(FaceSlot first);
+  std::optional<FaceSlot> locate(JobControl& job) const;
+  void collect(FaceSlot first, JobControl& job);
   void sort_sides();
 
   const Delaunay& delaunay_;
@@ -70,7 +72,7 @@ CGAL::Orientation Zone::side_of(const FaceRow& row, int edge) const {
 // A face that has the place on the inner side of all its edges, or the outside of a hull edge that it is beyond; nothing
 // where a sample is there. The walk through a Delaunay triangulation ends: towards the place the powers of the circles
 // decrease from face to face.
-std::optional<FaceSlot> Zone::locate() const {
+std::optional<FaceSlot> Zone::locate(JobControl& job) const {
   FaceSlot face;
   for (const FaceSlot slot : delaunay_.face_slots()) {
     if (!delaunay_.is_finite_face(slot)) continue;
@@ -78,7 +80,8 @@ std::optional<FaceSlot> Zone::locate() const {
     break;
   }
   if (face == kNoSlot) return std::nullopt;
-  while (!delaunay_.face(face).is_infinite()) {
+  for (std::size_t steps = 1; !delaunay_.face(face).is_infinite(); ++steps) {
+    if (steps % kStepsBetween == 0) job.checkpoint();
     const FaceRow& row = delaunay_.face(face);
     int i = 0;
     while (i < 3 && side_of(row, i) != CGAL::NEGATIVE) ++i;
@@ -102,10 +105,11 @@ bool Zone::goes(const FaceRow& row) const {
   return CGAL::collinear_are_strictly_ordered_along_line(a, point(at_), b);
 }
 
-void Zone::collect(FaceSlot first) {
+void Zone::collect(FaceSlot first, JobControl& job) {
   std::vector<FaceSlot> stack{first};
   faces_.insert(first);
   while (!stack.empty()) {
+    if (faces_.size() % kStepsBetween == 0) job.checkpoint();
     const FaceRow& row = delaunay_.face(stack.back());
     stack.pop_back();
     for (const FaceSlot next : row.n)
@@ -135,10 +139,10 @@ void Zone::sort_sides() {
   sides_ = std::move(sorted);
 }
 
-Zone::Zone(const Delaunay& delaunay, Vec2 at) : delaunay_(delaunay), at_(at) {
-  const auto first = locate();
+Zone::Zone(const Delaunay& delaunay, Vec2 at, JobControl& job) : delaunay_(delaunay), at_(at) {
+  const auto first = locate(job);
   if (!first) return;
-  collect(*first);
+  collect(*first, job);
   sort_sides();
 }
 
@@ -208,11 +212,12 @@ void say_curve_edges(const Delaunay& delaunay, const OneStepCrust& crust, const 
 }  // namespace
 
 std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
-                                              const std::function<bool(const Structure&)>& is_current, Vec2 at) {
-  Explanation out(set, is_current);
+                                              const std::function<bool(const Structure&)>& is_current, Vec2 at,
+                                              JobControl& job) {
+  Explanation out(set, is_current, job);
   const Delaunay* const delaunay = out.current<Delaunay>();
   if (delaunay == nullptr || delaunay->dimension() < 2 || !std::isfinite(at.x) || !std::isfinite(at.y)) return {};
-  const Zone zone(*delaunay, at);
+  const Zone zone(*delaunay, at, job);
   if (!zone.is_free()) return {};
   ProvenanceShapes itself, triangles, edges;
   itself.point(at);

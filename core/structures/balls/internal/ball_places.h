@@ -14,11 +14,11 @@
 namespace mes {
 
 /// Balls of the document follow themselves, circumdisks the samples on their circle; others nothing, nor does anything
-/// where the triangulation is not up to date. Threads: const is safe.
+/// where the triangulation is not up to date. Of one union. Threads: none.
 class BallPlaces {
  public:
-  BallPlaces(const BallFamily& family, const Explanation& out)
-      : family_(family), delaunay_(out.current<Delaunay>()) {}
+  BallPlaces(const BallFamily& family, Explanation& out)
+      : family_(family), out_(out), delaunay_(out.current<Delaunay>()) {}
 
   Followed follows(FamilySlot ball) const {
     if (const BallSlot own = family_.ball_of_document(ball); own != kNoSlot)
@@ -48,18 +48,19 @@ class BallPlaces {
     if (cross(family_.disk(b).center - from, at - from) < 0.0) std::swap(first, second);
     return {at, {.balls = {first, second}, .scale = family_.scale()}};
   }
-  /// A v-point that is a sample follows it, one of balls of the document two of those that cross there. O(v-points).
+  /// A v-point that is a sample follows it, one of balls of the document two of those that cross there. The first
+  /// time O(v-points), then O(1).
   ShapePlace at(const UnionTables& t, VPointSlot row) const {
     const VPoint& v = t.v_points[row];
     if (v.site != kNoSlot && delaunay_ != nullptr && delaunay_->is_site(v.site))
       return {v.position, {.samples = {delaunay_->site_sample(v.site)}}};
     if (!follow_balls()) return v.position;
-    for (const VOrigin& origin : t.v_origins)
-      if (origin.is_alive() && origin.v == row)
-        return crossing(v.position, t.dual_edges[origin.edge].ball[0], t.dual_edges[origin.edge].ball[1]);
-    return v.position;
+    const VOriginSlot first = first_origin(t, row);
+    if (first == kNoSlot) return v.position;
+    const DualEdge& edge = t.dual_edges[t.v_origins[first].edge];
+    return crossing(v.position, edge.ball[0], edge.ball[1]);
   }
-  /// A place of equal distance to two v-points follows the balls that cross there. O(v-points).
+  /// A place of equal distance to two v-points follows the balls that cross there. As `at`.
   ShapePlace between(const UnionTables& t, Vec2 place, VPointSlot first, VPointSlot second) const {
     if (!follow_balls()) return place;
     for (const VPointSlot v : {first, second})
@@ -86,8 +87,23 @@ class BallPlaces {
   }
 
  private:
+  VOriginSlot first_origin(const UnionTables& t, VPointSlot row) const {
+    if (first_origin_.empty()) {
+      first_origin_.assign(t.v_points.size(), VOriginSlot(kNoSlot));
+      for (const VOriginSlot origin : t.v_origins.rows()) {
+        out_.look();
+        if (!t.v_origins[origin].is_alive()) continue;
+        VOriginSlot& first = first_origin_[t.v_origins[origin].v];
+        if (first == kNoSlot) first = origin;
+      }
+    }
+    return first_origin_[row];
+  }
+
   const BallFamily& family_;
+  Explanation& out_;
   const Delaunay* delaunay_;
+  mutable Table<VPointSlot, VOriginSlot> first_origin_;  // of each v-point; made when it is asked for
 };
 
 }  // namespace mes
