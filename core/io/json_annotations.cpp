@@ -73,7 +73,7 @@ class Reader {
         {"kind", "at", "follows", "balls", "along", "scales", "text", "shift", "letters", "color", "elements"});
     if (!kind.is_text()) return complain("does not say its kind");
     const auto known = kind.text_length() < kLongName ? annotation_kind_of(kind.text()) : std::nullopt;
-    if (!known) return refuse_later("of the kind", kind);
+    if (!known) return refuse_unknown("of the kind", kind);
     Annotation out{.kind = *known};
     if (out.kind == AnnotationKind::highlight && !read_elements(elements, out)) return std::nullopt;
     read_places(at, out);
@@ -111,10 +111,10 @@ class Reader {
     return std::nullopt;
   }
   /// Of a name that is not known.
-  std::nullopt_t refuse_later(std::string_view what, JsonView name) {
+  std::nullopt_t refuse_unknown(std::string_view what, JsonView name) {
     const std::string named = name.text_length() < kLongName ? " \"" + name.text() + '"' : std::string();
-    return complain(
-        fmt::format("{}{}: made by a later version of the program, which this one does not understand", what, named));
+    return complain(fmt::format(
+        "{}{}, which this version of the program does not know: it is misspelled, or of a later one", what, named));
   }
   double number_of(JsonView value) {
     if (value.is_number()) return value.number();
@@ -159,8 +159,8 @@ class Reader {
     const std::string role_name = part[1].text();
     const auto kind = std::ranges::find(kAllPrimitiveKinds, std::string_view(kind_name), name_of);
     const auto role = std::ranges::find(kRoles, std::string_view(role_name));
-    if (kind == kAllPrimitiveKinds.end()) return refuse_later("has an element of the kind", part[0]);
-    if (role == kRoles.end()) return refuse_later("has an element of the role", part[1]);
+    if (kind == kAllPrimitiveKinds.end()) return refuse_unknown("has an element of the kind", part[0]);
+    if (role == kRoles.end()) return refuse_unknown("has an element of the role", part[1]);
     return HighlightedElement{*kind, static_cast<ProvenanceRole>(role - kRoles.begin()),
                               list.size() == 3 ? part[2].number() + 0.0 : 0.0};
   }

@@ -361,7 +361,7 @@ TEST_CASE("a session is a source of samples and balls: those of its last state")
   CHECK(file->data.balls[0].radius == 0.1);
 }
 
-TEST_CASE("what can be undone is not skipped: kinds of annotations of a later version are refused in one line") {
+TEST_CASE("what can be undone is not skipped: kinds of annotations that are not known are refused in one line") {
   for (const char* annotation :
        {R"({"kind":"fresco","at":"a wall"})", R"({"kind":"highlight","at":[1,2],"elements":[["torus","itself",7]]})",
         R"({"kind":"highlight","at":[1,2],"elements":[["point","cousin"]]})"}) {
@@ -374,7 +374,7 @@ TEST_CASE("what can be undone is not skipped: kinds of annotations of a later ve
       CHECK(read.error().code == ErrorCode::bad_input);
       const std::string message = read.error().message();
       CHECK(message.starts_with("a.json"));
-      CHECK(message.find("made by a later version") != std::string::npos);
+      CHECK(message.find("misspelled, or of a later one") != std::string::npos);
       CHECK(message.find('\n') == std::string::npos);
     }
   }
