@@ -46,7 +46,11 @@ void chooser(const EvolutionStrip& strip) {
     }
     ImGui::EndCombo();
   }
-  tooltip(strip.gui, std::string(player.descriptor().tooltip) + " (Ctrl+Up, Ctrl+Down for another)");
+  std::string words(player.descriptor().tooltip);
+  const std::string before = strip.actions.keymap().key_of(ActionId::evolution_previous);
+  const std::string after = strip.actions.keymap().key_of(ActionId::evolution_next);
+  if (!before.empty() && !after.empty()) words += fmt::format(" ({}, {} for another)", before, after);
+  tooltip(strip.gui, words);
 }
 
 void buttons(const EvolutionStrip& strip, float size) {
