@@ -95,6 +95,20 @@ TEST_CASE("three clicks are three places, a fourth begins anew, and the last one
   CHECK_FALSE(bench.editor.can_undo());
 }
 
+TEST_CASE("what a drag has measured is shown until the pointer leaves the second place") {
+  Bench bench;
+  bench.tool.press(at(10, 10));
+  bench.tool.drag(at(40, 10));
+  bench.tool.release(at(40, 10));
+  CHECK(bench.measured() == std::vector<Vec2>{at(10, 10).world, at(40, 10).world});
+  bench.tool.hover(at(40, 10));
+  CHECK(bench.measured().size() == 2);
+  bench.tool.hover(at(40, 90));
+  CHECK(bench.measured().size() == 3);
+  bench.tool.hover(at(40, 10));
+  CHECK(bench.measured().size() == 2);
+}
+
 TEST_CASE("a drag measures from where it began, and Esc in the middle of it takes it back") {
   Bench bench;
   bench.tool.press(at(10, 10));
@@ -135,7 +149,7 @@ TEST_CASE("measurements are discarded with the document") {
   canvas.choose_tool(ToolId::measure);
   canvas.press(PointerButton::left, {10, 10}, {});
   canvas.release(PointerButton::left, {90, 10}, {});
-  CHECK(canvas.tool().feedback().measured.size() == 3);
+  CHECK(canvas.tool().feedback().measured.size() == 2);
   canvas.clear_all_tools();
   CHECK(canvas.tool().feedback().measured.empty());
 }
