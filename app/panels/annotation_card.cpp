@@ -66,9 +66,13 @@ void draw_kinds(const Gui& gui, Annotation& annotation) {
 bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_new) {
   const float unit = gui.unit();
   if (is_new) ImGui::SetKeyboardFocusHere();
+  const std::string before = annotation.text;
   const bool is_entered =
       ImGui::InputTextMultiline("##words", &annotation.text, {kWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
+  // Dear ImGui puts back what the field began with: Esc ends the writing here, and undo takes words away.
+  const bool is_left = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (is_left) annotation.text = before;
   if (annotation.text.size() > kMostAnnotationBytes) annotation.text.resize(kMostAnnotationBytes);
   const RichText words =
       rich_text(annotation.text, "", annotation.letters, [](const std::string&, double, Face) { return 0.0; });
@@ -82,7 +86,7 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
                       (words.complaint.empty() ? hint : words.complaint + "; it is shown as it stands").c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
-  return is_entered;
+  return is_entered || is_left;
 }
 
 void AnnotationCard::draw_look(const Gui& gui, Annotation& annotation) {
