@@ -220,9 +220,10 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
 
 std::string tex_warning(std::size_t shapes, std::string_view extension) {
   if (extension != ".tex" || shapes <= kMostTexShapes) return {};
+  constexpr std::size_t kShapesAMinute = 80'000;
   return fmt::format(
-      "the figure has {} shapes, and pdflatex has memory for some {}: show less, or write PDF and include that",
-      shapes, kMostTexShapes);
+      "the figure has {} shapes, for which pdflatex takes some {} minutes: show less, or write PDF and include that",
+      shapes, shapes / kShapesAMinute + 1);
 }
 
 }  // namespace mes

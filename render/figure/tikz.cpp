@@ -26,6 +26,9 @@ constexpr int kOpacityDecimals = 4;
 constexpr int kAngleDecimals = 5;
 // TeX reads a path piece by piece but keeps all of it.
 constexpr std::size_t kShapesInAPath = 200;
+// TeX keeps a page in its memory until the page is complete, 30 to 300 words for each shape, and pdflatex has five
+// million words as it is installed. A group of transparency is written out at once instead (`write`).
+constexpr std::size_t kShapesInAGroup = 2000;
 
 class TikzWriter {
  public:
@@ -60,6 +63,12 @@ class TikzWriter {
       out += "\\definecolor{" + color_name(number) + "}{HTML}{" + digits + "}%\n";
     }
     out += "\\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round]\n";
+    // Without \immediate pdflatex would keep each group in its memory until the page is complete, as other programs
+    // do, whose memory grows.
+    if (has_parts_)
+      out +=
+          "\\ifdefined\\pdfxform\\let\\mesecinaform\\pdfxform"
+          "\\def\\pdfxform{\\immediate\\mesecinaform}\\fi\n";
     out += "\\path[use as bounding box] " + page + ";\n\\clip " + page + ";\n";
     return out + body_ + "\\end{tikzpicture}%\n\\finishpicture%\n";
   }
@@ -90,16 +99,42 @@ class TikzWriter {
     for (const Group& group : layer.groups) {
       if (group.opacity < 1.0)
         body_ += "\\begin{scope}[transparency group,opacity=" + fraction(group.opacity) + "]\n";
-      for (const Run& run : group.runs) write(run);
+      write(group);
       if (group.opacity < 1.0) body_ += "\\end{scope}\n";
     }
     write(layer.texts);
     body_ += "\\end{scope}\n";
   }
 
-  void write(const Run& run) {
+  /// Many shapes are painted in parts, each a group of its own: painting is associative, so this cannot be seen.
+  void write(const Group& group) {
+    std::size_t count = 0;
+    for (const Run& run : group.runs) count += run.shapes.size();
+    if (count <= kShapesInAGroup) {
+      for (const Run& run : group.runs) write(run, run.shapes);
+      return;
+    }
+    has_parts_ = true;
+    std::size_t in_part = 0;
+    for (const Run& run : group.runs) {
+      std::span<const Shape> left(run.shapes);
+      while (!left.empty()) {
+        if (in_part == 0) body_ += "\\begin{scope}[transparency group]\n";
+        const std::size_t most = std::min(left.size(), kShapesInAGroup - in_part);
+        write(run, left.first(most));
+        left = left.subspan(most);
+        in_part += most;
+        if (in_part < kShapesInAGroup) continue;
+        body_ += "\\end{scope}\n";
+        in_part = 0;
+      }
+    }
+    if (in_part != 0) body_ += "\\end{scope}\n";
+  }
+
+  /// Shapes of the run.
+  void write(const Run& run, std::span<const Shape> shapes) {
     const bool is_one_path = run.opacity >= 1.0;
-    const std::span<const Shape> shapes(run.shapes);
     std::string look = color(run.color);
     if (run.opacity < 1.0) look += ",opacity=" + fraction(run.opacity);
     if (run.dashes != Dashes{})
@@ -180,7 +215,7 @@ class TikzWriter {
       if (box.opacity < 1.0) body_ += ",opacity=" + fraction(box.opacity);
       body_ += "] " + text(box.corner) + " rectangle " + text(box.corner + Vec2{box.width, box.height}) + ";\n";
     }
-    for (const Run& run : legend.runs) write(run);
+    for (const Run& run : legend.runs) write(run, run.shapes);
     write(legend.texts);
     body_ += "\\end{scope}\n";
   }
@@ -198,6 +233,7 @@ class TikzWriter {
   const Figure& figure_;
   std::string body_;
   std::map<std::string, std::size_t> colors_;
+  bool has_parts_ = false;
 };
 
 }  // namespace

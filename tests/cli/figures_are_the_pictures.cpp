@@ -202,6 +202,21 @@ TEST_CASE("a TikZ picture compiles, by itself and within a document") {
   CHECK(difference(rasterised(page, 480, 360), rasterised(alone, 480, 360)) < 1e-4);
 }
 
+TEST_CASE("a TikZ picture of more shapes than TeX keeps of a page compiles, and looks as the others do") {
+  if (!has_program("pdflatex")) return;
+  const TemporaryFolder folder;
+  const std::string samples = (folder / "many.xy").string();
+  std::ofstream out(samples);
+  // Without parts pdflatex ends at some 12,400.
+  for (int i = 0; i < 14'000; ++i) out << i % 140 << ' ' << i / 140 << '\n';
+  out.close();
+  const std::string tex = (folder / "many.tex").string();
+  const std::string svg = (folder / "many.svg").string();
+  for (const std::string& file : {tex, svg})
+    render({samples, "--layers", "points", "--figure-size", "60mmx45mm"}, file);
+  CHECK(difference(rasterised(tex, 480, 360), rasterised(svg, 480, 360)) < 0.02);
+}
+
 TEST_CASE("letters that the fonts lack are named in one line") {
   const TemporaryFolder folder;
   for (const char* const extension : {".png", ".svg", ".pdf", ".ps", ".tex"}) {
