@@ -80,7 +80,7 @@ inline std::vector<TexText> tex_texts(std::span<const Text> texts) {
     if (is_said) continue;
     is_said = !text.latex.empty();
     if (is_said)
-      out.push_back({text, text.is_bold ? "\\bfseries" : "", text.latex});
+      out.push_back({text, {}, text.latex});
     else if (!text.text.empty())
       out.push_back({text, std::string(text.is_bold ? "\\bfseries" : "") + (text.is_italic ? "\\itshape" : ""),
                      escaped_tex(text.text)});
