@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace mes::figure {
 namespace {
@@ -11,13 +13,57 @@ namespace {
 constexpr std::array kFormats{
     Format{.extension = ".svg", .name = "SVG", .write = svg_of, .carries_session = true},
     Format{.extension = ".pdf", .name = "PDF", .write = pdf_of, .carries_session = true},
-    Format{.extension = ".ps", .name = "PostScript", .write = ps_of},
-    Format{.extension = ".eps", .name = "Encapsulated PostScript", .write = eps_of},
+    Format{.extension = ".ps", .name = "PostScript", .write = ps_of, .grows = false},
+    Format{.extension = ".eps", .name = "Encapsulated PostScript", .write = eps_of, .grows = false},
     Format{.extension = ".ipe", .name = "Ipe", .write = ipe_of, .carries_session = true},
     Format{.extension = ".tex", .name = "TikZ", .write = tikz_of, .has_images = false},
 };
 
+// Shapes that stand together, as chains of segments do, are looked at together.
+constexpr std::size_t kShapesOfABlock = 512;
+constexpr std::size_t kBlocks = 64;
+
+/// The shapes of one block out of `every`, and how many they are; 0: of none.
+std::pair<Figure, std::size_t> thinned(const Figure& figure, std::size_t every) {
+  Figure out{.width = figure.width, .height = figure.height, .decimals = figure.decimals};
+  std::size_t place = 0;
+  std::size_t taken = 0;
+  for (const FigureLayer& layer : figure.layers) {
+    FigureLayer& thin = out.layers.emplace_back();
+    thin.id = layer.id;
+    thin.line_width = layer.line_width;
+    for (const Group& group : layer.groups) {
+      if (group.opacity < 1.0 && group.runs.size() > 1) continue;  // a picture, in some formats
+      Group& part = thin.groups.emplace_back(Group{.opacity = group.opacity});
+      for (const Run& run : group.runs) {
+        Run few{run.color, run.opacity, run.is_filled, run.dashes, {}};
+        for (std::size_t i = 0; i < run.shapes.size();) {
+          const std::size_t block = place / kShapesOfABlock;
+          const std::size_t left = std::min((block + 1) * kShapesOfABlock - place, run.shapes.size() - i);
+          const std::span<const Shape> shapes = std::span(run.shapes).subspan(i, left);
+          if (every != 0 && block % every == 0) few.shapes.insert(few.shapes.end(), shapes.begin(), shapes.end());
+          i += left;
+          place += left;
+        }
+        taken += few.shapes.size();
+        if (!few.shapes.empty()) part.runs.push_back(std::move(few));
+      }
+    }
+  }
+  return {std::move(out), taken};
+}
+
 }  // namespace
+
+Expected<std::size_t> estimated_bytes(const Figure& figure, const Format& format) {
+  const std::size_t every = std::max<std::size_t>(1, shape_count(figure) / (kShapesOfABlock * kBlocks));
+  const auto [part, taken] = thinned(figure, every);
+  const auto with = format.write(part);
+  if (!with) return std::unexpected(with.error());
+  const auto without = format.write(thinned(figure, 0).first);
+  if (!without) return std::unexpected(without.error());
+  return without->size() + every * (with->size() - std::min(with->size(), without->size()));
+}
 
 std::span<const Format> formats() {
   return kFormats;
@@ -34,7 +80,15 @@ Expected<std::string> bytes_of(const Figure& figure, const Format& format, std::
                                  0,
                                  0});
   };
-  if (shape_count(figure) > most / kLeastOfAShape) return refuse();
+  const std::size_t shapes = shape_count(figure);
+  if (shapes > most / kLeastOfAShape) return refuse();
+  // Writing takes memory for all of it, and time; what is near the limit is written.
+  constexpr std::size_t kMostOfAShape = 400;
+  if (format.grows && shapes > most / kMostOfAShape && shapes > kShapesOfABlock * kBlocks) {
+    const auto estimated = estimated_bytes(figure, format);
+    if (!estimated) return std::unexpected(estimated.error());
+    if (*estimated > most + most / 4) return refuse();
+  }
   auto out = format.write(figure);
   if (out && out->size() > most) return refuse();
   return out;

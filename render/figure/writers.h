@@ -51,12 +51,18 @@ struct Format {
   Expected<std::string> (*write)(const Figure& figure);
   bool has_images = true;        ///< else the picture to trace is left out
   bool carries_session = false;  ///< that of the figure
+  bool grows = true;             ///< with each shape; else a picture may take their place
 };
 
 /// Bytes of the largest file that is written.
 inline constexpr std::size_t kMostFigureBytes = 2'000'000'000;
 
-/// The bytes of the file. Error: as the writer; `usage` for more than `most` bytes.
+/// About how many bytes the file will have, from blocks of shapes here and there: a tenth more or less. Of a format that
+/// `grows`; too few where a group becomes a picture. As the writer of some 30,000 shapes.
+Expected<std::size_t> estimated_bytes(const Figure& figure, const Format& format);
+
+/// The bytes of the file. Error: as the writer; `usage` for more than `most` bytes, of which far too many are not written
+/// first.
 Expected<std::string> bytes_of(const Figure& figure, const Format& format, std::size_t most = kMostFigureBytes);
 
 /// In the order in which help and manual name them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <clocale>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -184,6 +185,34 @@ TEST_CASE("a figure that would be too large is refused, before it takes memory")
   }
 }
 
+TEST_CASE("the size of a figure of many shapes is known about without writing it") {
+  Figure figure = some_layers().figure();
+  Run chain;
+  Run dots;
+  Vec2 last{10, 10};
+  for (int i = 0; i < 150'000; ++i) {
+    const Vec2 next{10.0 + std::fmod(0.37 * i, 90.0), 10.0 + std::fmod(0.11 * i, 60.0)};
+    chain.shapes.push_back({ShapeKind::segment, {last, next}});
+    if (i % 3 == 0) dots.shapes.push_back({ShapeKind::disk, {next}, 0.5});
+    last = next;
+  }
+  chain.is_filled = false;
+  dots.opacity = 0.5;
+  figure.layers.push_back({.id = "many", .title = "Many", .groups = {{.runs = {chain, dots}}}});
+  for (const Format& format : formats()) {
+    if (!format.grows) continue;
+    INFO(format.name);
+    const auto estimated = estimated_bytes(figure, format);
+    const auto written = bytes_of(figure, format);
+    REQUIRE(estimated);
+    REQUIRE(written);
+    CHECK(static_cast<double>(*estimated) == Approx(static_cast<double>(written->size())).epsilon(0.1));
+    const auto refused = bytes_of(figure, format, written->size() / 2);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::usage);
+  }
+}
+
 TEST_CASE("a TikZ picture has a scope for each layer, with the shapes that it holds") {
   const std::string tex = text_of(".tex", some_layers().figure());
   for (const char* const layer : {"% layer scalars:", "% layer plain:", "% layer third:"})
@@ -196,6 +225,25 @@ TEST_CASE("a TikZ picture has a scope for each layer, with the shapes that it ho
   CHECK(count_of(tex, " (110,50) arc[start angle=0,delta angle=90,radius=10bp]") == 1);
   CHECK(count_of(tex, "{HTML}{12ABEF}") == 1);
   CHECK(count_of(tex, "transparency group,opacity=0.25") == 1);
+}
+
+TEST_CASE("many shapes are in parts of a TikZ picture, which TeX writes out one by one") {
+  Figure figure = some_layers().figure();
+  Run run;
+  run.color = {1, 2, 3};
+  for (int i = 0; i < 3000; ++i) run.shapes.push_back({ShapeKind::disk, {Vec2{1.0 + 0.01 * i, 2.0}}, 1.0});
+  Run translucent = run;
+  translucent.opacity = 0.5;
+  figure.layers.push_back({.id = "many", .title = "Many", .groups = {{.runs = {run, translucent}}}});
+  const std::string before = text_of(".tex", some_layers().figure());
+  const std::string tex = text_of(".tex", figure);
+  const std::string form = "\\def\\pdfxform{\\immediate";
+  CHECK(count_of(before, form) == 0);
+  CHECK(count_of(tex, form) == 1);
+  // 2000, 1000 and 1000, 2000.
+  CHECK(count_of(tex, "\\begin{scope}[transparency group]\n") == 3);
+  CHECK(count_of(tex, " circle[radius=") == count_of(before, " circle[radius=") + 6000);
+  CHECK(count_of(tex, "\\begin{scope}") == count_of(tex, "\\end{scope}"));
 }
 
 TEST_CASE("every colour of a TikZ picture is defined above it") {
@@ -238,6 +286,10 @@ TEST_CASE("texts of a layer are in it, above its shapes, in all formats") {
   CHECK(count_of(tex, "\\node") == 3);
   CHECK(tex.find("\\node") > tex.find("\\begin{scope}"));
   CHECK(tex.rfind("\\node") < tex.find("\\end{scope}"));
+  // TeX of its own says itself what is bold in it.
+  figure.layers[0].texts[1].is_bold = true;
+  CHECK(count_of(text_of(".tex", figure), "\\sffamily\\bfseries\\fontsize") == 1);
+  CHECK(count_of(text_of(".ipe", figure), ">\\textsf{$\\alpha_1&lt;2$}</text>") == 1);
   // What continues a text that TeX has no own words for is written by itself.
   figure.layers[0].texts[1].latex.clear();
   CHECK(count_of(text_of(".tex", figure), "\\node") == 4);
