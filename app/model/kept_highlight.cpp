@@ -46,7 +46,7 @@ Anchor following(const Followed& followed, Vec2 at, const Document& document) {
   for (const BallSlot slot : followed.balls)
     if (slot != kNoSlot) out.balls.push_back(document.ball_id(slot).value - document.first_ball_id().value);
   if (!out.balls.empty()) out.scale = followed.scale;
-  if (out.balls.size() == 4) out.along = followed.along;
+  if (out.balls.size() == 2 || out.balls.size() == 4) out.along = followed.along;
   return out;
 }
 

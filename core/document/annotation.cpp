@@ -31,7 +31,8 @@ std::string fault_of(const Anchor& anchor, const NumberedThings& things) {
     return "a place of an annotation follows more than four balls, or samples and balls";
   if (!(0.0 < anchor.scale && anchor.scale <= kMostScale) || !is_within(anchor.along, -kMostAlong, kMostAlong))
     return "a place of an annotation follows balls by a number that is out of range";
-  if ((anchor.balls.empty() && anchor.scale != 1.0) || (anchor.balls.size() != 4 && anchor.along != 0.0))
+  if ((anchor.balls.empty() && anchor.scale != 1.0) ||
+      (anchor.balls.size() != 2 && anchor.balls.size() != 4 && anchor.along != 0.0))
     return "a place of an annotation has a number for balls that it does not follow";
   if (std::ranges::any_of(anchor.samples, [&](std::uint32_t number) { return number >= things.samples; }))
     return "an annotation names a sample that never was";

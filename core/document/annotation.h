@@ -28,11 +28,11 @@ struct Anchor {
   /// the anchors that follow it become fixed.
   std::vector<std::uint32_t> samples{};
   /// Balls by their number, likewise; none where it follows samples. One: its centre. Two: the crossing of their circles
-  /// on the left of the way from the first centre to the second, or, while they do not cross, the middle of the two
-  /// complex crossings. Three: the place of equal power. Four: a place on the perpendicular bisector of the crossing of
-  /// the first two and that of the last two.
+  /// on the left of the way from the first centre to the second, or the middle of two complex ones; with `along`, the
+  /// place of equal power on the line of their centres, shifted. Three: the place of equal power. Four: a place on the
+  /// perpendicular bisector of the crossing of the first two and that of the last two.
   std::vector<std::uint32_t> balls{};
-  double along = 0.0;  ///< of four balls: from the middle to the left, as a multiple of the distance of the crossings
+  double along = 0.0;  ///< of two balls: times their way; of four: times the way of the crossings, to the left of it
   double scale = 1.0;  ///< what the radii of the balls are multiplied by
 
   /// It follows nothing.

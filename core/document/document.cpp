@@ -28,18 +28,24 @@ std::uint64_t bits_of(double value) {
 
 // The places below are for drawing; they are rounded, and no decision rests on them. Not finite where there is none.
 
+/// Where the powers of two circles are equal, on the line of their centres.
+Vec2 equal_power(const Disk& a, const Disk& b) {
+  const Vec2 way = b.center - a.center;
+  const double size = length(way);
+  return a.center + (0.5 + 0.5 * ((a.radius - b.radius) / size) * ((a.radius + b.radius) / size)) * way;
+}
+
 /// The crossing of two circles on the left of the way from the first centre to the second; the middle of both crossings
 /// while the circles do not meet.
 Vec2 left_crossing(const Disk& a, const Disk& b) {
   const Vec2 way = b.center - a.center;
   const double size = length(way);
-  const double along = 0.5 + 0.5 * ((a.radius - b.radius) / size) * ((a.radius + b.radius) / size);
   const double sum = a.radius + b.radius;
   const double difference = a.radius - b.radius;
   // As a product, so that it does not lose digits where the circles nearly touch.
   const double across = 0.25 * ((sum - size) / size) * ((sum + size) / size) * ((size - difference) / size) *
                         ((size + difference) / size);
-  return a.center + along * way + std::sqrt(std::max(across, 0.0)) * perpendicular(way);
+  return equal_power(a, b) + std::sqrt(std::max(across, 0.0)) * perpendicular(way);
 }
 
 Vec2 power_center(const Disk& a, const Disk& b, const Disk& c) {
@@ -139,7 +145,8 @@ Vec2 Document::place_by_balls(const Anchor& anchor) const {
   const auto& [a, b, c, d] = *on;
   switch (anchor.balls.size()) {
     case 1: return a.center;
-    case 2: return left_crossing(a, b);
+    case 2:
+      return anchor.along != 0.0 ? equal_power(a, b) + anchor.along * (b.center - a.center) : left_crossing(a, b);
     case 3: return power_center(a, b, c);
     default: {
       const Vec2 from = left_crossing(a, b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What provenance highlights, kept as an annotation: it is what was shown, and after an edit what is shown then.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -208,6 +209,46 @@ TEST_CASE("what is kept of the user's balls follows them") {
     }
   }
   CHECK(whole_lines > 20);
+}
+
+TEST_CASE("the line of equal power of two balls alone follows them, whether they meet or not") {
+  const std::array<std::array<Disk, 2>, 3> states{{{Disk{{0, 0}, 2}, Disk{{5, 1}, 1.5}},
+                                                   {Disk{{1, 0}, 3}, Disk{{2, 3}, 1.25}},
+                                                   {Disk{{-4, 2}, 1}, Disk{{3, -8}, 6}}}};
+  for (const double scale : {1.0, 1.125}) {
+    Workbench bench(std::vector<Vec2>{});
+    ComputationSettings settings;
+    settings[Parameter::b_scale] = scale;
+    bench.choose(settings);
+    bench.insert_balls({states[0].begin(), states[0].end()});
+    const auto lines = bench.instances("b-ball-power-diagram", PrimitiveKind::line);
+    REQUIRE(lines.size() >= 4);
+    const Provenance shown = bench.ask({lines[0], lines[1]}, 1e-3, {"b-ball-power-diagram"});
+    REQUIRE_FALSE(shown.lines.empty());
+    const KeptHighlight kept = highlight_of(shown, bench.document());
+    REQUIRE(fault_of(kept.annotation, bench.document().numbered_things()).empty());
+    for (const Anchor& anchor : kept.annotation.anchors) CHECK_FALSE(anchor.is_fixed());
+    check_same(highlighted_shapes(kept.annotation, bench.document()), shown);
+    for (const auto& state : states) {
+      const std::vector<BallId> ids = bench.ball_ids();
+      REQUIRE(ids.size() == 2);
+      for (std::size_t i = 0; i < 2; ++i) bench.change_ball(ids[i], state[i]);
+      std::size_t found = 0;
+      for (const auto& [shape, role] : highlighted_shapes(kept.annotation, bench.document())) {
+        if (shape.kind != PrimitiveKind::line) continue;
+        ++found;
+        for (const double along : {-1.0, 0.0, 2.0}) {
+          const Vec2 p = Vec2{shape.values[0], shape.values[1]} + along * Vec2{shape.values[2], shape.values[3]};
+          const auto power = [&](const Disk& disk) {
+            const double radius = scale * disk.radius;
+            return dot(p - disk.center, p - disk.center) - radius * radius;
+          };
+          CHECK(power(state[0]) == Approx(power(state[1])).margin(1e-9));
+        }
+      }
+      CHECK(found == 1);
+    }
+  }
 }
 
 TEST_CASE("more than can be kept is counted, and what no document can hold is left out") {

@@ -74,7 +74,17 @@ void add_edge(ProvenanceShapes& shapes, const MeetingBalls& meeting, const BallP
       shapes.ray_along_bisector(from, is_left ? a : b, is_left ? b : a);
       break;
     }
-    case PowerEdge::Kind::line: shapes.line(edge.from, edge.to); break;
+    case PowerEdge::Kind::line: {
+      Followed before = places.both(edge.ball[0], edge.ball[1]);
+      if (before.balls[0] == kNoSlot) return shapes.line(edge.from, edge.to);
+      // On both sides of it, half the way between the centres away.
+      const Vec2 half = 0.5 * (places.center(edge.ball[1]).at - places.center(edge.ball[0]).at);
+      Followed after = before;
+      before.along = -0.5;
+      after.along = 0.5;
+      shapes.bisector({edge.from - half, before}, {edge.from + half, after});
+      break;
+    }
   }
 }
 

@@ -38,6 +38,11 @@ class BallPlaces {
   void add_circle(ProvenanceShapes& shapes, FamilySlot ball) const {
     shapes.circle(family_.disk(ball), follows(ball));
   }
+  /// Two balls of the document; of others nothing.
+  Followed both(FamilySlot a, FamilySlot b) const {
+    if (!follow_balls()) return {};
+    return {.balls = {family_.ball_of_document(a), family_.ball_of_document(b)}, .scale = family_.scale()};
+  }
   /// A crossing of the circles of two balls of the document follows them.
   ShapePlace crossing(Vec2 at, FamilySlot a, FamilySlot b) const {
     BallSlot first = family_.ball_of_document(a);
