@@ -91,6 +91,18 @@ std::vector<FigurePreview::Layer> counted(const figure::Figure& figure, std::spa
   return out;
 }
 
+void note_lines(FigurePreview& preview, const figure::Figure& figure) {
+  for (const figure::FigureLayer& layer : figure.layers) {
+    const auto has_lines = [](const figure::Group& group) {
+      return std::ranges::any_of(group.runs,
+                                 [](const figure::Run& run) { return !run.is_filled && !run.shapes.empty(); });
+    };
+    if (!std::ranges::any_of(layer.groups, has_lines)) continue;
+    preview.finest = preview.widest == 0.0 ? layer.line_width : std::min(preview.finest, layer.line_width);
+    preview.widest = std::max(preview.widest, layer.line_width);
+  }
+}
+
 }  // namespace
 
 /// Everything that a figure is made of, whatever its settings.
@@ -203,6 +215,8 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
                         .height = drawn->figure.height,
                         .layers = {},
                         .shapes = figure::shape_count(drawn->figure),
+                        .finest = 0.0,
+                        .widest = 0.0,
                         .remarks = contents.remarks};
   preview.remarks.insert(preview.remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
   const figure::Format* const format = figure::format_for(wanted.settings.extension);
@@ -211,6 +225,7 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
     for (figure::FigureLayer& layer : drawn->figure.layers) layer.image.reset();
   }
   preview.layers = counted(drawn->figure, contents.comparison.panes);
+  note_lines(preview, drawn->figure);
   if (wanted.settings.with_source && format != nullptr && format->carries_session) {
     if (contents.session)
       drawn->figure.session = *contents.session;

@@ -54,6 +54,9 @@ struct FigurePreview {
   };
   std::vector<Layer> layers;  ///< bottom first
   std::size_t shapes = 0;     ///< of all
+  /// The finest and the widest line of all layers, points; zero: there is none.
+  double finest = 0.0;
+  double widest = 0.0;
   std::vector<std::string> remarks;
 };
 

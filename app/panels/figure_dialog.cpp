@@ -318,6 +318,11 @@ void FigureDialog::draw_facts(const Gui& gui) {
     return;
   }
   std::string text = grouped(preview->shapes) + (preview->shapes == 1 ? " shape" : " shapes");
+  if (preview->widest > 0.0) {
+    const std::string finest = fmt::format("{:.2f}", preview->finest);
+    const std::string widest = fmt::format("{:.2f}", preview->widest);
+    text += ", lines of " + (finest == widest ? widest : finest + " to " + widest) + " pt";
+  }
   const std::string* const bytes = desk.bytes();
   text += bytes != nullptr ? ", " + size_text(bytes->size()) : desk.is_drawing() ? ", drawing..." : ", writing...";
   ImGui::TextUnformatted(text.c_str());

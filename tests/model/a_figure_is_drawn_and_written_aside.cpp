@@ -110,6 +110,9 @@ TEST_CASE("everything is seen where the view shows a part, and paper and lines a
   test.desk.want({.extension = ".svg", .extent = FigureExtent::everything, .as_on_screen = false, .line_scale = 2.0},
                  {}, 200);
   test.until_written();
+  // A line one pixel wide is three quarters of a point, times the factor. Points are no lines.
+  CHECK(test.desk.preview()->finest == Approx(1.5));
+  CHECK(test.desk.preview()->widest == Approx(1.5));
   CHECK(test.desk.preview()->image.rgba[3] == 255);
   CHECK(*test.desk.bytes() != screen);
 }
