@@ -160,7 +160,7 @@ class Counted final : public CountedInstances {
   void show(InstanceBuffer& buffer, const PixelFrame& frame, const CountedLook& look) override {
     const bool is_new = !field_ || frame != frame_ || look != look_;
     try {
-      if (buffer.have_changed()) previews_ = {};
+      if (buffer.have_changed()) forget_previews();
       const bool from_scratch = is_new || buffer.have_all_changed();
       if (from_scratch) {
         if (frame.width != frame_.width || frame.height != frame_.height) forget();
@@ -191,8 +191,12 @@ class Counted final : public CountedInstances {
     if (mask_ != TextureId{}) device_.destroy_texture(mask_);
     mask_ = {};
     field_.reset();
-    previews_ = {};
+    forget_previews();
     shapes_ = {};
+  }
+  void forget_previews() {
+    fine_ = {};
+    coarse_ = {};
   }
 
   std::optional<Shape> shape(const Placed& instance, PrimitiveKind kind) const {
@@ -248,9 +252,10 @@ class Counted final : public CountedInstances {
   // Null if the instances themselves are to be counted.
   const Set* preview_of(const InstanceBuffer& buffer) {
     if (look_.preview == Preview::none || buffer.count() < kMany) return nullptr;
-    Set& set = previews_[look_.preview == Preview::coarse ? 1 : 0];
     constexpr double kFinePx = 0.125;
-    const int exponent = exponent_of(look_.preview == Preview::coarse ? Counting::kCoarsePx : kFinePx, frame_.scale);
+    const bool is_coarse = look_.preview == Preview::coarse;
+    const int exponent = exponent_of(is_coarse ? Counting::kCoarsePx : kFinePx, frame_.scale);
+    Set& set = is_coarse ? coarse_[static_cast<unsigned>(exponent) & 1U] : fine_;
     if (set.exponent != exponent) {
       set.exponent = exponent;
       set.instances.clear();
@@ -317,8 +322,9 @@ class Counted final : public CountedInstances {
   Device& device_;
   PixelFrame frame_;
   CountedLook look_;
-  std::optional<Grid> grid_;     ///< on which what is counted lies; none: it lies where it should
-  std::array<Set, 2> previews_;  ///< fine and coarse
+  std::optional<Grid> grid_;  ///< on which what is counted lies; none: it lies where it should
+  Set fine_;
+  std::array<Set, 2> coarse_;  ///< of even and odd exponents: a view that is zoomed to and fro finds both made
   std::optional<typename Counting::Field> field_;
   std::vector<Shape> shapes_;  ///< room for those of one pass
   TextureId mask_{};
@@ -342,20 +348,38 @@ bool CountedInstances::is_cheaper(const InstanceBuffer& buffer, const PixelFrame
     return kStrokeNs * buffer.count() / workers + kMaskPixelNs * kUsualPixels <
            device.instance_cost_ns() * buffer.count();
   if (!DiskCounting::can_count(buffer.kind())) return false;
-  double rows = 0.0;
-  double pixels = 0.0;
-  double visible = 0.0;
-  for (std::size_t i = 0; i < buffer.kept().size(); i += layout_of(PrimitiveKind::disk).doubles()) {
-    if (buffer.kept()[i + 2] < 0.0) continue;
-    const PixelDisk disk = disk_of(placed(buffer.kept().subspan(i, 3)).at, frame);
-    const double across = overlap(disk.x, disk.radius + 0.5, frame.width);
-    const double up = across > 0.0 ? overlap(disk.y, disk.radius + 0.5, frame.height) : 0.0;
-    rows += up;
-    if (up > 0.0) visible += 1.0;
-    pixels += 0.25 * std::numbers::pi * across * up;
+  struct Sums {
+    double rows = 0.0;
+    double pixels = 0.0;
+    double visible = 0.0;
+  };
+  const std::size_t doubles = layout_of(PrimitiveKind::disk).doubles();
+  const std::span<const double> all = buffer.kept();
+  const std::size_t count = all.size() / doubles;
+  std::vector<Sums> parts(chunk_count(count));
+  parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    Sums own;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Placed instance = placed(all.subspan(i * doubles, 3));
+      if (instance.at[2] < 0.0) continue;
+      const PixelDisk disk = disk_of(instance.at, frame);
+      const double across = overlap(disk.x, disk.radius + 0.5, frame.width);
+      const double up = across > 0.0 ? overlap(disk.y, disk.radius + 0.5, frame.height) : 0.0;
+      own.rows += up;
+      own.visible += up > 0.0 ? 1.0 : 0.0;
+      own.pixels += 0.25 * std::numbers::pi * across * up;
+    }
+    parts[chunk] = own;
+  });
+  Sums sums;
+  for (const Sums& part : parts) {
+    sums.rows += part.rows;
+    sums.pixels += part.pixels;
+    sums.visible += part.visible;
   }
   const double mask = kMaskPixelNs * std::max(kUsualPixels, 1.0 * frame.width * frame.height);
-  return kRowNs * rows / workers + mask < device.pixel_cost_ns() * pixels + device.instance_cost_ns() * visible;
+  return kRowNs * sums.rows / workers + mask <
+         device.pixel_cost_ns() * sums.pixels + device.instance_cost_ns() * sums.visible;
 }
 
 }  // namespace mes::render

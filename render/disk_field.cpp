@@ -9,23 +9,31 @@
 namespace mes::render {
 namespace {
 
-/// Radii for `change_steep_rows`, in pixels.
+/// Radii for `change_steep_rows`, in pixels; of larger disks single precision would lose the rim.
 constexpr double kLeastPlain = 16.0;
 constexpr double kMostPlain = 4096.0;
+constexpr double kLeastLarge = 32.0;
+
+/// Of a part of a pixel.
+float within_pixel(float x) {
+  const float above = x > 0.0F ? x : 0.0F;
+  return above < 1.0F ? above : 1.0F;
+}
 
 }  // namespace
 
 // As `soft_radius` and `soft_alpha` of shaders/uniforms.glsl have it.
 struct DiskField::Rim {
-  double x;
-  double y;
-  double radius;    ///< where half of a pixel is covered
-  double strength;  ///< of a disk too small for its ramp
-  double inner;     ///< whole pixels are covered up to here; negative: nowhere
-  double outer;
+  double x = 0.0;
+  double y = 0.0;
+  double radius = 0.0;    ///< where half of a pixel is covered
+  double strength = 0.0;  ///< of a disk too small for its ramp
+  double inner = 0.0;     ///< whole pixels are covered up to here; negative: nowhere
+  double outer = 0.0;
   RowRange rows;
-  std::int32_t times;
+  std::int32_t times = 0;
 
+  Rim() = default;
   Rim(const PixelDisk& disk, int height) : x(disk.x), y(disk.y), times(disk.times) {
     const double r = disk.radius;
     radius = std::sqrt(std::max(r * r - 1.0 / 12.0, 0.25));
@@ -39,9 +47,10 @@ struct DiskField::Rim {
 };
 
 void DiskField::change(std::span<const PixelDisk> disks, int sign) {
-  std::vector<Rim> rims;
-  rims.reserve(disks.size());
-  for (const PixelDisk& disk : disks) rims.emplace_back(disk, height());
+  std::vector<Rim> rims(disks.size());
+  parallel_for(disks.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) rims[i] = Rim(disks[i], height());
+  });
   change_by_bands(
       std::span<const Rim>(rims), [](const Rim& rim) { return rim.rows; },
       [&](const Rim& rim, RowRange rows) { change_rows(rim, sign * rim.times, rows); });
@@ -66,62 +75,115 @@ void DiskField::change_rows(const Rim& rim, std::int32_t times, RowRange rows) {
 }
 
 // Up to 0.8 radii from the middle a rim is at most 1 / 0.6 pixels wide, and so covers the middles of at most two. Most
-// rows of large disks are such, and take a quarter of the time of `change_row`: loops without branches, which compilers
-// turn into vector instructions, and two pixels an end, counted as rim even if one of them is covered.
+// rows of large disks are such, and take a quarter of the time of `change_row`: two pixels an end, counted as rim even if
+// one of them is covered, and four rows at a time in loops without branches, whose number of turns compilers know and
+// which they turn into vector instructions. Rows past the last one are computed and not counted.
 void DiskField::change_steep_rows(const Rim& rim, std::int32_t times, RowRange rows) {
-  const auto count = static_cast<std::size_t>(rows.end - rows.first);
-  std::array<double, kBandRows> square{};  // of the distance between row and middle
-  std::array<double, kBandRows> half{};
-  std::array<int, kBandRows> left{};
-  std::array<int, kBandRows> right{};
-  std::array<std::array<float, kBandRows>, 4>
-      across{};  // from the middle to the pixels, outermost ones first and last
-  std::array<std::array<std::int32_t, kBandRows>, 4> steps{};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double dy = static_cast<double>(rows.first) + static_cast<double>(static_cast<int>(i)) + 0.5 - rim.y;
-    square[i] = dy * dy;
-  }
+  constexpr int kRows = 4;
+  using Rows = std::array<float, kRows>;
   const double outer_square = rim.outer * rim.outer;
-  for (std::size_t i = 0; i < count; ++i) half[i] = std::sqrt(outer_square - square[i]);
-  // Both ends are inside the view, so that cutting decimals off is rounding down.
-  const double x = rim.x - 0.5;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double left_end = x - half[i];
-    const int cut = static_cast<int>(left_end);
-    left[i] = cut + (static_cast<double>(cut) < left_end ? 1 : 0);
-    right[i] = static_cast<int>(x + half[i]);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    across[0][i] = static_cast<float>(left[i] - x);
-    across[3][i] = static_cast<float>(right[i] - x);
-  }
+  const double radius_square = rim.radius * rim.radius;
   // Single precision has a ten thousandth of a pixel to spare here.
   const auto half_inverse = static_cast<float>(0.5 / rim.radius);
-  const double radius_square = rim.radius * rim.radius;
-  std::array<float, kBandRows> offset{};
-  for (std::size_t i = 0; i < count; ++i) {
-    offset[i] = static_cast<float>(square[i] - radius_square);
-    across[1][i] = across[0][i] + 1.0F;
-    across[2][i] = across[3][i] - 1.0F;
-  }
-  for (std::size_t k = 0; k < across.size(); ++k) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float estimate = (across[k][i] * across[k][i] + offset[i]) * half_inverse;
-      const float covered = 0.5F - (estimate - estimate * estimate * half_inverse);
-      const float above = covered < 0.0F ? 0.0F : covered;
-      steps[k][i] = static_cast<std::int32_t>((above > 1.0F ? 1.0F : above) * kSteps + kHalfStep);
+  // Both ends are inside the view, so that cutting decimals off is rounding down: of what lies right of the left end,
+  // too. If an end that is nearly a whole number goes to the wrong side of it, a pixel is counted of which nothing is
+  // covered.
+  const double x = rim.x - 0.5;
+  const double beside = width();  // of the view, on its right
+  const std::int64_t whole = times * factor(kSteps);
+  for (int first = rows.first; first < rows.end; first += kRows) {
+    std::array<double, kRows> square;  // of the distance between row and middle
+    Rows half;
+    std::array<std::int32_t, kRows> left;
+    std::array<std::int32_t, kRows> right;
+    Rows offset;
+    std::array<Rows, 4> across;  // from the middle to the pixels, outermost ones first and last
+    std::array<std::array<std::int32_t, kRows>, 4> steps;
+    for (std::size_t i = 0; i < kRows; ++i) {
+      const double dy = static_cast<double>(first + static_cast<int>(i)) + 0.5 - rim.y;
+      square[i] = dy * dy;
+      const double beyond = outer_square - square[i];
+      half[i] = std::sqrt(static_cast<float>(beyond > 0.0 ? beyond : 0.0));
+    }
+    for (std::size_t i = 0; i < kRows; ++i) {
+      left[i] = width() - static_cast<std::int32_t>(beside - (x - double{half[i]}));
+      right[i] = static_cast<std::int32_t>(x + double{half[i]});
+    }
+    for (std::size_t i = 0; i < kRows; ++i) {
+      offset[i] = static_cast<float>(square[i] - radius_square);
+      across[0][i] = static_cast<float>(static_cast<double>(left[i]) - x);
+      across[3][i] = static_cast<float>(static_cast<double>(right[i]) - x);
+      across[1][i] = across[0][i] + 1.0F;
+      across[2][i] = across[3][i] - 1.0F;
+    }
+    for (std::size_t k = 0; k < across.size(); ++k) {
+      for (std::size_t i = 0; i < kRows; ++i) {
+        const float estimate = (across[k][i] * across[k][i] + offset[i]) * half_inverse;
+        const float covered = within_pixel(0.5F - (estimate - estimate * estimate * half_inverse));
+        steps[k][i] = static_cast<std::int32_t>(covered * kSteps + kHalfStep);
+      }
+    }
+    const auto times_factor = [&](std::int32_t step) { return times * factor(static_cast<std::size_t>(step)); };
+    const std::size_t count = static_cast<std::size_t>(std::min(kRows, rows.end - first));
+    std::int64_t* row = sums(first);
+    for (std::size_t i = 0; i < count; ++i, row += stride()) {
+      const std::array<std::int64_t, 4> part{times_factor(steps[0][i]), times_factor(steps[1][i]),
+                                             times_factor(steps[2][i]), times_factor(steps[3][i])};
+      std::int64_t* begin = row + left[i];
+      begin[0] += part[0];
+      begin[1] += part[1] - part[0];
+      begin[2] += whole - part[1];
+      std::int64_t* end = row + right[i];
+      end[-1] += part[2] - whole;
+      end[0] += part[3] - part[2];
+      end[1] -= part[3];
     }
   }
-  std::int64_t* rims = sums(rows.first);
-  std::int32_t* covered = ends(rows.first);
-  const auto times_factor = [&](std::int32_t step) { return times * factor(static_cast<std::size_t>(step)); };
-  for (std::size_t i = 0; i < count; ++i, rims += columns(), covered += columns() + 1) {
-    rims[left[i]] += times_factor(steps[0][i]);
-    rims[left[i] + 1] += times_factor(steps[1][i]);
-    rims[right[i] - 1] += times_factor(steps[2][i]);
-    rims[right[i]] += times_factor(steps[3][i]);
-    covered[left[i] + 2] += times;
-    covered[right[i] - 1] -= times;
+}
+
+// Calls `take(x, steps)` for each pixel of a row up to `end`: what of it is covered. Four at a time, as above.
+template <class Take>
+void DiskField::for_each_at_rim(const Rim& rim, double dy, int begin, int end, Take take) {
+  // The distance from the rim is (d^2 - q^2) / (d + q), and d + q nearly 2 q for large disks.
+  const double half_inverse = 0.5 / rim.radius;
+  const double square = rim.radius * rim.radius;
+  const double offset = dy * dy - square;
+  if (rim.radius > kMostPlain) {
+    for (int x = begin; x < end; ++x) {
+      const double dx = x + 0.5 - rim.x;
+      const double estimate = (dx * dx + offset) * half_inverse;
+      const double covered = std::clamp(0.5 - (estimate - estimate * estimate * half_inverse), 0.0, 1.0);
+      take(x, static_cast<std::size_t>(covered * kSteps + double{kHalfStep}));
+    }
+    return;
+  }
+  constexpr int kPixels = 4;
+  const auto by_pixels = [&](auto distance) {
+    const auto strength = static_cast<float>(rim.strength);
+    for (int x = begin; x < end; x += kPixels) {
+      const double dx = x + 0.5 - rim.x;
+      const auto difference = static_cast<float>(dx * dx + offset);
+      const auto slope = static_cast<float>(2.0 * dx);
+      std::array<std::int32_t, kPixels> steps;
+      for (std::size_t k = 0; k < kPixels; ++k) {
+        const auto right = static_cast<float>(static_cast<std::int32_t>(k));
+        const float covered = within_pixel(0.5F - distance(difference + right * (slope + right))) * strength;
+        steps[k] = static_cast<std::int32_t>(covered * kSteps + kHalfStep);
+      }
+      const int count = std::min(kPixels, end - x);
+      for (int k = 0; k < count; ++k) take(x + k, static_cast<std::size_t>(steps[static_cast<std::size_t>(k)]));
+    }
+  };
+  if (rim.radius >= kLeastLarge) {
+    by_pixels([inverse = static_cast<float>(half_inverse)](float difference) {
+      const float estimate = difference * inverse;
+      return estimate - estimate * estimate * inverse;
+    });
+  } else {
+    by_pixels([square = static_cast<float>(square), radius = static_cast<float>(rim.radius)](float difference) {
+      const float distance = difference + square;
+      return std::sqrt(distance > 0.0F ? distance : 0.0F) - radius;
+    });
   }
 }
 
@@ -144,34 +206,26 @@ void DiskField::change_row(const Rim& rim, std::int32_t times, int y) {
     if (first <= last) {
       from = first;
       to = last;
-      ends(y)[from] += times;
-      ends(y)[to + 1] -= times;
     } else {
       // Covered pixels are beside the view: whatever is touched lies to one side of them.
       from = first > right ? right + 1 : std::max(first, left);
       to = from - 1;
     }
   }
-  std::int64_t* rims = sums(y);
-  // The distance from the rim is (d^2 - q^2) / (d + q), and d + q nearly 2 q for large disks.
-  const bool is_large = rim.radius >= 32.0;
-  const double half_inverse = 0.5 / rim.radius;
-  const double offset = dy * dy - rim.radius * rim.radius;
-  const auto count = [&](int x) {
-    const double dx = x + 0.5 - rim.x;
-    const double difference = dx * dx + offset;
-    double distance;
-    if (is_large) {
-      const double estimate = difference * half_inverse;
-      distance = estimate - estimate * estimate * half_inverse;
-    } else {
-      distance = std::sqrt(dx * dx + dy * dy) - rim.radius;
-    }
-    const double covered = std::clamp(0.5 - distance, 0.0, 1.0) * rim.strength;
-    rims[x] += times * factor(static_cast<std::size_t>(covered * kSteps + double{kHalfStep}));
+  if (left > right) return;
+  std::int64_t* row = sums(y);
+  std::int64_t before = 0;
+  const auto go_on_with = [&](int x, std::int64_t now) {
+    row[x] += now - before;
+    before = now;
   };
-  for (int x = left; x < from; ++x) count(x);
-  for (int x = to + 1; x <= right; ++x) count(x);
+  const auto count = [&](int begin, int end) {
+    for_each_at_rim(rim, dy, begin, end, [&](int x, std::size_t step) { go_on_with(x, times * factor(step)); });
+  };
+  count(left, from);
+  if (from <= to) go_on_with(from, times * factor(kSteps));
+  count(to + 1, right + 1);
+  go_on_with(right + 1, 0);
 }
 
 }  // namespace mes::render

@@ -2,7 +2,7 @@
 // The opacity of many disks of one colour, pixel by pixel, without painting them (`OpacityField`).
 //
 // Where k disks of opacity a cover a pixel, the opacity there is 1 - (1 - a)^k, and k along a row of pixels is a running
-// sum of "+1 where a disk begins, -1 where it ends". So a disk costs its rows and the pixels of its rim instead of its
+// sum of "+1 where a disk begins, -1 where it ends" (`Sums::differences`). So a disk costs its rows and the pixels of its rim instead of its
 // area. A pixel at the rim, of which a disk covers the part c, counts as the factor 1 - a c.
 //
 // What it guarantees:
@@ -39,7 +39,7 @@ class DiskField : public OpacityField {
   using Shape = PixelDisk;
 
   /// Both sizes are at least 1; `opacity` is that of one disk, in [0, 1].
-  DiskField(int width, int height, double opacity) : OpacityField(width, height, opacity, Ends::yes) {}
+  DiskField(int width, int height, double opacity) : OpacityField(width, height, opacity, Sums::differences) {}
 
   void add(std::span<const PixelDisk> disks) { change(disks, 1); }
   /// The disks must have been added.
@@ -53,6 +53,8 @@ class DiskField : public OpacityField {
   /// Of `times` disks; fewer than none take them away.
   void change_rows(const Rim& rim, std::int32_t times, RowRange rows);
   void change_row(const Rim& rim, std::int32_t times, int y);
+  template <class Take>
+  static void for_each_at_rim(const Rim& rim, double dy, int begin, int end, Take take);
   void change_steep_rows(const Rim& rim, std::int32_t times, RowRange rows);
 };
 

@@ -34,15 +34,15 @@ const Powers& powers() {
 
 }  // namespace
 
-OpacityField::OpacityField(int width, int height, double opacity, Ends ends) : width_(width), height_(height) {
+OpacityField::OpacityField(int width, int height, double opacity, Sums kind)
+    : width_(width), height_(height), kind_(kind) {
   MES_ASSERT(width > 0 && height > 0 && opacity >= 0.0 && opacity <= 1.0);
   for (std::size_t i = 0; i < factor_.size(); ++i) {
     const double passes = 1.0 - opacity * static_cast<double>(i) / kSteps;
     factor_[i] = passes > 0.0 ? std::llround(-std::log2(passes) * kUnit) : kOpaque;
   }
   const auto rows = static_cast<std::size_t>(height);
-  if (ends == Ends::yes) ends_.resize((columns() + 1) * rows);
-  sums_.resize(columns() * rows);
+  sums_.resize(stride() * rows);
   opacity_.resize(columns() * rows);
   is_stale_.resize(static_cast<std::size_t>(bands()));
   is_used_.resize(is_stale_.size());
@@ -54,12 +54,8 @@ void OpacityField::clear() {
     if (is_used_[band] == 0 && is_stale_[band] == 0) return;
     const std::size_t first = band * kBandRows;
     const std::size_t end = std::min(first + kBandRows, static_cast<std::size_t>(height_));
-    const auto clear_rows = [&](auto& values, std::size_t row) {
-      std::fill(values.begin() + static_cast<std::ptrdiff_t>(first * row),
-                values.begin() + static_cast<std::ptrdiff_t>(end * row), 0);
-    };
-    clear_rows(sums_, columns());
-    if (!ends_.empty()) clear_rows(ends_, columns() + 1);
+    std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(first * stride()),
+              sums_.begin() + static_cast<std::ptrdiff_t>(end * stride()), 0);
     is_stale_[band] = 1;
     is_used_[band] = 0;
   };
@@ -68,20 +64,18 @@ void OpacityField::clear() {
 
 void OpacityField::settle_row(int y, std::span<std::uint8_t> is_visible) {
   const auto at = static_cast<std::size_t>(y);
-  const std::int32_t* ends = ends_.empty() ? nullptr : &ends_[at * (columns() + 1)];
-  const std::int64_t* sums = &sums_[at * columns()];
+  const std::int64_t* sums = &sums_[at * stride()];
+  const bool are_differences = kind_ == Sums::differences;
   std::uint16_t* out = &opacity_[at * columns()];
   constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
   constexpr std::int64_t kNothingPasses = std::int64_t{18} << kFractionBits;
-  const std::int64_t whole = factor_.back();
   const auto& power = powers();
-  std::int64_t covers = 0;
+  std::int64_t bits = 0;
   for (std::size_t block = 0; block < is_visible.size(); ++block) {
     std::uint32_t any = 0;
     const std::size_t end = std::min((block + 1) * kBlockColumns, columns());
     for (std::size_t x = block * kBlockColumns; x < end; ++x) {
-      if (ends != nullptr) covers += ends[x];
-      const std::int64_t bits = covers * whole + sums[x];
+      bits = are_differences ? bits + sums[x] : sums[x];
       std::uint32_t opacity = 0;
       if (bits >= kNothingPasses) {
         opacity = kMost;

@@ -7,7 +7,7 @@
 // undoes adding it, and neither the order of shapes nor the number of threads matters. Rounding happens once, at the
 // end. Rows are in bands, which are changed by different threads and brought up to date when something in them changed.
 //
-// Cost: `settle` O(pixels of the bands that changed). Memory: 10 bytes a pixel, 14 with ends. Threads: one at a time.
+// Cost: `settle` O(pixels of the bands that changed). Memory: 10 bytes a pixel. Threads: one at a time.
 #pragma once
 
 #include <algorithm>
@@ -71,10 +71,11 @@ class OpacityField {
   static constexpr int kSteps = 1024;       ///< of the part of a pixel that is covered
   static constexpr float kHalfStep = 0.5F;  ///< of a step: cutting decimals off then rounds what is not negative
 
-  enum class Ends : std::uint8_t { no, yes };
-  /// Both sizes are at least 1; `opacity` is that of one shape, in [0, 1]. Only with ends may shapes cover runs of
-  /// pixels.
-  OpacityField(int width, int height, double opacity, Ends ends);
+  /// What shapes add to: to the sum of each pixel, or to the differences between neighbours in a row, of which a run of
+  /// covered pixels changes those at its two ends only.
+  enum class Sums : std::uint8_t { plain, differences };
+  /// Both sizes are at least 1; `opacity` is that of one shape, in [0, 1].
+  OpacityField(int width, int height, double opacity, Sums kind);
   ~OpacityField() = default;
   OpacityField(OpacityField&&) = default;
   OpacityField& operator=(OpacityField&&) = default;
@@ -82,10 +83,9 @@ class OpacityField {
   std::size_t columns() const { return static_cast<std::size_t>(width_); }
   /// What a pixel adds to its sum of which a shape covers `step` of `kSteps`.
   std::int64_t factor(std::size_t step) const { return factor_[step]; }
-  /// One sum a pixel.
-  std::int64_t* sums(int y) { return &sums_[static_cast<std::size_t>(y) * columns()]; }
-  /// `width + 1` a row: shapes whose covered pixels begin here, less those whose covered pixels ended before.
-  std::int32_t* ends(int y) { return &ends_[static_cast<std::size_t>(y) * (columns() + 1)]; }
+  /// `stride` numbers a row: one a pixel, and one more of differences, after the last pixel.
+  std::int64_t* sums(int y) { return &sums_[static_cast<std::size_t>(y) * stride()]; }
+  std::size_t stride() const { return columns() + (kind_ == Sums::differences ? 1 : 0); }
   void mark(RowRange rows) {
     for (int band = rows.first / kBandRows; band * kBandRows < rows.end; ++band)
       is_stale_[static_cast<std::size_t>(band)] = 1;
@@ -108,9 +108,9 @@ class OpacityField {
 
   int width_;
   int height_;
+  Sums kind_;
   /// -log2(1 - a c) in units of 2^-20, for c in steps.
   std::array<std::int64_t, kSteps + 1> factor_{};
-  std::vector<std::int32_t> ends_;
   std::vector<std::int64_t> sums_;
   std::vector<std::uint16_t> opacity_;
   std::vector<std::uint8_t> is_stale_;    ///< by band

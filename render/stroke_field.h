@@ -41,7 +41,7 @@ class StrokeField : public OpacityField {
   /// Both sizes are at least 1; `opacity` is that of one stroke, in [0, 1]. A pixel whose centre is `half_width` from a
   /// stroke is half covered; `half_width` is at least 0.5.
   StrokeField(int width, int height, double opacity, double half_width)
-      : OpacityField(width, height, opacity, Ends::no), reach_(half_width + 0.5) {}
+      : OpacityField(width, height, opacity, Sums::plain), reach_(half_width + 0.5) {}
 
   /// Strokes as `visible` returns them.
   void add(std::span<const PixelStroke> strokes) { change(strokes, 1); }
