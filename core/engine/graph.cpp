@@ -64,6 +64,10 @@ void Graph::add(std::unique_ptr<Variant> added) {
     layers_.push_back(std::move(layer));
   }
   if (index == kMainVariant) layer_count_ = layers_.size();
+  // Here memory may lack; in a run nothing could be done about it.
+  sources_.reserve(nodes_.size());
+  needed_.reserve(nodes_.size());
+  demanded_.reserve(layer_nodes_.size());
   demand_changed_ = true;
 }
 void Graph::drop_variants(std::size_t kept) {
@@ -145,6 +149,15 @@ void Graph::mark_needed() {
   for (std::size_t i = nodes_.size(); i-- > 0;)
     if (nodes_[i].needed)
       for (const std::size_t input : nodes_[i].inputs) nodes_[input].needed = true;
+  sources_.clear();
+  needed_.clear();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].source != nullptr) sources_.push_back(i);
+    if (nodes_[i].needed) needed_.push_back(i);
+  }
+  demanded_.clear();
+  for (LayerIndex layer = 0; layer < layer_nodes_.size(); ++layer)
+    if (layer_nodes_[layer].demanded) demanded_.push_back(layer);
   demand_changed_ = false;
 }
 
@@ -224,8 +237,8 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
 void Graph::follow_extent() {
   Box2 box;
   bool replaced = false;
-  for (const StructureNode& node : nodes_) {
-    if (node.source == nullptr) continue;
+  for (const std::size_t i : sources_) {
+    const StructureNode& node = nodes_[i];
     const Box2 extent = node.source->extent();
     if (extent.is_empty()) continue;
     box.add(extent.low);
@@ -313,9 +326,12 @@ void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& 
 }
 
 void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
-  for (LayerIndex index = 0; index < layer_nodes_.size(); ++index) {
-    const LayerNode& node = layer_nodes_[index];
-    if (!node.demanded || node.begun == run_) continue;
+  // All at once, so that what is in no cache arrives together.
+  for (const LayerIndex index : demanded_)
+    if (layer_nodes_[index].begun != run_ && !is_one_shot())
+      for (const auto& part : layers_[index].parts) part->expect_update();
+  for (const LayerIndex index : demanded_) {
+    if (layer_nodes_[index].begun == run_) continue;
     const Emission emission = emission_of(index, out);
     if (emission == Emission::reset) begin_reset(index, out, tasks, job);
     if (emission != Emission::update) continue;
@@ -397,47 +413,75 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
   }
 }
 
+void Graph::report_node(StructureNode& node, NodeReport& report) {
+  if (report.structure != node.structure->id()) report.structure = node.structure->id();
+  report.variant = node.variant;
+  report.state = node.state;
+  if (report.reason != node.reason) report.reason = node.reason;
+  if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
+  report.update_ms = node.ms;
+  report.touched = node.changed == run_ ? node.touched : 0;
+  report.rebuilt = node.last_was_rebuild;
+  report.stats.clear();
+  report.findings.clear();
+  const bool is_judged = want_findings_ && node.variant == kMainVariant;
+  report.is_judging = is_judged && node.structure->has_verdict() && node.state == NodeState::up_to_date;
+  report.kernel = node.structure->kernel();
+  if (node.state != NodeState::up_to_date) return;
+  // After a run that was stopped, the tables of inputs may be newer than its own, and what it says of itself reads
+  // both.
+  const bool may_ask = node.synced == run_;
+  if (is_judged) {
+    if (may_ask && (node.findings_run < node.changed || node.findings_run == 0)) {
+      node.findings.clear();
+      node.structure->find(node.findings);
+      node.findings_run = run_;
+    }
+    report.findings = node.findings;
+  }
+  if (!want_statistics_) return;
+  if (may_ask && (node.stats_run < node.changed || node.stats.empty())) {
+    node.stats = node.structure->statistics();
+    node.stats_run = run_;
+  }
+  report.stats = node.stats;
+}
+
+// What is not needed is most of all, so nothing is written again that stands there. The main computation has the same
+// structures in each graph, and a report that is not empty is of some graph.
+void Graph::report_inactive(const StructureNode& node, NodeReport& report) const {
+  const std::string_view id = node.structure->id();
+  const bool is_named = node.variant == kMainVariant ? !report.structure.empty() : report.structure == id;
+  if (is_named && report.variant == node.variant && report.state == NodeState::inactive) return;
+  report = {};
+  report.structure = id;
+  report.variant = node.variant;
+  report.kernel = node.structure->kernel();
+}
+
 void Graph::report(FramePatch& out) {
   out.nodes.resize(nodes_.size());
+  auto needed = needed_.begin();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    StructureNode& node = nodes_[i];
-    NodeReport& report = out.nodes[i];
-    if (report.structure != node.structure->id()) report.structure = node.structure->id();
-    report.variant = node.variant;
-    report.state = node.needed ? node.state : NodeState::inactive;
-    if (report.reason != node.reason) report.reason = node.reason;
-    if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
-    report.update_ms = node.ms;
-    report.touched = node.changed == run_ ? node.touched : 0;
-    report.rebuilt = node.last_was_rebuild;
-    report.stats.clear();
-    report.findings.clear();
-    const bool is_judged = want_findings_ && node.variant == kMainVariant;
-    report.is_judging = is_judged && node.structure->has_verdict() && node.state == NodeState::up_to_date;
-    report.kernel = node.structure->kernel();
-    if (!node.needed || node.state != NodeState::up_to_date) continue;
-    // After a run that was stopped, the tables of inputs may be newer than its own, and what it says of itself reads
-    // both.
-    const bool may_ask = node.synced == run_;
-    if (is_judged) {
-      if (may_ask && (node.findings_run < node.changed || node.findings_run == 0)) {
-        node.findings.clear();
-        node.structure->find(node.findings);
-        node.findings_run = run_;
-      }
-      report.findings = node.findings;
+    if (needed != needed_.end() && *needed == i) {
+      report_node(nodes_[i], out.nodes[i]);
+      ++needed;
+    } else {
+      report_inactive(nodes_[i], out.nodes[i]);
     }
-    if (!want_statistics_) continue;
-    if (may_ask && (node.stats_run < node.changed || node.stats.empty())) {
-      node.stats = node.structure->statistics();
-      node.stats_run = run_;
-    }
-    report.stats = node.stats;
   }
   out.reports.resize(layer_nodes_.size());
+  auto demanded = demanded_.begin();
   for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
-    const LayerNode& node = layer_nodes_[i];
     LayerReport& report = out.reports[i];
+    if (demanded == demanded_.end() || *demanded != i) {
+      if (report.state == NodeState::inactive && report.layer == i) continue;
+      report = {};
+      report.layer = i;
+      continue;
+    }
+    ++demanded;
+    const LayerNode& node = layer_nodes_[i];
     report.layer = i;
     report.state = node.state;
     report.emit_ms = node.ms;
@@ -490,14 +534,14 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   TaskQueue tasks;
   try {
     out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
-    for (StructureNode& node : nodes_) {
-      if (node.source == nullptr) continue;
+    for (const std::size_t i : sources_) {
       job.reset_progress();
-      bring_up_to_date(node, job);
+      bring_up_to_date(nodes_[i], job);
     }
     follow_extent();
-    for (StructureNode& node : nodes_) {
-      if (node.needed && node.source == nullptr) {
+    for (const std::size_t i : needed_) {
+      StructureNode& node = nodes_[i];
+      if (node.source == nullptr) {
         job.reset_progress();
         bring_up_to_date(node, job);
       }

@@ -95,6 +95,8 @@ class LayerPart {
   virtual void pour(InstancePiece out, const std::function<void(const InstancePiece&)>& take) = 0;
   /// Emits the rows of the change set.
   virtual void update(LayerPatch& patch) = 0;
+  /// An `update` may follow soon: asks for the memory that it will look at.
+  virtual void expect_update() const = 0;
   /// Rows whose primitive is lost, because its coordinates are not finite.
   virtual std::size_t lost() const = 0;
   /// Shows every instance; O(rows). Values are as in core/draw/primitives.h, the scalar last.
@@ -259,7 +261,6 @@ class TablePart final : public LayerPart {
 
   void update(LayerPatch& patch) override {
     places_.grow(rows_());
-    for (const Row row : changes_.touched) places_.expect(row.index());
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
     for (const Row row : changes_.removed) places_.withdraw(row.index());
     if (!lost_.empty())
@@ -277,6 +278,11 @@ class TablePart final : public LayerPart {
       }
     }
     places_.close_holes(kinds_, patch, [this](RowNumber row, Instance& out) { emit_(Row(row), out); });
+  }
+
+  void expect_update() const override {
+    for (const Row row : changes_.touched) places_.expect(row.index());
+    for (const Row row : changes_.removed) places_.expect(row.index());
   }
 
   std::size_t lost() const override { return lost_.size(); }
