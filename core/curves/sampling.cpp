@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <ranges>
 #include <utility>
 
 #include "core/curves/corners.h"
@@ -134,32 +135,81 @@ class Collector {
     }
   }
 
-  bool are_finite() const {
-    return std::ranges::all_of(out_.positions, [](Vec2 p) { return is_finite(p); });
+  /// Of a point that lies on no curve.
+  void add_point(Vec2 position) {
+    add(position);
+    are_finite_ = are_finite_ && is_finite(position);
   }
+
+  /// Of the curves that have ended, and the points.
+  bool are_finite() const { return are_finite_; }
   std::size_t size() const { return out_.positions.size(); }
   SampledCurves result() && { return std::move(out_); }
 
  private:
   void remove_repetitions(std::size_t first) {
-    // The samples that stay, by a hash of their coordinates: places in a table of which no more than half is in use.
+    const std::span<const Vec2> p = std::span(out_.positions).subspan(first);
+    // A table of a few is in the nearest cache; of many most can be told to come once without one.
+    constexpr std::size_t kFew = 1U << 13U;
+    if (p.size() > kFew) {
+      note_shared_hashes(p);
+      find_repeated(p, shared_);
+    } else {
+      find_repeated(p, std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(p.size())));
+    }
+    if (repeated_.empty()) return;
+    std::size_t kept = first + repeated_.front();
+    for (std::size_t k = 0; k < repeated_.size(); ++k) {
+      const auto begin = out_.positions.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto end = k + 1 < repeated_.size() ? begin + repeated_[k + 1] : out_.positions.end();
+      const auto to = out_.positions.begin() + static_cast<std::ptrdiff_t>(kept);
+      kept += static_cast<std::size_t>(std::copy(begin + repeated_[k] + 1, end, to) - to);
+    }
+    out_.positions.resize(kept);
+  }
+
+  /// Those of the positions that are equal to one before, by a hash of the coordinates: numbers of positions in a table of
+  /// which a quarter is in use.
+  template <class Numbers>
+  void find_repeated(std::span<const Vec2> p, const Numbers& numbers) {
     constexpr std::uint32_t kFree = 0xffffffffU;
-    std::vector<Vec2>& p = out_.positions;
-    const std::size_t mask = std::bit_ceil(2 * (p.size() - first) + 2) - 1;
+    const std::size_t mask = std::bit_ceil(4 * numbers.size() + 1) - 1;
     places_.assign(mask + 1, kFree);
-    std::size_t kept = first;
-    for (std::size_t i = first; i < p.size(); ++i) {
+    repeated_.clear();
+    for (const std::uint32_t i : numbers) {
       if (!is_finite(p[i])) {  // equal to nothing; the caller refuses it
-        p[kept++] = p[i];
+        are_finite_ = false;
         continue;
       }
       std::size_t at = hash_of(p[i]) & mask;
-      while (places_[at] != kFree && p[first + places_[at]] != p[i]) at = (at + 1) & mask;
-      if (places_[at] != kFree) continue;
-      places_[at] = static_cast<std::uint32_t>(kept - first);
-      p[kept++] = p[i];
+      while (places_[at] != kFree && p[places_[at]] != p[i]) at = (at + 1) & mask;
+      if (places_[at] == kFree)
+        places_[at] = i;
+      else
+        repeated_.push_back(i);
     }
-    p.resize(kept);
+  }
+
+  /// Finds those whose hash comes twice, by two sets of bits with many more places than there are positions.
+  void note_shared_hashes(std::span<const Vec2> p) {
+    constexpr std::size_t kPlacesEach = 16;
+    constexpr std::size_t kWord = 64;
+    const std::size_t places = std::bit_ceil(kPlacesEach * p.size() + kWord);
+    once_.assign(places / kWord, 0);
+    twice_.assign(places / kWord, 0);
+    const std::size_t mask = places - 1;
+    for (const Vec2 here : p) {
+      const std::size_t place = hash_of(here) & mask;
+      const std::uint64_t bit = std::uint64_t{1} << (place % kWord);
+      std::uint64_t& word = once_[place / kWord];
+      twice_[place / kWord] |= word & bit;
+      word |= bit;
+    }
+    shared_.clear();
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
+      const std::size_t place = hash_of(p[i]) & mask;
+      if (!is_finite(p[i]) || (twice_[place / kWord] >> (place % kWord) & 1U) != 0) shared_.push_back(i);
+    }
   }
   static std::size_t hash_of(Vec2 p) {
     constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
@@ -173,7 +223,12 @@ class Collector {
 
   JobControl* job_;
   SampledCurves out_;
+  std::vector<std::uint64_t> once_;
+  std::vector<std::uint64_t> twice_;
+  std::vector<std::uint32_t> shared_;
+  std::vector<std::uint32_t> repeated_;
   std::vector<std::uint32_t> places_;
+  bool are_finite_ = true;
 };
 
 void add_vertices(const PlaneCurve& curve, Collector& out) {
@@ -411,7 +466,7 @@ Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& re
   if (!done) return std::unexpected(done.error());
   if (auto fits = check_count(static_cast<double>(out.size() + curves.points.size()), request); !fits)
     return std::unexpected(fits.error());
-  for (const Vec2 point : curves.points) out.add(point);
+  for (const Vec2 point : curves.points) out.add_point(point);
   if (!out.are_finite()) return beyond_range();
   SampledCurves samples = std::move(out).result();
   jitter(samples, request.jitter, request.seed);

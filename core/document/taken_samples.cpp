@@ -2,6 +2,10 @@
 #include "core/document/taken_samples.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -10,8 +14,16 @@
 namespace mes {
 namespace {
 
+// Magnitudes are in the order of their bits.
+std::uint64_t magnitude_bits(double x) {
+  constexpr std::uint64_t kMagnitude = ~std::uint64_t{0} >> 1U;
+  return std::bit_cast<std::uint64_t>(x) & kMagnitude;
+}
+
 bool is_finite(const PlaneCurve& curve) {
-  return std::ranges::all_of(curve.points(), [](Vec2 p) { return mes::is_finite(p); }) &&
+  std::uint64_t largest = 0;
+  for (const Vec2 p : curve.points()) largest = std::max({largest, magnitude_bits(p.x), magnitude_bits(p.y)});
+  return std::isfinite(std::bit_cast<double>(largest)) &&
          std::ranges::all_of(curve.arcs(), [](const EllipticArc& arc) {
            return mes::is_finite(arc.center) && mes::is_finite(arc.u) && mes::is_finite(arc.v) &&
                   mes::is_finite(Vec2{arc.start, arc.sweep});
@@ -21,10 +33,21 @@ bool is_finite(const PlaneCurve& curve) {
 }  // namespace
 
 std::string bring_into_range(std::vector<Vec2>& positions) {
-  int most = Magnitudes{}.most;
+  // Zeros become the largest when 1 is taken off their bits. That of negative sign is changed too, as traces are.
+  constexpr std::uint64_t kNegativeZero = std::uint64_t{1} << 63U;
+  std::uint64_t largest = 0;
+  std::uint64_t least = ~std::uint64_t{0};
+  bool may_stay = true;
   for (const Vec2 p : positions)
-    for (const double x : {p.x, p.y})
-      if (x != 0.0) most = std::max(most, exponent_of(x));
+    for (const double x : {p.x, p.y}) {
+      largest = std::max(largest, magnitude_bits(x));
+      least = std::min(least, magnitude_bits(x) - 1);
+      may_stay &= std::bit_cast<std::uint64_t>(x) != kNegativeZero;
+    }
+  const int most = exponent_of(std::bit_cast<double>(largest));
+  const double smallest = std::bit_cast<double>(least + 1);
+  may_stay = may_stay && !range_fault_of(std::bit_cast<double>(largest)) && without_traces(smallest, most) == smallest;
+  if (may_stay) return {};
   for (Vec2& p : positions)
     for (double* x : {&p.x, &p.y}) {
       *x = without_traces(*x, most);
@@ -41,9 +64,8 @@ Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledC
   out.contours.reserve(samples.chains.size());
   for (const SampledCurves::Chain& chain : samples.chains) {
     SampleData::Contour& contour = out.contours.emplace_back(SampleData::Contour{chain.is_closed, {}});
-    contour.points.reserve(chain.count);
-    for (std::size_t i = 0; i < chain.count; ++i)
-      contour.points.push_back(static_cast<std::uint32_t>(chain.first + i));
+    contour.points.resize(chain.count);
+    std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(chain.first));
   }
   out.positions = std::move(samples.positions);
   if (std::ranges::all_of(curves->curves, [](const PlaneCurve& curve) { return is_finite(curve); })) {

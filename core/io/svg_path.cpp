@@ -11,6 +11,22 @@
 namespace mes {
 namespace {
 
+constexpr bool is_command(char c) {
+  switch (lower_case(c)) {
+    case 'm':
+    case 'l':
+    case 'h':
+    case 'v':
+    case 'c':
+    case 's':
+    case 'q':
+    case 't':
+    case 'a':
+    case 'z': return true;
+    default: return false;
+  }
+}
+
 class PathReader {
  public:
   explicit PathReader(std::string_view data) : text_(data) {}
@@ -19,10 +35,9 @@ class PathReader {
     text_.skip_blanks();
     while (!text_.is_at_end() && !out_.fault) {
       const std::size_t place = text_.place();
-      const std::string_view known = "MmLlHhVvCcSsQqTtAaZz";
       const char command = text_.sign();
       const bool may_begin = has_begun_ || lower_case(command) == 'm';
-      if (!known.contains(command) || !may_begin) {
+      if (!is_command(command) || !may_begin) {
         out_.fault = place;
         break;
       }
@@ -70,92 +85,92 @@ class PathReader {
     }
   }
 
-  std::optional<double> number() {
+  bool number(double& value) {
     text_.skip_comma();
-    return text_.number();
+    return text_.number(value);
   }
-  std::optional<Vec2> vector() {
-    const auto x = number();
-    const auto y = x ? number() : std::nullopt;
-    return y ? std::optional(Vec2{*x, *y}) : std::nullopt;
-  }
-  std::optional<Vec2> point() {
-    const auto value = vector();
-    return value && is_relative_ ? std::optional(at_ + *value) : value;
+  bool vector(Vec2& value) { return number(value.x) && number(value.y); }
+  bool point(Vec2& value) {
+    if (!vector(value)) return false;
+    if (is_relative_) value = at_ + value;
+    return true;
   }
 
   bool read_move() {
-    const auto to = point();
-    if (!to) return false;
+    Vec2 to;
+    if (!point(to)) return false;
     finish_subpath();
     has_begun_ = true;
-    at_ = start_ = *to;
+    at_ = start_ = to;
     forget_controls();
     return true;
   }
 
   bool read_line() {
-    const auto to = point();
-    if (!to) return false;
-    curve().line_to(*to);
-    at_ = *to;
-    forget_controls();
+    Vec2 to;
+    if (!point(to)) return false;
+    go_to(to);
     return true;
   }
 
   bool read_along(double Vec2::*axis) {
-    const auto value = number();
-    if (!value) return false;
+    double value = 0.0;
+    if (!number(value)) return false;
     Vec2 to = at_;
-    to.*axis = is_relative_ ? at_.*axis + *value : *value;
-    curve().line_to(to);
-    at_ = to;
-    forget_controls();
+    to.*axis = is_relative_ ? at_.*axis + value : value;
+    go_to(to);
     return true;
   }
 
   bool read_cubic(bool is_smooth) {
-    const auto first = is_smooth ? std::optional(mirrored(cubic_control_)) : point();
-    const auto second = first ? point() : std::nullopt;
-    const auto to = second ? point() : std::nullopt;
-    if (!to) return false;
-    curve().cubic_to(*first, *second, *to);
-    at_ = *to;
+    Vec2 first = mirrored(cubic_control_);
+    Vec2 second;
+    Vec2 to;
+    if ((!is_smooth && !point(first)) || !point(second) || !point(to)) return false;
+    curve().cubic_to(first, second, to);
+    at_ = to;
     forget_controls();
     cubic_control_ = second;
     return true;
   }
 
   bool read_quadratic(bool is_smooth) {
-    const auto control = is_smooth ? std::optional(mirrored(quadratic_control_)) : point();
-    const auto to = control ? point() : std::nullopt;
-    if (!to) return false;
-    curve().quadratic_to(*control, *to);
-    at_ = *to;
+    Vec2 control = mirrored(quadratic_control_);
+    Vec2 to;
+    if ((!is_smooth && !point(control)) || !point(to)) return false;
+    curve().quadratic_to(control, to);
+    at_ = to;
     forget_controls();
     quadratic_control_ = control;
     return true;
   }
 
   bool read_arc() {
-    const auto radii = vector();
-    const auto rotation = radii ? number() : std::nullopt;
-    if (!rotation) return false;
+    Vec2 radii;
+    double rotation = 0.0;
+    if (!vector(radii) || !number(rotation)) return false;
     text_.skip_comma();
     const auto is_large = text_.flag();
     if (!is_large) return false;
     text_.skip_comma();
     const auto sweeps = text_.flag();
-    const auto to = sweeps ? point() : std::nullopt;
-    if (!to) return false;
-    if (const auto arc = arc_between(at_, *to, *radii, *rotation * std::numbers::pi / 180.0, *is_large, *sweeps)) {
-      curve().arc_to(*arc, *to);
-    } else {
-      curve().line_to(*to);
+    Vec2 to;
+    if (!sweeps || !point(to)) return false;
+    const auto arc = arc_between(at_, to, radii, rotation * std::numbers::pi / 180.0, *is_large, *sweeps);
+    if (!arc) {
+      go_to(to);
+      return true;
     }
-    at_ = *to;
+    curve().arc_to(*arc, to);
+    at_ = to;
     forget_controls();
     return true;
+  }
+
+  void go_to(Vec2 to) {
+    curve().line_to(to);
+    at_ = to;
+    forget_controls();
   }
 
   void close() {

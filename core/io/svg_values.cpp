@@ -54,33 +54,34 @@ std::size_t number_length(std::string_view text) {
 
 }  // namespace
 
-std::optional<double> SvgText::any_number() {
-  const std::size_t size = number_length(text_.substr(at_));
-  if (size == 0) return std::nullopt;
-  std::string_view token = text_.substr(at_, size);
+bool SvgText::any_number(double& value) {
+  const std::size_t size = number_length({at_, end_});
+  if (size == 0) return false;
+  std::string_view token(at_, size);
   if (token.starts_with('+')) token.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (error == std::errc::invalid_argument) return std::nullopt;
+  double found = 0.0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), found);
+  if (error == std::errc::invalid_argument) return false;
   // Numbers too near to zero come as out of range too, and are left as zero.
   constexpr double kLargest = 1e300;
   const bool is_negative_power = token.find("e-") != token.npos || token.find("E-") != token.npos;
-  if (error == std::errc::result_out_of_range && !is_negative_power) return std::nullopt;
-  if (error == std::errc::result_out_of_range) value = 0.0;
-  if (!(std::abs(value) <= kLargest)) return std::nullopt;
+  if (error == std::errc::result_out_of_range && !is_negative_power) return false;
+  if (error == std::errc::result_out_of_range) found = 0.0;
+  if (!(std::abs(found) <= kLargest)) return false;
   at_ += size;
-  return value;
+  value = found;
+  return true;
 }
 
 std::optional<bool> SvgText::flag() {
   if (sign() != '0' && sign() != '1') return std::nullopt;
-  return text_[at_++] == '1';
+  return *at_++ == '1';
 }
 
 std::string_view SvgText::word() {
-  const std::size_t begin = at_;
-  while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
-  return text_.substr(begin, at_ - begin);
+  const char* const begin = at_;
+  while (at_ != end_ && is_letter(*at_)) ++at_;
+  return {begin, at_};
 }
 
 double SvgViewport::reference(SvgAxis axis) const {

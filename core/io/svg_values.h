@@ -18,42 +18,47 @@ namespace mes {
 /// Reads numbers that may follow each other without anything between, as in "1-2.5.5".
 class SvgText {
  public:
-  explicit SvgText(std::string_view text) : text_(text) {}
+  explicit SvgText(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
 
   void skip_blanks() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || (text_[at_] >= '\t' && text_[at_] <= '\r'))) ++at_;
+    while (at_ != end_ && (*at_ == ' ' || (*at_ >= '\t' && *at_ <= '\r'))) ++at_;
   }
   /// Blanks with at most one comma among them.
   void skip_comma() {
     skip_blanks();
     if (take(',')) skip_blanks();
   }
-  bool is_at_end() const { return at_ == text_.size(); }
-  char sign() const { return is_at_end() ? '\0' : text_[at_]; }
+  bool is_at_end() const { return at_ == end_; }
+  char sign() const { return is_at_end() ? '\0' : *at_; }
   bool take(char wanted) {
-    if (is_at_end() || text_[at_] != wanted) return false;
+    if (is_at_end() || *at_ != wanted) return false;
     ++at_;
     return true;
   }
   /// A finite number right here; nothing, and nothing is taken, where none is.
   std::optional<double> number() {
     double value = 0.0;
-    const std::size_t size = short_decimal(text_.substr(at_), value);
-    if (size == 0) return any_number();
+    return number(value) ? std::optional(value) : std::nullopt;
+  }
+  /// The same; false, and `value` as it was, where none is.
+  bool number(double& value) {
+    const std::size_t size = short_decimal({at_, end_}, value);
+    if (size == 0) return any_number(value);
     at_ += size;
-    return value;
+    return true;
   }
   /// One character, 0 or 1, for nothing need follow it.
   std::optional<bool> flag();
   /// Letters right here; may be empty.
   std::string_view word();
-  std::size_t place() const { return at_; }
+  std::size_t place() const { return static_cast<std::size_t>(at_ - begin_); }
 
  private:
-  std::optional<double> any_number();
+  bool any_number(double& value);
 
-  std::string_view text_;
-  std::size_t at_ = 0;
+  const char* begin_;
+  const char* at_;
+  const char* end_;
 };
 
 /// What a percentage is of.

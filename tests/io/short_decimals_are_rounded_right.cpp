@@ -5,7 +5,9 @@
 #include <catch2/catch.hpp>
 #include <charconv>
 #include <cstdint>
+#include <iterator>
 #include <string>
+#include <string_view>
 
 #include "core/base/rng.h"
 #include "core/io/short_decimal.h"
@@ -48,6 +50,41 @@ TEST_CASE("decimals of every length are read as the library reads them") {
     REQUIRE(bits_of(value) == bits_of(by_library(text)));
   }
   CHECK(quick > 100'000);
+}
+
+TEST_CASE("decimals in the middle of a text end where their digits do, and are rounded as the library rounds them") {
+  Rng random(11);
+  const char* const kSigns[] = {"", "-", "+"};
+  const char* const kTails[] = {"",         " ",         ",",      "L",      "-4.5",    ".25 17.5 1",
+                                " 17.5 18", ",17.5,185", "\n-1.5", "em 1234", "\xb9 12345", ":/12345678"};
+  std::size_t quick = 0;
+  std::string text;
+  for (int i = 0; i < 2'000'000; ++i) {
+    const std::size_t before = random.below(8);
+    const std::size_t after = random.below(8);
+    text = kSigns[random.below(3)];
+    for (std::size_t k = 0; k < before; ++k) text += static_cast<char>('0' + random.below(10));
+    if (after != 0 || random.below(2) != 0) text += '.';
+    for (std::size_t k = 0; k < after; ++k) text += static_cast<char>('0' + random.below(10));
+    const std::size_t size = text.size();
+    const bool is_number = before + after != 0;
+    const bool has_point = text.contains('.');
+    const std::string_view tail = kTails[random.below(std::size(kTails))];
+    text += tail;
+    double value = 0.0;
+    const std::size_t found = short_decimal(text, value);
+    const bool goes_on = tail.starts_with('e') || (tail.starts_with('.') && !has_point);
+    if (goes_on || !is_number) continue;
+    ++quick;
+    if (found == size && bits_of(value) == bits_of(by_library(text.substr(0, size)))) continue;
+    FAIL(text << " was read as " << value << ", " << found << " bytes");
+  }
+  CHECK(quick > 1'500'000);
+  // An e makes another number of it, if digits follow.
+  double value = 4.0;
+  CHECK(short_decimal("12.5e1 12345678", value) == 0);
+  CHECK(short_decimal("12.5E1 12345678", value) == 0);
+  CHECK(value == 4.0);
 }
 
 TEST_CASE("texts that are not short decimals are not read") {
