@@ -56,7 +56,7 @@ Expected<LoadedFile> read_input(const std::string& file, const std::string& form
   const auto request = understand(options);
   if (!request) return std::unexpected(request.error());
   auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *request)
-                            : read_sample_file(file, format, {}, *request);
+                            : read_sample_file(file, format, nullptr, *request);
   if (!loaded) return loaded;
   if (options.keeps_degrees && !is_map(loaded->format))
     return std::unexpected(Error{ErrorCode::usage, "only maps have degrees to keep, and this is none", file});

@@ -64,9 +64,9 @@ bool WorkInProgress::draw() const {
   if (files.is_saving()) {
     progress(gui, "Saving " + files.saving_name(), 0.0);
   } else if (files.is_reading()) {
-    progress(gui, "Reading " + files.reading_name(), 0.0);
+    progress(gui, "Reading " + files.reading_name(), files.reading_progress());
     if (ImGui::SmallButton("Cancel")) files.cancel_reading();
-    tooltip(gui, "Keep the present samples");
+    tooltip(gui, "Keep the present samples (Esc)");
     return true;
   }
   if (record.is_making_video()) {

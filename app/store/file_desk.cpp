@@ -38,12 +38,13 @@ FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::fu
 }
 FileDesk::~FileDesk() = default;
 
-FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, MapDegrees degrees,
-                                     const std::stop_token& stop) {
+FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, MapDegrees degrees, Reading& reading) {
   LoadedFiles out;
   for (const fs::path& file : files) {
+    reading.control.reset_progress();
+    reading.read = out.size();
     try {
-      out.push_back(read_sample_file(file, {}, stop, {.degrees = degrees}));
+      out.push_back(read_sample_file(file, {}, &reading.control, {.degrees = degrees}));
     } catch (const std::bad_alloc&) {
       out.push_back(
           std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()}));
@@ -57,8 +58,10 @@ FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, MapDegrees
 
 void FileDesk::begin(Asked asked) {
   asked_ = std::move(asked);
-  reading_.begin([files = asked_.files, degrees = asked_.degrees](const std::stop_token& stop) {
-    return read(files, degrees, stop);
+  progress_ = std::make_shared<Reading>();
+  reading_.begin([files = asked_.files, degrees = asked_.degrees, reading = progress_](const std::stop_token& stop) {
+    reading->control.set_token(stop);
+    return read(files, degrees, *reading);
   });
 }
 
@@ -77,6 +80,12 @@ void FileDesk::cancel_reading() {
 std::string FileDesk::reading_name() const {
   if (!is_reading()) return {};
   return asked_.title.empty() ? asked_.files.front().filename().string() : asked_.title;
+}
+
+double FileDesk::reading_progress() const {
+  if (!is_reading()) return 0.0;
+  const double files = static_cast<double>(progress_->read) + progress_->control.progress();
+  return std::min(files / static_cast<double>(asked_.files.size()), 1.0);
 }
 
 std::optional<FileDesk::Outcome> FileDesk::poll() {

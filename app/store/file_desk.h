@@ -2,19 +2,20 @@
 // Which file the document belongs to; reading and writing it.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/model/editor.h"
 #include "app/store/file_conflict.h"
 #include "app/system/background_job.h"
+#include "core/base/job_control.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
 
@@ -51,6 +52,8 @@ class FileDesk {
   void cancel_reading();
   bool is_reading() const { return reading_.is_under_way(); }
   std::string reading_name() const;
+  /// Share of what is to be read, from 0 to 1, by bytes of the present file; 0 where nothing is read.
+  double reading_progress() const;
 
   struct Outcome {
     std::filesystem::path file;                ///< the first one, or the one to blame
@@ -117,8 +120,12 @@ class FileDesk {
   };
   using LoadedFiles = std::vector<Expected<LoadedFile>>;  // up to the first that failed
   void begin(Asked asked);
-  static LoadedFiles read(std::span<const std::filesystem::path> files, MapDegrees degrees,
-                          const std::stop_token& stop);
+  /// Of a reading, for the window: how far it is.
+  struct Reading {
+    JobControl control{};              // of the present file
+    std::atomic<std::size_t> read{0};  // files before it
+  };
+  static LoadedFiles read(std::span<const std::filesystem::path> files, MapDegrees degrees, Reading& reading);
   /// Which files hold what.
   struct Held {
     std::filesystem::path file{};
@@ -169,6 +176,7 @@ class FileDesk {
   std::optional<Held> contested_;         // what a saving that ended with a conflict would have led to
   Asked asked_;                           // while it is read
   std::shared_ptr<const Saving> saving_;  // while it is written
+  std::shared_ptr<Reading> progress_;     // of the reading
   BackgroundJob<LoadedFiles> reading_;
   BackgroundJob<Written> writing_;
 };

@@ -17,7 +17,8 @@ constexpr int kLongestSide = 1024;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28U;
 
 Expected<TracePreview> read_preview(const std::filesystem::path& file, const std::stop_token& stop) try {
-  const auto bytes = read_regular_file(file, {.stop = stop, .most_bytes = kMostBytes});
+  const JobControl job(stop);
+  const auto bytes = read_regular_file(file, {.job = &job, .most_bytes = kMostBytes});
   if (!bytes) return std::unexpected(bytes.error());
   auto pixels = decode_pixels(std::as_bytes(std::span(*bytes)), file.string());
   if (!pixels) return std::unexpected(std::move(pixels.error()));
@@ -36,7 +37,8 @@ Expected<TracePreview> read_preview(const std::filesystem::path& file, const std
 
 Expected<TraceDesk::Samples> read_samples(const std::filesystem::path& file, const TraceRequest& request,
                                           const std::stop_token& stop) {
-  auto loaded = read_sample_file(file, "picture", stop, {.trace = request});
+  JobControl job(stop);
+  auto loaded = read_sample_file(file, "picture", &job, {.trace = request});
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   TraceDesk::Samples out{.data = std::move(loaded->data)};
   if (!loaded->warnings.empty()) out.remark = std::move(loaded->warnings.front());

@@ -95,6 +95,8 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (gui.wants_text()) return;
   if (chord.symbol == key::escape && gui.close_popup()) return;
   if (gui.has_popup()) return;
+  FileDesk& files = uses_.documents.files();
+  if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
   const auto action =
       uses_.actions.keymap().find(chord, !uses_.selection.is_empty() || uses_.annotations.current() != nullptr);
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;

@@ -4,14 +4,16 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <ranges>
+#include <optional>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/curves/corners.h"
 #include "core/curves/internal/feature_spacing.h"
+#include "core/curves/internal/repeated_positions.h"
 #include "core/curves/internal/spacing_field.h"
 #include "core/curves/internal/stretches.h"
 #include "core/curves/jitter.h"
@@ -122,6 +124,8 @@ class Collector {
       out_.positions.insert(out_.positions.end(), part.begin(), part.end());
     }
   }
+  /// Of all curves, in place of what there is.
+  void take(SampledCurves samples) { out_ = std::move(samples); }
   void reserve(std::size_t count) { out_.positions.reserve(count); }
 
   void end_curve() {
@@ -142,92 +146,25 @@ class Collector {
   }
 
   /// Of the curves that have ended, and the points.
-  bool are_finite() const { return are_finite_; }
+  bool are_finite() const { return are_finite_ && repeated_.were_finite(); }
   std::size_t size() const { return out_.positions.size(); }
   SampledCurves result() && { return std::move(out_); }
 
  private:
   void remove_repetitions(std::size_t first) {
-    const std::span<const Vec2> p = std::span(out_.positions).subspan(first);
-    // A table of a few is in the nearest cache; of many most can be told to come once without one.
-    constexpr std::size_t kFew = 1U << 13U;
-    if (p.size() > kFew) {
-      note_shared_hashes(p);
-      find_repeated(p, shared_);
-    } else {
-      find_repeated(p, std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(p.size())));
-    }
-    if (repeated_.empty()) return;
-    std::size_t kept = first + repeated_.front();
-    for (std::size_t k = 0; k < repeated_.size(); ++k) {
-      const auto begin = out_.positions.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto end = k + 1 < repeated_.size() ? begin + repeated_[k + 1] : out_.positions.end();
-      const auto to = out_.positions.begin() + static_cast<std::ptrdiff_t>(kept);
-      kept += static_cast<std::size_t>(std::copy(begin + repeated_[k] + 1, end, to) - to);
-    }
-    out_.positions.resize(kept);
-  }
-
-  /// Those of the positions that are equal to one before, by a hash of the coordinates: numbers of positions in a table of
-  /// which a quarter is in use.
-  template <class Numbers>
-  void find_repeated(std::span<const Vec2> p, const Numbers& numbers) {
-    constexpr std::uint32_t kFree = 0xffffffffU;
-    const std::size_t mask = std::bit_ceil(4 * numbers.size() + 1) - 1;
-    places_.assign(mask + 1, kFree);
-    repeated_.clear();
-    for (const std::uint32_t i : numbers) {
-      if (!is_finite(p[i])) {  // equal to nothing; the caller refuses it
-        are_finite_ = false;
-        continue;
-      }
-      std::size_t at = hash_of(p[i]) & mask;
-      while (places_[at] != kFree && p[places_[at]] != p[i]) at = (at + 1) & mask;
-      if (places_[at] == kFree)
-        places_[at] = i;
-      else
-        repeated_.push_back(i);
-    }
-  }
-
-  /// Finds those whose hash comes twice, by two sets of bits with many more places than there are positions.
-  void note_shared_hashes(std::span<const Vec2> p) {
-    constexpr std::size_t kPlacesEach = 16;
-    constexpr std::size_t kWord = 64;
-    const std::size_t places = std::bit_ceil(kPlacesEach * p.size() + kWord);
-    once_.assign(places / kWord, 0);
-    twice_.assign(places / kWord, 0);
-    const std::size_t mask = places - 1;
-    for (const Vec2 here : p) {
-      const std::size_t place = hash_of(here) & mask;
-      const std::uint64_t bit = std::uint64_t{1} << (place % kWord);
-      std::uint64_t& word = once_[place / kWord];
-      twice_[place / kWord] |= word & bit;
-      word |= bit;
-    }
-    shared_.clear();
-    for (std::uint32_t i = 0; i < p.size(); ++i) {
-      const std::size_t place = hash_of(p[i]) & mask;
-      if (!is_finite(p[i]) || (twice_[place / kWord] >> (place % kWord) & 1U) != 0) shared_.push_back(i);
-    }
-  }
-  static std::size_t hash_of(Vec2 p) {
-    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
-    // Zero is zero, whatever its sign.
-    std::uint64_t bits = std::bit_cast<std::uint64_t>(p.x + 0.0) * kOdd;
-    bits = (bits ^ (bits >> 32U)) + std::bit_cast<std::uint64_t>(p.y + 0.0);
-    bits = (bits ^ (bits >> 29U)) * kOdd;
-    bits = (bits ^ (bits >> 32U)) * kOdd;
-    return static_cast<std::size_t>(bits ^ (bits >> 29U));
+    const auto repeated = repeated_.find(std::span(out_.positions).subspan(first));
+    if (repeated.empty()) return;
+    const auto begin = out_.positions.begin() + static_cast<std::ptrdiff_t>(first);
+    auto to = begin + repeated.front();
+    for (std::size_t k = 0; k < repeated.size(); ++k)
+      to = std::copy(begin + repeated[k] + 1,
+                     k + 1 < repeated.size() ? begin + repeated[k + 1] : out_.positions.end(), to);
+    out_.positions.erase(to, out_.positions.end());
   }
 
   JobControl* job_;
   SampledCurves out_;
-  std::vector<std::uint64_t> once_;
-  std::vector<std::uint64_t> twice_;
-  std::vector<std::uint32_t> shared_;
-  std::vector<std::uint32_t> repeated_;
-  std::vector<std::uint32_t> places_;
+  RepeatedPositions repeated_;
   bool are_finite_ = true;
 };
 
@@ -301,11 +238,54 @@ Expected<void> check_count(double count, const SamplingRequest& request) {
       fmt::format("the curves would have {:.6g} samples; {} are as many as there may be", count, request.most));
 }
 
+/// Of many polylines, on several threads: all at once, or nothing where a vertex comes again or is not finite.
+std::optional<SampledCurves> vertices_that_differ(const CurveSet& curves, JobControl* job) {
+  constexpr std::size_t kVerticesEach = std::size_t{1} << 15U;
+  SampledCurves out;
+  out.chains.reserve(curves.curves.size());
+  std::vector<std::size_t> ends;  // of runs of curves, each with some work
+  std::size_t count = 0;
+  std::size_t counted = 0;
+  for (std::size_t i = 0; i < curves.curves.size(); ++i) {
+    const PlaneCurve& curve = curves.curves[i];
+    constexpr std::size_t kTriangle = 3;
+    if (!curve.is_polyline() || curve.piece_count() < kTriangle) return std::nullopt;
+    // A closed curve ends where it starts.
+    const std::size_t vertices = curve.is_closed() ? curve.piece_count() : curve.piece_count() + 1;
+    out.chains.push_back({curve.is_closed(), count, vertices});
+    count += vertices;
+    if (count - counted < kVerticesEach && i + 1 < curves.curves.size()) continue;
+    ends.push_back(i + 1);
+    counted = count;
+  }
+  out.positions.resize(count);
+  std::atomic<bool> is_good = true;
+  run_tasks(ends.size(), [&](std::size_t run) {
+    constexpr std::size_t kOften = 4096;
+    RepeatedPositions repeated;
+    for (std::size_t i = run == 0 ? 0 : ends[run - 1]; i < ends[run] && is_good; ++i) {
+      const SampledCurves::Chain& chain = out.chains[i];
+      const std::span<Vec2> here = std::span(out.positions).subspan(chain.first, chain.count);
+      const std::span from = std::span(curves.curves[i].points()).first(chain.count);
+      for (std::size_t k = 0; k < from.size(); k += kOften) {
+        if (job != nullptr && job->stop_requested()) throw Cancelled{};
+        std::ranges::copy(from.subspan(k, std::min(kOften, from.size() - k)), here.subspan(k).begin());
+      }
+      if (!repeated.find(here).empty() || !repeated.were_finite()) is_good = false;
+    }
+  });
+  return is_good ? std::optional(std::move(out)) : std::nullopt;
+}
+
 Expected<void> sample_vertices(const CurveSet& curves, const SamplingRequest& request, Collector& out) {
   double count = 0.0;
   for (const PlaneCurve& curve : curves.curves)
     count += static_cast<double>(curve.piece_count()) + (curve.is_closed() ? 0.0 : 1.0);
   if (auto fits = check_count(count, request); !fits) return fits;
+  if (auto all = vertices_that_differ(curves, out.job())) {
+    out.take(*std::move(all));
+    return {};
+  }
   out.reserve(static_cast<std::size_t>(count) + curves.curves.size() + curves.points.size());
   for (const PlaneCurve& curve : curves.curves) add_vertices(curve, out);
   return {};

@@ -46,7 +46,8 @@ std::string bring_into_range(std::vector<Vec2>& positions) {
     }
   const int most = exponent_of(std::bit_cast<double>(largest));
   const double smallest = std::bit_cast<double>(least + 1);
-  may_stay = may_stay && !range_fault_of(std::bit_cast<double>(largest)) && without_traces(smallest, most) == smallest;
+  may_stay =
+      may_stay && !range_fault_of(std::bit_cast<double>(largest)) && without_traces(smallest, most) == smallest;
   if (may_stay) return {};
   for (Vec2& p : positions)
     for (double* x : {&p.x, &p.y}) {

@@ -9,8 +9,9 @@
 
 namespace mes {
 
-Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& request, const std::string& name) {
-  auto samples = sample(curves, request);
+Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& request, const std::string& name,
+                                  ReadJob& job) {
+  auto samples = sample(curves, request, {}, job.control());
   if (!samples) return bad_input(samples.error().text, name, 1, 1);
   if (samples->positions.empty()) return bad_input("there is nothing in it to take samples of", name, 1, 1);
   auto data = taken_from(std::make_shared<const CurveSet>(std::move(curves)), *std::move(samples), request);

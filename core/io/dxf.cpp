@@ -38,18 +38,19 @@ struct Block {
 
 class DxfReader {
  public:
-  DxfReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  DxfReader(std::string_view bytes, const std::string& name, ReadJob& job) : bytes_(bytes), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
     if (bytes_.starts_with(kBinary)) return bad_input("only DXF as text can be read", name_, 1, 1);
-    auto pairs = read_dxf_pairs(bytes_, name_);
+    auto pairs = read_dxf_pairs(bytes_, name_, &job_);
     if (!pairs) return std::unexpected(pairs.error());
     pairs_ = *std::move(pairs);
     if (auto done = read_sections(); !done) return std::unexpected(done.error());
     if (auto done = draw_all(entities_, {}, 0); !done) return std::unexpected(done.error());
     join_curves();
     if (set_.curves.empty() && set_.points.empty()) return nothing();
-    auto file = load_samples(set_, default_sampling(set_), name_);
+    const SamplingRequest request = default_sampling(set_);
+    auto file = load_samples(std::move(set_), request, name_, job_);
     if (!file) return file;
     remarks_.for_each([&](const std::string& text, std::size_t line) {
       file->warnings.push_back(Error{ErrorCode::bad_input, text, name_, line, 1}.message());
@@ -161,6 +162,7 @@ class DxfReader {
 
   Expected<void> draw_all(std::span<const DxfEntity> entities, const Affine& map, std::size_t depth) {
     for (std::size_t i = 0; i < entities.size(); ++i) {
+      job_.checkpoint();
       const DxfEntity entity = entities[i];
       if (++drawn_ > kMostEntities)
         return refuse(entity.front(), fmt::format("there are more than {} entities, those of blocks counted each "
@@ -459,6 +461,7 @@ class DxfReader {
 
   std::string_view bytes_;
   const std::string& name_;
+  ReadJob& job_;
   std::vector<DxfPair> pairs_;
   std::map<std::string, Block> blocks_;
   std::set<std::string_view> hidden_layers_;
@@ -485,8 +488,8 @@ Match match(std::string_view bytes) {
   return is_dxf ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return DxfReader(without_bom(bytes), name).read();
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return DxfReader(without_bom(bytes), name, job).read();
 }
 
 }  // namespace

@@ -41,10 +41,11 @@ class Lines {
 
 }  // namespace
 
-Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std::string& name) {
+Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std::string& name, ReadJob* job) {
   std::vector<DxfPair> out;
   Lines lines(bytes);
   while (lines.next()) {
+    if (job != nullptr) job->passed(lines.text().data());
     const std::string_view word = trimmed(lines.text());
     int code = 0;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), code);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/read_job.h"
 
 namespace mes {
 
@@ -23,8 +24,9 @@ struct DxfPair {
 using DxfEntity = std::span<const DxfPair>;
 
 /// The pairs of a file, comments left out. Error: `bad_input` for a code that is not a number, and for a file that ends
-/// within a pair; with line and column.
-Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std::string& name);
+/// within a pair; with line and column. `job`, which may be null, goes through the bytes; throws `Cancelled`.
+Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std::string& name,
+                                              ReadJob* job = nullptr);
 
 /// The first value of a code, or nothing.
 std::optional<std::string_view> dxf_text(DxfEntity entity, int code);

@@ -24,8 +24,8 @@ Match match(std::string_view bytes) {
   return Match::maybe;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  LineWords lines(bytes, name);
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  LineWords lines(bytes, name, &job);
   lines.next();
   const auto count = lines.whole(0, "the number of segments");
   if (!count) return std::unexpected(count.error());
@@ -42,7 +42,7 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
   std::vector<std::string> remarks;
   if (lines.next())
     remarks.push_back(lines.remark(0, fmt::format("everything after the {} announced segments is ignored", *count)));
-  auto file = std::move(graph).load(name);
+  auto file = std::move(graph).load(name, job);
   if (file) file->warnings.insert(file->warnings.end(), remarks.begin(), remarks.end());
   return file;
 }

@@ -69,8 +69,9 @@ Expected<const Format*> choose_format(std::string_view bytes, const std::string&
   return bad_input("this is none of the formats that can be read (" + readable_ids() + ")", name, 1, 1);
 }
 
-Expected<LoadedFile> read_carried(std::string_view text, const std::string& name) {
-  auto file = format_named("session")->read(text, name);
+Expected<LoadedFile> read_carried(std::string_view text, const std::string& name, ReadJob& job) {
+  job.begin(text);
+  auto file = format_named("session")->read(text, name, job);
   if (!file) {
     // Lines and columns would be those of a text that cannot be looked at.
     Error error = std::move(file.error());
@@ -93,20 +94,22 @@ bool is_known_all_the_same(std::string_view bytes) {
 }
 
 Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const std::string& name,
-                             const ReadRequest& request, const fs::path* path) {
-  if (!request.trace.is_default()) return format.read_traced(bytes, name, request.trace);
-  if (format.read_map != nullptr) return format.read_map(bytes, name, request.degrees, path);
-  if (path != nullptr && format.read_beside != nullptr) return format.read_beside(bytes, name, *path);
-  return format.read(bytes, name);
+                             const ReadRequest& request, const fs::path* path, ReadJob& job) {
+  job.begin(bytes);
+  if (!request.trace.is_default()) return format.read_traced(bytes, name, request.trace, job);
+  if (format.read_map != nullptr) return format.read_map(bytes, name, request.degrees, path, job);
+  if (path != nullptr && format.read_beside != nullptr) return format.read_beside(bytes, name, *path, job);
+  return format.read(bytes, name, job);
 }
 
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
-                                const ReadRequest& request, const fs::path* path) {
+                                const ReadRequest& request, const fs::path* path, JobControl* control) {
   try {
+    ReadJob job(control);
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());
-      if (*text) return request.trace.is_default() ? read_carried(**text, name) : untraceable(name);
+      if (*text) return request.trace.is_default() ? read_carried(**text, name, job) : untraceable(name);
     }
     if (looks_like_manifest(bytes))
       return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
@@ -120,11 +123,13 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
     const auto format = choose_format(bytes, name, wanted);
     if (!format) return std::unexpected(format.error());
     if (!request.trace.is_default() && (*format)->read_traced == nullptr) return untraceable(name);
-    auto file = read_as(**format, bytes, name, request, path);
+    auto file = read_as(**format, bytes, name, request, path, job);
     if (!file) return file;
     file->format = (*format)->descriptor.id;
     if (path != nullptr && (*format)->read_companions != nullptr) (*format)->read_companions(*path, *file);
     return file;
+  } catch (const Cancelled&) {
+    return std::unexpected(Error{ErrorCode::cancelled, "reading was cancelled", name});
   } catch (const std::bad_alloc&) {
     return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name});
   }
@@ -132,7 +137,7 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
 
 // A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session or a
 // format knows it.
-ReadOptions what_may_be_read(std::stop_token stop) {
+ReadOptions what_may_be_read(const JobControl* job) {
   constexpr std::size_t kLargest = std::size_t{1} << 30U;
   return {.is_enough =
               [](std::string_view bytes) {
@@ -140,7 +145,7 @@ ReadOptions what_may_be_read(std::stop_token stop) {
                 const bool may_be_read = may_carry_session(bytes) || is_known_all_the_same(bytes);
                 return !may_be_read || bytes.size() > kLargest;
               },
-          .stop = std::move(stop)};
+          .job = job};
 }
 
 }  // namespace
@@ -154,26 +159,26 @@ std::span<const FormatDescriptor> format_descriptors() {
   return descriptors;
 }
 
-Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, const std::stop_token& stop,
+Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, JobControl* job,
                                       const ReadRequest& request) {
-  const auto bytes = read_whole(path, what_may_be_read(stop));
+  const auto bytes = read_whole(path, what_may_be_read(job));
   if (!bytes) return std::unexpected(bytes.error());
-  auto file = read_bytes(*bytes, path.string(), format, request, &path);
+  auto file = read_bytes(*bytes, path.string(), format, request, &path, job);
   std::error_code error;
   if (file && fs::is_regular_file(path, error)) file->sources.push_back({path, fingerprint_of(*bytes)});
   return file;
 }
 
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format,
-                                        const ReadRequest& request) {
-  const auto bytes = read_whole(descriptor, name, what_may_be_read({}));
+                                        const ReadRequest& request, JobControl* job) {
+  const auto bytes = read_whole(descriptor, name, what_may_be_read(job));
   if (!bytes) return std::unexpected(bytes.error());
-  return read_bytes(*bytes, name, format, request, nullptr);
+  return read_bytes(*bytes, name, format, request, nullptr, job);
 }
 
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format,
-                                       const ReadRequest& request) {
-  return read_bytes(bytes, name, format, request, nullptr);
+                                       const ReadRequest& request, JobControl* job) {
+  return read_bytes(bytes, name, format, request, nullptr, job);
 }
 
 }  // namespace mes

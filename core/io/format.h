@@ -7,12 +7,12 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/document/commands.h"
 #include "core/io/file_fingerprint.h"
 #include "core/raster/trace_request.h"
@@ -59,18 +59,18 @@ std::span<const FormatDescriptor> format_descriptors();
 
 /// Reads a file; the format is found by content first, extension second, unless `format` names one. A picture or a
 /// figure that carries a session is read as that session. A `.contours` file beside a POFF file is read too, if it is a
-/// regular file. Never allocates by what a header promises. A pipe is waited for until a stop is requested (error
-/// `cancelled`). Error: `bad_input` with file, line, column; `usage` for a request that does not fit the file.
+/// regular file. Never allocates by what a header promises. Error: `bad_input` with file, line, column; `usage` for a
+/// request that does not fit the file; `cancelled`, a moment after `job` is stopped, also while a pipe is waited for.
 Expected<LoadedFile> read_sample_file(const std::filesystem::path& path, std::string_view format = {},
-                                      const std::stop_token& stop = {}, const ReadRequest& request = {});
+                                      JobControl* job = nullptr, const ReadRequest& request = {});
 
 /// The same for bytes in memory; `name` stands for the file in messages.
 Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string& name, std::string_view format = {},
-                                       const ReadRequest& request = {});
+                                       const ReadRequest& request = {}, JobControl* job = nullptr);
 
 /// The same from an open file descriptor, e.g. standard input, read to its end and left open.
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format = {},
-                                        const ReadRequest& request = {});
+                                        const ReadRequest& request = {}, JobControl* job = nullptr);
 
 /// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
 std::string write_poff(const Document& document);

@@ -37,8 +37,8 @@ constexpr std::array<std::string_view, 3> kContainers{"GeometryCollection", "Fea
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(std::string_view text, const std::string& name, MapDegrees degrees)
-      : text_(text), name_(name), degrees_(degrees) {}
+  GeoJsonReader(std::string_view text, const std::string& name, MapDegrees degrees, ReadJob& job)
+      : text_(text), name_(name), degrees_(degrees), job_(job) {}
 
   Expected<LoadedFile> read() {
     const JsonView whole = JsonView::whole(text_);
@@ -49,7 +49,7 @@ class GeoJsonReader {
       if (names_another_system(whole)) unit_ = MapShapes::Unit::plane;
       if (auto done = read_object(whole); !done) return std::unexpected(done.error());
     }
-    auto file = std::move(shapes_).load(name_, unit_, degrees_);
+    auto file = std::move(shapes_).load(name_, unit_, degrees_, job_);
     if (file && first_height_)
       file->warnings.push_back(refuse(first_height_, "heights are left out").error().message());
     return file;
@@ -121,6 +121,7 @@ class GeoJsonReader {
   }
 
   Expected<void> read_position(JsonView list) {
+    job_.passed(text_.data() + list.offset_in(text_));
     std::array<double, 2> numbers{};
     std::size_t count = 0;
     for (const JsonView element : list.elements()) {
@@ -156,6 +157,7 @@ class GeoJsonReader {
   std::string_view text_;
   const std::string& name_;
   MapDegrees degrees_;
+  ReadJob& job_;
   MapShapes shapes_;
   MapShapes::Unit unit_ = MapShapes::Unit::degrees;
   Magnitudes seen_;
@@ -190,10 +192,13 @@ Match match(std::string_view bytes) {
 }
 
 Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*) {
+                          const std::filesystem::path*, ReadJob& job) {
   const std::string_view text = without_bom(bytes);
-  if (auto good = check_json(text, name); !good) return std::unexpected(good.error());
-  return GeoJsonReader(text, name, degrees).read();
+  constexpr double kChecked = 0.4;  // of the time that reading takes
+  job.begin(text, 0.0, kChecked);
+  if (auto good = check_json(text, name, &job); !good) return std::unexpected(good.error());
+  job.begin(text);
+  return GeoJsonReader(text, name, degrees, job).read();
 }
 
 }  // namespace

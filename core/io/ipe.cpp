@@ -80,13 +80,15 @@ std::optional<EllipticArc> arc_on(const Affine& map, Vec2 from, Vec2 to) {
 
 class IpeReader {
  public:
-  IpeReader(std::string_view bytes, const std::string& name) : source_(bytes, name), name_(name) {}
+  IpeReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : source_(bytes, name), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
     const auto root = source_.parse();
     if (!root) return std::unexpected(root.error());
     if (local_name(root->name()) != "ipe" && local_name(root->name()) != "ipeselection")
       return source_.refuse(XmlSource::place_of(*root), "the root element is not ipe");
+    job_.begin(source_.text());
     const bool is_selection = local_name(root->name()) == "ipeselection";
     if (is_selection) {
       if (auto done = read_objects(*root, {}, 0); !done) return std::unexpected(done.error());
@@ -94,7 +96,8 @@ class IpeReader {
     for (const xml_node page : root->children("page"))
       if (auto done = read_objects(page, {}, 0); !done) return std::unexpected(done.error());
     if (set_.curves.empty() && set_.points.empty()) return nothing();
-    auto file = load_samples(set_, default_sampling(set_), name_);
+    const SamplingRequest request = default_sampling(set_);
+    auto file = load_samples(std::move(set_), request, name_, job_);
     if (file) file->warnings = source_.messages();
     return file;
   }
@@ -116,6 +119,7 @@ class IpeReader {
     for (const xml_node node : parent.children()) {
       const std::string_view kind = node.name();
       if (node.type() != pugi::node_element || !is_object(kind)) continue;
+      job_.passed(source_.text().data() + XmlSource::place_of(node));
       const auto map = map_of(node, outer);
       if (!map) return std::unexpected(map.error());
       auto done = kind == "path"    ? read_path(node, *map)
@@ -180,6 +184,7 @@ class IpeReader {
     PathWords words(path.text);
     while (words.next()) {
       path.place = words.place();
+      job_.passed(path.text.data() + path.place);
       if (++pieces_ > kMostPieces) return refuse(path, fmt::format("paths have more than {} words", kMostPieces));
       const std::string_view word = words.word();
       const bool is_number = word.find_first_of("0123456789") != std::string_view::npos;
@@ -315,6 +320,7 @@ class IpeReader {
 
   XmlSource source_;
   const std::string& name_;
+  ReadJob& job_;
   std::size_t pieces_ = 0;
   CurveSet set_;
 };
@@ -324,8 +330,8 @@ Match match(std::string_view bytes) {
   return root == "ipe" || root == "ipeselection" ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return IpeReader(without_bom(bytes), name).read();
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return IpeReader(without_bom(bytes), name, job).read();
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "core/io/json_text.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/io/text_numbers.h"
@@ -60,6 +62,36 @@ struct Listener {
   }
 };
 
+/// Bytes for the parser, which says now and then how far it is.
+class Watched {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  Watched(const char* at, const char* end, ReadJob* job) : at_(at), end_(end), watched_(at), job_(job) {}
+  reference operator*() const { return *at_; }
+  Watched& operator++() {
+    if (++at_ == watched_) watch();
+    return *this;
+  }
+  bool operator==(const Watched& other) const { return at_ == other.at_; }
+
+ private:
+  void watch() {
+    constexpr std::ptrdiff_t kOften = std::ptrdiff_t{1} << 16U;
+    if (job_ != nullptr) job_->passed(at_);
+    watched_ = at_ + std::min(kOften, end_ - at_);
+  }
+
+  const char* at_;
+  const char* end_;
+  const char* watched_;
+  ReadJob* job_;
+};
+
 }  // namespace
 
 std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::string what,
@@ -71,16 +103,18 @@ std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::
   return bad_input(std::move(what), file, line, before.size() - start + 1);
 }
 
-Expected<void> check_json(std::string_view text, const std::string& file) {
+Expected<void> check_json(std::string_view text, const std::string& file, ReadJob* job) {
   if (const std::size_t at = too_deep(text); at < text.size())
     return bad_json(text, at, "this JSON is nested too deeply", file);
   Listener listener;
-  if (json::sax_parse(text, &listener)) return {};
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  if (json::sax_parse(Watched(begin, end, job), Watched(end, end, nullptr), &listener)) return {};
   if (!listener.is_syntax) {
     // The parser has read the number and no more.
-    std::size_t begin = std::min(listener.bytes_read, text.size());
-    while (begin > 0 && std::string_view("+-.0123456789Ee").contains(text[begin - 1])) --begin;
-    return bad_json(text, begin, "a number in this JSON is too large", file);
+    std::size_t at = std::min(listener.bytes_read, text.size());
+    while (at > 0 && std::string_view("+-.0123456789Ee").contains(text[at - 1])) --at;
+    return bad_json(text, at, "a number in this JSON is too large", file);
   }
   // The number of bytes read, the offending one included.
   return bad_json(text, listener.bytes_read == 0 ? 0 : listener.bytes_read - 1, "this is not JSON", file);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/io/read_job.h"
 
 namespace mes {
 
@@ -16,7 +17,7 @@ std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::
 
 /// Whether the text can be looked at by `JsonView`; takes no memory but for the longest word or number of the text.
 /// Error: `bad_input` with line and column; also for objects and lists nested more than 64 deep, and for numbers that
-/// no double can hold.
-Expected<void> check_json(std::string_view text, const std::string& file);
+/// no double can hold. `job`, which may be null, goes through the text; throws `Cancelled`.
+Expected<void> check_json(std::string_view text, const std::string& file, ReadJob* job = nullptr);
 
 }  // namespace mes

@@ -27,10 +27,12 @@ void split_at_blanks(std::string_view text, std::vector<std::string_view>& out) 
 
 }  // namespace
 
-LineWords::LineWords(std::string_view bytes, const std::string& name) : rest_(without_bom(bytes)), name_(name) {}
+LineWords::LineWords(std::string_view bytes, const std::string& name, ReadJob* job)
+    : rest_(without_bom(bytes)), name_(name), job_(job) {}
 
 bool LineWords::next() {
   while (!rest_.empty()) {
+    if (job_ != nullptr) job_->passed(rest_.data());
     const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
     text_ = rest_.substr(0, end);
     ++line_;

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/io/read_job.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -28,9 +29,10 @@ namespace mes {
 /// Cost: linear; memory for the words of one line.
 class LineWords {
  public:
-  LineWords(std::string_view bytes, const std::string& name);
+  /// `job`, which may be null, goes through the bytes.
+  LineWords(std::string_view bytes, const std::string& name, ReadJob* job = nullptr);
 
-  /// Goes to the next line with a word; false at the end, where the place is that of the end.
+  /// Goes to the next line with a word; false at the end, where the place is that of the end. Throws `Cancelled`.
   bool next();
   std::span<const std::string_view> words() const { return words_; }
   std::size_t count() const { return words_.size(); }
@@ -56,6 +58,7 @@ class LineWords {
   std::string_view rest_;
   std::string_view text_;
   const std::string& name_;
+  ReadJob* job_;
   std::vector<std::string_view> words_;
   std::uint64_t line_ = 0;
   CoordinateReader coordinates_;

@@ -66,7 +66,7 @@ std::string MapShapes::project() {
                      in_degrees(middle.y, 'N', 'S'));
 }
 
-Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees) && {
+Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) && {
   const bool has_degrees = unit == Unit::degrees && is_on_earth();
   std::string remark;
   if (has_degrees)
@@ -74,6 +74,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   CurveSet curves;
   std::size_t begin = 0;
   for (const Part& part : parts_) {
+    job.checkpoint();
     if (part.kind == Kind::points) {
       for (std::size_t i = begin; i < part.end; ++i) curves.points.push_back(positions_[i]);
     } else {
@@ -84,7 +85,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
     begin = part.end;
   }
   positions_ = {};
-  auto file = load_samples(std::move(curves), {.rule = SamplingRule::vertices}, name);
+  auto file = load_samples(std::move(curves), {.rule = SamplingRule::vertices}, name, job);
   if (file && has_degrees) {
     file->degrees = degrees;
     file->warnings.push_back(Error{ErrorCode::bad_input, remark, name}.message());

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/io/format.h"
+#include "core/io/read_job.h"
 
 namespace mes {
 
@@ -20,7 +21,7 @@ namespace mes {
 ///     MapShapes shapes;
 ///     for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
 ///     shapes.end_ring();
-///     return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected);
+///     return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected, job);
 class MapShapes {
  public:
   /// What the numbers of a position mean.
@@ -38,8 +39,9 @@ class MapShapes {
 
   /// Degrees are projected to kilometres about the middle of the map, equirectangularly: true to scale there and along
   /// meridians. A map across the 180th meridian stays in one piece. Degrees that are kept stay bit for bit, so such a
-  /// map has pieces at both ends. A warning says which it was. Error: as `load_samples`.
-  Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees) &&;
+  /// map has pieces at both ends. A warning says which it was. Error: as `load_samples`, and
+  /// `Cancelled` is thrown as there.
+  Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) &&;
 
  private:
   enum class Kind : std::uint8_t { points, line, ring };

@@ -28,12 +28,13 @@ constexpr std::array<std::string_view, 15> kFreeForm{"vp",   "cstype", "deg",  "
 
 class ObjReader {
  public:
-  ObjReader(std::string_view bytes, const std::string& name) : lines_(bytes, name), name_(name) {}
+  ObjReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : lines_(bytes, name, &job), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
     while (lines_.next())
       if (auto done = read_line(); !done) return std::unexpected(done.error());
-    auto file = std::move(graph_).load(name_);
+    auto file = std::move(graph_).load(name_, job_);
     if (!file) return file;
     if (heights_.differ()) file->warnings.push_back(first_vertex_);
     file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
@@ -106,6 +107,7 @@ class ObjReader {
 
   LineWords lines_;
   const std::string& name_;
+  ReadJob& job_;
   VertexGraph graph_;
   Heights heights_;
   std::string first_vertex_;
@@ -126,8 +128,8 @@ Match match(std::string_view bytes) {
   return Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return ObjReader(bytes, name).read();
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return ObjReader(bytes, name, job).read();
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ Match match(std::string_view bytes) {
 
 class OffMeshReader {
  public:
-  OffMeshReader(std::string_view bytes, const std::string& name) : lines_(bytes, name), name_(name) {}
+  OffMeshReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : lines_(bytes, name, &job), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
     if (auto done = read_header(); !done) return std::unexpected(done.error());
@@ -40,7 +41,7 @@ class OffMeshReader {
     if (heights_.differ()) remarks.push_back(first_vertex_);
     if (lines_.next())
       remarks.push_back(lines_.remark(0, fmt::format("everything after the {} announced faces is ignored", faces_)));
-    auto file = std::move(graph_).load(name_);
+    auto file = std::move(graph_).load(name_, job_);
     if (file) file->warnings.insert(file->warnings.end(), remarks.begin(), remarks.end());
     return file;
   }
@@ -100,6 +101,7 @@ class OffMeshReader {
 
   LineWords lines_;
   const std::string& name_;
+  ReadJob& job_;
   VertexGraph graph_;
   Heights heights_;
   std::string first_vertex_;
@@ -108,8 +110,8 @@ class OffMeshReader {
   std::uint64_t faces_ = 0;
 };
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return OffMeshReader(bytes, name).read();
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return OffMeshReader(bytes, name, job).read();
 }
 
 }  // namespace

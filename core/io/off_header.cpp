@@ -58,6 +58,7 @@ bool OffReader::next() {
     layout_.end();
     return false;
   }
+  job_.passed(scanner_.token().data());
   layout_.add(scanner_.line(), scanner_.column(), scanner_.token().size());
   return true;
 }
@@ -65,7 +66,11 @@ bool OffReader::next() {
 Expected<void> OffReader::survey() const {
   Scanner ahead = scanner_;
   LineLayout layout = layout_;
-  while (!layout.is_free() && ahead.next()) layout.add(ahead.line(), ahead.column(), ahead.token().size());
+  constexpr std::size_t kOften = 1U << 14U;
+  for (std::size_t i = 0; !layout.is_free() && ahead.next(); ++i) {
+    if (i % kOften == 0) job_.checkpoint();
+    layout.add(ahead.line(), ahead.column(), ahead.token().size());
+  }
   if (layout.is_free()) return {};
   layout.end();
   if (auto error = contradiction(layout)) return std::unexpected(std::move(*error));

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/io/line_layout.h"
+#include "core/io/read_job.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -33,15 +34,16 @@ bool has_off_magic(std::string_view bytes, const OffKind& kind);
 /// and column.
 class OffReader {
  public:
-  /// The scanner stands at the beginning; `bytes` is all it reads, `name` stands for the file in messages.
-  OffReader(const OffKind& kind, Scanner& scanner, std::string_view bytes, const std::string& name)
-      : kind_(kind), scanner_(scanner), bytes_(bytes), name_(name) {}
+  /// The scanner stands at the beginning; `bytes` is all it reads, `name` stands for the file in messages,
+  /// `job` goes through the bytes.
+  OffReader(const OffKind& kind, Scanner& scanner, std::string_view bytes, const std::string& name, ReadJob& job)
+      : kind_(kind), scanner_(scanner), bytes_(bytes), name_(name), job_(job) {}
 
   /// The number of things announced.
   Expected<std::uint64_t> read_header();
   /// As many things as one may prepare memory for.
   std::size_t likely_count() const;
-  /// The numbers of the next thing. The scanner stands at the last of them afterwards.
+  /// The numbers of the next thing. The scanner stands at the last of them afterwards. Throws `Cancelled`.
   Expected<void> read_next(std::span<double> numbers);
   /// An error where the scanner stands.
   std::unexpected<Error> fail(std::string text) const;
@@ -60,6 +62,7 @@ class OffReader {
   Scanner& scanner_;
   std::string_view bytes_;
   const std::string& name_;
+  ReadJob& job_;
   std::uint64_t count_ = 0;
   std::uint64_t numbers_read_ = 0;
   LineLayout layout_{0, 0};  // of the numbers seen so far

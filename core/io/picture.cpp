@@ -18,19 +18,21 @@ Match match(std::string_view bytes) {
   return looks_like_picture(bytes) ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name, const TraceRequest& request) {
+Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name, const TraceRequest& request,
+                                 ReadJob& job) {
   auto pixels = decode_pixels(std::as_bytes(std::span(bytes)), name);
   if (!pixels) return std::unexpected(std::move(pixels.error()));
+  job.checkpoint();
   auto tracing = trace(gray_of(*std::move(pixels)), request);
   if (!tracing) return std::unexpected(Error{tracing.error().code, tracing.error().text, name});
   std::string remark = name + ": " + remark_of(*tracing);
-  auto file = load_samples(std::move(tracing->curves), sampling_of_tracing(), name);
+  auto file = load_samples(std::move(tracing->curves), sampling_of_tracing(), name, job);
   if (file) file->warnings.push_back(std::move(remark));
   return file;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return read_traced(bytes, name, {});
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return read_traced(bytes, name, {}, job);
 }
 
 }  // namespace

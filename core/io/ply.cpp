@@ -123,16 +123,17 @@ Expected<Header> read_header(LineWords& lines) {
 /// The values of the body, one after the other.
 class Values {
  public:
-  Values(LineWords& lines, Encoding encoding, const std::string& name, std::size_t size)
-      : lines_(lines), encoding_(encoding), name_(name), bytes_(lines.rest()), size_(size) {
+  Values(LineWords& lines, Encoding encoding, const std::string& name, std::size_t size, ReadJob& job)
+      : lines_(lines), encoding_(encoding), name_(name), job_(job), bytes_(lines.rest()), size_(size) {
     if (encoding_ == Encoding::text) word_ = lines_.count();
   }
 
-  /// What is read, for messages.
+  /// What is read, for messages. Throws `Cancelled`.
   void set_place(std::string_view element, std::uint64_t index) {
     element_ = element;
     index_ = index;
     begin_ = size_ - bytes_.size();
+    if (encoding_ != Encoding::text) job_.passed(bytes_.data());
   }
 
   /// Nothing is refused but what is no number, or missing.
@@ -194,6 +195,7 @@ class Values {
   LineWords& lines_;
   Encoding encoding_;
   const std::string& name_;
+  ReadJob& job_;
   std::string_view bytes_;
   std::size_t size_;
   std::size_t word_ = 0;
@@ -204,13 +206,13 @@ class Values {
 
 class PlyReader {
  public:
-  PlyReader(std::string_view bytes, const std::string& name)
-      : lines_(bytes, name), size_(bytes.size()), name_(name) {}
+  PlyReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : lines_(bytes, name, &job), size_(bytes.size()), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
     const auto header = read_header(lines_);
     if (!header) return std::unexpected(header.error());
-    Values values(lines_, header->encoding, name_, size_);
+    Values values(lines_, header->encoding, name_, size_, job_);
     for (const Element& element : header->elements) {
       if (element.properties.empty()) continue;
       auto done = element.name == "vertex" ? read_vertices(element, values)
@@ -220,7 +222,7 @@ class PlyReader {
       if (!done) return std::unexpected(done.error());
     }
     if (heights_.differ()) remark(std::string(Heights::kRemark));
-    auto file = std::move(graph_).load(name_);
+    auto file = std::move(graph_).load(name_, job_);
     if (file) file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
     return file;
   }
@@ -345,6 +347,7 @@ class PlyReader {
   LineWords lines_;
   std::size_t size_;
   const std::string& name_;
+  ReadJob& job_;
   VertexGraph graph_;
   Magnitudes seen_;
   Heights heights_;
@@ -356,8 +359,8 @@ Match match(std::string_view bytes) {
   return is_ply ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return PlyReader(bytes, name).read();
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return PlyReader(bytes, name, job).read();
 }
 
 }  // namespace

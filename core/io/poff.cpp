@@ -83,9 +83,9 @@ Match match_poff(std::string_view bytes) {
   return has_off_magic(bytes, kPoints) ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name) {
+Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name, ReadJob& job) {
   PoffScanner scanner(bytes);
-  OffReader reader(kPoints, scanner, bytes, name);
+  OffReader reader(kPoints, scanner, bytes, name, job);
   const auto count = reader.read_header();
   if (!count) return std::unexpected(count.error());
 

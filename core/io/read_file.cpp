@@ -52,11 +52,15 @@ bool is_regular(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool is_stopped(const JobControl* job) {
+  return job != nullptr && job->stop_requested();
+}
+
 // Until there is something, or the end, or a stop.
-void wait_for_data(int descriptor, const std::stop_token& stop) {
+void wait_for_data(int descriptor, const JobControl* job) {
   pollfd waited{descriptor, POLLIN, 0};
-  const int most = stop.stop_possible() ? kLookInterval : -1;
-  while (!stop.stop_requested() && ::poll(&waited, 1, most) == 0) continue;
+  const int most = job != nullptr ? kLookInterval : -1;
+  while (!is_stopped(job) && ::poll(&waited, 1, most) == 0) continue;
 }
 
 }  // namespace
@@ -73,8 +77,8 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
     for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
       bytes.resize(filled + piece);
       while (filled < bytes.size()) {
-        if (may_wait) wait_for_data(descriptor, options.stop);
-        if (options.stop.stop_requested()) return cancelled(name);
+        if (may_wait) wait_for_data(descriptor, options.job);
+        if (is_stopped(options.job)) return cancelled(name);
         const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (got < 0) return cannot_read(name, errno);

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 
 namespace mes {
 
@@ -19,8 +19,9 @@ inline constexpr std::uint64_t kMostBytesRead = std::uint64_t{4} << 30U;
 struct ReadOptions {
   /// Asked now and then with what was read so far; true ends the reading as if the file ended there.
   std::function<bool(std::string_view)> is_enough{};
-  /// Error `cancelled`, a moment after it is requested, also while a pipe is waited for.
-  std::stop_token stop{};
+  /// Error `cancelled`, a moment after it is stopped, also while a pipe is waited for; null: it is not. Its progress is
+  /// left alone.
+  const JobControl* job = nullptr;
   std::uint64_t most_bytes = kMostBytesRead;  ///< more is an error
 };
 

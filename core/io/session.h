@@ -28,6 +28,7 @@
 
 #include "core/base/box2.h"
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/document/lesson.h"
 #include "core/document/pane_choice.h"
 #include "core/document/timeline.h"
@@ -62,7 +63,8 @@ struct Session {
 
 std::string write_session(const Session& session);
 /// Error: `bad_input` with file, and line and column if it is not JSON.
-Expected<Session> read_session(std::string_view text, const std::string& file);
+/// Throws `Cancelled`, if there is a job.
+Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job = nullptr);
 /// Whether text is meant to be a session, from how it begins.
 bool looks_like_session(std::string_view text);
 

@@ -11,9 +11,10 @@ Match match(std::string_view bytes) {
   return looks_like_session(bytes) ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  auto session = read_session(bytes, name);
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  auto session = read_session(bytes, name, job.control());
   if (!session) return std::unexpected(session.error());
+  job.checkpoint();
   DocumentReplay replay;
   if (const auto done = replay_session(*session, replay, name); !done) return std::unexpected(done.error());
   return LoadedFile{.data = data_of(replay.document()),

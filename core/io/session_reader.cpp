@@ -15,6 +15,7 @@
 #include "core/io/json_panes.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
+#include "core/io/read_job.h"
 #include "core/io/session.h"
 
 namespace mes {
@@ -498,8 +499,10 @@ std::unexpected<Error> bad(const std::string& file, std::string text, std::uint6
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file, line, 0});
 }
 
-Expected<Session> read(std::string_view text, Timelines where, const std::string& file) {
-  if (auto good = check_json(text, file); !good) return std::unexpected(std::move(good.error()));
+Expected<Session> read(std::string_view text, Timelines where, const std::string& file, JobControl* control) {
+  ReadJob job(control);
+  job.begin(text);
+  if (auto good = check_json(text, file, &job); !good) return std::unexpected(std::move(good.error()));
   try {
     return session_from(JsonView::whole(text), where);
   } catch (const Nonsense& nonsense) {
@@ -510,8 +513,8 @@ Expected<Session> read(std::string_view text, Timelines where, const std::string
 
 }  // namespace
 
-Expected<Session> read_session(std::string_view text, const std::string& file) {
-  return read(text, Timelines::within, file);
+Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job) {
+  return read(text, Timelines::within, file, job);
 }
 
 bool looks_like_session(std::string_view text) {
@@ -548,7 +551,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     const std::string_view this_line = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (is_first) {
-      auto session = read(this_line, Timelines::following, file);
+      auto session = read(this_line, Timelines::following, file, nullptr);
       if (!session) return std::unexpected(session.error());
       out.session = std::move(*session);
       has_unsaved_lesson = !out.session.lesson.steps.empty();

@@ -53,7 +53,8 @@ enum class ShapeType : std::uint32_t { null = 0, point = 1, lines = 3, rings = 5
 
 class ShapeFileReader {
  public:
-  ShapeFileReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  ShapeFileReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : bytes_(bytes), name_(name), job_(job) {}
 
   /// `unit` is what is known of the numbers.
   Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit, MapDegrees degrees) {
@@ -64,7 +65,7 @@ class ShapeFileReader {
       if (auto done = read_record(); !done) return std::unexpected(done.error());
       pass_over_padding();
     }
-    auto file = std::move(shapes_).load(name_, unit.value_or(MapShapes::Unit::plane), degrees);
+    auto file = std::move(shapes_).load(name_, unit.value_or(MapShapes::Unit::plane), degrees, job_);
     if (!file) return file;
     if (has_heights_) remark(*file, "heights and measures are left out");
     if (!unit && is_on_earth_)
@@ -143,6 +144,7 @@ class ShapeFileReader {
     const auto number = [&](std::size_t k) {
       return std::bit_cast<double>(bits_at<std::uint64_t>(content, at + 8 * k, std::endian::little));
     };
+    job_.passed(content.data() + at);
     const Vec2 p{number(0), number(1)};
     for (std::size_t k = 0; k < 2; ++k) {
       const double x = number(k);
@@ -200,6 +202,7 @@ class ShapeFileReader {
 
   std::string_view bytes_;
   const std::string& name_;
+  ReadJob& job_;
   std::size_t at_ = 0;
   std::uint64_t record_ = 1;
   MapShapes shapes_;
@@ -220,8 +223,8 @@ MapShapes::Unit unit_of(std::string_view system) {
 }
 
 Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path* path) {
-  if (path == nullptr) return ShapeFileReader(bytes, name).read(std::nullopt, degrees);
+                          const std::filesystem::path* path, ReadJob& job) {
+  if (path == nullptr) return ShapeFileReader(bytes, name, job).read(std::nullopt, degrees);
   std::optional<MapShapes::Unit> unit;
   std::optional<SourceFile> source;
   for (const char* extension : {".prj", ".PRJ"}) {
@@ -234,7 +237,7 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
     unit = unit_of(*system);
     source = SourceFile{beside, fingerprint_of(*system)};
   }
-  auto file = ShapeFileReader(bytes, name).read(unit, degrees);
+  auto file = ShapeFileReader(bytes, name, job).read(unit, degrees);
   if (file && source) file->sources.push_back(*std::move(source));
   return file;
 }

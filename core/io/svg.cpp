@@ -25,13 +25,13 @@ std::string with_reasons(std::string text, const std::vector<std::string>& warni
   return text;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  auto drawing = read_svg_drawing(bytes, name);
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  auto drawing = read_svg_drawing(bytes, name, job);
   if (!drawing) return std::unexpected(drawing.error());
   if (drawing->curves.curves.empty())
     return bad_input(with_reasons("no shape is drawn in it", drawing->warnings, name), name, 1, 1);
   const SamplingRequest request = default_sampling(drawing->curves);
-  auto file = load_samples(std::move(drawing->curves), request, name);
+  auto file = load_samples(std::move(drawing->curves), request, name, job);
   if (file) file->warnings = std::move(drawing->warnings);
   return file;
 }

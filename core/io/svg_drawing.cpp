@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/io/svg_path.h"
 #include "core/io/svg_shapes.h"
 #include "core/io/svg_values.h"
@@ -48,17 +49,19 @@ std::string_view prefix_of(std::string_view name) {
 
 class DrawingReader {
  public:
-  DrawingReader(std::string_view bytes, const std::string& name)
-      : source_(bytes, name), most_pieces_(std::max(kMostPieces, bytes.size())) {}
+  DrawingReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : source_(bytes, name), job_(job), most_pieces_(std::max(kMostPieces, bytes.size())) {}
 
   Expected<SvgDrawing> read() {
     const auto parsed = source_.parse();
     if (!parsed) return std::unexpected(parsed.error());
+    job_.begin(source_.text());
     const xml_node root = *parsed;
     if (local_name(root.name()) != "svg") return refuse(place_of(root), "the root element is not svg");
     prefix_ = prefix_of(root.name());
     note_names(root);
     if (auto done = read_root(root); !done) return std::unexpected(done.error());
+    if (auto done = finish_shapes(); !done) return std::unexpected(done.error());
     out_.warnings = source_.messages();
     return std::move(out_);
   }
@@ -248,16 +251,13 @@ class DrawingReader {
     if (!is_one_of(kind, kShapes)) return {};
     const auto context = context_of(node, outer);
     if (!context || !context->is_visible) return {};
+    Shape shape{.node = node, .context = *context};
     if (kind == "path") {
-      const std::string_view data = node.attribute("d").value();
-      SvgPath path = read_svg_path(data);
-      if (path.fault) remark_fault(node, data, *path.fault);
-      for (PlaneCurve& curve : path.curves)
-        if (auto done = add(std::move(curve), node, *context); !done) return done;
-      return {};
+      shape.data = node.attribute("d").value();
+    } else if (auto curve = simple_shape(node, kind, *context)) {
+      shape.path.curves.push_back(*std::move(curve));
     }
-    auto curve = simple_shape(node, kind, *context);
-    return curve ? add(std::move(*curve), node, *context) : Expected<void>{};
+    return begin_shape(std::move(shape));
   }
 
   std::optional<PlaneCurve> simple_shape(xml_node node, std::string_view kind, const Context& context) {
@@ -291,15 +291,65 @@ class DrawingReader {
            source_.place_of(node, value, within));
   }
 
-  Expected<void> add(PlaneCurve curve, xml_node node, const Context& context) {
-    pieces_ += curve.piece_count();
-    if (pieces_ > most_pieces_)
-      return refuse(place_of(node), fmt::format("the drawing has more than {} pieces of curves", most_pieces_));
-    close_what_looks_closed(curve, context);
-    curve.transform(context.map);
-    curve.name = node.attribute("id").value();
-    out_.curves.curves.push_back(std::move(curve));
+  /// What a path or a basic shape becomes.
+  struct Shape {
+    xml_node node;
+    Context context;
+    std::string_view data{};  // of a path, still to be read
+    SvgPath path{};
+  };
+
+  /// Shapes wait until there is work for several threads. With `use`, they may be far more than the file has bytes.
+  Expected<void> begin_shape(Shape shape) {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 22U;
+    constexpr std::size_t kMostShapes = 4096;
+    waiting_bytes_ += shape.data.size();
+    waiting_.push_back(std::move(shape));
+    if (waiting_bytes_ < kMostBytes && waiting_.size() < kMostShapes) return {};
+    return finish_shapes();
+  }
+
+  Expected<void> finish_shapes() {
+    constexpr std::size_t kBytesEach = std::size_t{1} << 16U;
+    std::vector<std::size_t> ends;  // of runs of shapes, each with some work
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+      bytes += waiting_[i].data.size();
+      if (bytes < kBytesEach && i + 1 < waiting_.size()) continue;
+      ends.push_back(i + 1);
+      bytes = 0;
+    }
+    run_tasks(ends.size(), [&](std::size_t run) {
+      for (std::size_t i = run == 0 ? 0 : ends[run - 1]; i < ends[run]; ++i) finish(waiting_[i]);
+    });
+    for (Shape& shape : waiting_) {
+      if (shape.path.fault) remark_fault(shape.node, shape.data, *shape.path.fault);
+      for (PlaneCurve& curve : shape.path.curves) {
+        pieces_ += curve.piece_count();
+        if (pieces_ > most_pieces_)
+          return refuse(place_of(shape.node),
+                        fmt::format("the drawing has more than {} pieces of curves", most_pieces_));
+        out_.curves.curves.push_back(std::move(curve));
+      }
+    }
+    if (!waiting_.empty()) {
+      const Shape& last = waiting_.back();
+      const char* const begin = last.data.empty() ? source_.text().data() + place_of(last.node) : last.data.data();
+      job_.passed(begin + last.data.size());
+    }
+    waiting_.clear();
+    waiting_bytes_ = 0;
     return {};
+  }
+
+  /// Any thread.
+  void finish(Shape& shape) const {
+    if (!shape.data.empty()) shape.path = read_svg_path(shape.data, job_.control());
+    for (PlaneCurve& curve : shape.path.curves) {
+      close_what_looks_closed(curve, shape.context);
+      curve.transform(shape.context.map);
+      curve.name = shape.node.attribute("id").value();
+    }
   }
 
   /// Filling closes what is open, and what misses its start by the rounding of coordinates is meant to be closed.
@@ -315,6 +365,7 @@ class DrawingReader {
   }
 
   XmlSource source_;
+  ReadJob& job_;
   std::string_view prefix_;
   std::unordered_map<std::string_view, xml_node> by_id_;
   std::vector<xml_node> path_;  // elements around the present one, through `use` too
@@ -322,6 +373,8 @@ class DrawingReader {
   std::size_t elements_ = 0;
   std::size_t pieces_ = 0;
   std::size_t most_pieces_;
+  std::vector<Shape> waiting_;
+  std::size_t waiting_bytes_ = 0;
   SvgDrawing out_;
 };
 
@@ -331,8 +384,8 @@ bool looks_like_svg(std::string_view bytes) {
   return xml_root_name(bytes) == "svg";
 }
 
-Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name) {
-  return DrawingReader(without_bom(bytes), name).read();
+Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return DrawingReader(without_bom(bytes), name, job).read();
 }
 
 }  // namespace mes

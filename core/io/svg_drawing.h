@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/curves/curve.h"
+#include "core/io/read_job.h"
 
 namespace mes {
 
@@ -25,7 +26,7 @@ bool looks_like_svg(std::string_view bytes);
 
 /// Error: `bad_input` with line and column for text that is not XML, and for what has too many elements or pieces or is
 /// nested too deeply, so that a few lines of `use` cannot grow without bounds. Entities other than those of XML are not
-/// expanded.
-Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name);
+/// expanded. Throws `Cancelled`. Threads: several of its own, where there is enough for them to do.
+Expected<SvgDrawing> read_svg_drawing(std::string_view bytes, const std::string& name, ReadJob& job);
 
 }  // namespace mes

@@ -29,7 +29,7 @@ constexpr bool is_command(char c) {
 
 class PathReader {
  public:
-  explicit PathReader(std::string_view data) : text_(data) {}
+  PathReader(std::string_view data, const JobControl* job) : text_(data), job_(job) {}
 
   SvgPath read() {
     text_.skip_blanks();
@@ -42,6 +42,7 @@ class PathReader {
         break;
       }
       text_.take(command);
+      if (++commands_ % kOften == 0) look();
       read_command(command);
       text_.skip_blanks();
     }
@@ -62,7 +63,12 @@ class PathReader {
         return;
       }
       if (now == 'm') now = 'l';
+      if (++commands_ % kOften == 0) look();
     }
+  }
+
+  void look() const {
+    if (job_ != nullptr && job_->stop_requested()) throw Cancelled{};
   }
 
   bool begins_a_number() {
@@ -195,7 +201,11 @@ class PathReader {
     quadratic_control_.reset();
   }
 
+  static constexpr std::size_t kOften = 1U << 14U;
+
   SvgText text_;
+  const JobControl* job_;
+  std::size_t commands_ = 0;
   SvgPath out_;
   std::optional<PlaneCurve> curve_;
   Vec2 at_{};
@@ -208,8 +218,8 @@ class PathReader {
 
 }  // namespace
 
-SvgPath read_svg_path(std::string_view data) {
-  return PathReader(data).read();
+SvgPath read_svg_path(std::string_view data, const JobControl* job) {
+  return PathReader(data, job).read();
 }
 
 }  // namespace mes

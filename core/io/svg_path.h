@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/curves/curve.h"
 
 namespace mes {
@@ -16,7 +17,8 @@ struct SvgPath {
   std::optional<std::size_t> fault;  ///< where the data stop making sense; what comes before is read
 };
 
-/// Every command, relative and absolute. Stops at a fault, as those who draw do. Cost: linear in the text.
-SvgPath read_svg_path(std::string_view data);
+/// Every command, relative and absolute. Stops at a fault, as those who draw do. Cost: linear in the text. Any thread.
+/// Throws `Cancelled` if there is a job, whose progress is left alone.
+SvgPath read_svg_path(std::string_view data, const JobControl* job = nullptr);
 
 }  // namespace mes

@@ -27,7 +27,8 @@ struct Header {
 
 class TriangleReader {
  public:
-  TriangleReader(std::string_view bytes, const std::string& name) : lines_(bytes, name), name_(name) {}
+  TriangleReader(std::string_view bytes, const std::string& name, ReadJob& job)
+      : lines_(bytes, name, &job), name_(name), job_(job) {}
 
   /// `beside` has the vertices of a file without any; null where there can be none.
   Expected<LoadedFile> read(const std::filesystem::path* beside) {
@@ -41,7 +42,7 @@ class TriangleReader {
     }
     if (lines_.next())
       if (auto done = read_segments(); !done) return std::unexpected(done.error());
-    auto file = std::move(graph_).load(name_);
+    auto file = std::move(graph_).load(name_, job_);
     if (!file) return file;
     file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
     file->sources = std::move(sources);
@@ -94,14 +95,17 @@ class TriangleReader {
                                   : fmt::format("there are no vertices, nor is there {} beside it, which would have "
                                                 "them",
                                                 printable(beside->filename().string())));
-    const auto bytes = read_regular_file(*beside);
+    const auto bytes = read_regular_file(*beside, {.job = job_.control()});
     if (!bytes) return std::unexpected(bytes.error());
     sources.push_back({*beside, fingerprint_of(*bytes)});
     const std::string name = beside->string();
-    LineWords lines(*bytes, name);
+    job_.begin(*bytes);
+    LineWords lines(*bytes, name, &job_);
     const auto header = read_header(lines);
     if (!header) return std::unexpected(header.error());
-    return read_vertices(lines, *header);
+    auto done = read_vertices(lines, *header);
+    job_.begin(lines_.rest());
+    return done;
   }
 
   Expected<std::uint32_t> vertex(std::size_t word) const {
@@ -143,6 +147,7 @@ class TriangleReader {
 
   LineWords lines_;
   const std::string& name_;
+  ReadJob& job_;
   VertexGraph graph_;
   std::uint64_t first_ = 1;
   std::vector<std::string> remarks_;
@@ -170,14 +175,15 @@ Match match(std::string_view bytes) {
   return Match::surely;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name) {
-  return TriangleReader(bytes, name).read(nullptr);
+Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+  return TriangleReader(bytes, name, job).read(nullptr);
 }
 
-Expected<LoadedFile> read_beside(std::string_view bytes, const std::string& name, const std::filesystem::path& path) {
+Expected<LoadedFile> read_beside(std::string_view bytes, const std::string& name, const std::filesystem::path& path,
+                                 ReadJob& job) {
   std::filesystem::path beside = path;
   beside.replace_extension(".node");
-  return TriangleReader(bytes, name).read(beside == path ? nullptr : &beside);
+  return TriangleReader(bytes, name, job).read(beside == path ? nullptr : &beside);
 }
 
 }  // namespace

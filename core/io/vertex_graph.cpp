@@ -158,10 +158,11 @@ CurveSet VertexGraph::curves(std::vector<std::string>& remarks) && {
   return out;
 }
 
-Expected<LoadedFile> VertexGraph::load(const std::string& name) && {
+Expected<LoadedFile> VertexGraph::load(const std::string& name, ReadJob& job) && {
+  job.checkpoint();
   std::vector<std::string> remarks;
-  const CurveSet set = std::move(*this).curves(remarks);
-  auto file = load_samples(set, {.rule = SamplingRule::vertices}, name);
+  CurveSet set = std::move(*this).curves(remarks);
+  auto file = load_samples(std::move(set), {.rule = SamplingRule::vertices}, name, job);
   if (file)
     for (std::string& remark : remarks)
       file->warnings.push_back(Error{ErrorCode::bad_input, std::move(remark), name}.message());

@@ -14,6 +14,7 @@
 #include "core/base/vec2.h"
 #include "core/curves/curve.h"
 #include "core/io/format.h"
+#include "core/io/read_job.h"
 
 namespace mes {
 
@@ -31,7 +32,7 @@ namespace mes {
 ///     VertexGraph graph;
 ///     for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) graph.add_vertex(corner);
 ///     graph.add_face(std::vector<std::uint32_t>{0, 1, 2});
-///     return std::move(graph).load(name);
+///     return std::move(graph).load(name, job);
 ///
 /// Cost: O(n log n) for n segments and edges of faces, 8 bytes for each.
 class VertexGraph {
@@ -46,8 +47,8 @@ class VertexGraph {
 
   /// Open curves, then closed ones, each in the order of their first vertices, then points. `remarks` gets one line a kind of what was left out.
   CurveSet curves(std::vector<std::string>& remarks) &&;
-  /// Their samples at the vertices. Error: as `load_samples`.
-  Expected<LoadedFile> load(const std::string& name) &&;
+  /// Their samples at the vertices. Error: as `load_samples`, and `Cancelled` is thrown as there.
+  Expected<LoadedFile> load(const std::string& name, ReadJob& job) &&;
 
  private:
   struct Segment {

@@ -92,8 +92,8 @@ const GeometryType* type_named(std::string_view word) {
 
 class WktReader {
  public:
-  WktReader(std::string_view text, const std::string& name, MapDegrees degrees)
-      : text_(text), name_(name), degrees_(degrees), words_(text) {}
+  WktReader(std::string_view text, const std::string& name, MapDegrees degrees, ReadJob& job)
+      : text_(text), name_(name), degrees_(degrees), job_(job), words_(text) {}
 
   Expected<LoadedFile> read() {
     while (!words_.is_at_end()) {
@@ -101,7 +101,7 @@ class WktReader {
       if (auto done = read_geometry(0); !done) return std::unexpected(done.error());
       while (words_.take(';') || words_.take(',')) continue;
     }
-    auto file = std::move(shapes_).load(name_, unit_, degrees_);
+    auto file = std::move(shapes_).load(name_, unit_, degrees_, job_);
     if (file && first_height_)
       file->warnings.push_back(bad("heights and measures are left out", *first_height_).error().message());
     return file;
@@ -194,6 +194,7 @@ class WktReader {
   }
 
   Expected<void> read_position() {
+    job_.passed(text_.data() + words_.place());
     std::array<double, 2> numbers{};
     for (double& number : numbers) {
       if (words_.word().empty()) return unexpected_here("a number");
@@ -217,6 +218,7 @@ class WktReader {
   std::string_view text_;
   const std::string& name_;
   MapDegrees degrees_;
+  ReadJob& job_;
   Words words_;
   MapShapes shapes_;
   MapShapes::Unit unit_ = MapShapes::Unit::plane;
@@ -239,8 +241,8 @@ Match match(std::string_view bytes) {
 }
 
 Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*) {
-  return WktReader(without_bom(bytes), name, degrees).read();
+                          const std::filesystem::path*, ReadJob& job) {
+  return WktReader(without_bom(bytes), name, degrees, job).read();
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ Match match_wpoff(std::string_view bytes) {
   return has_off_magic(bytes, kBalls) ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read_wpoff(std::string_view bytes, const std::string& name) {
+Expected<LoadedFile> read_wpoff(std::string_view bytes, const std::string& name, ReadJob& job) {
   Scanner scanner(bytes);
-  OffReader reader(kBalls, scanner, bytes, name);
+  OffReader reader(kBalls, scanner, bytes, name, job);
   const auto count = reader.read_header();
   if (!count) return std::unexpected(count.error());
 

@@ -86,9 +86,11 @@ std::size_t XmlSource::place_of(pugi::xml_node node, std::string_view value, std
 }
 
 std::vector<std::string> XmlSource::messages() const {
+  std::vector<std::pair<std::size_t, std::string>> all;
+  remarks.for_each([&](const std::string& text, std::size_t place) { all.emplace_back(place, text); });
+  std::ranges::stable_sort(all, {}, &std::pair<std::size_t, std::string>::first);
   std::vector<std::string> out;
-  remarks.for_each(
-      [&](const std::string& text, std::size_t place) { out.push_back(error_at(place, text).message()); });
+  for (auto& [place, text] : all) out.push_back(error_at(place, std::move(text)).message());
   return out;
 }
 

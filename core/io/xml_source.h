@@ -29,6 +29,8 @@ class XmlSource {
   XmlSource(const XmlSource&) = delete;
   XmlSource& operator=(const XmlSource&) = delete;
 
+  /// What node values are pieces of.
+  std::string_view text() const { return buffer_; }
   /// The root element. Error: `bad_input` for text that is not XML.
   Expected<pugi::xml_node> parse();
 
@@ -45,7 +47,7 @@ class XmlSource {
 
   /// What is said once about all elements of a kind.
   CountedRemarks remarks{};
-  /// One line each.
+  /// One line each, in the order of their places.
   std::vector<std::string> messages() const;
 
  private:

@@ -340,7 +340,7 @@ std::optional<TableKind> recognise_table(std::string_view bytes) {
   return plan.kind;
 }
 
-Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& name) {
+Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& name, ReadJob& job) {
   const Plan plan = make_plan(bytes);
   const Columns& columns = plan.columns;
   const std::size_t needed = columns.count();
@@ -357,6 +357,7 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
     announced_line = lines.number();
   }
   while (lines.next()) {
+    job.passed(lines.text().data());
     split(plan.kind, lines.text(), needed, fields);
     Vec2 point;
     for (double* coordinate : {&point.x, &point.y}) {

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/io/format.h"
+#include "core/io/read_job.h"
 
 namespace mes {
 
@@ -37,6 +38,6 @@ std::optional<TableKind> recognise_table(std::string_view bytes);
 ///     between blanks when the first row has one in both columns.
 ///
 /// Cost: linear; 10^6 rows well below a second. Error: `bad_input` with line and column of the field.
-Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& name);
+Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& name, ReadJob& job);
 
 }  // namespace mes

@@ -37,6 +37,7 @@
 #include "core/io/line_layout.h"
 #include "core/io/line_words.h"
 #include "core/io/map_shapes.h"
+#include "core/io/read_job.h"
 #include "core/io/session.h"
 #include "core/io/short_decimal.h"
 #include "core/io/text_numbers.h"
@@ -85,19 +86,21 @@ PlaneCurve bow() {
 }
 
 Expected<LoadedFile> crete(const std::string& name) {
+  ReadJob job;
   // core/io/map_shapes.h
   MapShapes shapes;
   for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
   shapes.end_ring();
-  return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected);
+  return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected, job);
 }
 
 Expected<LoadedFile> file_of_triangle(const std::string& name) {
+  ReadJob job;
   // core/io/vertex_graph.h
   VertexGraph graph;
   for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) graph.add_vertex(corner);
   graph.add_face(std::vector<std::uint32_t>{0, 1, 2});
-  return std::move(graph).load(name);
+  return std::move(graph).load(name, job);
 }
 
 Expected<std::size_t> lines_with_positions(std::string_view bytes, const std::string& name) {
@@ -108,6 +111,13 @@ Expected<std::size_t> lines_with_positions(std::string_view bytes, const std::st
     if (!position) return std::unexpected(position.error());
   }
   return lines.line();
+}
+
+void go_through(std::string_view text, JobControl& control) {
+  // core/io/read_job.h
+  ReadJob job(&control);
+  job.begin(text);
+  for (const char& c : text) job.passed(&c);
 }
 
 std::string refused_by_coordinate_range(double x) {
@@ -348,6 +358,18 @@ TEST_CASE("core/io/text_numbers.h") {
   Scanner scanner(bytes);
   while (scanner.next()) use(scanner.token(), scanner.line(), scanner.column());
   CHECK(columns == std::vector<std::uint64_t>{1, 3, 2});
+}
+
+TEST_CASE("core/io/read_job.h") {
+  const std::string text(std::size_t{1} << 20U, 'x');
+  JobControl control;
+  go_through(text, control);
+  CHECK(control.progress() > 0.8);
+  CHECK(control.progress() < 0.91);
+  std::stop_source source;
+  source.request_stop();
+  JobControl stopped(source.get_token());
+  CHECK_THROWS_AS(go_through(text, stopped), Cancelled);
 }
 
 TEST_CASE("core/io/line_layout.h") {

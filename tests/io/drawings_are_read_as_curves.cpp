@@ -19,8 +19,13 @@ std::string drawing(const std::string& content, const std::string& attributes = 
          "</svg>";
 }
 
+Expected<SvgDrawing> read_drawing(const std::string& text) {
+  ReadJob job;
+  return read_svg_drawing(text, "a.svg", job);
+}
+
 SvgDrawing read_good(const std::string& text) {
-  auto read = read_svg_drawing(text, "a.svg");
+  auto read = read_drawing(text);
   INFO((read ? std::string() : read.error().message()));
   REQUIRE(read.has_value());
   return *std::move(read);
@@ -240,7 +245,7 @@ TEST_CASE("a drawing that grows without bounds is refused in one line") {
     const std::string use = "<use href='#a" + std::to_string(i - 1) + "'/>";
     bomb += "<g id='a" + std::to_string(i) + "'>" + use + use + "</g>";
   }
-  const auto grown = read_svg_drawing(bomb + "</svg>", "a.svg");
+  const auto grown = read_drawing(bomb + "</svg>");
   REQUIRE_FALSE(grown.has_value());
   CHECK(grown.error().code == ErrorCode::bad_input);
   CHECK_THAT(grown.error().text, Catch::Contains("more than 1000000 elements"));
@@ -248,7 +253,7 @@ TEST_CASE("a drawing that grows without bounds is refused in one line") {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<g>";
   for (int i = 0; i < 100000; ++i) deep += "</g>";
-  const auto nested = read_svg_drawing("<svg>" + deep + "</svg>", "a.svg");
+  const auto nested = read_drawing("<svg>" + deep + "</svg>");
   REQUIRE_FALSE(nested.has_value());
   CHECK_THAT(nested.error().text, Catch::Contains("nested too deeply"));
 

@@ -73,7 +73,10 @@ TEST_CASE("waiting for a pipe ends with the request to stop, with and without a 
   const fs::path pipe = make_pipe(folder, "pipe");
   for (const bool has_writer : {false, true}) {
     std::optional<Expected<LoadedFile>> result;
-    std::jthread reader([&](const std::stop_token& stop) { result = read_sample_file(pipe, {}, stop); });
+    std::jthread reader([&](const std::stop_token& stop) {
+      JobControl job(stop);
+      result = read_sample_file(pipe, {}, &job);
+    });
     // Opening to write waits for the reader.
     const int end = has_writer ? ::open(pipe.c_str(), O_WRONLY | O_CLOEXEC) : -1;
     reader.request_stop();

@@ -55,7 +55,7 @@ TEST_CASE("decimals of every length are read as the library reads them") {
 TEST_CASE("decimals in the middle of a text end where their digits do, and are rounded as the library rounds them") {
   Rng random(11);
   const char* const kSigns[] = {"", "-", "+"};
-  const char* const kTails[] = {"",         " ",         ",",      "L",      "-4.5",    ".25 17.5 1",
+  const char* const kTails[] = {"",         " ",         ",",      "L",       "-4.5",       ".25 17.5 1",
                                 " 17.5 18", ",17.5,185", "\n-1.5", "em 1234", "\xb9 12345", ":/12345678"};
   std::size_t quick = 0;
   std::string text;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/internal/repeated_positions.h"
+
+#include <bit>
+#include <cstddef>
+#include <ranges>
+
+namespace mes {
+namespace {
+
+std::size_t hash_of(Vec2 p) {
+  constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
+  // Zero is zero, whatever its sign.
+  std::uint64_t bits = std::bit_cast<std::uint64_t>(p.x + 0.0) * kOdd;
+  bits = (bits ^ (bits >> 32U)) + std::bit_cast<std::uint64_t>(p.y + 0.0);
+  bits = (bits ^ (bits >> 29U)) * kOdd;
+  bits = (bits ^ (bits >> 32U)) * kOdd;
+  return static_cast<std::size_t>(bits ^ (bits >> 29U));
+}
+
+}  // namespace
+
+std::span<const std::uint32_t> RepeatedPositions::find(std::span<const Vec2> positions) {
+  // A table of a few is in the nearest cache; of many most can be told to come once without one.
+  constexpr std::size_t kFew = 1U << 13U;
+  if (positions.size() > kFew) {
+    note_shared_hashes(positions);
+    find_among(positions, shared_);
+  } else {
+    find_among(positions, std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(positions.size())));
+  }
+  return repeated_;
+}
+
+// By a hash of the coordinates: indices in a table of which no more than a quarter is in use.
+template <class Numbers>
+void RepeatedPositions::find_among(std::span<const Vec2> positions, const Numbers& numbers) {
+  constexpr std::uint32_t kFree = 0xffffffffU;
+  const std::size_t mask = std::bit_ceil(4 * static_cast<std::size_t>(numbers.size()) + 1) - 1;
+  places_.assign(mask + 1, kFree);
+  repeated_.clear();
+  for (const std::uint32_t i : numbers) {
+    if (!is_finite(positions[i])) {
+      were_finite_ = false;
+      continue;
+    }
+    std::size_t at = hash_of(positions[i]) & mask;
+    while (places_[at] != kFree && positions[places_[at]] != positions[i]) at = (at + 1) & mask;
+    if (places_[at] == kFree)
+      places_[at] = i;
+    else
+      repeated_.push_back(i);
+  }
+}
+
+// Those whose hash comes twice, by two sets of bits with many more places than there are positions; and all that are not
+// finite.
+void RepeatedPositions::note_shared_hashes(std::span<const Vec2> positions) {
+  constexpr std::size_t kPlacesEach = 16;
+  constexpr std::size_t kWord = 64;
+  const std::size_t places = std::bit_ceil(kPlacesEach * positions.size() + kWord);
+  once_.assign(places / kWord, 0);
+  twice_.assign(places / kWord, 0);
+  const std::size_t mask = places - 1;
+  for (const Vec2 here : positions) {
+    const std::size_t place = hash_of(here) & mask;
+    const std::uint64_t bit = std::uint64_t{1} << (place % kWord);
+    std::uint64_t& word = once_[place / kWord];
+    twice_[place / kWord] |= word & bit;
+    word |= bit;
+  }
+  shared_.clear();
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const std::size_t place = hash_of(positions[i]) & mask;
+    if (!is_finite(positions[i]) || ((twice_[place / kWord] >> (place % kWord)) & 1U) != 0) shared_.push_back(i);
+  }
+}
+
+}  // namespace mes

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which positions of a list are equal to one before. Private to core/curves.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// The two zeros are equal; what is not finite is equal to nothing. Cost: linear, expected; some 8 bytes for each position,
+/// kept for the next list.
+class RepeatedPositions {
+ public:
+  /// Indices, increasing; valid until the next call. No more than 2^32 - 1 positions.
+  std::span<const std::uint32_t> find(std::span<const Vec2> positions);
+  /// Of all positions of all calls.
+  bool were_finite() const { return were_finite_; }
+
+ private:
+  template <class Numbers>
+  void find_among(std::span<const Vec2> positions, const Numbers& numbers);
+  void note_shared_hashes(std::span<const Vec2> positions);
+
+  std::vector<std::uint64_t> once_;
+  std::vector<std::uint64_t> twice_;
+  std::vector<std::uint32_t> shared_;
+  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> repeated_;
+  bool were_finite_ = true;
+};
+
+}  // namespace mes

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a reader is, and whether it is to go on. Private to core/io.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "core/base/job_control.h"
+
+namespace mes {
+
+/// A reader goes through texts, each of which is a part of its work, and says where it is in them.
+///
+/// Smallest use:
+///     ReadJob job(&control);
+///     job.begin(text);
+///     for (const char& c : text) job.passed(&c);
+///
+/// Cost: a comparison for each place; a look at the control for each 64 KiB.
+/// Threads: one. The control is looked at from others.
+class ReadJob {
+ public:
+  /// Without a control it never ends early.
+  explicit ReadJob(JobControl* control = nullptr) : control_(control) {}
+
+  /// Goes through this text next; it is the part from `from` to `to` of the whole, which is 1. Throws `Cancelled`.
+  void begin(std::string_view text, double from, double to) {
+    text_ = text;
+    from_ = from;
+    to_ = to;
+    next_ = std::numeric_limits<std::size_t>::max();
+    look(0);
+  }
+  /// The same for the rest of the whole, as far as reading goes; what comes after it takes a share too.
+  void begin(std::string_view text) { begin(text, done_, kRead); }
+
+  /// All before this place of the text is read. Throws `Cancelled`.
+  void passed(const char* at) {
+    if (const auto done = static_cast<std::size_t>(at - text_.data()); done >= next_) look(done);
+  }
+  /// Throws `Cancelled`.
+  void checkpoint() const {
+    if (control_ != nullptr) control_->checkpoint();
+  }
+  /// Null where nothing stops it.
+  JobControl* control() const { return control_; }
+
+ private:
+  static constexpr double kRead = 0.9;
+
+  void look(std::size_t done) {
+    if (control_ == nullptr) return;
+    constexpr std::size_t kOften = std::size_t{1} << 16U;
+    constexpr std::uint64_t kSteps = std::uint64_t{1} << 20U;
+    const double share = text_.empty() ? 1.0 : static_cast<double>(done) / static_cast<double>(text_.size());
+    done_ = from_ + share * (to_ - from_);
+    control_->checkpoint(static_cast<std::uint64_t>(done_ * static_cast<double>(kSteps)), kSteps);
+    next_ = done + kOften;
+  }
+
+  JobControl* control_;
+  std::string_view text_;
+  std::size_t next_ = std::numeric_limits<std::size_t>::max();
+  double from_ = 0.0;
+  double to_ = 1.0;
+  double done_ = 0.0;
+};
+
+}  // namespace mes
