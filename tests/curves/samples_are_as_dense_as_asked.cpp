@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "core/curves/jitter.h"
 #include "core/curves/sampling.h"
@@ -159,6 +161,111 @@ TEST_CASE("samples by curvature turn no more than asked for, and are as wide apa
   // Radii of curvature are from 1/3 at the ends to 9.
   CHECK(narrowest < 0.25 * widest);
   CHECK(narrowest > 0.1 * widest);
+}
+
+namespace {
+
+/// An ellipse of half axes 3 and 1 in arcs, from one of its points on.
+PlaneCurve ellipse_from(double start) {
+  const auto at = [](double angle) { return Vec2{3.0 * std::cos(angle), std::sin(angle)}; };
+  constexpr int kArcs = 8;
+  PlaneCurve out(at(start));
+  for (int i = 0; i < kArcs; ++i) {
+    const double begin = start + 2.0 * kPi * i / kArcs;
+    const double sweep = 2.0 * kPi / kArcs;
+    out.arc_to({{0, 0}, {3, 0}, {0, 1}, begin, sweep}, i + 1 == kArcs ? out.start() : at(begin + sweep));
+  }
+  out.close();
+  return out;
+}
+
+/// Where the middle of an interval lies, and how long it is.
+struct Gap {
+  double angle = 0.0;
+  double length = 0.0;
+};
+
+/// From the first sample on; the last one ends there.
+std::vector<Gap> gaps_of(const SampledCurves& samples) {
+  std::vector<Gap> out;
+  const std::size_t n = samples.positions.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 a = samples.positions[i];
+    const Vec2 b = samples.positions[(i + 1) % n];
+    out.push_back({std::atan2(a.y + b.y, (a.x + b.x) / 3.0), distance(a, b)});
+  }
+  return out;
+}
+
+/// The length between those of the two that are nearest on both sides.
+double length_at(double angle, const std::vector<Gap>& gaps) {
+  Gap before{-10.0, 0.0};
+  Gap after{10.0, 0.0};
+  for (const Gap& gap : gaps) {
+    const double away = std::remainder(gap.angle - angle, 2.0 * kPi);
+    if (away <= 0.0 && away > before.angle) before = {away, gap.length};
+    if (away >= 0.0 && away < after.angle) after = {away, gap.length};
+  }
+  if (before.angle == after.angle) return before.length;
+  return before.length - before.angle / (after.angle - before.angle) * (after.length - before.length);
+}
+
+Expected<std::vector<double>> no_axis(std::span<const Vec2> places) {
+  return std::vector<double>(places.size(), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+TEST_CASE("where a closed curve begins is seen neither in the number of its samples nor in their distances") {
+  for (const SamplingRule rule : {SamplingRule::curvature, SamplingRule::feature_size}) {
+    constexpr int kStarts = 16;
+    std::vector<std::size_t> counts;
+    std::vector<std::vector<Gap>> gaps;
+    for (int i = 0; i < kStarts; ++i) {
+      const PlaneCurve curve = ellipse_from(2.0 * kPi * i / kStarts + 0.01);
+      const auto samples =
+          sample({.curves = {curve}}, {.rule = rule, .count = 10, .turn = 0.1, .epsilon = 0.05}, no_axis);
+      REQUIRE(samples);
+      counts.push_back(samples->positions.size());
+      gaps.push_back(gaps_of(*samples));
+    }
+    for (int i = 0; i < kStarts; ++i) {
+      const std::vector<Gap>& here = gaps[static_cast<std::size_t>(i)];
+      const std::vector<Gap>& opposite = gaps[static_cast<std::size_t>((i + kStarts / 2) % kStarts)];
+      for (const Gap& gap : {here.front(), here.back()}) {
+        const double ratio = gap.length / length_at(gap.angle, opposite);
+        INFO(static_cast<int>(rule) << ' ' << i << ": " << ratio);
+        CHECK(ratio > 0.95);
+        CHECK(ratio < 1.05);
+      }
+    }
+    const auto [least, most] = std::ranges::minmax(counts);
+    CHECK(most - least <= 1);
+  }
+}
+
+TEST_CASE("a bend at the beginning of a closed curve counts as it does elsewhere") {
+  // A drop: nearly a circle of 200 vertices, with one turn of 0.45 where the others have about 0.03.
+  std::vector<Vec2> drop;
+  constexpr int kVertices = 200;
+  for (int i = 0; i < kVertices; ++i) {
+    const double turn = 2.0 * kPi * i / kVertices;
+    const double radius = 1.0 + 0.22 * std::max(0.0, 1.0 - std::abs(std::remainder(turn, 2.0 * kPi)));
+    drop.push_back({radius * std::cos(turn), radius * std::sin(turn)});
+  }
+  const auto near_tip = [&](int first) {
+    PlaneCurve curve(drop[static_cast<std::size_t>(first)]);
+    for (int i = 1; i < kVertices; ++i) curve.line_to(drop[static_cast<std::size_t>((first + i) % kVertices)]);
+    curve.close();
+    const auto samples =
+        sample({.curves = {curve}}, {.rule = SamplingRule::feature_size, .count = 20, .epsilon = 0.05}, no_axis);
+    REQUIRE(samples);
+    return std::ranges::count_if(samples->positions, [&](Vec2 p) { return distance(p, drop[0]) < 0.1; });
+  };
+  const auto elsewhere = near_tip(100);
+  CHECK(elsewhere >= 3);
+  CHECK(std::abs(near_tip(0) - elsewhere) <= 1);
+  CHECK(std::abs(near_tip(1) - elsewhere) <= 1);
 }
 
 TEST_CASE("a jitter moves each sample by no more than asked for, as the seed says") {

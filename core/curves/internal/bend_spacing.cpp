@@ -31,8 +31,14 @@ class BendReader {
   BendReader(double share, double least, StretchSpacing& out) : share_(share), least_(least), out_(out) {}
 
   void add(const Piece& piece, double length) {
+    within_ = 0.0;
     if (length > least_) {
-      join(piece.first_direction(), piece.kind == PieceKind::line ? length : length / static_cast<double>(kParts));
+      const double part = piece.kind == PieceKind::line ? length : length / static_cast<double>(kParts);
+      if (out_.at.empty()) {
+        first_direction_ = piece.first_direction();
+        first_length_ = part;
+      }
+      join(piece.first_direction(), part);
       if (piece.kind == PieceKind::line)
         add_node(length, kInfinity);
       else
@@ -42,18 +48,33 @@ class BendReader {
     passed_ += length;
   }
 
-  /// What is at the ends of a stretch is as beside them.
-  void finish() {
+  /// What is at the ends of a stretch is as beside them. A closed curve without corners goes on where it began, so both
+  /// its ends have what lies between the last node and the first, and what it turns there counts.
+  void finish(bool goes_on) {
     const double all = out_.length;
     if (out_.at.empty()) {
       out_.at = {0.0, all};
       out_.spacing = {kInfinity, kInfinity};
       return;
     }
+    double& first = out_.spacing.front();
+    double& last = out_.spacing.back();
+    double begin = first;
+    double end = last;
+    if (goes_on) {
+      const double bend =
+          spacing_of(share_, 0.5 * (last_length_ + first_length_), turn_between(last_direction_, first_direction_));
+      first = std::min(first, bend);
+      last = std::min(last, bend);
+      const double before = all - out_.at.back();
+      const double after = out_.at.front();
+      const bool is_finite = std::isfinite(first) && std::isfinite(last) && before + after > 0.0;
+      begin = end = is_finite ? last + before / (before + after) * (first - last) : std::min(first, last);
+    }
     out_.at.insert(out_.at.begin(), 0.0);
-    out_.spacing.insert(out_.spacing.begin(), out_.spacing.front());
+    out_.spacing.insert(out_.spacing.begin(), begin);
     out_.at.push_back(all);
-    out_.spacing.push_back(out_.spacing.back());
+    out_.spacing.push_back(end);
   }
 
  private:
@@ -85,12 +106,10 @@ class BendReader {
       sum += chords[i - 1] = distance(from, to);
       from = to;
     }
-    within_ = 0.0;
     if (sum > 0.0)
       for (std::size_t i = 0; i < kParts; ++i)
         if (const double part = length * (chords[i] / sum); part > 0.0)
           add_node(part, spacing_of(share_, part, turn_between(directions[i], directions[i + 1])));
-    within_ = 0.0;
   }
 
   double share_;
@@ -101,6 +120,8 @@ class BendReader {
   double pending_ = kInfinity;
   double last_length_ = 0.0;
   Vec2 last_direction_{};
+  double first_length_ = 0.0;
+  Vec2 first_direction_{};
 };
 
 }  // namespace
@@ -116,7 +137,7 @@ std::vector<std::vector<StretchSpacing>> spacings_by_bends(std::span<const Measu
       BendReader reader(share, least, here);
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i)
         reader.add(curve.pieces[i], curve.lengths[i].total());
-      reader.finish();
+      reader.finish(curve.is_closed && !curve.has_corner_at_start);
     }
   }
   return out;

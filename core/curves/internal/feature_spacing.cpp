@@ -26,7 +26,8 @@ constexpr int kMostDivisions = 48;
 constexpr double kMargin = 0.9;
 // A share of the intervals that is too long is divided rather than placed anew.
 constexpr double kFew = 0.1;
-// Fewer samples than that share of what there are would do: worth another round.
+// Where the number of samples changes by more than this share, another round is worth it: fewer would do, or so many more
+// are asked for that dividing intervals, by two at least, would make far more of them.
 constexpr double kSettled = 0.9;
 constexpr double kRounding = 1e-9;
 
@@ -219,6 +220,9 @@ class FeatureSampler {
       next.spacing.push_back(std::clamp(spacing, finest(c), widest(c)));
       previous = now;
     }
+    // A closed curve without corners goes on where it began.
+    if (curves_[c].is_closed && !curves_[c].has_corner_at_start)
+      next.spacing.front() = next.spacing.back() = std::min(next.spacing.front(), next.spacing.back());
   }
 
   std::span<const MeasuredCurve> curves_;
@@ -248,8 +252,11 @@ Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> cu
     if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
     const bool may_grow = round < kFirstSteadyRound;
     Judged now = sampler.judged(field, *samples, may_grow);
+    now.next = sampler.bounded(now.next);  // a bend between two samples too
     const bool is_near = static_cast<double>(now.too_long) <= kFew * static_cast<double>(now.intervals);
-    if (is_near && (!may_grow || count_of(now.next) > kSettled * count)) break;
+    const double asked = count_of(now.next);
+    const bool is_settled = asked > kSettled * count && kSettled * asked < count;
+    if (is_near && (!may_grow || is_settled)) break;
     field = std::move(now.next);
   }
 

@@ -196,20 +196,21 @@ std::vector<std::vector<StretchSpacing>> spacings_by_curvature(std::span<const M
       probes.clear();
       add_probes(curve, stretch, spacing.size() - 1, i, 0.0, probes);
       // The turn from one chord to the next, over the length from middle to middle.
-      for (std::size_t k = 1; k + 1 < probes.size(); ++k) {
-        const Vec2 before = probes[k].position - probes[k - 1].position;
-        const Vec2 after = probes[k + 1].position - probes[k].position;
+      const auto spacing_at = [&](Vec2 before, Vec2 after, double along) {
         const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
-        const double along = 0.5 * (here.at[k + 1] - here.at[k - 1]);
-        spacing[k] = std::clamp(turn > 0.0 ? limits.share * along / turn : widest, finest, widest);
-      }
-      spacing.front() = spacing[1];
-      spacing.back() = spacing[spacing.size() - 2];
+        return std::clamp(turn > 0.0 ? limits.share * along / turn : widest, finest, widest);
+      };
+      const auto chord = [&](std::size_t k) { return probes[k + 1].position - probes[k].position; };
+      for (std::size_t k = 1; k + 1 < probes.size(); ++k)
+        spacing[k] = spacing_at(chord(k - 1), chord(k), 0.5 * (here.at[k + 1] - here.at[k - 1]));
+      // A closed curve without corners goes on where it began.
+      const bool goes_on = curve.is_closed && !curve.has_corner_at_start;
+      spacing.front() = goes_on ? spacing_at(chord(probes.size() - 2), chord(0), here.at[1]) : spacing[1];
+      spacing.back() = goes_on ? spacing.front() : spacing[spacing.size() - 2];
       const auto follow = [&](std::size_t k, std::size_t before) {
         spacing[k] = std::min(spacing[k], spacing[before] + kSteepest * std::abs(here.at[k] - here.at[before]));
       };
-      // A closed curve without corners goes on where it began.
-      const int rounds = curve.is_closed && !curve.has_corner_at_start ? 2 : 1;
+      const int rounds = goes_on ? 2 : 1;
       for (int round = 0; round < rounds; ++round) {
         if (round == 1) spacing.front() = spacing.back() = std::min(spacing.front(), spacing.back());
         for (std::size_t k = 1; k < spacing.size(); ++k) follow(k, k - 1);
