@@ -17,7 +17,7 @@ constexpr int kLongestSide = 1024;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28U;
 
 Expected<TracePreview> read_preview(const std::filesystem::path& file, const std::stop_token& stop) try {
-  const JobControl job(stop);
+  JobControl job(stop);
   const auto bytes = read_regular_file(file, {.job = &job, .most_bytes = kMostBytes});
   if (!bytes) return std::unexpected(bytes.error());
   auto pixels = decode_pixels(std::as_bytes(std::span(*bytes)), file.string());

@@ -18,6 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the progress of reading a file: until its bytes are here.
+constexpr double kFileShare = 0.2;
+
 const Format* format_named(std::string_view id) {
   for (const Format& format : formats())
     if (format.descriptor.id == id) return &format;
@@ -105,7 +108,7 @@ Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
                                 const ReadRequest& request, const fs::path* path, JobControl* control) {
   try {
-    ReadJob job(control);
+    ReadJob job(control, path != nullptr ? kFileShare : 0.0);
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());
@@ -137,7 +140,7 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
 
 // A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session or a
 // format knows it.
-ReadOptions what_may_be_read(const JobControl* job) {
+ReadOptions what_may_be_read(JobControl* job) {
   constexpr std::size_t kLargest = std::size_t{1} << 30U;
   return {.is_enough =
               [](std::string_view bytes) {
@@ -145,7 +148,8 @@ ReadOptions what_may_be_read(const JobControl* job) {
                 const bool may_be_read = may_carry_session(bytes) || is_known_all_the_same(bytes);
                 return !may_be_read || bytes.size() > kLargest;
               },
-          .job = job};
+          .job = job,
+          .share = kFileShare};
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
                           const std::filesystem::path*, ReadJob& job) {
   const std::string_view text = without_bom(bytes);
   constexpr double kChecked = 0.4;  // of the time that reading takes
-  job.begin(text, 0.0, kChecked);
+  job.begin(text, kChecked);
   if (auto good = check_json(text, name, &job); !good) return std::unexpected(good.error());
   job.begin(text);
   return GeoJsonReader(text, name, degrees, job).read();

@@ -17,10 +17,12 @@ constexpr int kDeepest = 64;
 
 // Where it gets too deep, or the end. Looked for beforehand: a parser that asks at each value looks at all brothers
 // of a value each time, which takes hours for a long list.
-std::size_t too_deep(std::string_view text) {
+std::size_t too_deep(std::string_view text, const ReadJob* job) {
+  constexpr std::size_t kOften = std::size_t{1} << 20U;
   int depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i % kOften == 0 && job != nullptr) job->checkpoint();
     const char c = text[i];
     if (in_string) {
       if (c == '\\')
@@ -104,7 +106,7 @@ std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::
 }
 
 Expected<void> check_json(std::string_view text, const std::string& file, ReadJob* job) {
-  if (const std::size_t at = too_deep(text); at < text.size())
+  if (const std::size_t at = too_deep(text, job); at < text.size())
     return bad_json(text, at, "this JSON is nested too deeply", file);
   Listener listener;
   const char* const begin = text.data();

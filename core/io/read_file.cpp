@@ -56,6 +56,13 @@ bool is_stopped(const JobControl* job) {
   return job != nullptr && job->stop_requested();
 }
 
+void note_progress(const ReadOptions& options, std::size_t done, std::size_t all) {
+  if (options.job == nullptr || options.share == 0.0 || all == 0) return;
+  constexpr std::uint64_t kSteps = std::uint64_t{1} << 20U;
+  const double share = std::min(static_cast<double>(done) / static_cast<double>(all), 1.0) * options.share;
+  options.job->checkpoint(static_cast<std::uint64_t>(share * static_cast<double>(kSteps)), kSteps);
+}
+
 // Until there is something, or the end, or a stop.
 void wait_for_data(int descriptor, const JobControl* job) {
   pollfd waited{descriptor, POLLIN, 0};
@@ -79,10 +86,13 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
       while (filled < bytes.size()) {
         if (may_wait) wait_for_data(descriptor, options.job);
         if (is_stopped(options.job)) return cancelled(name);
-        const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        // A disk may take its time.
+        constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;
+        const ssize_t got = ::read(descriptor, bytes.data() + filled, std::min(bytes.size() - filled, kMostAtOnce));
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (got < 0) return cannot_read(name, errno);
         filled += static_cast<std::size_t>(got);
+        if (!may_wait) note_progress(options, filled, static_cast<std::size_t>(status.st_size));
         if (filled > options.most_bytes) return too_large(name);
         if (got == 0) {
           bytes.resize(filled);
@@ -91,6 +101,8 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
       }
       if (options.is_enough && options.is_enough(bytes)) return bytes;
     }
+  } catch (const Cancelled&) {
+    return cancelled(name);
   } catch (const std::bad_alloc&) {
     return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name});
   } catch (const std::length_error&) {

@@ -19,9 +19,9 @@ inline constexpr std::uint64_t kMostBytesRead = std::uint64_t{4} << 30U;
 struct ReadOptions {
   /// Asked now and then with what was read so far; true ends the reading as if the file ended there.
   std::function<bool(std::string_view)> is_enough{};
-  /// Error `cancelled`, a moment after it is stopped, also while a pipe is waited for; null: it is not. Its progress is
-  /// left alone.
-  const JobControl* job = nullptr;
+  /// Error `cancelled`, a moment after it is stopped, also while a pipe is waited for; null: it is not.
+  JobControl* job = nullptr;
+  double share = 0.0;  ///< of the progress of the job: what reading a regular file to its end is
   std::uint64_t most_bytes = kMostBytesRead;  ///< more is an error
 };
 

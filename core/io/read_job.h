@@ -22,20 +22,17 @@ namespace mes {
 /// Threads: one. The control is looked at from others.
 class ReadJob {
  public:
-  /// Without a control it never ends early.
-  explicit ReadJob(JobControl* control = nullptr) : control_(control) {}
+  /// Without a control it never ends early. `done` is what share of the whole is behind it.
+  explicit ReadJob(JobControl* control = nullptr, double done = 0.0) : control_(control), done_(done) {}
 
-  /// Goes through this text next; it is the part from `from` to `to` of the whole, which is 1. Throws `Cancelled`.
-  void begin(std::string_view text, double from, double to) {
+  /// Goes through this text next, which is so large a share of what is left to read. Throws `Cancelled`.
+  void begin(std::string_view text, double share = 1.0) {
     text_ = text;
-    from_ = from;
-    to_ = to;
+    from_ = done_;
+    to_ = done_ + share * (kRead - done_);
     next_ = std::numeric_limits<std::size_t>::max();
     look(0);
   }
-  /// The same for the rest of the whole, as far as reading goes; what comes after it takes a share too.
-  void begin(std::string_view text) { begin(text, done_, kRead); }
-
   /// All before this place of the text is read. Throws `Cancelled`.
   void passed(const char* at) {
     if (const auto done = static_cast<std::size_t>(at - text_.data()); done >= next_) look(done);
@@ -48,7 +45,7 @@ class ReadJob {
   JobControl* control() const { return control_; }
 
  private:
-  static constexpr double kRead = 0.9;
+  static constexpr double kRead = 0.9;  // what follows takes a share too
 
   void look(std::size_t done) {
     if (control_ == nullptr) return;
@@ -65,7 +62,7 @@ class ReadJob {
   std::size_t next_ = std::numeric_limits<std::size_t>::max();
   double from_ = 0.0;
   double to_ = 1.0;
-  double done_ = 0.0;
+  double done_;
 };
 
 }  // namespace mes
