@@ -56,14 +56,22 @@ bool are_tables_sound(Bytes from_segment, std::size_t segment) {
 /// The decoder finds the same markers between segments, or it fails earlier.
 std::string jpeg_hazard(Bytes bytes) {
   constexpr unsigned kTables = 0xC4;
+  constexpr unsigned kEnd = 0xD9;
+  constexpr unsigned kScan = 0xDA;
+  bool has_scan = false;
   Bytes rest = bytes;
   for (;;) {
     while (rest.size() >= 2 && (rest[0] != kMarker || rest[1] == kMarker || rest[1] == std::byte{0}))
       rest = rest.subspan(1);
-    if (rest.size() < 2) return {};
+    if (rest.size() < 2) {
+      if (!has_scan) return {};  // the decoder notices
+      return fmt::format("the file ends at byte {}, before the marker that ends a picture", bytes.size());
+    }
     const std::size_t place = place_of(rest, bytes);
     const auto marker = std::to_integer<unsigned>(rest[1]);
     rest = rest.subspan(2);
+    if (marker == kEnd && has_scan) return {};
+    has_scan = has_scan || marker == kScan;
     if (stands_alone(marker)) continue;
     const std::size_t length = std::max<std::size_t>(number(rest, 2), 2);
     if (marker == kTables && !are_tables_sound(without_first(rest, 2), length - 2))

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/raster/picture_decoder.h"
+#include "core/raster/picture_guard.h"
 
 using namespace mes;
 
@@ -51,6 +52,20 @@ TEST_CASE("PGM and PPM are read with comments between their numbers") {
   CHECK(looks_like_picture("P5\n1 1 255 x"));
   CHECK_FALSE(looks_like_picture("P5x"));
   CHECK_FALSE(looks_like_picture("POFF\n1 0 0\n"));
+}
+
+TEST_CASE("a JPEG that is cut within its pixels is refused") {
+  using namespace std::string_literals;
+  const auto hazard = [](const std::string& bytes) { return decoding_hazard(std::as_bytes(std::span(bytes))); };
+  // Begin, a scan with data in which 0xFF is followed by zero or a restart, and the end; what follows that is ignored.
+  const std::string cut = "\xFF\xD8\xFF\xDA\x00\x03\x01\x12\xFF\x00\x34\xFF\xD0\x56"s;
+  CHECK(hazard(cut) == "the file ends at byte 14, before the marker that ends a picture");
+  CHECK(hazard(cut + "\xFF"s) == "the file ends at byte 15, before the marker that ends a picture");
+  CHECK(hazard(cut + "\xFF\xD9"s).empty());
+  CHECK(hazard(cut + "\xFF\xD9 and more"s).empty());
+  // The end of a thumbnail in another segment is not that of the picture.
+  CHECK_FALSE(hazard("\xFF\xD8\xFF\xE1\x00\x06\xFF\xDA\xFF\xD9"s + cut.substr(2)).empty());
+  CHECK(refusal(cut).starts_with(kBroken + "the file ends at byte 14"));
 }
 
 TEST_CASE("PGM and PPM that lack what they announce are refused") {
