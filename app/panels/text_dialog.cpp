@@ -87,7 +87,7 @@ void TextDialog::follow() {
     if (!font) return {std::unexpected(std::move(font.error()))};
     TextRequest request = wish.request;
     request.font = *std::move(font);
-    auto outlines = outlines_of_text(request);
+    auto outlines = outlines_of_text(request, &job);
     if (!outlines) return {std::unexpected(std::move(outlines.error()))};
     job.checkpoint();
     return {sample_curves(outlines->curves, wish.sampling, &job), std::move(outlines->remarks)};

@@ -111,7 +111,7 @@ std::string character_at(std::string_view text, std::size_t byte) {
 
 class TextReader {
  public:
-  explicit TextReader(const TextRequest& request) : request_(request) {}
+  TextReader(const TextRequest& request, JobControl* job) : request_(request), job_(job) {}
 
   Expected<TextOutlines> read() {
     if (auto done = check(); !done) return std::unexpected(done.error());
@@ -174,6 +174,7 @@ class TextReader {
     const hb_glyph_info_t* const infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
     const hb_glyph_position_t* const positions = hb_buffer_get_glyph_positions(buffer.get(), &count);
     for (unsigned i = 0; i < count; ++i) {
+      if (job_ != nullptr) job_->checkpoint();
       const hb_glyph_position_t& place = positions[i];
       if (infos[i].codepoint == 0) {
         missing_.insert(character_at(line, infos[i].cluster));
@@ -202,6 +203,7 @@ class TextReader {
     const double em = hb_face_get_upem(face_.get());
     // A thousandth of what is drawn of most letters.
     constexpr double kTolerance = 1.0 / 20'000.0;
+    if (job_ != nullptr) job_->checkpoint();
     out.curves.curves = united_contours(std::move(pen_.contours), kTolerance * em);
     const double scale = request_.size / em;
     for (PlaneCurve& curve : out.curves.curves) curve.transform(Affine::scaling(scale, scale));
@@ -210,6 +212,7 @@ class TextReader {
   }
 
   const TextRequest& request_;
+  JobControl* job_;
   Blob blob_;
   Face face_;
   Font font_;
@@ -220,8 +223,8 @@ class TextReader {
 
 }  // namespace
 
-Expected<TextOutlines> outlines_of_text(const TextRequest& request) {
-  return TextReader(request).read();
+Expected<TextOutlines> outlines_of_text(const TextRequest& request, JobControl* job) {
+  return TextReader(request, job).read();
 }
 
 }  // namespace mes

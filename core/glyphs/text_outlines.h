@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/curves/curve.h"
 #include "core/glyphs/fonts.h"
 
@@ -38,7 +39,8 @@ inline constexpr std::size_t kLongestText = 10'000;  // bytes
 
 /// Equal requests and font files give equal curves. Cost: some 10 us for each letter, more where contours overlap. Any
 /// thread. Error: `usage` for a text that is too long, or a size that is not positive; `bad_input` for a file that is no
-/// font, and for a text of which nothing is drawn, with the reason.
-Expected<TextOutlines> outlines_of_text(const TextRequest& request);
+/// font, and for a text of which nothing is drawn, with the reason. Throws `Cancelled` if there is a job, which is looked at
+/// for each glyph, but not while overlapping contours are united.
+Expected<TextOutlines> outlines_of_text(const TextRequest& request, JobControl* job = nullptr);
 
 }  // namespace mes

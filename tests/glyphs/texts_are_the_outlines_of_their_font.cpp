@@ -193,3 +193,14 @@ TEST_CASE("each installed family is found by its name, in any case") {
     CHECK(find_font(shouted) == *font);
   }
 }
+
+TEST_CASE("the outlines of a long text can be stopped") {
+  TextRequest request{.text = std::string(1000, 'A'), .font = kInter};
+  JobControl job;
+  job.stop_at_look(100);
+  CHECK_THROWS_AS(outlines_of_text(request, &job), Cancelled);
+  request.text = "A";
+  JobControl enough;
+  enough.stop_at_look(100);
+  CHECK(outlines_of_text(request, &enough).has_value());
+}
