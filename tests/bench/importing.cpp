@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What reading a drawing or a map costs, from its bytes to samples with their curves, against the parser of the library
-// alone.
+// alone: processor time of all threads, for drawings are read on several; a note says the same of the clock.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/io/format.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
@@ -64,21 +66,33 @@ std::string geojson_of_islands() {
 template <class Parse>
 void importing(benchmark::State& state, RatioTable& table, const char* what, const std::string& bytes,
                const char* against, Parse parse) {
+  using Clock = std::chrono::steady_clock;
+  const auto us_since = [](Clock::time_point begin) {
+    return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+  };
   std::vector<double> ours;
   std::vector<double> raw;
+  std::vector<double> ours_by_clock;
+  std::vector<double> raw_by_clock;
   for (auto _ : state) {
-    double start = own_us();
+    Clock::time_point begin = Clock::now();
+    double start = process_us();
     const bool is_parsed = parse(bytes);
-    raw.push_back(own_us() - start);
-    start = own_us();
+    raw.push_back(process_us() - start);
+    raw_by_clock.push_back(us_since(begin));
+    begin = Clock::now();
+    start = process_us();
     const auto file = read_sample_bytes(bytes, what);
-    ours.push_back(own_us() - start);
+    ours.push_back(process_us() - start);
+    ours_by_clock.push_back(us_since(begin));
     if (!is_parsed || !file || file->data.positions.size() != kVertices) {
       state.SkipWithError("it was not read");
       return;
     }
   }
   table.add({what, kVertices, median(ours), median(raw), 3.0, against});
+  table.add_note(fmt::format("{}, {} vertices, by the clock on {} threads: {:.2f} times {}", what, kVertices,
+                             worker_count(), median(ours_by_clock) / median(raw_by_clock), against));
 }
 
 void import_svg(benchmark::State& state, RatioTable& table) {
