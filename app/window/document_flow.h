@@ -98,6 +98,8 @@ class DocumentFlow {
   void open_documents(const std::vector<std::filesystem::path>& files);
   /// The map that is open is read once more, as the settings say now what becomes of its degrees.
   void read_map_again();
+  /// What is open has been saved to a file of its own since it was opened.
+  bool has_own_file() const;
   MapDegrees degrees_wanted() const;
   void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
   void ask_trace();
@@ -134,6 +136,7 @@ class DocumentFlow {
   std::filesystem::path traced_with_next_;        // when what is being read is there
   std::vector<std::filesystem::path> map_files_;  // that were opened, if they had longitude and latitude
   MapDegrees map_degrees_{};                      // what became of those
+  bool reads_map_again_ = false;                  // once nothing else is read
   bool presents_next_ = false;                    // what is being read
   bool had_first_file_ = false;
   bool is_left_ = false;

@@ -50,12 +50,21 @@ MapDegrees DocumentFlow::degrees_wanted() const {
 // Not when what is open has been saved to a file of its own since, nor when it is as it is wanted: where the question about
 // unsaved work was cancelled, the setting has changed and the map has not.
 void DocumentFlow::read_map_again() {
-  if (map_files_.empty() || !files_.file().empty() || map_degrees_ == degrees_wanted()) return;
+  // What is being read comes first, and may be a map itself; `take_results` asks again when it has ended.
+  reads_map_again_ = files_.is_reading();
+  if (reads_map_again_ || map_files_.empty() || has_own_file() || map_degrees_ == degrees_wanted()) return;
   with_saved_work([this, files = map_files_] {
-    if (!files_.file().empty()) return;  // saved by the answer
+    if (has_own_file()) return;  // saved by the answer
     traced_with_next_.clear();
     open_documents(files);
   });
+}
+
+// A file of balls that was opened with the map is read again with it.
+bool DocumentFlow::has_own_file() const {
+  const fs::path& balls = files_.ball_file();
+  const bool are_balls_of_map = balls.empty() || std::ranges::find(map_files_, balls) != map_files_.end();
+  return files_.has_session_file() || !files_.sample_file().empty() || !are_balls_of_map;
 }
 
 void DocumentFlow::open(std::vector<std::string> files) {
