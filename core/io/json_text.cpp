@@ -73,7 +73,7 @@ class Watched {
   using pointer = const char*;
   using reference = const char&;
 
-  Watched(const char* at, const char* end, ReadJob* job) : at_(at), end_(end), watched_(at), job_(job) {}
+  Watched(const char* at, const char* end, ReadJob* job) : at_(at), end_(end), job_(job) { watch(); }
   reference operator*() const { return *at_; }
   Watched& operator++() {
     if (++at_ == watched_) watch();
@@ -90,7 +90,7 @@ class Watched {
 
   const char* at_;
   const char* end_;
-  const char* watched_;
+  const char* watched_ = nullptr;  // where to look next
   ReadJob* job_;
 };
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/io/format.h"
@@ -137,6 +138,8 @@ TEST_CASE("every reader can be stopped at each of its looks, and there are many"
       if (file) break;
       REQUIRE(file.error().code == ErrorCode::cancelled);
       REQUIRE(job.progress() >= last);
+      // A drawing is read by its libraries and by several threads in large pieces.
+      if (std::string_view(example.format) == "geojson" && look <= 64) REQUIRE(job.progress() - last < 0.25);
       last = job.progress();
       if (look > 64) look += look / 2;
       ++looks;
