@@ -26,7 +26,7 @@ set(rooms
   "core/structures/density: core/base core/kernel core/graph core/structures/delaunay core/structures/crust"
   "core/structures/alpha: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay"
   "core/structures/certificate: core/base core/kernel core/graph core/structures/axis"
-  "core/structures/balls: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis core/structures/filters core/structures/certificate"
+  "core/structures/balls: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis core/structures/alpha core/structures/filters core/structures/certificate"
   "core/structures/poles: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/balls"
   "core/structures: core/graph core/structures/*"
   "core/layers/parts: core/graph core/structures/*"

@@ -64,13 +64,13 @@ std::vector<Layer> make_layers(const StructureSet& structures) {
   std::vector<Layer> out;
   for (const AddLayers add : kLayers) add(structures, out);
   add_union_layers({'A', structures.get<AUnion>(), structures.get<APowerDiagram>(), structures.get<AVDiagram>(),
-                    structures.get<ABallSampling>(), LayerGroup::union_a, true},
+                    structures.get<ABallSampling>(), structures.get<AGrownComplex>(), LayerGroup::union_a, true},
                    out);
   add_union_layers({'P', structures.get<PUnion>(), structures.get<PPowerDiagram>(), structures.get<PVDiagram>(),
-                    structures.get<PBallSampling>(), LayerGroup::union_p, true},
+                    structures.get<PBallSampling>(), structures.get<PGrownComplex>(), LayerGroup::union_p, true},
                    out);
   add_union_layers({'B', structures.get<BUnion>(), structures.get<BPowerDiagram>(), structures.get<BVDiagram>(),
-                    structures.get<BBallSampling>(), LayerGroup::union_b, false},
+                    structures.get<BBallSampling>(), structures.get<BGrownComplex>(), LayerGroup::union_b, false},
                    out);
   return out;
 }

@@ -6,6 +6,8 @@
 #include "core/graph/structure.h"
 #include "core/structures/alpha/alpha_complex.h"
 #include "core/structures/alpha/alpha_filtration.h"
+#include "core/structures/balls/ball_filtration.h"
+#include "core/structures/balls/grown_complex.h"
 #include "core/structures/axis/axis_nodes.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/axis/medial_axis.h"
@@ -97,6 +99,12 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<ABallSampling, SettingsSource, AUnion>(set);
   add<BBallSampling, SettingsSource, BUnion>(set);
   add<BVDiagram, BUnion>(set);
+  add<ABallFiltration, SettingsSource, Delaunay, Labels, InnerBalls>(set);
+  add<AGrownComplex, SettingsSource, ABallFiltration>(set);
+  add<PBallFiltration, SettingsSource, Delaunay, VoronoiVertices, Poles, PoleLabels>(set);
+  add<PGrownComplex, SettingsSource, PBallFiltration>(set);
+  add<BBallFiltration, SettingsSource, UserBalls>(set);
+  add<BGrownComplex, SettingsSource, BBallFiltration>(set);
   add<AxisSampling, SettingsSource, Delaunay, MedialAxis>(set);
   add<ScaleUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisSampling,
       AxisCertificate>(set);

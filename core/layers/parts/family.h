@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/layers/parts/helpers.h"
+#include "core/structures/balls/grown_complex.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
@@ -21,6 +22,7 @@ struct UnionFamily {
   const PowerDiagram& power_diagram;
   const VDiagram& v_diagram;
   const BallSampling& sampling;
+  const GrownComplex& grown;
   LayerGroup group;
   bool in_paper;  ///< the paper has this family
 };
@@ -37,6 +39,14 @@ Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDesc
   descriptor.group = family.group;
   descriptor.in_paper = descriptor.in_paper && family.in_paper;
   return make_layer(std::move(descriptor), {&family.balls, &read}, std::move(parts)...);
+}
+/// A layer of the grown balls, which needs no union.
+template <class... Parts>
+Layer grown_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts... parts) {
+  Layer layer = union_layer_of(family, family.grown.filtration(), std::move(descriptor), std::move(parts)...);
+  layer.structures.front() = &family.grown;
+  layer.descriptor.structures.front() = family.grown.id();
+  return layer;
 }
 template <class... Parts>
 Layer union_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts... parts) {

@@ -95,7 +95,7 @@ void add_to_extent(const PipelineBall& ball, FrameExtent& extent) {
   extent.add_derived(ball.drawn);
 }
 
-PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> rows) {
+PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> rows, PointBalls points) {
   PlainBalls out;
   out.balls.reserve(rows.size());
   out.first_sample.reserve(rows.size());
@@ -111,8 +111,8 @@ PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> row
       std::ranges::rotate(ball.corner, std::ranges::min_element(ball.corner, lexicographically_less));
     }
     ball.drawn = {ball.disk.center, ball.radius()};
-    // What no double can hold cannot be drawn either; a ball of radius zero takes no part.
-    if (!is_finite(ball.drawn) || !(ball.drawn.radius > 0.0)) {
+    // What no double can hold cannot be drawn either.
+    if (!is_finite(ball.drawn) || (!(ball.drawn.radius > 0.0) && points == PointBalls::ignored)) {
       ++out.ignored;
       continue;
     }
@@ -141,11 +141,11 @@ void bring_into(const LocalFrame& frame, PipelineBall& ball) {
 
 }  // namespace
 
-LocalBalls local_balls(const BallFamily& family) {
+LocalBalls local_balls(const BallFamily& family, PointBalls points) {
   const std::vector<FamilySlot> rows = rows_by_place(family);
   std::vector<PlainBalls> parts(chunk_count(rows.size()));
   parallel_for(rows.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-    parts[part] = plain_balls(family, std::span(rows).subspan(begin, end - begin));
+    parts[part] = plain_balls(family, std::span(rows).subspan(begin, end - begin), points);
   });
   LocalBalls out;
   out.rows = family.rows();

@@ -2,6 +2,7 @@
 // The balls of a family as the pipelines take them.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/structures/balls/ball_family.h"
@@ -18,11 +19,13 @@ struct LocalBalls {
   Table<InputSlot, PipelineBall> balls;
   std::vector<TouchedSample> samples;  ///< what `PipelineBall::samples` points to
   std::size_t rows = 0;
-  std::size_t ignored = 0;  ///< of radius zero, or beyond doubles
+  std::size_t ignored = 0;  ///< beyond doubles, or, as long as they are not asked for, of radius zero
   LocalFrame frame;
 
   PipelineInput input() const { return {balls, rows, frame}; }
 };
-LocalBalls local_balls(const BallFamily& family);
+enum class PointBalls : std::uint8_t { ignored, kept };
+/// `points` are the balls of radius zero.
+LocalBalls local_balls(const BallFamily& family, PointBalls points = PointBalls::ignored);
 
 }  // namespace mes

@@ -2,6 +2,7 @@
 // The union of the interior polar balls: what the union of the inner Voronoi balls would be if only poles counted.
 #pragma once
 
+#include "core/structures/balls/grown_complex.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
@@ -19,6 +20,18 @@ class PPowerDiagram final : public PowerDiagram {
  public:
   PPowerDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
                 PoleLabels& labels);
+};
+
+class PBallFiltration final : public BallFiltration {
+ public:
+  PBallFiltration(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
+                  PoleLabels& labels);
+};
+
+class PGrownComplex final : public GrownComplex {
+ public:
+  PGrownComplex(SettingsSource& settings, PBallFiltration& filtration)
+      : GrownComplex("p-grown-complex", settings, filtration) {}
 };
 
 class PVDiagram final : public VDiagram {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Additive growth of the balls of a family, for all amounts at once: when each ball, edge and triangle of the dual complex
+// comes, and which components and holes are born and die.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/graph/structure.h"
+#include "core/structures/balls/internal/ball_births.h"
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/local_balls.h"
+
+namespace mes {
+
+/// Grown by a, a ball of radius r has the radius sqrt(r^2 + a^2), so that all power cells stay as they are; grown by a
+/// negative a it has sqrt(r^2 - a^2), and is not there where that is not a number. The dual complexes of the grown balls
+/// are nested: they are the alpha complexes of weighted points. They have the homotopy type of the union, and at a = 0
+/// are the dual complex of the family's own union. With all radii 0 they are those of `AlphaFiltration`.
+///
+/// What it guarantees:
+///  1. What comes at the same growth, as a real number, has the same *rank*; other ranks are in the order of growth. Exact
+///     for the balls as they are: disks with the doubles that they have, circumdisks of samples with centre and radius as
+///     rationals, radii times the family's scale; whatever the number type of the settings.
+///  2. Which edges and triangles bear and end which classes is a function of the balls. Classes that live for no time are
+///     left out. A component is born at the ball that comes first.
+///  3. `growth` of a rank is a double that is not smaller than it, and larger by less than a part in 10^11 of it. At a
+///     parameter of this value, what comes there has come.
+///  4. Balls without a power cell, duplicates, and balls beyond doubles are left out; those of radius 0 are not.
+///
+/// Cost: O(n log n), of intervals mostly; a rational number for each growth that is equal to another, or nearly so.
+/// Updates make it anew. Threads: those of the graph.
+/// Source: Edelsbrunner 1995; Edelsbrunner, Letscher and Zomorodian 2002.
+class BallFiltration : public Structure {
+ public:
+  static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+
+  const BallFamily& family() const { return *family_; }
+  const Table<GrownCornerSlot, BallBirths::Corner>& corners() const { return births_.corners; }
+  const Table<GrownEdgeSlot, BallBirths::Edge>& edges() const { return births_.edges; }
+  const Table<GrownTriangleSlot, BallBirths::Triangle>& triangles() const { return births_.triangles; }
+  FamilySlot ball(GrownCornerSlot corner) const { return balls_.balls[births_.corners[corner].ball].row; }
+  /// As large as it is before it grows, rounded.
+  const Disk& disk(GrownCornerSlot corner) const { return balls_.balls[births_.corners[corner].ball].drawn; }
+
+  std::size_t rank_count() const { return growth_.size(); }
+  double growth(std::uint32_t rank) const { return growth_[rank]; }
+  /// How many ranks have come at this growth, exactly. `a` is not negative.
+  std::uint32_t ranks_within(double a) const { return levels_within(balls_.input(), births_.levels, a); }
+
+  /// A component of the union of the grown balls, or a hole in it.
+  struct Class {
+    bool is_hole = false;
+    std::uint32_t birth = 0;       ///< rank
+    std::uint32_t death = kNever;  ///< rank; `kNever`: it stays
+    GrownCornerSlot corner{};      ///< of a component: where it is born
+    GrownEdgeSlot edge{};          ///< joins the component to an older one, or closes the hole; kNoSlot: it stays
+    GrownTriangleSlot triangle{};  ///< of a hole: fills it
+  };
+  const std::vector<Class>& classes() const { return classes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+  std::string_view kernel() const override { return "intervals, rationals"; }
+
+ protected:
+  BallFiltration(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                 std::unique_ptr<BallFamily> family, Parameter scale);
+
+ private:
+  void find_growth();
+  void find_classes();
+
+  const SettingsSource& settings_;
+  std::unique_ptr<BallFamily> family_;
+  Parameter scale_;
+  LocalBalls balls_;
+  BallBirths births_;
+  std::vector<double> growth_;
+  std::vector<Class> classes_;
+};
+
+/// Of the inner Voronoi balls.
+class ABallFiltration final : public BallFiltration {
+ public:
+  ABallFiltration(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls);
+};
+
+/// Of the user's balls.
+class BBallFiltration final : public BallFiltration {
+ public:
+  BBallFiltration(SettingsSource& settings, UserBalls& balls);
+};
+
+}  // namespace mes

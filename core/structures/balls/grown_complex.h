@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The balls of a family grown by one amount: their dual complex, their union and its boundary.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/arc.h"
+#include "core/base/change_set.h"
+#include "core/structures/balls/ball_filtration.h"
+
+namespace mes {
+
+/// Either end of an edge: row 2 e + i is end i of edge e.
+using GrownEndSlot = Slot<struct GrownEndTag>;
+using GrownClassSlot = Slot<struct GrownClassTag>;
+
+/// What it guarantees:
+///  1. `holds` is exact: what comes at a growth of `alpha-radius` or before, ties included.
+///  2. `arc` gives each arc of the boundary of the union of the grown balls once, to the left of the edge at whose
+///     crossing it begins; a ball that meets no other has a whole circle instead (`is_alone`). Arcs are rounded.
+///  3. A class is alive if it is born at that growth or before, and does not die by then.
+///
+/// Cost: an update costs what comes or goes between the old growth and the new one, and O(n) for disks and boundary.
+/// Rows are those of the filtration.
+class GrownComplex : public Structure {
+ public:
+  const BallFiltration& filtration() const { return filtration_; }
+  double growth() const { return growth_; }
+  bool holds(GrownCornerSlot corner) const { return filtration_.corners()[corner].rank < come_; }
+  bool holds(GrownEdgeSlot edge) const { return filtration_.edges()[edge].rank < come_; }
+  bool holds(GrownTriangleSlot triangle) const { return filtration_.triangles()[triangle].rank < come_; }
+  bool is_alive(const BallFiltration::Class& one) const { return one.birth < come_ && come_ <= one.death; }
+  /// It is held, and no edge at it is.
+  bool is_alone(GrownCornerSlot corner) const { return holds(corner) && !has_edge_[corner]; }
+  /// Rounded.
+  Disk disk(GrownCornerSlot corner) const;
+  /// That begins at the crossing to the left of the edge, seen from this end, and goes around the end.
+  std::optional<Arc> arc(GrownEndSlot row) const;
+
+  const ChangeSet<GrownCornerSlot>& corner_changes() const { return corner_changes_; }
+  const ChangeSet<GrownEdgeSlot>& edge_changes() const { return edge_changes_; }
+  const ChangeSet<GrownTriangleSlot>& triangle_changes() const { return triangle_changes_; }
+  const ChangeSet<GrownEndSlot>& end_changes() const { return end_changes_; }
+  const ChangeSet<GrownClassSlot>& class_changes() const { return class_changes_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override;
+  std::size_t touched() const override {
+    return corner_changes_.size() + edge_changes_.size() + triangle_changes_.size();
+  }
+  StatList statistics() const override;
+
+ protected:
+  GrownComplex(std::string_view id, SettingsSource& settings, BallFiltration& filtration);
+
+ private:
+  double wish() const { return settings_.current()[Parameter::alpha_radius]; }
+  void find_ways();
+  void set_growth();
+  /// Where the circles around the ends of a held edge cross, to its left seen from `from`.
+  Vec2 crossing(GrownCornerSlot from, GrownCornerSlot to) const;
+  /// The angle at `from` between the way to `to` and the way to either crossing.
+  double half_angle(GrownCornerSlot from, GrownCornerSlot to) const;
+  /// The other end of the next held edge there, counter-clockwise; that of the edge itself, where there is no other.
+  GrownCornerSlot next_held(GrownCornerSlot corner, GrownEdgeSlot edge, GrownTriangleSlot left) const;
+  bool is_open(GrownTriangleSlot triangle) const { return triangle == kNoSlot || !holds(triangle); }
+
+  const SettingsSource& settings_;
+  const BallFiltration& filtration_;
+  double growth_ = 0.0;
+  std::uint32_t come_ = 0;                 // ranks below it
+  Table<GrownCornerSlot, bool> has_edge_;  // that is held
+  /// Of a corner of the hull, the edge that has the outside to its right. Where all centres are collinear, both edges.
+  Table<GrownCornerSlot, std::array<GrownEdgeSlot, 2>> hull_edge_;
+  ChangeSet<GrownCornerSlot> corner_changes_;
+  ChangeSet<GrownEdgeSlot> edge_changes_;
+  ChangeSet<GrownTriangleSlot> triangle_changes_;
+  ChangeSet<GrownEndSlot> end_changes_;
+  ChangeSet<GrownClassSlot> class_changes_;
+};
+
+class AGrownComplex final : public GrownComplex {
+ public:
+  AGrownComplex(SettingsSource& settings, ABallFiltration& filtration)
+      : GrownComplex("a-grown-complex", settings, filtration) {}
+};
+
+class BGrownComplex final : public GrownComplex {
+ public:
+  BGrownComplex(SettingsSource& settings, BBallFiltration& filtration)
+      : GrownComplex("b-grown-complex", settings, filtration) {}
+};
+
+}  // namespace mes
