@@ -251,13 +251,18 @@ void describe_commands(CLI::App& app, Arguments& to) {
 
   CLI::App* const persistence =
       app.add_subcommand("persistence", "Births and deaths of components and holes of growing disks, as CSV");
-  add_input(*persistence, to.persistence);
+  add_source(*persistence, to.persistence.source);
+  persistence
+      ->add_option("--of", to.persistence.of,
+                   "What grows: samples, as disks of one radius; or the inner, polar or own balls, where\na ball of radius r has the radius sqrt(r^2 + a^2) at a growth of a")
+      ->capture_default_str();
   persistence->add_option("-o,--output", to.persistence.output, "Write to this file instead of standard output");
   add_force(*persistence, to.persistence.force);
   persistence->footer(
       "One line for each class of the alpha complexes of the samples, the longest first: dimension (0: component,\n"
       "1: hole), radii of birth and death, the sample of the component or the centre of the circle that fills the\n"
-      "hole, and the edge that joins or closes. What stays has no death.");
+      "hole, and the edge that joins or closes. What stays has no death. Of balls, births and deaths are growths;\n"
+      "those below 0 are of what the balls have before they grow.");
 
   const auto add_resampling = [](CLI::App& command, ResampleRequest& request, const char* epsilon) {
     add_input(command, request);
@@ -493,7 +498,7 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
   if (command.get_name() == "branches") return run(arguments.branches, run_branches);
-  if (command.get_name() == "persistence") return run_persistence(arguments.persistence, interruption);
+  if (command.get_name() == "persistence") return run(arguments.persistence, run_persistence);
   if (command.get_name() == "repair") return run_repair(arguments.repair, interruption);
   if (command.get_name() == "decimate") return run_decimate(arguments.decimate, interruption);
   if (command.get_name() == "export") return run(arguments.exported, run_export);

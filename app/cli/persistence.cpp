@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina persistence`: births and deaths of components and holes of the alpha complexes, as CSV.
+// `mesecina persistence`: births and deaths of components and holes of alpha complexes, as CSV.
 #include <fmt/core.h>
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 #include "app/cli/input.h"
 #include "app/cli/messages.h"
+#include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "app/model/persistence_table.h"
+#include "core/io/text_numbers.h"
 
 namespace mes::cli {
 
 Expected<void> run_persistence(const PersistenceRequest& request, Interruption& interruption) {
+  const auto settings = settings_of(request.source);
+  if (!settings) return std::unexpected(settings.error());
+  const auto of = std::ranges::find(kGrowths, request.of, word_of);
+  if (of == kGrowths.end()) {
+    std::vector<std::string_view> known;
+    for (const GrowthOf one : kGrowths) known.push_back(word_of(one));
+    return usage_error(fmt::format("--of: {} does not grow; what does is {}", in_quotes(request.of), one_of(known)));
+  }
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.reading);
+  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = persistence_table_of(input->data, job);
+  const auto table = persistence_table_of({input->data, *of, *settings}, job);
   if (!table) return std::unexpected(table.error());
   const auto longest = std::ranges::find(table->rows, true, &PersistenceRow::is_hole);
   say(fmt::format("{} {}, {} {}{}", table->rows.size() - table->closes.size(),

@@ -62,9 +62,8 @@ struct BranchesRequest {
 Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption);
 
 struct PersistenceRequest {
-  std::string file;
-  std::string from;
-  ReadingOptions reading{};
+  Source source;
+  std::string of = "samples";
   std::string output;
   bool force = false;
 };

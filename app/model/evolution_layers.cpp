@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/model/ball_families.h"
+#include "app/model/persistence_table.h"
 
 namespace mes {
 namespace {
@@ -17,7 +18,8 @@ std::optional<FamilyKind> family_of(EvolutionIndex evolution) {
   switch (move->parameter) {
     case Parameter::a_scale: return FamilyKind::inner;
     case Parameter::p_scale: return FamilyKind::polar;
-    case Parameter::scale_axis_factor: return std::nullopt;
+    case Parameter::scale_axis_factor:
+    case Parameter::alpha_radius: return std::nullopt;
     default: return FamilyKind::own;
   }
 }
@@ -26,6 +28,12 @@ std::optional<FamilyKind> family_of(EvolutionIndex evolution) {
 bool is_of_scale_axis(EvolutionIndex evolution) {
   const ParameterMove* const move = evolutions()[evolution].moved_parameter();
   return move != nullptr && move->parameter == Parameter::scale_axis_factor;
+}
+
+/// It grows disks about the samples, and the balls of all families, additively.
+bool is_additive(EvolutionIndex evolution) {
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  return move != nullptr && move->parameter == Parameter::alpha_radius;
 }
 
 }  // namespace
@@ -37,11 +45,17 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
     const auto of = mes::family_of(descriptor);
     if (descriptor.kinds.empty()) return false;
     if (is_of_scale_axis(evolution)) return descriptor.group == LayerGroup::scale_axis;
+    if (is_additive(evolution)) return growth_of(descriptor).has_value();
     return family ? of == family : of != FamilyKind::own;
   };
   if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
   std::vector<std::string> ids{"points", "curve"};
   if (is_of_scale_axis(evolution)) ids = {"scale-axis-grown-disks", "scale-axis-boundary", "scale-axis"};
+  if (is_additive(evolution)) {
+    const auto shown = mes::family_of(layers.configuration());
+    const std::string prefix = shown ? std::string(letter_of(*shown)) + "-" : "";
+    ids = {prefix + "alpha-disks", prefix + "alpha-triangles", prefix + "alpha-edges", prefix + "alpha-boundary"};
+  }
   if (family) {
     const std::string letter = *family == FamilyKind::inner ? "a-" : *family == FamilyKind::polar ? "p-" : "b-";
     ids = {letter + "inner-disks", letter + "union-boundary", letter + "ball-medial-axis"};
@@ -54,6 +68,7 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
 
 std::string what_moves(EvolutionIndex evolution) {
   if (is_of_scale_axis(evolution)) return "the balls along the axis";
+  if (is_additive(evolution)) return "disks grown additively";
   const auto family = family_of(evolution);
   if (!family) return "the samples";
   switch (*family) {

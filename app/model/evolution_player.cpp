@@ -2,6 +2,7 @@
 #include "app/model/evolution_player.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/model/session_evolution.h"
@@ -83,7 +84,23 @@ void EvolutionPlayer::choose(EvolutionIndex evolution) {
   step_to(0);
   choice_.evolution = evolution;
   moved_ = {};
+  fit_lengths();
   restart_from_beginning();
+}
+
+void EvolutionPlayer::fit_lengths() {
+  Box2 box;
+  const Document& document = editor_.document();
+  for (const SampleSlot slot : document.slots_in_input_order()) box.add(document.position(slot));
+  for (const BallSlot slot : document.ball_slots_in_input_order()) box.add(document.disk(slot).center);
+  if (box.is_empty()) return;
+  const double part = std::max(0.005 * box.high.x - 0.005 * box.low.x, 0.005 * box.high.y - 0.005 * box.low.y);
+  if (!(part > 0.0)) return;
+  const double ten = std::pow(10.0, std::floor(std::log10(part)));
+  const double round = ten > 0.0 && std::isfinite(ten) ? std::max(1.0, std::floor(part / ten)) * ten : part;
+  for (const ParameterDescriptor& parameter : parameters_of(choice_.evolution))
+    if (parameter.is_length && choice_.values[parameter.id] == parameter.default_value)
+      choice_.values.set(parameter.id, std::clamp(round, parameter.low, parameter.high));
 }
 
 void EvolutionPlayer::choose_next(int places) {

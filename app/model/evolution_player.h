@@ -42,7 +42,7 @@ class EvolutionPlayer {
 
   const EvolutionChoice& choice() const { return choice_; }
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
-  /// Goes back to state 0.
+  /// Goes back to state 0. A step that is a length, and has its default, becomes a round part of the document's size.
   void choose(EvolutionIndex evolution);
   /// Chooses the evolution `places` places after the present one, cyclically.
   void choose_next(int places);
@@ -108,6 +108,8 @@ class EvolutionPlayer {
   void begin();
   void restart_from_beginning();
   void show(std::uint64_t k, const EvolutionState& state);
+  /// Lengths that are at their defaults become a part of the size of the document.
+  void fit_lengths();
   void move_parameter(const ParameterMove& move, std::uint64_t k);
 
   Editor& editor_;

@@ -6,15 +6,15 @@
 
 namespace mes {
 
-void PersistenceDesk::follow(std::uint64_t document, const std::function<SampleData()>& data) {
+void PersistenceDesk::follow(std::uint64_t document, const std::function<PersistenceInput()>& input) {
   wanted_ = document;
   if (auto done = job_.poll()) take(*std::move(done));
   // One at a time: while samples are dragged, a table of some moment is better than none.
   if (job_.is_under_way() || job_.is_ending() || is_current() || failed_ == wanted_) return;
-  job_.begin([document, samples = data()](const std::stop_token& stop) -> Done {
+  job_.begin([document, input = input()](const std::stop_token& stop) -> Done {
     try {
       JobControl job(stop);
-      auto table = persistence_table_of(samples, job);
+      auto table = persistence_table_of(input, job);
       if (!table) return {document, nullptr, table.error().message()};
       return {document, std::make_shared<const PersistenceTable>(std::move(*table)), {}};
     } catch (const Cancelled&) {

@@ -8,7 +8,7 @@
 //  3. A class stays chosen in the next table if one there has the same dimension, place and edge.
 //
 // Smallest use, once a frame:
-//     desk.follow(document.sample_digest(), data);
+//     desk.follow(digest_of(document, desk.growth(), settings), input);
 //     if (desk.table() != nullptr) draw(*desk.table());
 //
 // Cost: of the triangulation and its filtration from scratch, beside the window. Threads: the window's; `wake` is called
@@ -30,9 +30,15 @@ class PersistenceDesk {
  public:
   explicit PersistenceDesk(std::function<void()> wake) : job_(std::move(wake)) {}
 
-  /// Takes what is ready, and begins what is missing: of other samples, or the same in other places, by
-  /// `Document::sample_digest`. `data` is called when a computation begins.
-  void follow(std::uint64_t digest, const std::function<SampleData()>& data);
+  /// What grows. The panels choose it.
+  GrowthOf growth() const { return growth_; }
+  void choose_growth(GrowthOf of) { growth_ = of; }
+  /// Takes what is ready, and begins what is missing, by `digest_of`. `input` is called when a computation begins.
+  void follow(std::uint64_t digest, const std::function<PersistenceInput()>& input);
+  /// Those of a document.
+  void follow(const Document& document, const ComputationSettings& settings) {
+    follow(digest_of(document, growth_, settings), [&] { return PersistenceInput{data_of(document), growth_, settings}; });
+  }
   /// It is not looked at any more.
   void rest() { job_.give_up(); }
 
@@ -59,6 +65,7 @@ class PersistenceDesk {
   void take(Done done);
 
   BackgroundJob<Done> job_;
+  GrowthOf growth_ = GrowthOf::samples;
   std::uint64_t wanted_ = 0;
   std::uint64_t state_ = 0;
   std::optional<std::uint64_t> failed_;

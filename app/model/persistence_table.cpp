@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "app/model/samples_alone.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
+#include "core/structures/poles/polar_union.h"
 
 namespace mes {
 namespace {
@@ -28,9 +31,55 @@ bool holds(const PersistenceTable::Triangle& triangle, Vec2 p) {
          cross(c[0] - c[2], p - c[2]) >= 0.0;
 }
 
-void add_triangles(const Delaunay& delaunay, const AlphaFiltration& filtration,
-                   const Table<EdgeSlot, std::uint32_t>& number_of_edge, PersistenceTable& out,
-                   Table<FaceSlot, std::uint32_t>& number_of_face) {
+/// Places and radii of what is born and dies, by rows of some filtration.
+struct Reading {
+  std::function<double(std::uint32_t rank)> radius;
+  std::function<Vec2(std::size_t corner)> corner;
+  std::function<std::array<std::size_t, 2>(std::size_t edge)> ends;
+  std::function<Vec2(std::size_t triangle)> center;
+};
+
+/// `Class` is one of a filtration; numbers of edges and triangles are those of the table.
+template <class Class>
+void add_rows(const std::vector<Class>& classes, const Reading& read, auto corner_of, auto edge_of, auto triangle_of,
+              PersistenceTable& out) {
+  out.rows.reserve(classes.size());
+  for (const Class& one : classes) {
+    PersistenceRow row;
+    row.is_hole = one.is_hole;
+    row.birth = read.radius(one.birth);
+    const bool stays = one.death == std::numeric_limits<std::uint32_t>::max();
+    row.death = stays ? std::numeric_limits<double>::infinity() : read.radius(one.death);
+    if (one.edge != kNoSlot) {
+      row.has_edge = true;
+      row.edge_number = edge_of(one);
+      const auto ends = read.ends(row.edge_number);
+      row.edge = {read.corner(ends[0]), read.corner(ends[1])};
+      if (lexicographically_less(row.edge[1], row.edge[0])) std::swap(row.edge[0], row.edge[1]);
+    }
+    if (one.is_hole) {
+      row.triangle = triangle_of(one);
+      row.place = read.center(row.triangle);
+      out.closes.push_back(row.birth);
+      out.fills.push_back(row.death);
+    } else {
+      row.place = read.corner(corner_of(one));
+      if (!stays) out.joins.push_back(row.death);
+    }
+    if (!stays) out.largest_death = std::max(out.largest_death, row.death);
+    out.least_birth = std::min(out.least_birth, row.birth);
+    out.rows.push_back(row);
+  }
+  for (std::vector<double>* const radii : {&out.joins, &out.closes, &out.fills}) std::ranges::sort(*radii);
+  std::ranges::stable_sort(
+      out.rows, [](const PersistenceRow& a, const PersistenceRow& b) { return a.persistence() > b.persistence(); });
+}
+
+PersistenceTable table_of(const Delaunay& delaunay, const AlphaFiltration& filtration) {
+  PersistenceTable out;
+  Table<EdgeSlot, std::uint32_t> number_of_edge(delaunay.edge_rows(), 0);
+  for (std::uint32_t i = 0; i < filtration.edges().size(); ++i) number_of_edge[filtration.edges()[i]] = i;
+  Table<FaceSlot, std::uint32_t> number_of_face(delaunay.face_rows(), PersistenceTable::kOutside);
   for (std::uint32_t i = 0; i < filtration.faces().size(); ++i) number_of_face[filtration.faces()[i]] = i;
   out.triangles.reserve(filtration.faces().size());
   for (const FaceSlot face : filtration.faces()) {
@@ -43,53 +92,108 @@ void add_triangles(const Delaunay& delaunay, const AlphaFiltration& filtration,
     }
     out.triangles.push_back(triangle);
   }
-}
-
-PersistenceTable table_of(const Delaunay& delaunay, const AlphaFiltration& filtration) {
-  PersistenceTable out;
-  Table<EdgeSlot, std::uint32_t> number_of_edge(delaunay.edge_rows(), 0);
-  for (std::uint32_t i = 0; i < filtration.edges().size(); ++i) number_of_edge[filtration.edges()[i]] = i;
-  Table<FaceSlot, std::uint32_t> number_of_face(delaunay.face_rows(), PersistenceTable::kOutside);
-  add_triangles(delaunay, filtration, number_of_edge, out, number_of_face);
-  out.rows.reserve(filtration.classes().size());
-  for (const AlphaFiltration::Class& one : filtration.classes()) {
-    PersistenceRow row;
-    row.is_hole = one.is_hole;
-    row.birth = filtration.radius(one.birth);
-    const bool stays = one.death == AlphaFiltration::kNever;
-    row.death = stays ? std::numeric_limits<double>::infinity() : filtration.radius(one.death);
-    if (one.edge != kNoSlot) {
-      row.has_edge = true;
-      const SiteSlot* const end = delaunay.edge(one.edge).v;
-      row.edge = {delaunay.site_position(end[0]), delaunay.site_position(end[1])};
-      if (lexicographically_less(row.edge[1], row.edge[0])) std::swap(row.edge[0], row.edge[1]);
-      row.edge_number = number_of_edge[one.edge];
-    }
-    if (one.is_hole) {
-      row.place = delaunay.circumcenter(one.face);
-      row.triangle = number_of_face[one.face];
-      out.closes.push_back(row.birth);
-      out.fills.push_back(row.death);
-    } else {
-      row.place = delaunay.site_position(one.site);
-      if (!stays) out.joins.push_back(row.death);
-    }
-    if (!stays) out.largest_death = std::max(out.largest_death, row.death);
-    out.rows.push_back(row);
-  }
-  for (std::vector<double>* const radii : {&out.joins, &out.closes, &out.fills}) std::ranges::sort(*radii);
-  std::ranges::stable_sort(
-      out.rows, [](const PersistenceRow& a, const PersistenceRow& b) { return a.persistence() > b.persistence(); });
+  const Reading read{
+      [&](std::uint32_t rank) { return filtration.radius(rank); },
+      [&](std::size_t site) { return delaunay.site_position(SiteSlot(site)); },
+      [&](std::size_t edge) {
+        const SiteSlot* const end = delaunay.edge(filtration.edges()[edge]).v;
+        return std::array<std::size_t, 2>{end[0].index(), end[1].index()};
+      },
+      [&](std::size_t triangle) { return delaunay.circumcenter(filtration.faces()[triangle]); }};
+  using Class = AlphaFiltration::Class;
+  add_rows(
+      filtration.classes(), read, [](const Class& one) { return one.site.index(); },
+      [&](const Class& one) { return number_of_edge[one.edge]; },
+      [&](const Class& one) { return number_of_face[one.face]; }, out);
   return out;
 }
 
+PersistenceTable table_of(const BallFiltration& filtration) {
+  PersistenceTable out;
+  const auto center = [&](GrownCornerSlot corner) { return filtration.disk(corner).center; };
+  out.triangles.reserve(filtration.triangles().size());
+  for (const BallBirths::Triangle& row : filtration.triangles()) {
+    PersistenceTable::Triangle triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.corner[i] = center(row.v[i]);
+      triangle.across[i] = row.n[i] == kNoSlot ? PersistenceTable::kOutside : row.n[i].index();
+      triangle.edge[i] = row.e[i].index();
+    }
+    out.triangles.push_back(triangle);
+  }
+  const Reading read{[&](std::uint32_t rank) { return filtration.growth(rank); },
+                     [&](std::size_t corner) { return center(GrownCornerSlot(corner)); },
+                     [&](std::size_t edge) {
+                       const auto& v = filtration.edges()[GrownEdgeSlot(edge)].v;
+                       return std::array<std::size_t, 2>{v[0].index(), v[1].index()};
+                     },
+                     [&](std::size_t triangle) { return filtration.triangles()[GrownTriangleSlot(triangle)].center; }};
+  using Class = BallFiltration::Class;
+  add_rows(
+      filtration.classes(), read, [](const Class& one) { return one.corner.index(); },
+      [](const Class& one) { return one.edge.index(); }, [](const Class& one) { return one.triangle.index(); }, out);
+  return out;
+}
+
+constexpr std::array<std::string_view, kGrowths.size()> kLayers{"alpha-edges", "a-alpha-edges", "p-alpha-edges",
+                                                                "b-alpha-edges"};
+
 }  // namespace
 
-Expected<PersistenceTable> persistence_table_of(const SampleData& data, JobControl& job) {
+std::string_view word_of(GrowthOf of) {
+  constexpr std::array<std::string_view, kGrowths.size()> kWords{"samples", "inner", "polar", "own"};
+  return kWords[static_cast<std::size_t>(of)];
+}
+std::string_view title_of(GrowthOf of) {
+  switch (of) {
+    case GrowthOf::samples: return "Samples";
+    case GrowthOf::inner: return title_of(LayerGroup::union_a);
+    case GrowthOf::polar: return title_of(LayerGroup::union_p);
+    case GrowthOf::own: break;
+  }
+  return title_of(LayerGroup::union_b);
+}
+
+std::optional<GrowthOf> growth_of(const LayerDescriptor& layer) {
+  if (layer.id.starts_with("alpha-")) return GrowthOf::samples;
+  if (!layer.id.substr(1).starts_with("-alpha-")) return std::nullopt;
+  switch (layer.group) {
+    case LayerGroup::union_a: return GrowthOf::inner;
+    case LayerGroup::union_p: return GrowthOf::polar;
+    default: return GrowthOf::own;
+  }
+}
+
+std::uint64_t digest_of(const Document& document, GrowthOf of, const ComputationSettings& settings) {
+  const auto with = [](std::uint64_t digest, double value) {
+    return (digest ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
+  };
+  const auto value = [&](Parameter parameter) { return settings[parameter]; };
+  switch (of) {
+    case GrowthOf::samples: break;
+    case GrowthOf::inner: return with(document.sample_digest() + 1, value(Parameter::a_scale));
+    case GrowthOf::polar:
+      return with(with(document.sample_digest() + 2, value(Parameter::p_scale)), value(Parameter::pole_propagation));
+    case GrowthOf::own: return with(document.ball_digest() + 3, value(Parameter::b_scale));
+  }
+  return document.sample_digest();
+}
+
+Expected<PersistenceTable> persistence_table_of(const PersistenceInput& input, JobControl& job) {
   Graph graph;
-  if (auto good = compute_samples_alone(graph, data.positions, "alpha-edges", job); !good)
+  graph.post_settings(input.settings);
+  const SampleData alone = input.of == GrowthOf::own ? SampleData{.balls = input.data.balls}
+                                                     : SampleData{.positions = input.data.positions};
+  if (auto good = compute_alone(graph, alone, kLayers[static_cast<std::size_t>(input.of)], job); !good)
     return std::unexpected(good.error());
-  return table_of(graph.structures().get<Delaunay>(), graph.structures().get<AlphaFiltration>());
+  const StructureSet& set = graph.structures();
+  switch (input.of) {
+    case GrowthOf::samples: break;
+    case GrowthOf::inner: return table_of(set.get<ABallFiltration>());
+    case GrowthOf::polar: return table_of(set.get<PBallFiltration>());
+    case GrowthOf::own: return table_of(set.get<BBallFiltration>());
+  }
+  return table_of(set.get<Delaunay>(), set.get<AlphaFiltration>());
 }
 
 // The hole is what can be reached from its last triangle without passing edges that are there when it is closed.

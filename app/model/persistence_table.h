@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Births and deaths of components and holes of the alpha complexes, as a table: computed from samples, looked up by
-// place, and written as CSV.
+// Births and deaths of components and holes while disks about the samples grow, or the balls of a family, as a table:
+// computed from a document, looked up by place, and written as CSV.
 #pragma once
 
 #include <array>
@@ -13,16 +13,39 @@
 #include "core/base/job_control.h"
 #include "core/base/vec2.h"
 #include "core/document/commands.h"
+#include "core/document/computation_settings.h"
+#include "core/draw/layer_descriptor.h"
 
 namespace mes {
 
-/// A component is born at a sample and dies by an edge that joins it to an older one; a hole is born with the edge that
+/// What grows: disks about the samples, or the balls of a family.
+enum class GrowthOf : std::uint8_t { samples, inner, polar, own };
+inline constexpr std::array kGrowths{GrowthOf::samples, GrowthOf::inner, GrowthOf::polar, GrowthOf::own};
+/// "samples", "inner", "polar", "own".
+std::string_view word_of(GrowthOf of);
+/// "Samples", "Inner balls", "Polar balls", "Own balls".
+std::string_view title_of(GrowthOf of);
+/// Of a layer of an alpha complex; nothing for other layers.
+std::optional<GrowthOf> growth_of(const LayerDescriptor& layer);
+
+/// What births and deaths follow from.
+struct PersistenceInput {
+  SampleData data{};
+  GrowthOf of = GrowthOf::samples;
+  ComputationSettings settings{};  ///< scales of balls, and labels of poles
+};
+/// Of what follows from it: equal for documents and settings with equal births and deaths.
+std::uint64_t digest_of(const Document& document, GrowthOf of, const ComputationSettings& settings);
+
+/// Radii of births and deaths are those of disks about samples, or the growth of balls: the radius that a ball of radius 0
+/// grows to. It is negative where balls as they are have what is born: there they would have to shrink first.
+/// A component is born at a sample or ball and dies by an edge that joins it to an older one; a hole is born with the edge that
 /// closes it and dies with the triangle that fills it.
 struct PersistenceRow {
   bool is_hole = false;
   double birth = 0.0;             ///< radius
   double death = 0.0;             ///< radius; infinite: it stays
-  Vec2 place{};                   ///< of a component its sample, of a hole the centre of the circle that fills it
+  Vec2 place{};                   ///< of a component its sample or ball, of a hole the centre of the circle that fills it
   bool has_edge = false;          ///< a component that stays has none
   std::array<Vec2, 2> edge{};     ///< joins or closes
   std::uint32_t edge_number = 0;  ///< in the order in which edges come
@@ -38,6 +61,7 @@ struct PersistenceTable {
   std::vector<double> fills;         ///< at which holes are filled
   /// Of the rows.
   double largest_death = 0.0;
+  double least_birth = 0.0;  ///< not above 0
 
   static constexpr std::uint32_t kOutside = 0xffffffffU;
   struct Triangle {
@@ -49,7 +73,7 @@ struct PersistenceTable {
 };
 
 /// Throws `Cancelled`. Error: a structure failed. Cost: the triangulation and its filtration from scratch.
-Expected<PersistenceTable> persistence_table_of(const SampleData& data, JobControl& job);
+Expected<PersistenceTable> persistence_table_of(const PersistenceInput& input, JobControl& job);
 
 /// The edges around a hole when it is closed; none of a component.
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row);

@@ -12,7 +12,11 @@ namespace mes {
 
 Expected<void> compute_samples_alone(Graph& graph, std::span<const Vec2> positions, std::string_view layer,
                                      JobControl& job) {
-  auto delta = replace_all(Document(), {.positions = {positions.begin(), positions.end()}});
+  return compute_alone(graph, {.positions = {positions.begin(), positions.end()}}, layer, job);
+}
+
+Expected<void> compute_alone(Graph& graph, const SampleData& data, std::string_view layer, JobControl& job) {
+  auto delta = replace_all(Document(), data);
   if (!delta) return std::unexpected(delta.error());
   graph.set_demand(std::array{find_layer(layer)});
   graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A computation of samples alone, beside the engine's.
+// A computation of samples or balls alone, beside the engine's.
 #pragma once
 
 #include <span>
@@ -8,12 +8,14 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/vec2.h"
+#include "core/document/commands.h"
 #include "core/engine/graph.h"
 
 namespace mes {
 
-/// Brings what the layer needs up to date for samples at these positions, in a graph that has not run. Throws `Cancelled`.
-/// Error: the positions cannot be a document, or a structure failed. Cost: of the layer's structures from scratch.
+/// Brings what the layer needs up to date for this document, or for samples at these positions alone, in a graph that has not run. Throws `Cancelled`.
+/// Error: these cannot be a document, or a structure failed. Cost: of the layer's structures from scratch.
+Expected<void> compute_alone(Graph& graph, const SampleData& data, std::string_view layer, JobControl& job);
 Expected<void> compute_samples_alone(Graph& graph, std::span<const Vec2> positions, std::string_view layer,
                                      JobControl& job);
 

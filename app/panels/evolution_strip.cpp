@@ -146,6 +146,10 @@ void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& par
           value = parameter.low + static_cast<double>(i);
       ImGui::EndCombo();
     }
+  } else if (parameter.is_length) {
+    ImGui::TextUnformatted(title.c_str());
+    ImGui::SetNextItemWidth(250 * unit);
+    if (number_field("##value", value, "%.6g")) value = std::clamp(value, parameter.low, parameter.high);
   } else if (is_switch(parameter)) {
     bool is_on = value != 0.0;
     if (ImGui::Checkbox(title.c_str(), &is_on)) value = is_on ? 1.0 : 0.0;

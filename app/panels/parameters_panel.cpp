@@ -210,11 +210,15 @@ void ParametersPanel::draw_critical_values(double& limit) {
 
 void ParametersPanel::draw_alpha_events(double& radius) {
   const float unit = gui_.unit();
-  const bool is_shown = std::ranges::any_of(
-      layers_.visible_layers(), [](LayerIndex layer) { return layer_descriptors()[layer].id.starts_with("alpha-"); });
-  if (!is_shown) return persistence_.rest();
+  // What is shown of what grows; where that is more than one, the first, unless the page of births and deaths chose one.
+  std::optional<GrowthOf> shown;
+  for (const LayerIndex layer : layers_.visible_layers())
+    if (const auto of = growth_of(layer_descriptors()[layer]); of && (!shown || *of < *shown || *of == persistence_.growth()))
+      if (shown != persistence_.growth()) shown = of;
+  if (!shown) return persistence_.rest();
+  persistence_.choose_growth(*shown);
   const Document& document = editor_.document();
-  persistence_.follow(document.sample_digest(), [&document] { return data_of(document); });
+  persistence_.follow(document, computation_.settings());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   // Below the slider, which ends before its number.
   const float number = 80 * unit;

@@ -27,7 +27,8 @@ Rgb color_of(const PersistenceRow& row) {
 
 void PersistencePanel::draw() {
   const Document& document = uses_.editor.document();
-  uses_.desk.follow(document.sample_digest(), [&document] { return data_of(document); });
+  draw_growths();
+  uses_.desk.follow(document, uses_.computation.settings());
   draw_choices();
   const PersistenceTable* const table = uses_.desk.table();
   if (table == nullptr || (!uses_.desk.is_current() && !uses_.desk.problem().empty())) {
@@ -38,7 +39,8 @@ void PersistencePanel::draw() {
     return;
   }
   if (table->rows.empty()) {
-    ImGui::TextDisabled("No sample, so nothing is born");
+    ImGui::TextDisabled("%s", uses_.desk.growth() == GrowthOf::samples ? "No sample, so nothing is born"
+                                                                          : "No ball, so nothing is born");
     return;
   }
   pointed_at_.reset();
@@ -49,10 +51,26 @@ void PersistencePanel::draw() {
   if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_places(*pointed_at_, false);
 }
 
+void PersistencePanel::draw_growths() {
+  const GrowthOf now = uses_.desk.growth();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  if (ImGui::BeginCombo("##growth", std::string(title_of(now)).c_str())) {
+    for (const GrowthOf of : kGrowths)
+      if (ImGui::Selectable(std::string(title_of(of)).c_str(), of == now)) {
+        uses_.desk.choose(std::nullopt);
+        uses_.desk.choose_growth(of);
+      }
+    ImGui::EndCombo();
+  }
+  tooltip(uses_.gui,
+          "What grows: disks about the samples from radius 0 on, or the balls of a family, from radius r to "
+          "sqrt(r^2 + alpha-radius^2)");
+}
+
 void PersistencePanel::draw_choices() {
   const float unit = uses_.gui.unit();
   ImGui::Checkbox("Components", &shows_components_);
-  tooltip(uses_.gui, "Show components, which are born at samples and die where an edge joins them to older ones");
+  tooltip(uses_.gui, "Show components, which are born at samples or balls and die where an edge joins them to older ones");
   ImGui::SameLine(0, 8 * unit);
   ImGui::Checkbox("Holes", &shows_holes_);
   tooltip(uses_.gui, "Show holes, which an edge closes and a triangle fills");
@@ -89,7 +107,7 @@ void PersistencePanel::place_dots(const Scale& scale) {
   dots_.clear();
   std::unordered_set<std::uint64_t> drawn;
   const auto place = [&](double value) {
-    return scale.length * static_cast<float>(std::min(1.0, value / scale.end));
+    return scale.length * static_cast<float>(std::min(1.0, (value - scale.begin) / (scale.end - scale.begin)));
   };
   for (std::size_t i = 0; i < scale.table->rows.size(); ++i) {
     const PersistenceRow& row = scale.table->rows[i];
@@ -118,23 +136,28 @@ void PersistencePanel::draw_diagram() {
   // Deaths that never come stand on the upper edge.
   const float margin = 7 * unit;
   const float inner = size - 2 * margin;
-  const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : 1.0;
+  const double begin = 1.05 * table.least_birth;
+  const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : (begin < 0.0 ? -begin : 1.0);
   const auto x_of = [&](double birth) {
-    return at.x + margin + inner * static_cast<float>(std::min(1.0, birth / end));
+    return at.x + margin + inner * static_cast<float>(std::min(1.0, (birth - begin) / (end - begin)));
   };
   const auto y_of = [&](double death) {
-    return at.y + margin + inner * (1.0F - static_cast<float>(std::min(1.0, death / end)));
+    return at.y + margin + inner * (1.0F - static_cast<float>(std::min(1.0, (death - begin) / (end - begin))));
   };
   ComputationSettings settings = uses_.computation.settings();
   double& radius = settings[Parameter::alpha_radius];
   // What is alive at the radius is to the left of it and above it.
   list.AddRectFilled({at.x, at.y}, {x_of(radius), y_of(radius)}, ImGui::GetColorU32(ImGuiCol_Text, 0.07F));
   const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-  list.AddLine({x_of(0.0), y_of(0.0)}, {x_of(end), y_of(end)}, faint, unit);
+  list.AddLine({x_of(begin), y_of(begin)}, {x_of(end), y_of(end)}, faint, unit);
+  if (begin < 0.0) {
+    list.AddLine({x_of(0.0), y_of(begin)}, {x_of(0.0), y_of(end)}, faint, unit);
+    list.AddLine({x_of(begin), y_of(0.0)}, {x_of(end), y_of(0.0)}, faint, unit);
+  }
 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   float nearest = kReach * unit;
-  place_dots({uses_.desk.shared_table(), inner, end, shows_components_, shows_holes_});
+  place_dots({uses_.desk.shared_table(), inner, begin, end, shows_components_, shows_holes_});
   const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
   // The longest come first, and lie on top.
   for (const Dot& dot : dots_ | std::views::reverse) {
@@ -169,7 +192,7 @@ void PersistencePanel::draw_diagram() {
     }
   }
   if (is_active && is_dragging_) {
-    radius = end * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0);
+    radius = std::max(0.0, begin + (end - begin) * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0));
     if (settings != uses_.computation.settings()) uses_.computation.set(settings);
   }
   const ImU32 text = uses_.gui.colors().text;
@@ -180,9 +203,10 @@ void PersistencePanel::draw_diagram() {
     if (pointed_at_)
       ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_]).c_str());
     else
-      ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex");
+      ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex%s",
+                        begin < 0.0 ? ". Left of the line at 0 is what the balls have before they grow" : "");
   }
-  ImGui::TextDisabled("%s", "0");
+  ImGui::TextDisabled("%s", begin < 0.0 ? fmt::format("{:.4g}", begin).c_str() : "0");
   const std::string high = fmt::format("{:.4g}", end);
   ImGui::SameLine(std::max(0.0F, size - ImGui::CalcTextSize(high.c_str()).x));
   ImGui::TextDisabled("%s", high.c_str());

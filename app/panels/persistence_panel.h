@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The persistence diagram of the alpha complexes of the samples, with their radius as a line that can be dragged.
+// The persistence diagram of the alpha complexes of the samples or of the balls of a family, with their radius as a line
+// that can be dragged.
 #pragma once
 
 #include <array>
@@ -36,6 +37,7 @@ class PersistencePanel {
   void draw();
 
  private:
+  void draw_growths();
   void draw_choices();
   void draw_words();
   void draw_diagram();
@@ -49,7 +51,8 @@ class PersistencePanel {
   struct Scale {
     std::shared_ptr<const PersistenceTable> table;
     float length = 0.0F;  ///< in pixels
-    double end = 0.0;     ///< the radius there
+    double begin = 0.0;   ///< the radius at its beginning, and at its end
+    double end = 0.0;
     bool has_components = false;
     bool has_holes = false;
     friend bool operator==(const Scale&, const Scale&) = default;

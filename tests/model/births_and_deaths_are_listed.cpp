@@ -16,7 +16,7 @@ namespace {
 
 PersistenceTable table_of(const SampleData& data) {
   JobControl job;
-  auto out = persistence_table_of(data, job);
+  auto out = persistence_table_of({data}, job);
   REQUIRE(out.has_value());
   return *std::move(out);
 }
@@ -32,7 +32,7 @@ SampleData ring(std::size_t count, std::uint64_t seed) {
 }
 
 void wait_for(PersistenceDesk& desk, std::uint64_t document, const SampleData& data) {
-  do desk.follow(document, [&] { return data; });
+  do desk.follow(document, [&] { return PersistenceInput{data}; });
   while (!desk.is_current());
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an o
   desk.choose(1);
   const PersistenceRow chosen = desk.table()->rows[1];
   data.positions.push_back({5.0, 5.0});
-  desk.follow(2, [&] { return data; });
+  desk.follow(2, [&] { return PersistenceInput{data}; });
   CHECK_FALSE(desk.is_current());
   CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
   wait_for(desk, 2, data);

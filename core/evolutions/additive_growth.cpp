@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Additive growth: balls of radius r have the radius sqrt(r^2 + alpha-radius^2), and alpha-radius changes step by step. So
+// power cells stay as they are, and the dual complexes of the grown balls are nested alpha complexes.
+#include <cmath>
+
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+namespace {
+
+constexpr ParameterDescriptor kStep{.id = "alpha-step",
+                                    .explanation = "What a step adds to alpha-radius or takes from it",
+                                    .unit = "units",
+                                    .low = 0.0,
+                                    .high = 1e150,
+                                    .default_value = 1.0,
+                                    .is_length = true};
+
+double by_steps(double first, double sign, std::uint64_t k, const EvolutionValues& values) {
+  // What k steps of rounded length go beyond zero by is none.
+  const double way = static_cast<double>(k) * values[kStep.id];
+  const double out = first + sign * way;
+  return std::abs(out) <= 0x1p-40 * first ? 0.0 : out;
+}
+double grown(double first, std::uint64_t k, const EvolutionValues& values) {
+  return by_steps(first, 1.0, k, values);
+}
+double shrunk(double first, std::uint64_t k, const EvolutionValues& values) {
+  return by_steps(first, -1.0, k, values);
+}
+
+}  // namespace
+
+Evolution alpha_growing_evolution() {
+  return {{"alpha-growing",
+           "Additive growth: grow",
+           "Disks about the samples grow, and balls as sqrt(r^2 + alpha-radius^2), with nested alpha complexes",
+           false,
+           {kStep}},
+          ParameterMove{Parameter::alpha_radius, grown}};
+}
+Evolution alpha_shrinking_evolution() {
+  return {{"alpha-shrinking",
+           "Additive growth: shrink",
+           "Disks and balls grown by alpha-radius shrink back, down to points and balls as they are",
+           false,
+           {kStep}},
+          ParameterMove{Parameter::alpha_radius, shrunk}};
+}
+
+}  // namespace mes
