@@ -254,7 +254,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
   add_source(*persistence, to.persistence.source);
   persistence
       ->add_option("--of", to.persistence.of,
-                   "What grows: samples, as disks of one radius; or the inner, polar or own balls, where\na ball of radius r has the radius sqrt(r^2 + a^2) at a growth of a")
+                   "What grows: samples, as disks of one radius; or the inner, polar or own balls, where\na ball of "
+                   "radius r has the radius sqrt(r^2 + a^2) at a growth of a")
       ->capture_default_str();
   persistence->add_option("-o,--output", to.persistence.output, "Write to this file instead of standard output");
   add_force(*persistence, to.persistence.force);

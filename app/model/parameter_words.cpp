@@ -52,7 +52,8 @@ constexpr auto kSpoken = std::to_array<Title>(
       "the middle. 0: it does not go back"},
      {"noise-factor", "Largest distance a sample moves, as a multiple of the distance between its two neighbours"},
      {"alpha-radius",
-      "Radius of the disks about the samples. Balls grow with it: one of radius r has the radius sqrt(r^2 + alpha-radius^2)"},
+      "Radius of the disks about the samples. Balls grow with it: one of radius r has the radius sqrt(r^2 + "
+      "alpha-radius^2)"},
      {"growing-step", "How much is added in each step to the factor by which radii are multiplied or divided"},
      {"freeze-chains",
       "Where no loops came with the samples. On: the crust of the beginning says who follows whom; off: the crust of "

@@ -37,7 +37,9 @@ class PersistenceDesk {
   void follow(std::uint64_t digest, const std::function<PersistenceInput()>& input);
   /// Those of a document.
   void follow(const Document& document, const ComputationSettings& settings) {
-    follow(digest_of(document, growth_, settings), [&] { return PersistenceInput{data_of(document), growth_, settings}; });
+    follow(digest_of(document, growth_, settings), [&] {
+      return PersistenceInput{data_of(document), growth_, settings};
+    });
   }
   /// It is not looked at any more.
   void rest() { job_.give_up(); }

@@ -92,14 +92,13 @@ PersistenceTable table_of(const Delaunay& delaunay, const AlphaFiltration& filtr
     }
     out.triangles.push_back(triangle);
   }
-  const Reading read{
-      [&](std::uint32_t rank) { return filtration.radius(rank); },
-      [&](std::size_t site) { return delaunay.site_position(SiteSlot(site)); },
-      [&](std::size_t edge) {
-        const SiteSlot* const end = delaunay.edge(filtration.edges()[edge]).v;
-        return std::array<std::size_t, 2>{end[0].index(), end[1].index()};
-      },
-      [&](std::size_t triangle) { return delaunay.circumcenter(filtration.faces()[triangle]); }};
+  const Reading read{[&](std::uint32_t rank) { return filtration.radius(rank); },
+                     [&](std::size_t site) { return delaunay.site_position(SiteSlot(site)); },
+                     [&](std::size_t edge) {
+                       const SiteSlot* const end = delaunay.edge(filtration.edges()[edge]).v;
+                       return std::array<std::size_t, 2>{end[0].index(), end[1].index()};
+                     },
+                     [&](std::size_t triangle) { return delaunay.circumcenter(filtration.faces()[triangle]); }};
   using Class = AlphaFiltration::Class;
   add_rows(
       filtration.classes(), read, [](const Class& one) { return one.site.index(); },
@@ -121,13 +120,14 @@ PersistenceTable table_of(const BallFiltration& filtration) {
     }
     out.triangles.push_back(triangle);
   }
-  const Reading read{[&](std::uint32_t rank) { return filtration.growth(rank); },
-                     [&](std::size_t corner) { return center(GrownCornerSlot(corner)); },
-                     [&](std::size_t edge) {
-                       const auto& v = filtration.edges()[GrownEdgeSlot(edge)].v;
-                       return std::array<std::size_t, 2>{v[0].index(), v[1].index()};
-                     },
-                     [&](std::size_t triangle) { return filtration.triangles()[GrownTriangleSlot(triangle)].center; }};
+  const Reading read{
+      [&](std::uint32_t rank) { return filtration.growth(rank); },
+      [&](std::size_t corner) { return center(GrownCornerSlot(corner)); },
+      [&](std::size_t edge) {
+        const auto& v = filtration.edges()[GrownEdgeSlot(edge)].v;
+        return std::array<std::size_t, 2>{v[0].index(), v[1].index()};
+      },
+      [&](std::size_t triangle) { return filtration.triangles()[GrownTriangleSlot(triangle)].center; }};
   using Class = BallFiltration::Class;
   add_rows(
       filtration.classes(), read, [](const Class& one) { return one.corner.index(); },

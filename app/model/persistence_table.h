@@ -43,10 +43,10 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
 /// closes it and dies with the triangle that fills it.
 struct PersistenceRow {
   bool is_hole = false;
-  double birth = 0.0;             ///< radius
-  double death = 0.0;             ///< radius; infinite: it stays
-  Vec2 place{};                   ///< of a component its sample or ball, of a hole the centre of the circle that fills it
-  bool has_edge = false;          ///< a component that stays has none
+  double birth = 0.0;     ///< radius
+  double death = 0.0;     ///< radius; infinite: it stays
+  Vec2 place{};           ///< of a component its sample or ball, of a hole the centre of the circle that fills it
+  bool has_edge = false;  ///< a component that stays has none
   std::array<Vec2, 2> edge{};     ///< joins or closes
   std::uint32_t edge_number = 0;  ///< in the order in which edges come
   std::uint32_t triangle = 0;     ///< of a hole: the one that fills it

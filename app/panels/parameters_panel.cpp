@@ -213,7 +213,8 @@ void ParametersPanel::draw_alpha_events(double& radius) {
   // What is shown of what grows; where that is more than one, the first, unless the page of births and deaths chose one.
   std::optional<GrowthOf> shown;
   for (const LayerIndex layer : layers_.visible_layers())
-    if (const auto of = growth_of(layer_descriptors()[layer]); of && (!shown || *of < *shown || *of == persistence_.growth()))
+    if (const auto of = growth_of(layer_descriptors()[layer]);
+        of && (!shown || *of < *shown || *of == persistence_.growth()))
       if (shown != persistence_.growth()) shown = of;
   if (!shown) return persistence_.rest();
   persistence_.choose_growth(*shown);

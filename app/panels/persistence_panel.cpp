@@ -40,7 +40,7 @@ void PersistencePanel::draw() {
   }
   if (table->rows.empty()) {
     ImGui::TextDisabled("%s", uses_.desk.growth() == GrowthOf::samples ? "No sample, so nothing is born"
-                                                                          : "No ball, so nothing is born");
+                                                                       : "No ball, so nothing is born");
     return;
   }
   pointed_at_.reset();
@@ -70,7 +70,8 @@ void PersistencePanel::draw_growths() {
 void PersistencePanel::draw_choices() {
   const float unit = uses_.gui.unit();
   ImGui::Checkbox("Components", &shows_components_);
-  tooltip(uses_.gui, "Show components, which are born at samples or balls and die where an edge joins them to older ones");
+  tooltip(uses_.gui,
+          "Show components, which are born at samples or balls and die where an edge joins them to older ones");
   ImGui::SameLine(0, 8 * unit);
   ImGui::Checkbox("Holes", &shows_holes_);
   tooltip(uses_.gui, "Show holes, which an edge closes and a triangle fills");
@@ -192,7 +193,8 @@ void PersistencePanel::draw_diagram() {
     }
   }
   if (is_active && is_dragging_) {
-    radius = std::max(0.0, begin + (end - begin) * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0));
+    radius = std::max(
+        0.0, begin + (end - begin) * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0));
     if (settings != uses_.computation.settings()) uses_.computation.set(settings);
   }
   const ImU32 text = uses_.gui.colors().text;

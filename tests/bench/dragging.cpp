@@ -3,6 +3,7 @@
 // and the frame against drawing the same scene at rest, in a view for which nothing is kept.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <span>
@@ -188,6 +189,50 @@ void drag(benchmark::State& state, RatioTable& table, const Input& input, bool i
                  ms(rest));
 }
 
+/// The limit of the pruned lambda axis is dragged: from the event to the frame that shows the axis at the new limit.
+void slide(benchmark::State& state, RatioTable& table, std::size_t n) {
+  const auto context = render::EglContext::create();
+  if (!context) {
+    state.SkipWithError(context.error().text.c_str());
+    return;
+  }
+  Window window(layers_named({"interior-voronoi-disks", "curve", "lambda-medial-axis", "points"}));
+  const std::vector<Vec2> points = test::rough_curve(n);
+  Box2 extent;
+  for (const Vec2 p : points) extent.add(p);
+  ComputationSettings settings;
+  settings[Parameter::keep_topology] = 1.0;
+  const double size = std::max(extent.width(), extent.height());
+  window.engine().set_settings(settings);
+  window.engine().post(replace_with(Document(), points));
+  window.fit(extent);
+  window.settle();
+  window.draw();
+  std::vector<double> all, anew, computed;
+  int step = 0;
+  for (auto _ : state) {
+    // Back and forth within what a slider is dragged over.
+    settings[Parameter::lambda_limit] = 1e-3 * size * static_cast<double>(1 + (7 * step++) % 20);
+    const double event = now_us();
+    window.engine().set_settings(settings);
+    window.settle();
+    window.draw();
+    all.push_back(now_us() - event);
+    computed.push_back(window.computed_us());
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    window.pan();
+    const double start = now_us();
+    window.draw();
+    anew.push_back(now_us() - start);
+  }
+  table.add({"drag the limit of pruning", n, median(all), median(anew), n == 100000 ? 1.3 : 0.0,
+             "drawing the same scene in another view"});
+  table.add_note("drag the limit of pruning at " + std::to_string(n) + ": from the event to the frame " +
+                 std::to_string(1e-3 * median(all)) + " ms, the structures " +
+                 std::to_string(1e-3 * median(computed)) + " ms");
+}
+
 }  // namespace
 
 void register_dragging(RatioTable& table) {
@@ -202,6 +247,11 @@ void register_dragging(RatioTable& table) {
           [&table, input, is_busy](benchmark::State& state) { drag(state, table, input, is_busy); })
           ->Iterations(input.is_random ? 5 : 15)
           ->Unit(benchmark::kMillisecond);
+  for (const std::size_t n : {std::size_t{1000}, std::size_t{100000}})
+    benchmark::RegisterBenchmark(("drag/limit of pruning/" + std::to_string(n)).c_str(),
+                                 [&table, n](benchmark::State& state) { slide(state, table, n); })
+        ->Iterations(15)
+        ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace mes::bench

@@ -2,7 +2,11 @@
 // Filters of the axis and feature sizes: from scratch against the triangulation alone, and what they add to an edit.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <ctime>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/rng.h"
@@ -59,6 +63,54 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
     state.SetIterationTime(1e-6 * ours.back());
   }
   table.add({what, n, median(ours), median(raw), goal, "insert(range)"});
+}
+
+/// Of all threads, so that other programs do not count.
+double process_us() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// Alpha filtrations against the triangulation alone: of samples, and of balls about them with small radii.
+void alpha(benchmark::State& state, RatioTable& table, const char* what, std::size_t n,
+           const std::vector<Vec2>& points, bool are_balls) {
+  SampleData data;
+  Rng rng(11);
+  if (are_balls)
+    for (const Vec2 p : points) data.balls.push_back({p, 0.3 * rng.uniform() / std::sqrt(static_cast<double>(n))});
+  else
+    data.positions = points;
+  const Document document;
+  const auto delta = std::make_shared<const DocumentDelta>(*replace_all(document, data));
+  std::vector<double> ours;
+  std::vector<double> raw;
+  for (auto _ : state) {
+    {
+      RawDelaunay peer;
+      const double start = process_us();
+      peer.insert_range(points);
+      raw.push_back(process_us() - start);
+    }
+    Graph graph;
+    graph.set_demand(layers_named({are_balls ? "b-alpha-edges" : "alpha-edges"}));
+    graph.post(delta);
+    FramePatch patch;
+    JobControl job;
+    const double start = process_us();
+    graph.run(patch, job);
+    ours.push_back(process_us() - start);
+    state.SetIterationTime(1e-6 * ours.back());
+  }
+  table.add({what, n, median(ours), median(raw), 0.0, "insert(range)"});
+}
+
+std::vector<Vec2> lattice(std::size_t n) {
+  std::vector<Vec2> out;
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  for (std::size_t i = 0; i < side * side; ++i)
+    out.push_back({static_cast<double>(i % side), static_cast<double>(i / side)});
+  return out;
 }
 
 /// The scale axis against the union of as many balls, given as one's own: the same pipeline, without the samples.
@@ -167,6 +219,19 @@ void register_insight(RatioTable& table) {
           ->UseManualTime()
           ->Iterations(7)
           ->Unit(benchmark::kMillisecond);
+    const auto add_alpha = [&](const char* what, std::vector<Vec2> points, bool are_balls) {
+      benchmark::RegisterBenchmark((std::string("insight/") + what + suffix).c_str(),
+                                   [&table, what, n, points = std::move(points), are_balls](benchmark::State& state) {
+                                     alpha(state, table, what, n, points, are_balls);
+                                   })
+          ->UseManualTime()
+          ->Iterations(is_large ? 5 : 15)
+          ->Unit(benchmark::kMillisecond);
+    };
+    add_alpha("alpha, random samples", test::uniform_square(n), false);
+    add_alpha("alpha, samples of a curve", test::rough_curve(n), false);
+    add_alpha("alpha, samples of a lattice", lattice(n), false);
+    add_alpha("alpha, random balls", test::uniform_square(n), true);
     add_scratch("lambda, pruned", kLambda, kPruning, filtered(1.0, 0.0, true), is_large ? 1.0 : 0.0);
     const auto add_edit = [&](const char* what, std::string_view layer, const ComputationSettings& settings,
                               double goal, std::int64_t iterations) {

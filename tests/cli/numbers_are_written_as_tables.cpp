@@ -228,6 +228,21 @@ TEST_CASE("births and deaths are a table, the longest first") {
     before = persistence;
   }
   const TemporaryFolder folder;
+  // Two balls of radius 1 whose centres are 4 apart are there before they grow, and meet at sqrt(3).
+  const std::string balls = folder.write("two.wpoff", "WPOFF\n2 0 0\n0 0 1\n4 0 1\n").string();
+  const RunResult own = run({"persistence", balls, "--of", "own"});
+  REQUIRE(own.exit_code == 0);
+  const Table grown = table_of(own.out);
+  REQUIRE(grown.size() == 3);
+  CHECK(grown[1][column(grown, "birth")] == "-1");
+  CHECK(std::stod(grown[2][column(grown, "death")]) == Approx(std::sqrt(3.0)));
+  const RunResult scaled = run({"persistence", balls, "--of", "own", "--set", "b-scale=2"});
+  CHECK(std::stod(table_of(scaled.out)[2][column(grown, "death")]) == 0.0);
+  CHECK(run({"persistence", balls, "--of", "samples"}).exit_code == 0);
+  const RunResult wrong = run({"persistence", balls, "--of", "outer"});
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.err, Catch::Contains("samples, inner, polar or own"));
+  CHECK(run({"persistence", kDude, "--of", "inner"}).exit_code == 0);
   const RunResult none = run({"persistence", folder.write("one.xyz", "0 0\n").string()});
   CHECK(none.exit_code == 0);
   CHECK_THAT(none.err, Catch::Contains("1 component, 0 holes"));

@@ -430,4 +430,12 @@ TEST_CASE("balls grow by equal steps, shrink by the inverse, and stay within the
     CHECK_FALSE(value(family + "-growing", 1.0, 3301));
     CHECK_FALSE(value(family + "-shrinking", 0.01, 1));
   }
+  CHECK(value("alpha-growing", 0.0, 0) == 0.0);
+  CHECK(value("alpha-growing", 0.5, 7) == 7.5);
+  CHECK(value("alpha-shrinking", 7.0, 3) == 4.0);
+  CHECK(value("alpha-shrinking", 7.0, 7) == 0.0);
+  CHECK_FALSE(value("alpha-shrinking", 7.0, 8));
+  EvolutionValues tenths;
+  tenths.set("alpha-step", 0.1);
+  CHECK(moved_value(*evolutions()[*find_evolution("alpha-shrinking")].moved_parameter(), 0.3, 3, tenths) == 0.0);
 }

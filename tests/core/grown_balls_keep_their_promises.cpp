@@ -346,7 +346,8 @@ TEST_CASE("the grown complex has the topology of the exact union of the grown ba
     const std::uint64_t kinds = round % 3 == 0 ? 5 : 3;
     const double size = 40.0 + 60.0 * static_cast<double>(round % 4);  // from nearly all in one to far apart
     const auto coordinate = [&] {
-      return round % 2 == 0 ? size * rng.uniform() : 5.0 * static_cast<double>(rng.below(static_cast<std::uint64_t>(size / 5.0)));
+      return round % 2 == 0 ? size * rng.uniform()
+                            : 5.0 * static_cast<double>(rng.below(static_cast<std::uint64_t>(size / 5.0)));
     };
     SampleData grown;
     std::vector<Disk> plain;
@@ -448,7 +449,9 @@ TEST_CASE("places, order and size of balls change no class") {
   for (const int grid : {0, 8, 40}) {
     std::vector<Disk> balls = random_balls(120, grid, rng);
     if (grid == 0)
-      for (Disk& ball : balls) ball = {{std::round(0x1p20 * ball.center.x), std::round(0x1p20 * ball.center.y)}, std::round(0x1p18 * ball.radius)};
+      for (Disk& ball : balls)
+        ball = {{std::round(0x1p20 * ball.center.x), std::round(0x1p20 * ball.center.y)},
+                std::round(0x1p18 * ball.radius)};
     const std::vector<GrownBar> bars = bars_of(BallBench(balls).get<BBallFiltration>());
     std::ranges::reverse(balls);
     CHECK(bars_of(BallBench(balls).get<BBallFiltration>()) == bars);
@@ -528,8 +531,18 @@ TEST_CASE("few and degenerate balls have the classes that they can have") {
   CHECK(counts({{{0, 0}, 1}, {{4, 0}, 2}}, 0.0) == Counts{2, 0});
   // Cocircular centres: a ring until it fills.
   std::vector<Disk> ring;
-  for (const auto& [x, y] : {std::pair{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {-4, -3}, {-3, -4}, {0, -5},
-                             {3, -4}, {4, -3}})
+  for (const auto& [x, y] : {std::pair{5, 0},
+                             {4, 3},
+                             {3, 4},
+                             {0, 5},
+                             {-3, 4},
+                             {-4, 3},
+                             {-5, 0},
+                             {-4, -3},
+                             {-3, -4},
+                             {0, -5},
+                             {3, -4},
+                             {4, -3}})
     ring.push_back({{static_cast<double>(x), static_cast<double>(y)}, 1.0});
   CHECK(counts(ring, 1.0) == Counts{8, 0});
   CHECK(counts(ring, 2.0) == Counts{1, 1});

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "core/layers/parts/helpers.h"
-#include "core/structures/balls/grown_complex.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/grown_complex.h"
 
 namespace mes {
 

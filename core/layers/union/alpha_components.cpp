@@ -12,12 +12,13 @@ Layer make_union_alpha_components_layer(const UnionFamily& family) {
        .tooltip = "The ball that each component of the grown balls is counted by in the persistence diagram",
        .style = {.color = palette::vermilion, .point_size_px = 9.0},
        .kinds = {PrimitiveKind::point}},
-      table_part({PrimitiveKind::point}, [&] { return complex.filtration().classes().size(); },
-                 complex.class_changes(), [&complex](GrownClassSlot row, Instance& out) {
-                   const BallFiltration& of = complex.filtration();
-                   const BallFiltration::Class& one = of.classes()[row.index()];
-                   if (!one.is_hole && complex.is_alive(one)) out.point(of.disk(one.corner).center);
-                 }));
+      table_part(
+          {PrimitiveKind::point}, [&] { return complex.filtration().classes().size(); }, complex.class_changes(),
+          [&complex](GrownClassSlot row, Instance& out) {
+            const BallFiltration& of = complex.filtration();
+            const BallFiltration::Class& one = of.classes()[row.index()];
+            if (!one.is_hole && complex.is_alive(one)) out.point(of.disk(one.corner).center);
+          }));
 }
 
 }  // namespace mes

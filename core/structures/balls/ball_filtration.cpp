@@ -30,8 +30,8 @@ void BallFiltration::find_growth() {
   double most = std::numeric_limits<double>::lowest();
   for (const BallBirths::Level& level : births_.levels) {
     // What is nearly flat may come beyond doubles.
-    const double here = std::min(balls_.frame.to_document_length(growth_above(level.high)),
-                                 std::numeric_limits<double>::max());
+    const double here =
+        std::min(balls_.frame.to_document_length(growth_above(level.high)), std::numeric_limits<double>::max());
     growth_.push_back(most = std::max(most, here));
   }
 }
@@ -96,7 +96,7 @@ ABallFiltration::ABallFiltration(SettingsSource& settings, Delaunay& delaunay, L
                      inner_voronoi_balls(delaunay, balls), Parameter::a_scale) {}
 
 BBallFiltration::BBallFiltration(SettingsSource& settings, UserBalls& balls)
-    : BallFiltration("b-ball-filtration", {&settings, &balls}, settings, user_ball_family(balls), Parameter::b_scale) {
-}
+    : BallFiltration("b-ball-filtration", {&settings, &balls}, settings, user_ball_family(balls),
+                     Parameter::b_scale) {}
 
 }  // namespace mes

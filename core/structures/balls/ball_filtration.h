@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/graph/structure.h"
-#include "core/structures/balls/internal/ball_births.h"
 #include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/internal/ball_births.h"
 #include "core/structures/balls/local_balls.h"
 
 namespace mes {

@@ -156,13 +156,14 @@ std::optional<Arc> GrownComplex::arc(GrownEndSlot row) const {
   const GrownCornerSlot other = ends.v[1 - i];
   const GrownCornerSlot next = next_held(corner, edge, ends.f[i]);
   // To the right of the next edge, which is to the left of it seen from its other end.
-  const Arc out{filtration_.disk(corner).center, disk(corner).radius, crossing(corner, other), crossing(next, corner)};
+  const Arc out{filtration_.disk(corner).center, disk(corner).radius, crossing(corner, other),
+                crossing(next, corner)};
   // One that is shorter than its ends are rounded may have them the wrong way round, or in one place, and then goes
   // nearly all the way about the centre.
   const Vec2 center = out.center;
-  const double between =
-      next == other ? 2.0 * std::numbers::pi
-                    : sweep_of({center, 1.0, filtration_.disk(other).center, filtration_.disk(next).center});
+  const double between = next == other
+                             ? 2.0 * std::numbers::pi
+                             : sweep_of({center, 1.0, filtration_.disk(other).center, filtration_.disk(next).center});
   const double wanted = between - half_angle(corner, other) - half_angle(corner, next);
   if (sweep_of(out) > wanted + std::numbers::pi) return std::nullopt;
   return out;

@@ -31,8 +31,8 @@ PPowerDiagram::PPowerDiagram(SettingsSource& settings, Delaunay& delaunay, Voron
     : PowerDiagram("p-power-diagram", {&settings, &delaunay, &vertices, &poles, &labels}, settings,
                    std::make_unique<InteriorPolarBalls>(delaunay, vertices, labels), Parameter::p_scale) {}
 
-PBallFiltration::PBallFiltration(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles,
-                                 PoleLabels& labels)
+PBallFiltration::PBallFiltration(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices,
+                                 Poles& poles, PoleLabels& labels)
     : BallFiltration("p-ball-filtration", {&settings, &delaunay, &vertices, &poles, &labels}, settings,
                      std::make_unique<InteriorPolarBalls>(delaunay, vertices, labels), Parameter::p_scale) {}
 

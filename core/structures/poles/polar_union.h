@@ -2,10 +2,10 @@
 // The union of the interior polar balls: what the union of the inner Voronoi balls would be if only poles counted.
 #pragma once
 
-#include "core/structures/balls/grown_complex.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/grown_complex.h"
 #include "core/structures/poles/pole_labels.h"
 
 namespace mes {

@@ -104,11 +104,12 @@ class BirthSearch {
     of_ball_.assign(input_.balls.size(), kUnknown);
     // From the ball with the smallest radius on: what is subtracted at the end is then least.
     const auto sorted = [&](Span span, std::size_t count) {
-      std::ranges::sort(span.begin(), span.begin() + static_cast<std::ptrdiff_t>(count), [&](InputSlot a, InputSlot b) {
-        const double x = input_.balls[a].radius();
-        const double y = input_.balls[b].radius();
-        return x != y ? x < y : balls_.comes_before(a, b);
-      });
+      std::ranges::sort(span.begin(), span.begin() + static_cast<std::ptrdiff_t>(count),
+                        [&](InputSlot a, InputSlot b) {
+                          const double x = input_.balls[a].radius();
+                          const double y = input_.balls[b].radius();
+                          return x != y ? x < y : balls_.comes_before(a, b);
+                        });
       return span;
     };
     for (const TriangleSlot f : tables_.faces.rows()) {
