@@ -208,7 +208,7 @@ void slide(benchmark::State& state, RatioTable& table, std::size_t n) {
   window.fit(extent);
   window.settle();
   window.draw();
-  std::vector<double> all, anew, computed;
+  std::vector<double> all, anew;
   int step = 0;
   for (auto _ : state) {
     // Back and forth within what a slider is dragged over.
@@ -218,7 +218,6 @@ void slide(benchmark::State& state, RatioTable& table, std::size_t n) {
     window.settle();
     window.draw();
     all.push_back(now_us() - event);
-    computed.push_back(window.computed_us());
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     window.pan();
@@ -228,9 +227,6 @@ void slide(benchmark::State& state, RatioTable& table, std::size_t n) {
   }
   table.add({"drag the limit of pruning", n, median(all), median(anew), n == 100000 ? 1.3 : 0.0,
              "drawing the same scene in another view"});
-  table.add_note("drag the limit of pruning at " + std::to_string(n) + ": from the event to the frame " +
-                 std::to_string(1e-3 * median(all)) + " ms, the structures " +
-                 std::to_string(1e-3 * median(computed)) + " ms");
 }
 
 }  // namespace

@@ -271,7 +271,11 @@ class BirthSearch {
     }
     Table<TriangleSlot, GrownTriangleSlot> triangle_of(tables_.faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) triangle_of[faces[i]] = GrownTriangleSlot(i);
-    const PowerCenters power = power_centers(input_, balls_.in_balls, tables_);
+    // Where they are drawn, nothing is decided by them.
+    Table<InputSlot, BallOf<double>> rounded_balls;
+    rounded_balls.reserve(input_.balls.size());
+    for (const PipelineBall& ball : input_.balls) rounded_balls.push_back(ball_in<double>(ball));
+    const PowerCenters power = power_centers(input_, rounded_balls, tables_);
     for (const TriangleSlot f : faces) {
       const RegularTables::Face& face = tables_.faces[f];
       BallBirths::Triangle row{.rank = of_triangle_[f], .center = power.center[f].document};
