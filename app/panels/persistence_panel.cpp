@@ -52,6 +52,9 @@ void PersistencePanel::draw() {
 }
 
 void PersistencePanel::draw_growths() {
+  const Document& document = uses_.editor.document();
+  // Without samples only balls of one's own can grow.
+  if (document.sample_count() == 0 && document.ball_count() != 0) uses_.desk.choose_growth(GrowthOf::own);
   const GrowthOf now = uses_.desk.growth();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   if (ImGui::BeginCombo("##growth", std::string(title_of(now)).c_str())) {
