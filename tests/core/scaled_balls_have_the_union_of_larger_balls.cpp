@@ -43,8 +43,16 @@ std::vector<LayerIndex> layers_of_unions() {
   return out;
 }
 
-void check_same_picture(const LayerContents& a, const LayerContents& b) {
+/// Balls that grow additively are exact in every number type.
+bool is_always_exact(LayerIndex layer) {
+  return std::ranges::any_of(layer_descriptors()[layer].structures,
+                             [](std::string_view id) { return id.ends_with("-ball-filtration"); });
+}
+
+/// `has_rounded_radii`: those of `b`, which should be those of `a` times a scale.
+void check_same_picture(const LayerContents& a, const LayerContents& b, bool has_rounded_radii) {
   for (const LayerIndex layer : layers_of_unions()) {
+    if (has_rounded_radii && is_always_exact(layer)) continue;
     INFO(layer_descriptors()[layer].id);
     CHECK(a.sorted(layer) == b.sorted(layer));
   }
@@ -101,7 +109,8 @@ TEST_CASE("scaled balls of one's own give the picture of balls with those radii"
   for (const double scale : {2.0, 1.5, 0.5, 1.03}) {
     for (const Precision precision : {Precision::fast, Precision::exact}) {
       // In exact numbers the product is not rounded, so it must be a double to begin with.
-      if (scale == 1.03 && precision == Precision::exact) continue;
+      const bool has_rounded_radii = scale == 1.03;
+      if (has_rounded_radii && precision == Precision::exact) continue;
       INFO(scale << " in " << id_of(precision));
       const std::vector<Disk> disks = integer_disks(7, 12);
       Workbench small, large;
@@ -109,7 +118,7 @@ TEST_CASE("scaled balls of one's own give the picture of balls with those radii"
       large.choose(settings_of(precision, 1.0));
       small.insert_balls(disks);
       large.insert_balls(scaled(disks, scale));
-      check_same_picture(small.contents(), large.contents());
+      check_same_picture(small.contents(), large.contents(), has_rounded_radii);
     }
   }
 }
@@ -174,7 +183,7 @@ TEST_CASE("an edit with scaled balls ends in the picture of a rebuild") {
       std::ranges::reverse(reversed.positions);
       std::ranges::reverse(reversed.balls);
       fresh.load(reversed);
-      check_same_picture(bench.contents(), fresh.contents());
+      check_same_picture(bench.contents(), fresh.contents(), false);
     }
   }
 }
@@ -189,7 +198,7 @@ TEST_CASE("back at scale 1 everything is as it was, shortcut and all") {
     CHECK(bench.get<AUnion>().rung() == UnionRung::mixed);
     bench.choose(settings_of(Precision::fast, 1.0));
     CHECK(bench.get<AUnion>().rung() == UnionRung::shortcut);
-    check_same_picture(bench.contents(), before);
+    check_same_picture(bench.contents(), before, false);
   }
 }
 

@@ -94,7 +94,8 @@ struct CrossingCircles {
     if (!(apart > 0.0)) return;
     const double radius = std::hypot(first.radius, growth);
     foot = 0.5 * apart + 0.5 * ((first.radius - second.radius) / apart) * (first.radius + second.radius);
-    height = std::sqrt(std::max(0.0, radius - std::abs(foot))) * std::sqrt(radius + std::abs(foot));
+    // One root of the product: those of both factors would be rounded otherwise in other units.
+    height = std::sqrt(std::max(0.0, radius - std::abs(foot)) * (radius + std::abs(foot)));
   }
 };
 
