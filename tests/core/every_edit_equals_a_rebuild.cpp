@@ -23,7 +23,7 @@ namespace {
 bool is_of_union(const LayerDescriptor& layer) {
   return std::ranges::any_of(layer.structures, [](std::string_view structure) {
     return structure.ends_with("-union") || structure.ends_with("-diagram") ||
-           structure.ends_with("-precision-difference");
+           structure.ends_with("-precision-difference") || structure.ends_with("-ball-filtration");
   });
 }
 
