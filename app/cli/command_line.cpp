@@ -249,8 +249,8 @@ void describe_commands(CLI::App& app, Arguments& to) {
       "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
       "layer's.");
 
-  CLI::App* const persistence =
-      app.add_subcommand("persistence", "Births and deaths of components and holes of growing disks, as CSV");
+  CLI::App* const persistence = app.add_subcommand(
+      "persistence", "Births and deaths of components and holes of growing disks or balls, as CSV");
   add_source(*persistence, to.persistence.source);
   persistence
       ->add_option("--of", to.persistence.of,

@@ -38,7 +38,7 @@ bool is_additive(EvolutionIndex evolution) {
 
 }  // namespace
 
-std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers) {
+std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers, const Document& document) {
   const auto family = family_of(evolution);
   const auto follows = [&](LayerIndex layer) {
     const LayerDescriptor& descriptor = layers.descriptor(layer);
@@ -52,7 +52,8 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
   std::vector<std::string> ids{"points", "curve"};
   if (is_of_scale_axis(evolution)) ids = {"scale-axis-grown-disks", "scale-axis-boundary", "scale-axis"};
   if (is_additive(evolution)) {
-    const auto shown = mes::family_of(layers.configuration());
+    auto shown = mes::family_of(layers.configuration());
+    if (!shown && document.sample_count() == 0 && document.ball_count() != 0) shown = FamilyKind::own;
     const std::string prefix = shown ? std::string(letter_of(*shown)) + "-" : "";
     ids = {prefix + "alpha-disks", prefix + "alpha-triangles", prefix + "alpha-edges", prefix + "alpha-boundary"};
   }

@@ -11,7 +11,7 @@
 namespace mes {
 
 /// Layers that would show the evolution, none of which is visible; empty: some layer that follows it is.
-std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers);
+std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers, const Document& document);
 
 /// What it moves: "the samples", "the inner balls".
 std::string what_moves(EvolutionIndex evolution);

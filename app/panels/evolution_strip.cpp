@@ -86,7 +86,12 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
     k = static_cast<std::uint64_t>(step);
   if (k != player.target()) player.step_to(k);
   std::string meaning = "Step: how many from the beginning";
-  if (const auto scale = player.parameter_value()) meaning += fmt::format("\nRadii are multiplied by {:.4g}", *scale);
+  if (const auto value = player.parameter_value()) {
+    const ParameterMove* const move = evolutions()[player.choice().evolution].moved_parameter();
+    const bool is_additive = move != nullptr && move->parameter == Parameter::alpha_radius;
+    meaning += fmt::format("\n{} {:.4g}",
+                           is_additive ? "A point has grown to a disk of radius" : "Radii are multiplied by", *value);
+  }
   tooltip(strip.gui, meaning);
   ImGui::SameLine(0, 10 * unit);
   ImGui::AlignTextToFramePadding();
@@ -187,7 +192,8 @@ void parameters(const EvolutionStrip& strip, float size) {
 
 // An evolution that nothing on the canvas shows is offered its layers.
 void hidden_layers(const EvolutionStrip& strip, Row& row) {
-  const std::vector<LayerIndex> wanted = layers_to_show(strip.evolution.choice().evolution, strip.layers);
+  const std::vector<LayerIndex> wanted =
+      layers_to_show(strip.evolution.choice().evolution, strip.layers, strip.editor.document());
   if (wanted.empty()) return;
   const std::string label = "Show " + what_moves(strip.evolution.choice().evolution);
   row.next(ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);

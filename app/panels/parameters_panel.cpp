@@ -244,20 +244,22 @@ void ParametersPanel::draw_alpha_events(double& radius) {
   if (persistence_.is_current()) {
     const PersistenceTable& table = *persistence_.table();
     const float mouse = ImGui::GetIO().MousePos.x;
-    double nearest = -1.0;
+    std::optional<double> nearest;
     const char* what = "";
     const auto draw_all = [&](const std::vector<double>& radii, Rgb color, const char* happens) {
-      const auto last = std::ranges::upper_bound(radii, end);
+      // What is joined by balls as they are lies before the slider.
+      const auto first = std::ranges::lower_bound(radii, 0.0);
+      const auto last = std::upper_bound(first, radii.end(), end);
       const auto look_at = [&](double value) {
-        if (nearest >= 0.0 && std::abs(x_of(value) - mouse) >= std::abs(x_of(nearest) - mouse)) return;
+        if (nearest && std::abs(x_of(value) - mouse) >= std::abs(x_of(*nearest) - mouse)) return;
         nearest = value;
         what = happens;
       };
-      const auto next = std::lower_bound(radii.begin(), last, value_at(mouse));
+      const auto next = std::lower_bound(first, last, value_at(mouse));
       if (next != last) look_at(*next);
-      if (next != radii.begin()) look_at(*std::prev(next));
+      if (next != first) look_at(*std::prev(next));
       // One line a pixel is enough.
-      for (auto i = radii.begin(); i != last;) {
+      for (auto i = first; i != last;) {
         const float x = x_of(*i);
         list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(color), unit);
         i = std::upper_bound(std::next(i), last, value_at(x + 1.0F));
@@ -266,9 +268,9 @@ void ParametersPanel::draw_alpha_events(double& radius) {
     draw_all(table.joins, palette::green, "components are joined");
     draw_all(table.fills, palette::blue, "a hole is filled");
     draw_all(table.closes, palette::purple, "a hole is closed");
-    if (nearest >= 0.0 && std::abs(x_of(nearest) - mouse) <= 4 * unit && ImGui::IsItemHovered()) {
-      words = fmt::format("{:.4g}: {}", nearest, what);
-      if (is_clicked) radius = nearest;
+    if (nearest && std::abs(x_of(*nearest) - mouse) <= 4 * unit && ImGui::IsItemHovered()) {
+      words = fmt::format("{:.4g}: {}", *nearest, what);
+      if (is_clicked) radius = *nearest;
     }
   }
   const float now = x_of(radius);

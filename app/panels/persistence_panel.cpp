@@ -54,7 +54,9 @@ void PersistencePanel::draw() {
 void PersistencePanel::draw_growths() {
   const Document& document = uses_.editor.document();
   // Without samples only balls of one's own can grow.
-  if (document.sample_count() == 0 && document.ball_count() != 0) uses_.desk.choose_growth(GrowthOf::own);
+  const bool has_only_balls = document.sample_count() == 0 && document.ball_count() != 0;
+  if (has_only_balls != had_only_balls_) uses_.desk.choose_growth(has_only_balls ? GrowthOf::own : GrowthOf::samples);
+  had_only_balls_ = has_only_balls;
   const GrowthOf now = uses_.desk.growth();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   if (ImGui::BeginCombo("##growth", std::string(title_of(now)).c_str())) {

@@ -62,6 +62,7 @@ class PersistencePanel {
   void show(std::size_t row) const;
 
   Uses uses_;
+  bool had_only_balls_ = false;
   bool shows_components_ = true;
   bool shows_holes_ = true;
   bool is_dragging_ = false;  // the radius

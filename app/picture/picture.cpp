@@ -109,6 +109,7 @@ bool Picture::take_from(Engine& engine) {
     if (instances_ && !is_lost_) keep(*patch);
     moved_.take(*patch);
     document_revision_ = patch->document_revision;
+    is_outdated_ = is_outdated_ && document_revision_ < expected_;
     reports_.swap(patch->reports);
     nodes_.swap(patch->nodes);
     if (is_lost_) {

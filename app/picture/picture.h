@@ -109,9 +109,12 @@ class Picture {
   /// The document state that is on screen.
   std::uint64_t document_revision() const { return document_revision_; }
   /// Another document took the place of the one before at this revision.
-  void expect(std::uint64_t revision) { expected_ = revision; }
+  void expect(std::uint64_t revision) {
+    expected_ = revision;
+    is_outdated_ = document_revision_ < expected_;
+  }
   /// What is on screen is still of a document before.
-  bool is_outdated() const { return document_revision_ < expected_; }
+  bool is_outdated() const { return is_outdated_; }
   const render::Scene& scene() const { return scene_; }
 
  private:
@@ -169,7 +172,8 @@ class Picture {
   bool is_lost_ = false;
   std::uint64_t document_revision_ = 0;
   std::uint64_t expected_ = 0;
-  double spacing_ = 0.0;            // of the samples, in units of the document
+  bool is_outdated_ = false;  // undo goes back to revisions before the one that was expected, which was seen once
+  double spacing_ = 0.0;      // of the samples, in units of the document
   std::size_t measured_count_ = 0;  // samples when it was measured
   std::uint64_t measured_at_ = 0;   // `expected_` then
   std::uint64_t patches_ = 0;       // those that bring something to draw

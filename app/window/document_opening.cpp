@@ -120,7 +120,13 @@ std::vector<fs::path> DocumentFlow::without_bundles(const std::vector<std::strin
 
 void DocumentFlow::take_read_file() {
   const auto outcome = files_.poll();
-  if (!outcome) return;
+  if (!outcome) {
+    if (files_.is_reading()) return;
+    // After a reading that was given up, too.
+    traced_with_next_.clear();
+    presents_next_ = false;
+    return;
+  }
   const fs::path picture = std::exchange(traced_with_next_, {});
   const bool presents = std::exchange(presents_next_, false);
   uses_.screen.clock.settle();

@@ -79,12 +79,13 @@ void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
   using Direction = EvolutionPlayer::Direction;
   // A step by a key shows the slider, which says where it led.
   const auto bind = [&](ActionId id, auto act) {
-    actions.bind(id, {[this, &settings, act] {
-                        settings.show_evolution = true;
-                        release_hold();
-                        act();
-                      },
-                      [this] { return !editor_.in_gesture() && document().sample_count() != 0; }});
+    actions.bind(
+        id, {[this, &settings, act] {
+               settings.show_evolution = true;
+               release_hold();
+               act();
+             },
+             [this] { return !editor_.in_gesture() && document().sample_count() + document().ball_count() != 0; }});
   };
   bind(ActionId::evolution_first, [this] {
     evolution_.play(Direction::none);

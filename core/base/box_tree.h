@@ -201,7 +201,6 @@ template <class Item>
 template <class BoundsOf, class Moved>
 void BoxTree<Item>::build(std::span<const Item> items, BoundsOf bounds_of, Moved moved) {
   clear();
-  size_ = built_ = items.size();
   if (items.empty()) return;
   std::vector<TreeBounds> bounds(items.size());
   parallel_for(items.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -239,6 +238,7 @@ void BoxTree<Item>::build(std::span<const Item> items, BoundsOf bounds_of, Moved
     below = std::move(level);
   }
   root_ = first_below;
+  size_ = built_ = items.size();  // last, so that the tree is empty if memory runs out on the way
 }
 
 template <class Item>

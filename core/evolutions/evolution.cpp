@@ -146,7 +146,8 @@ Expected<double> moved_value(const ParameterMove& move, double first, std::uint6
   const double value = move.value(first, k, values);
   const ParameterDescriptor& parameter = descriptor_of(move.parameter);
   if (parameter.low <= value && value <= parameter.high) return value;
-  return failure(fmt::format("step {} takes {} out of its range", k, parameter.id));
+  return failure(fmt::format("{} ends at {:.6g}, so there is no step {}", parameter.id,
+                             value < parameter.low ? parameter.low : parameter.high, k));
 }
 
 std::vector<SampleData::Contour> contours_of(const EvolutionState& state) {

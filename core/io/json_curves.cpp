@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,6 +104,9 @@ Expected<PlaneCurve> curve_from(JsonView object) {
     return arc;
   });
   if (!ellipses) return std::unexpected(ellipses.error());
+  constexpr double kTurn = 2.0 * std::numbers::pi * (1.0 + 1e-9);
+  if (std::ranges::any_of(*ellipses, [](const EllipticArc& arc) { return std::abs(arc.sweep) > kTurn; }))
+    return bad("an arc goes around more than once");
   auto out = PlaneCurve::of_parts(*std::move(places), std::move(kinds), *std::move(ellipses), closed.flag());
   if (!out) return bad("the points of one do not fit its pieces");
   if (name) {

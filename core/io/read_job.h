@@ -41,6 +41,8 @@ class ReadJob {
   void checkpoint() const {
     if (control_ != nullptr) control_->checkpoint();
   }
+  /// What share of the whole is behind it.
+  double done() const { return done_; }
   /// Null where nothing stops it.
   JobControl* control() const { return control_; }
 

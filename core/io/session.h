@@ -64,7 +64,8 @@ struct Session {
 std::string write_session(const Session& session);
 /// Error: `bad_input` with file, and line and column if it is not JSON.
 /// Throws `Cancelled`, if there is a job.
-Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job = nullptr);
+Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job = nullptr,
+                               double done = 0.0);
 /// Whether text is meant to be a session, from how it begins.
 bool looks_like_session(std::string_view text);
 

@@ -12,7 +12,7 @@ Match match(std::string_view bytes) {
 }
 
 Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
-  auto session = read_session(bytes, name, job.control());
+  auto session = read_session(bytes, name, job.control(), job.done());
   if (!session) return std::unexpected(session.error());
   job.checkpoint();
   DocumentReplay replay;

@@ -499,8 +499,9 @@ std::unexpected<Error> bad(const std::string& file, std::string text, std::uint6
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file, line, 0});
 }
 
-Expected<Session> read(std::string_view text, Timelines where, const std::string& file, JobControl* control) {
-  ReadJob job(control);
+Expected<Session> read(std::string_view text, Timelines where, const std::string& file, JobControl* control,
+                       double done) {
+  ReadJob job(control, done);
   job.begin(text);
   if (auto good = check_json(text, file, &job); !good) return std::unexpected(std::move(good.error()));
   try {
@@ -513,8 +514,8 @@ Expected<Session> read(std::string_view text, Timelines where, const std::string
 
 }  // namespace
 
-Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job) {
-  return read(text, Timelines::within, file, job);
+Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job, double done) {
+  return read(text, Timelines::within, file, job, done);
 }
 
 bool looks_like_session(std::string_view text) {
@@ -551,7 +552,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     const std::string_view this_line = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (is_first) {
-      auto session = read(this_line, Timelines::following, file, nullptr);
+      auto session = read(this_line, Timelines::following, file, nullptr, 0.0);
       if (!session) return std::unexpected(session.error());
       out.session = std::move(*session);
       has_unsaved_lesson = !out.session.lesson.steps.empty();

@@ -151,13 +151,20 @@ TEST_CASE("what is offered shows layers of what there is") {
 TEST_CASE("an evolution that no visible layer follows names layers that do") {
   for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
     LayerStack layers = stack_showing({});
-    const std::vector<LayerIndex> wanted = layers_to_show(i, layers);
+    const std::vector<LayerIndex> wanted = layers_to_show(i, layers, {});
     INFO(evolutions()[i].descriptor.id);
     REQUIRE_FALSE(wanted.empty());
     for (const LayerIndex layer : wanted) layers.set_visible(layer, true);
-    CHECK(layers_to_show(i, layers).empty());
+    CHECK(layers_to_show(i, layers, {}).empty());
   }
-  CHECK_FALSE(layers_to_show(*find_evolution("b-growing"), stack_showing(kUnion)).empty());
-  CHECK(layers_to_show(*find_evolution("a-growing"), stack_showing(kUnion)).empty());
-  CHECK_FALSE(layers_to_show(*find_evolution("smooth"), stack_showing({"b-inner-disks"})).empty());
+  CHECK_FALSE(layers_to_show(*find_evolution("b-growing"), stack_showing(kUnion), {}).empty());
+  CHECK(layers_to_show(*find_evolution("a-growing"), stack_showing(kUnion), {}).empty());
+  CHECK_FALSE(layers_to_show(*find_evolution("smooth"), stack_showing({"b-inner-disks"}), {}).empty());
+
+  Document balls;
+  balls.apply(*insert_balls(balls, std::vector{Disk{{1.0, 2.0}, 3.0}}));
+  const LayerStack hidden = stack_showing({});
+  const std::vector<LayerIndex> wanted = layers_to_show(*find_evolution("alpha-growing"), hidden, balls);
+  REQUIRE_FALSE(wanted.empty());
+  for (const LayerIndex layer : wanted) CHECK(hidden.descriptor(layer).id.starts_with("b-alpha-"));
 }

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
+
+#include "core/base/power_of_two.h"
 
 namespace mes {
 namespace {
 
 constexpr double kTolerance = 1e-12;
-// An arc of a whole turn may look even to eight points: each part of so many radians is halved once more. What varies
-// within polynomials is seen by eight points or by the next sixteen. A cusp is narrowed down to 2^-40 of its piece.
-constexpr double kEvenTurn = 2.0;
+// A cusp is narrowed down to 2^-40 of its piece.
 constexpr int kMostDepth = 40;
 
 /// `length`, ten times as fast where squares are normal doubles.
@@ -38,21 +39,84 @@ PieceLength::PieceLength(const Piece& piece) : piece_(piece) {
     total_ = distance(piece.from(), piece.to());
     return;
   }
-  int least_depth = 0;
-  if (piece.kind == PieceKind::arc) {
-    for (double turn = std::abs(piece.arc.sweep); turn > kEvenTurn; turn *= 0.5) ++least_depth;
-  } else {
-    const auto& p = piece.points;
-    const Vec2 first = p[1] - p[0];
-    const Vec2 second = p[2] - p[1];
-    if (piece.kind == PieceKind::quadratic) {
-      velocity_ = {2.0 * first, 2.0 * (second - first), Vec2{}};
-    } else {
-      const Vec2 third = p[3] - p[2];
-      velocity_ = {3.0 * first, 6.0 * (second - first), 3.0 * ((third - second) - (second - first))};
-    }
+  const auto& p = piece.points;
+  const Vec2 first = p[1] - p[0];
+  const Vec2 second = p[2] - p[1];
+  if (piece.kind == PieceKind::quadratic) {
+    velocity_ = {2.0 * first, 2.0 * (second - first), Vec2{}};
+  } else if (piece.kind == PieceKind::cubic) {
+    const Vec2 third = p[3] - p[2];
+    velocity_ = {3.0 * first, 6.0 * (second - first), 3.0 * ((third - second) - (second - first))};
   }
-  halve(0.0, 1.0, quadrature(0.0, 1.0), kTolerance * polygon_length(piece), least_depth, 0);
+  const double tolerance = kTolerance * polygon_length(piece);
+  std::vector<double> ends = slowest_places();
+  ends.push_back(1.0);
+  double begin = 0.0;
+  for (const double end : ends) {
+    halve(begin, end, quadrature(begin, end), tolerance, 0);
+    begin = end;
+  }
+}
+
+namespace {
+
+/// The parameter between `low` and `high` at which a function changes from negative to not negative.
+template <class Function>
+double root_between(const Function& function, double low, double high) {
+  for (;;) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) return high;
+    (function(middle) < 0.0 ? low : high) = middle;
+  }
+}
+
+}  // namespace
+
+// Where the square of the speed is least, within the piece, in order.
+std::vector<double> PieceLength::slowest_places() const {
+  std::vector<double> out;
+  if (piece_.kind == PieceKind::arc) {
+    // |u|^2 sin^2 w + |v|^2 cos^2 w - 2 uv sin w cos w is a wave of 2 w.
+    const EllipticArc& arc = piece_.arc;
+    const double cosine = dot(arc.v, arc.v) - dot(arc.u, arc.u);
+    const double sine = -2.0 * dot(arc.u, arc.v);
+    const double slowest = 0.5 * (std::atan2(sine, cosine) + std::numbers::pi);
+    const double low = std::min(arc.start, arc.start + arc.sweep);
+    const double high = std::max(arc.start, arc.start + arc.sweep);
+    for (double turn = std::ceil((low - slowest) / std::numbers::pi); slowest + turn * std::numbers::pi < high;
+         ++turn) {
+      const double t = (slowest + turn * std::numbers::pi - arc.start) / arc.sweep;
+      if (t > 0.0 && t < 1.0) out.push_back(t);
+    }
+    std::ranges::sort(out);
+    return out;
+  }
+  // Half the derivative of the square is a cubic polynomial; between the places where it turns it has one root at most.
+  auto [a, b, c] = velocity_;
+  double size = 0.0;
+  for (const Vec2 v : {a, b, c}) size = std::max({size, std::abs(v.x), std::abs(v.y)});
+  if (!(size > 0.0) || !std::isfinite(size)) return out;
+  const int exponent = std::ilogb(size);
+  for (Vec2* const v : {&a, &b, &c}) *v = {times_power_of_two(v->x, -exponent), times_power_of_two(v->y, -exponent)};
+  const std::array<double, 4> k{dot(a, b), dot(b, b) + 2.0 * dot(a, c), 3.0 * dot(b, c), 2.0 * dot(c, c)};
+  const auto slope = [&k](double t) { return k[0] + t * (k[1] + t * (k[2] + t * k[3])); };
+  std::array<double, 4> ends{0.0, 1.0, 1.0, 1.0};
+  std::size_t count = 1;
+  const double inner = k[2] * k[2] - 3.0 * k[1] * k[3];
+  if (inner > 0.0) {
+    const double q = -(k[2] + std::copysign(std::sqrt(inner), k[2]));
+    std::array turns{q / (3.0 * k[3]), k[1] / q};
+    std::ranges::sort(turns);
+    for (const double turn : turns)
+      if (turn > ends[count - 1] && turn < 1.0) ends[count++] = turn;
+  }
+  ends[count++] = 1.0;
+  for (std::size_t i = 1; i < count; ++i) {
+    if (!(slope(ends[i - 1]) < 0.0 && slope(ends[i]) >= 0.0)) continue;
+    const double root = root_between(slope, ends[i - 1], ends[i]);
+    if (root < 1.0) out.push_back(root);
+  }
+  return out;
 }
 
 Vec2 PieceLength::velocity_at(double t) const {
@@ -74,15 +138,15 @@ double PieceLength::quadrature(double begin, double end) const {
   return half * sum;
 }
 
-void PieceLength::halve(double begin, double end, double whole, double tolerance, int least_depth, int depth) {
+void PieceLength::halve(double begin, double end, double whole, double tolerance, int depth) {
   const double middle = 0.5 * (begin + end);
   const double first = quadrature(begin, middle);
   const double second = quadrature(middle, end);
   // Negated, so that what is not a number ends it too.
   const bool is_rough = std::abs(first + second - whole) > tolerance;
-  if (depth < kMostDepth && (depth < least_depth || is_rough)) {
-    halve(begin, middle, first, tolerance, least_depth, depth + 1);
-    halve(middle, end, second, tolerance, least_depth, depth + 1);
+  if (depth < kMostDepth && is_rough) {
+    halve(begin, middle, first, tolerance, depth + 1);
+    halve(middle, end, second, tolerance, depth + 1);
     return;
   }
   intervals_.push_back({middle, total_ + first});

@@ -2,7 +2,8 @@
 // The length of a piece of a curve, and where on it a length is reached. Private to core/curves.
 //
 // Gauss-Legendre quadrature with eight points, on intervals that are halved until both halves together agree with the
-// whole within 1e-12 of the length of the control polygon. Lines are measured without.
+// whole within 1e-12 of the length of the control polygon. To begin with, a piece is cut where its speed is least: a turn
+// back near an end has no point of the quadrature on its other side. Lines are measured without.
 #pragma once
 
 #include <array>
@@ -28,7 +29,8 @@ class PieceLength {
   };
   Vec2 velocity_at(double t) const;
   double quadrature(double begin, double end) const;
-  void halve(double begin, double end, double whole, double tolerance, int least_depth, int depth);
+  std::vector<double> slowest_places() const;
+  void halve(double begin, double end, double whole, double tolerance, int depth);
 
   Piece piece_;
   std::array<Vec2, 3> velocity_{};   // of what is no arc: a polynomial, by powers of the parameter

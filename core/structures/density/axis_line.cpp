@@ -8,9 +8,9 @@
 namespace mes {
 namespace {
 
-/// The cotangent at p is wrong by some 3 (1 + cot^2) / |cot| units in the last place relative to itself; above this one,
-/// by more than `kHeightError`.
-constexpr double kSteepest = 0x1p41;
+/// A rounded cotangent is wrong by some 3 (1 + cot^2) / |cot| units in the last place; above this one, by more than
+/// `kHeightError`.
+constexpr double kSteepest = 2.0 * kSteep;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit) {
     const Vec2 u = out.q - at;
     const Vec2 v = r - at;
     const double cotangent = dot(u, v) / std::abs(cross(u, v));
-    out.is_vague = out.is_vague || !(std::abs(cotangent) < kSteepest);
+    out.is_steep = out.is_steep || !(std::abs(cotangent) < kSteepest);
     return out.half * cotangent;
   };
   // A triangle lies on the left of q -> r, the other on the right; without one the bisector goes on.

@@ -18,8 +18,8 @@ struct alignas(64) AxisLine {
   double low = 0.0;
   double high = 0.0;
   EdgeSlot edge{};
-  /// A height may be wrong by more than `kHeightError` of the distance to q: a triangle is nearly flat.
-  bool is_vague = false;
+  /// Ends at the centre of a nearly flat triangle, farther than `kSteep` times `half` away. How far is not known.
+  bool is_steep = false;
 
   double squared_distance(Vec2 p) const {
     const Vec2 u = p - q;
@@ -36,7 +36,9 @@ struct alignas(64) AxisLine {
   TreeBounds bounds() const;
 };
 
+/// By so much of its distance from q the end of an edge may be wrong, unless the edge is steep.
 inline constexpr double kHeightError = 0x1p-10;
+inline constexpr double kSteep = 0x1p40;
 
 /// The dual of `edge`, an edge between two triangles or at the hull. Coordinates are multiplied by `unit`, after which
 /// the squares of their differences are normal doubles.

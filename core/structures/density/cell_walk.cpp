@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -62,15 +63,28 @@ struct CellWalk::Trail {
   std::array<std::uint32_t, kLongest> queue;
   std::uint32_t head = 0;
   std::uint32_t tail = 0;
-  std::vector<std::uint32_t> marks;  // of cells, the number of the walk that came there
+  /// The cells of the queue, each at its number or behind, with the number of the walk: others are free.
+  struct Mark {
+    std::uint32_t walk = 0;
+    std::uint32_t cell = 0;
+  };
+  static constexpr std::uint32_t kMarks = 512;
+  static_assert(kMarks >= 2 * kLongest && std::has_single_bit(kMarks));
+  std::array<Mark, kMarks> marks{};
   std::uint32_t number = 0;
   std::uint32_t guess = kNone;
 
+  void begin() {
+    ++number;
+    head = tail = 0;
+  }
   /// False if there is no room.
   bool add(std::uint32_t cell) {
-    if (marks[cell] == number) return true;
+    std::uint32_t at = cell % kMarks;
+    for (; marks[at].walk == number; at = (at + 1) % kMarks)
+      if (marks[at].cell == cell) return true;
     if (tail == kLongest) return false;
-    marks[cell] = number;
+    marks[at] = {number, cell};
     queue[tail++] = cell;
     return true;
   }
@@ -84,6 +98,9 @@ CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, std::spa
     const Vec2 at = delaunay.site_position(site);
     places_.push_back({at.x * unit, at.y * unit});
   }
+  Box2 box;
+  for (const Vec2 place : places_) box.add(place);
+  reach_ = 4.0 * (box.width() + box.height());
   list_lines(delaunay);
 }
 
@@ -144,10 +161,11 @@ void CellWalk::list_lines(const Delaunay& delaunay) {
     const AxisLine& line = lines_[i];
     const EdgeRow& row = delaunay.edge(line.edge);
     const double reach = line.squared_reach();
+    has_steep_ = has_steep_ || line.is_steep;
     for (const std::size_t end : {0U, 1U}) {
       const std::uint32_t cell = cell_of_[row.v[end]];
       axis_[next[cell]++] = {i, cell_of_[row.v[1 - end]]};
-      if (line.is_vague) vague_.push_back({i, cell});
+      if (line.is_steep && kSteep * line.half < 2.0 * reach_) vague_.push_back({i, cell});
       reaches_[cell] = std::min(reaches_[cell], reach);
     }
   }
@@ -155,8 +173,7 @@ void CellWalk::list_lines(const Delaunay& delaunay) {
 }
 
 bool CellWalk::walk(Group& group, std::size_t begin, std::size_t end, Trail& trail) const {
-  ++trail.number;
-  trail.head = trail.tail = 0;
+  trail.begin();
   for (std::size_t cell = begin; cell < end; ++cell) trail.add(static_cast<std::uint32_t>(cell));
   const AxisEntry guess{trail.guess, static_cast<std::uint32_t>(begin)};
   // False if there is no room for the cells on the other side of what is crossed.
@@ -187,7 +204,7 @@ bool CellWalk::walk(Group& group, std::size_t begin, std::size_t end, Trail& tra
   };
   // Most often the one that is nearest to the group before, or not far from it.
   if (trail.guess != kNone) look_at(std::span(&guess, 1));
-  // Where vague edges end, and whether the walk crosses them, is not known: their cells are visited at once.
+  // Where vague edges end, and whether the walk crosses them, is not known: their cells are visited in any case.
   if (!look_at(vague_)) return false;
   for (const AxisEntry& entry : vague_)
     if (!trail.add(entry.other)) return false;
@@ -212,13 +229,15 @@ bool CellWalk::walk(Group& group, std::size_t begin, std::size_t end, Trail& tra
     for (std::uint32_t i = first_crust_[cell]; i < first_crust_[cell + 1]; ++i)
       if (!trail.add(crust_[i])) return false;
   }
-  return true;
+  // So far away the ends of steep edges matter.
+  PairMask is_far{};
+  for (const Pair best : group.best) is_far |= best > reach_ * reach_;
+  return !has_steep_ || !any(is_far);
 }
 
 void CellWalk::search(std::size_t begin, std::size_t end, Table<SiteSlot, double>& squared,
                       Table<SiteSlot, EdgeSlot>& nearest, std::vector<SiteSlot>& given_up) const {
   Trail trail;
-  trail.marks.assign(cell_count(), 0);
   std::size_t pause = vague_.size() > kMostVague ? end - begin : 0;
   for (std::size_t first = begin; first < end;) {
     const double room = kSpread * reaches_[first];

@@ -20,8 +20,9 @@ namespace mes {
 ///
 /// Distances are rounded, and of several edges at nearly the same distance the one that rounding makes nearest counts.
 /// So the walk also crosses axis edges that are nearly as near as the best, and what it finds is the least of *all*
-/// rounded distances, as a search through all edges would. Edges whose ends are known too badly for that are looked at
-/// by every sample.
+/// rounded distances, as a search through all edges would. A steep edge has an end of which only is known that it is far:
+/// where that is farther than the samples reach, it does not matter; the other edges that are steep are looked at by every
+/// sample.
 ///
 /// Cost: building O(n); a search O(samples within twice the feature size, along the curve). Where these are many, a
 /// search gives up.
@@ -50,7 +51,9 @@ class CellWalk {
   bool walk(Group& group, std::size_t begin, std::size_t end, Trail& trail) const;
 
   std::span<const AxisLine> lines_;
-  std::vector<AxisEntry> vague_;
+  std::vector<AxisEntry> vague_;  ///< edges with an end that may be anywhere
+  bool has_steep_ = false;
+  double reach_ = 0.0;           ///< four times the size of the box of all samples
   std::vector<SiteSlot> sites_;  ///< of the cells, in the order of the curve
   std::vector<Vec2> places_;     ///< in scaled units
   std::vector<double> reaches_;  ///< below it no axis edge of the cell is near the sample
