@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "core/base/rng.h"
@@ -105,4 +106,19 @@ TEST_CASE("a place that the light names is shown with its neighbours") {
   const auto seen = std::ranges::count_if(points, [&](Vec2 p) { return view.contains(p); });
   CHECK(seen >= 12);
   CHECK(seen <= 60);
+}
+
+// Undo leads to revisions before the one at which the session was opened.
+TEST_CASE(
+    "what was done before a session was saved is undone, and the drawing is no longer that of a document before") {
+  DrivenProgram window;
+  std::filesystem::copy("assets/lessons/crust.json", window.folder / "crust.json");
+  window.start("crust.json");
+  const auto is_black = [](Color c) { return c.r + c.g + c.b == 0; };
+  static_cast<void>(window.drawn());
+  // Annotations and views of its steps.
+  for (int i = 0; i < 6; ++i) window.press("ctrl+z");
+  REQUIRE(eventually([&] { return window.title().starts_with('*'); }));
+  const Screenshot undone = window.drawn();
+  CHECK_FALSE(undone.box_of(kCanvas, is_black).is_empty());
 }
