@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/io/json_color.h"
+#include "core/io/text_numbers.h"
 
 namespace mes {
 namespace {
@@ -112,7 +113,7 @@ class Reader {
   }
   /// Of a name that is not known.
   std::nullopt_t refuse_unknown(std::string_view what, JsonView name) {
-    const std::string named = name.text_length() < kLongName ? " \"" + name.text() + '"' : std::string();
+    const std::string named = name.text_length() < kLongName ? ' ' + in_quotes(name.text()) : std::string();
     return complain(fmt::format(
         "{}{}, which this version of the program does not know: it is misspelled, or of a later one", what, named));
   }
