@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "core/base/box_tree.h"
@@ -135,6 +137,41 @@ TEST_CASE("a tree of boxes leaves nothing out that is near, boxes without end in
         REQUIRE(found == holding);
       }
     }
+  }
+}
+
+TEST_CASE("a tree whose building fails is empty, and can be built again") {
+  const std::vector<Vec2> places(1000, Vec2{1.0, 2.0});
+  for (const std::size_t last : {0U, 500U, 999U}) {
+    BoxTree<Vec2> tree;
+    // As if memory ran out, before or after items have found their places.
+    CHECK_THROWS_AS(tree.build(
+                        std::span(places),
+                        [&](const Vec2& at) {
+                          if (&at == &places[last]) throw std::bad_alloc();
+                          return TreeBounds{{at, at}};
+                        },
+                        [](const Vec2&, std::uint32_t) {}),
+                    std::bad_alloc);
+    CHECK(tree.is_empty());
+    std::size_t moved = 0;
+    CHECK_THROWS_AS(tree.build(
+                        std::span(places),
+                        [](const Vec2& at) {
+                          return TreeBounds{{at, at}};
+                        },
+                        [&](const Vec2&, std::uint32_t) {
+                          if (moved++ == last) throw std::bad_alloc();
+                        }),
+                    std::bad_alloc);
+    CHECK(tree.is_empty());
+    tree.build(
+        std::span(places),
+        [](const Vec2& at) {
+          return TreeBounds{{at, at}};
+        },
+        [](const Vec2&, std::uint32_t) {});
+    CHECK(tree.size() == places.size());
   }
 }
 
