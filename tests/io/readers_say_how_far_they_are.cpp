@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/io/format.h"
+#include "core/io/session.h"
+#include "tests/io/temporary_folder.h"
 
 using namespace mes;
 
@@ -160,4 +164,25 @@ TEST_CASE("a reading that is not stopped is the same with and without a job") {
     CHECK(with->data.balls.size() == without->data.balls.size());
     CHECK(with->warnings == without->warnings);
   }
+}
+
+TEST_CASE("a session on disk says how far it is read without going back") {
+  Session session;
+  SampleData data;
+  for (int i = 0; i < kVertices; ++i)
+    data.positions.push_back({500.0 + std::cos(6.25 * i / kVertices), 500.0 + std::sin(6.25 * i / kVertices)});
+  session.data = std::make_shared<const SampleData>(std::move(data));
+  const test::TemporaryFolder folder;
+  folder.write("many.json", write_session(session));
+  double last = 0.0;
+  for (std::int64_t look = 1;; ++look) {
+    JobControl job;
+    job.stop_at_look(look);
+    const auto file = read_sample_file(folder / "many.json", {}, &job);
+    REQUIRE(job.progress() >= last);
+    last = job.progress();
+    if (file) break;
+    REQUIRE(file.error().code == ErrorCode::cancelled);
+  }
+  CHECK(last > 0.8);
 }
