@@ -33,7 +33,7 @@ class PieceLength {
   void halve(double begin, double end, double whole, double tolerance, int depth);
 
   Piece piece_;
-  std::array<Vec2, 3> velocity_{};   // of what is no arc: a polynomial, by powers of the parameter
+  std::array<Vec2, 3> velocity_{};   // coefficients of the derivative, constant term first; not used for arcs
   std::vector<Interval> intervals_;  // of what is not a line
   double total_ = 0.0;
 };

@@ -56,8 +56,9 @@ class AlphaComplex final : public Structure {
  private:
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void set_radius();
-  /// The other end of the next held edge at the site, counter-clockwise from a held edge with this face to its left; the
-  /// edge's own, where there is no other. For all held edges of a site together, O(edges at the site).
+  /// Turns counter-clockwise around `site` from a held edge that has the face `left` to its left, and returns the far end
+  /// of the first held edge. If `edge` is the only one, that is its own far end. O(edges at the site) for all held edges
+  /// of the site together.
   SiteSlot next_held(SiteSlot site, EdgeSlot edge, FaceSlot left) const;
   /// Where the circles around the ends of an edge cross, to its left seen from `site`.
   Vec2 crossing(SiteSlot site, SiteSlot other) const;

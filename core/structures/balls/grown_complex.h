@@ -65,7 +65,8 @@ class GrownComplex : public Structure {
   Vec2 crossing(GrownCornerSlot from, GrownCornerSlot to) const;
   /// The angle at `from` between the way to `to` and the way to either crossing.
   double half_angle(GrownCornerSlot from, GrownCornerSlot to) const;
-  /// The other end of the next held edge there, counter-clockwise; that of the edge itself, where there is no other.
+  /// Turns counter-clockwise around `corner` from `edge`, and returns the far end of the first held edge. If `edge` is
+  /// the only one, that is its own far end.
   GrownCornerSlot next_held(GrownCornerSlot corner, GrownEdgeSlot edge, GrownTriangleSlot left) const;
   bool is_open(GrownTriangleSlot triangle) const { return triangle == kNoSlot || !holds(triangle); }
 

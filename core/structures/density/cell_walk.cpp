@@ -78,7 +78,7 @@ struct CellWalk::Trail {
     ++number;
     head = tail = 0;
   }
-  /// False if there is no room.
+  /// Adds a cell that the walk has not come to yet. Returns false if the queue is full.
   bool add(std::uint32_t cell) {
     std::uint32_t at = cell % kMarks;
     for (; marks[at].walk == number; at = (at + 1) % kMarks)
@@ -176,7 +176,7 @@ bool CellWalk::walk(Group& group, std::size_t begin, std::size_t end, Trail& tra
   trail.begin();
   for (std::size_t cell = begin; cell < end; ++cell) trail.add(static_cast<std::uint32_t>(cell));
   const AxisEntry guess{trail.guess, static_cast<std::uint32_t>(begin)};
-  // False if there is no room for the cells on the other side of what is crossed.
+  // Measures these edges, and adds the cells beyond those that the walk crosses. Returns false if the queue is full.
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
       const AxisLine& line = lines_[entry.line];

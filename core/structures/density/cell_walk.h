@@ -33,8 +33,8 @@ class CellWalk {
   CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, std::span<const AxisLine> lines, double unit);
 
   std::size_t cell_count() const { return sites_.size(); }
-  /// Searches for the samples of the cells [begin, end). Those whose walk is long come into `given_up`, without a
-  /// result.
+  /// Finds sizes for the samples of the cells [begin, end). Samples whose walk becomes too long are appended to
+  /// `given_up`, and get no result.
   void search(std::size_t begin, std::size_t end, Table<SiteSlot, double>& squared,
               Table<SiteSlot, EdgeSlot>& nearest, std::vector<SiteSlot>& given_up) const;
 
