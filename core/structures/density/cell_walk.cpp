@@ -6,7 +6,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
+#include <utility>
+
+#include "core/base/parallel.h"
 
 namespace mes {
 namespace {
@@ -25,20 +28,45 @@ bool any(PairMask mask) {
 
 /// The group's samples are that near to each other, over the distance of the first to the axis of its own cell.
 constexpr double kSpread = 1.0;
-/// Cells of one walk at most.
+/// Cells of one block at most.
+constexpr std::uint32_t kBlock = 8;
+/// Blocks of one part of the searches.
+constexpr std::uint32_t kPart = 1024;
+/// Blocks of one walk at most, and axis edges.
 constexpr std::uint32_t kLongest = 160;
-/// So many groups do without a walk after one that was too long.
+constexpr std::uint32_t kMostLines = 800;
+/// So many groups do without a walk after one that was too long; twice as many after each that follows, up to the most.
 constexpr std::size_t kPause = 24;
+constexpr std::size_t kLongestPause = 1536;
 /// Axis edges within this factor of the best are crossed. Two errors of heights, and room.
 constexpr double kCrossed = 1.0 + 4.0 * kHeightError;
 /// Cells at vague edges; where there are more, all samples are left to another way of searching.
 constexpr std::size_t kMostVague = 32;
 
-/// Where the entries of each row begin, and behind them all, in a table that holds `counts` of them row by row.
-std::vector<std::uint32_t> first_of_each(const std::vector<std::uint32_t>& counts) {
-  std::vector<std::uint32_t> out(counts.size() + 1, 0);
-  std::inclusive_scan(counts.begin(), counts.end(), out.begin() + 1);
-  return out;
+/// Not above the root, whatever the rounding of heights has done to it.
+float lowered(double squared) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(kMost, std::sqrt(squared) * (1.0 - kHeightError)));
+}
+
+/// How far apart two intervals are; 0 where they meet.
+inline double gap(double low, double high, double other_low, double other_high) {
+  const double below = low - other_high;
+  const double above = other_low - high;
+  const double most = below > above ? below : above;
+  return most > 0.0 ? most : 0.0;
+}
+
+inline double squared_distance(const Box2& a, const Box2& b) {
+  const double x = gap(a.low.x, a.high.x, b.low.x, b.high.x);
+  const double y = gap(a.low.y, a.high.y, b.low.y, b.high.y);
+  return x * x + y * y;
+}
+
+inline double squared_distance(const Box2& box, Vec2 p) {
+  const double x = gap(box.low.x, box.high.x, p.x, p.x);
+  const double y = gap(box.low.y, box.high.y, p.y, p.y);
+  return x * x + y * y;
 }
 
 }  // namespace
@@ -46,16 +74,21 @@ std::vector<std::uint32_t> first_of_each(const std::vector<std::uint32_t>& count
 struct CellWalk::Group {
   std::array<Pair, kPairs> x, y;
   std::array<Pair, kPairs> best;     // squared
-  std::array<Pair, kPairs> limit;    // the root of best, times kCrossed
-  std::array<Pair, kPairs> crossed;  // limit, squared
-  std::array<std::uint32_t, kLanes> line;
+  std::array<Pair, kPairs> crossed;  // squared, of what is nearly as near
+  std::array<EdgeSlot, kLanes> edge;
+  std::size_t pairs = kPairs;  // the others are the same
+  Box2 box;
+  double far = kInfinity;  // the largest distance of `crossed`
 
-  void take(std::size_t lane, double squared, std::uint32_t by) {
+  void take(std::size_t lane, double squared, EdgeSlot by) {
     best[lane / 2][lane % 2] = squared;
-    const double root = kCrossed * std::sqrt(squared);
-    limit[lane / 2][lane % 2] = root;
-    crossed[lane / 2][lane % 2] = root * root;
-    line[lane] = by;
+    crossed[lane / 2][lane % 2] = squared * (kCrossed * kCrossed);
+    edge[lane] = by;
+  }
+  void find_far() {
+    double most = 0.0;
+    for (std::size_t i = 0; i < pairs; ++i) most = std::max({most, crossed[i][0], crossed[i][1]});
+    far = std::sqrt(most);
   }
 };
 
@@ -63,126 +96,187 @@ struct CellWalk::Trail {
   std::array<std::uint32_t, kLongest> queue;
   std::uint32_t head = 0;
   std::uint32_t tail = 0;
-  /// The cells of the queue, each at its number or behind, with the number of the walk: others are free.
+  std::uint32_t line_count = 0;
+  /// The blocks of the queue, each at its number or behind, with the number of the walk: others are free.
   struct Mark {
     std::uint32_t walk = 0;
-    std::uint32_t cell = 0;
+    std::uint32_t block = 0;
   };
   static constexpr std::uint32_t kMarks = 512;
   static_assert(kMarks >= 2 * kLongest && std::has_single_bit(kMarks));
   std::array<Mark, kMarks> marks{};
   std::uint32_t number = 0;
-  std::uint32_t guess = kNone;
+  AxisEntry guess{};
 
   void begin() {
     ++number;
-    head = tail = 0;
+    head = tail = line_count = 0;
   }
-  /// Adds a cell that the walk has not come to yet. Returns false if the queue is full.
-  bool add(std::uint32_t cell) {
-    std::uint32_t at = cell % kMarks;
+  /// Adds a block that the walk has not come to yet. Returns false if the queue is full.
+  bool add(std::uint32_t block) {
+    std::uint32_t at = block % kMarks;
     for (; marks[at].walk == number; at = (at + 1) % kMarks)
-      if (marks[at].cell == cell) return true;
+      if (marks[at].block == block) return true;
     if (tail == kLongest) return false;
-    marks[at] = {number, cell};
-    queue[tail++] = cell;
+    marks[at] = {number, block};
+    queue[tail++] = block;
     return true;
   }
 };
 
-CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, std::span<const AxisLine> lines, double unit)
-    : lines_(lines) {
-  order_cells(delaunay, crust);
-  places_.reserve(sites_.size());
-  for (const SiteSlot site : sites_) {
-    const Vec2 at = delaunay.site_position(site);
-    places_.push_back({at.x * unit, at.y * unit});
-  }
+CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, double unit) {
+  const std::size_t edges = delaunay.edge_rows();
+  lines_ = std::make_unique_for_overwrite<AxisLine[]>(edges);
+  std::vector<float> reaches(edges, -1.0F);
+  struct Chunk {
+    std::size_t lines = 0;
+    std::vector<EdgeSlot> steep;
+  };
+  std::vector<Chunk> chunks(chunk_count(edges));
+  run_tasks(1 + chunks.size(), [&](std::size_t task) {
+    if (task == 0) return order_cells(delaunay, crust);
+    Chunk& chunk = chunks[task - 1];
+    for (const EdgeSlot edge :
+         slots_between<EdgeSlot>(first_of_chunk(edges, task - 1), first_of_chunk(edges, task))) {
+      if (!delaunay.edge(edge).is_alive() || crust.is_crust(edge)) continue;
+      const AxisLine& line = lines_[edge.index()] = axis_line(delaunay, edge, unit);
+      reaches[edge.index()] = lowered(line.squared_reach());
+      ++chunk.lines;
+      if (line.is_steep) chunk.steep.push_back(edge);
+    }
+  });
   Box2 box;
-  for (const Vec2 place : places_) box.add(place);
+  for (std::size_t i = 0; i < sites_.size(); ++i) {
+    const Vec2 at = delaunay.site_position(sites_[i]);
+    cells_[i].at = {at.x * unit, at.y * unit};
+    box.add(cells_[i].at);
+  }
   reach_ = 4.0 * (box.width() + box.height());
-  list_lines(delaunay);
+  for (const Chunk& chunk : chunks) {
+    line_count_ += chunk.lines;
+    has_steep_ = has_steep_ || !chunk.steep.empty();
+    for (const EdgeSlot edge : chunk.steep)
+      if (kSteep * lines_[edge.index()].half < 2.0 * reach_)
+        for (const SiteSlot site : delaunay.edge(edge).v) vague_.push_back({edge, cell_of_[site], 0.0F});
+  }
+  list_lines(delaunay, reaches);
+  measure_blocks();
 }
 
-// Along each chain of crust edges from where it is met first.
+std::size_t CellWalk::part_count() const {
+  return (blocks_.size() - 1 + kPart - 1) / kPart;
+}
+
+// Along each chain of crust edges from where it is met first. A block ends where the curve does.
 void CellWalk::order_cells(const Delaunay& delaunay, const OneStepCrust& crust) {
-  Table<SiteSlot, std::uint32_t> degree(delaunay.site_rows(), 0);
-  const auto for_each_crust_edge = [&](auto visit) {
-    for (const EdgeSlot edge : delaunay.edge_slots()) {
-      const EdgeRow& row = delaunay.edge(edge);
-      if (row.is_alive() && crust.is_crust(edge)) visit(row.v[0], row.v[1]);
+  // Most samples have two neighbours.
+  struct Neighbours {
+    SiteSlot two[2]{};
+  };
+  Table<SiteSlot, Neighbours> neighbours(delaunay.site_rows());
+  std::vector<std::pair<SiteSlot, SiteSlot>> more;
+  const auto join = [&](SiteSlot from, SiteSlot to) {
+    auto& two = neighbours[from].two;
+    if (two[0] == kNoSlot) {
+      two[0] = to;
+    } else if (two[1] == kNoSlot) {
+      two[1] = to;
+    } else {
+      more.emplace_back(from, to);
     }
   };
-  for_each_crust_edge([&](SiteSlot a, SiteSlot b) {
-    ++degree[a];
-    ++degree[b];
-  });
-  const std::vector<std::uint32_t> first = first_of_each(degree.values());
-  std::vector<SiteSlot> neighbours(first.back());
-  Table<SiteSlot, std::uint32_t> filled(delaunay.site_rows(), 0);
-  for_each_crust_edge([&](SiteSlot a, SiteSlot b) {
-    neighbours[first[a.index()] + filled[a]++] = b;
-    neighbours[first[b.index()] + filled[b]++] = a;
-  });
-  const auto neighbours_of = [&](SiteSlot site) {
-    return std::span(neighbours).subspan(first[site.index()], degree[site]);
-  };
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
+    const EdgeRow& row = delaunay.edge(edge);
+    if (!row.is_alive() || !crust.is_crust(edge)) continue;
+    join(row.v[0], row.v[1]);
+    join(row.v[1], row.v[0]);
+  }
   cell_of_.assign(delaunay.site_rows(), kNone);
   sites_.reserve(delaunay.site_count());
+  cells_.resize(delaunay.site_count() + 1);
+  blocks_.reserve(delaunay.site_count() / kBlock + 16);
+  const auto begin_block = [&] { blocks_.emplace_back().first = static_cast<std::uint32_t>(sites_.size()); };
   for (const SiteSlot start : delaunay.site_slots()) {
     if (!delaunay.is_site(start)) continue;
+    std::uint32_t count = 0;
     for (SiteSlot at = start; at != kNoSlot && cell_of_[at] == kNone;) {
+      if (count++ % kBlock == 0) begin_block();
       cell_of_[at] = static_cast<std::uint32_t>(sites_.size());
+      cells_[sites_.size()].block = static_cast<std::uint32_t>(blocks_.size() - 1);
       sites_.push_back(at);
       SiteSlot next{};
-      for (const SiteSlot other : neighbours_of(at))
-        if (cell_of_[other] == kNone) next = other;
+      for (const SiteSlot other : neighbours[at].two)
+        if (other != kNoSlot && cell_of_[other] == kNone) next = other;
       at = next;
     }
   }
-  first_crust_.reserve(sites_.size() + 1);
-  crust_.reserve(neighbours.size());
-  first_crust_.push_back(0);
-  for (const SiteSlot site : sites_) {
-    for (const SiteSlot other : neighbours_of(site)) crust_.push_back(cell_of_[other]);
-    first_crust_.push_back(static_cast<std::uint32_t>(crust_.size()));
+  begin_block();
+  const auto block_of = [&](SiteSlot site) { return cells_[cell_of_[site]].block; };
+  std::ranges::sort(more, {}, [&](const auto& pair) { return block_of(pair.first); });
+  auto other = more.begin();
+  for (std::uint32_t block = 0; block + 1 < blocks_.size(); ++block) {
+    blocks_[block].first_link = static_cast<std::uint32_t>(links_.size());
+    const auto link = [&](SiteSlot to) {
+      if (block_of(to) != block) links_.push_back(block_of(to));
+    };
+    for (std::uint32_t cell = blocks_[block].first; cell < blocks_[block + 1].first; ++cell)
+      for (const SiteSlot to : neighbours[sites_[cell]].two)
+        if (to != kNoSlot) link(to);
+    for (; other != more.end() && block_of(other->first) == block; ++other) link(other->second);
   }
+  blocks_.back().first_link = static_cast<std::uint32_t>(links_.size());
 }
 
-void CellWalk::list_lines(const Delaunay& delaunay) {
-  std::vector<std::uint32_t> counts(sites_.size(), 0);
-  for (const AxisLine& line : lines_)
-    for (const SiteSlot site : delaunay.edge(line.edge).v) ++counts[cell_of_[site]];
-  first_line_ = first_of_each(counts);
-  axis_.resize(first_line_.back());
-  reaches_.assign(sites_.size(), kInfinity);
-  std::vector<std::uint32_t> next(first_line_.begin(), first_line_.end() - 1);
-  for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-    const AxisLine& line = lines_[i];
-    const EdgeRow& row = delaunay.edge(line.edge);
-    const double reach = line.squared_reach();
-    has_steep_ = has_steep_ || line.is_steep;
-    for (const std::size_t end : {0U, 1U}) {
-      const std::uint32_t cell = cell_of_[row.v[end]];
-      axis_[next[cell]++] = {i, cell_of_[row.v[1 - end]]};
-      if (line.is_steep && kSteep * line.half < 2.0 * reach_) vague_.push_back({i, cell});
-      reaches_[cell] = std::min(reaches_[cell], reach);
+void CellWalk::list_lines(const Delaunay& delaunay, const std::vector<float>& reaches) {
+  const auto for_each_line = [&](auto visit) {
+    for (const EdgeSlot edge : delaunay.edge_slots()) {
+      if (reaches[edge.index()] < 0.0F) continue;
+      const EdgeRow& row = delaunay.edge(edge);
+      visit(edge, cell_of_[row.v[0]], cell_of_[row.v[1]]);
     }
-  }
-  for (double& reach : reaches_) reach = std::sqrt(reach) * (1.0 - kHeightError);
+  };
+  for_each_line([&](EdgeSlot, std::uint32_t a, std::uint32_t b) {
+    ++cells_[a].first;
+    ++cells_[b].first;
+  });
+  std::uint32_t count = 0;
+  for (Cell& cell : cells_) cell.first = count += cell.first;
+  axis_.resize(count);
+  for_each_line([&](EdgeSlot edge, std::uint32_t a, std::uint32_t b) {
+    const float reach = reaches[edge.index()];
+    axis_[--cells_[a].first] = {edge, b, reach};
+    axis_[--cells_[b].first] = {edge, a, reach};
+  });
 }
 
-bool CellWalk::walk(Group& group, std::size_t begin, std::size_t end, Trail& trail) const {
+void CellWalk::measure_blocks() {
+  const std::size_t blocks = blocks_.size() - 1;
+  run_tasks(part_count(), [&](std::size_t part) {
+    for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, blocks); ++i) {
+      Block& block = blocks_[i];
+      for (std::uint32_t k = block.first; k < blocks_[i + 1].first; ++k) {
+        Cell& cell = cells_[k];
+        for (std::uint32_t entry = cell.first; entry < cells_[k + 1].first; ++entry)
+          cell.reach = std::min(cell.reach, axis_[entry].reach);
+        block.box.add(cell.at);
+        block.reach = std::min(block.reach, cell.reach);
+      }
+    }
+  });
+}
+
+bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail& trail) const {
   trail.begin();
-  for (std::size_t cell = begin; cell < end; ++cell) trail.add(static_cast<std::uint32_t>(cell));
-  const AxisEntry guess{trail.guess, static_cast<std::uint32_t>(begin)};
-  // Measures these edges, and adds the cells beyond those that the walk crosses. Returns false if the queue is full.
+  trail.add(cells_[begin].block);
+  // Measures these edges, and adds the blocks beyond those that the walk crosses. Returns false if it becomes too long.
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
-      const AxisLine& line = lines_[entry.line];
+      if (entry.reach > group.far) continue;
+      ++trail.line_count;
+      const AxisLine& line = lines_[entry.edge.index()];
       std::array<Pair, kPairs> squared;
       PairMask is_crossed{};
-      for (std::size_t i = 0; i < kPairs; ++i) {
+      for (std::size_t i = 0; i < group.pairs; ++i) {
         const Pair ux = group.x[i] - line.q.x;
         const Pair uy = group.y[i] - line.q.y;
         const Pair aside = ux * line.along.x + uy * line.along.y - line.half;
@@ -196,83 +290,95 @@ bool CellWalk::walk(Group& group, std::size_t begin, std::size_t end, Trail& tra
         is_crossed |= squared[i] <= group.crossed[i];
       }
       if (!any(is_crossed)) continue;
-      for (std::size_t k = 0; k < kLanes; ++k)
-        if (squared[k / 2][k % 2] < group.best[k / 2][k % 2]) group.take(k, squared[k / 2][k % 2], entry.line);
-      if (!trail.add(entry.other)) return false;
+      bool is_nearer = false;
+      for (std::size_t k = 0; k < 2 * group.pairs; ++k) {
+        if (!(squared[k / 2][k % 2] < group.best[k / 2][k % 2])) continue;
+        group.take(k, squared[k / 2][k % 2], entry.edge);
+        is_nearer = true;
+      }
+      if (is_nearer) group.find_far();
+      if (!trail.add(cells_[entry.other].block)) return false;
     }
-    return true;
+    return trail.line_count <= kMostLines;
   };
   // Most often the one that is nearest to the group before, or not far from it.
-  if (trail.guess != kNone) look_at(std::span(&guess, 1));
+  if (trail.guess.edge != kNoSlot) look_at(std::span(&trail.guess, 1));
+  const auto look_at_cell = [&](std::uint32_t cell) {
+    return look_at(std::span(axis_).subspan(cells_[cell].first, cells_[cell + 1].first - cells_[cell].first));
+  };
+  for (std::uint32_t own = begin; own < end; ++own)
+    if (!look_at_cell(own)) return false;
   // Where vague edges end, and whether the walk crosses them, is not known: their cells are visited in any case.
   if (!look_at(vague_)) return false;
   for (const AxisEntry& entry : vague_)
-    if (!trail.add(entry.other)) return false;
+    if (!trail.add(cells_[entry.other].block)) return false;
   while (trail.head != trail.tail) {
-    const std::uint32_t cell = trail.queue[trail.head++];
-    const Vec2 s = places_[cell];
-    const double reach = reaches_[cell];
-    PairMask is_near{};
-    PairMask may_hold{};
-    for (std::size_t i = 0; i < kPairs; ++i) {
-      const Pair dx = group.x[i] - s.x;
-      const Pair dy = group.y[i] - s.y;
-      const Pair away = dx * dx + dy * dy;
-      const Pair rest = reach - group.limit[i];
-      is_near |= away <= 4.0 * group.crossed[i];
-      may_hold |= (rest <= Pair{}) | (rest * rest <= away);
+    const std::uint32_t number = trail.queue[trail.head++];
+    const Block& block = blocks_[number];
+    const Block& next = blocks_[number + 1];
+    if (squared_distance(block.box, group.box) > 4.0 * group.far * group.far) continue;
+    if (block.reach <= group.far) {
+      for (std::uint32_t k = block.first; k < next.first; ++k) {
+        const Cell& cell = cells_[k];
+        const bool is_own = begin <= k && k < end;
+        if (!is_own && double{cell.reach} <= group.far &&
+            squared_distance(group.box, cell.at) <= 4.0 * group.far * group.far && !look_at_cell(k))
+          return false;
+      }
     }
-    if (!any(is_near)) continue;
-    if (any(may_hold) &&
-        !look_at(std::span(axis_).subspan(first_line_[cell], first_line_[cell + 1] - first_line_[cell])))
-      return false;
-    for (std::uint32_t i = first_crust_[cell]; i < first_crust_[cell + 1]; ++i)
-      if (!trail.add(crust_[i])) return false;
+    for (std::uint32_t i = block.first_link; i < next.first_link; ++i)
+      if (!trail.add(links_[i])) return false;
   }
   // So far away the ends of steep edges matter.
-  PairMask is_far{};
-  for (const Pair best : group.best) is_far |= best > reach_ * reach_;
-  return !has_steep_ || !any(is_far);
+  return !has_steep_ || group.far <= reach_;
 }
 
-void CellWalk::search(std::size_t begin, std::size_t end, Table<SiteSlot, double>& squared,
-                      Table<SiteSlot, EdgeSlot>& nearest, std::vector<SiteSlot>& given_up) const {
+void CellWalk::search(std::size_t part, Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest,
+                      std::vector<SiteSlot>& given_up) const {
   Trail trail;
-  std::size_t pause = vague_.size() > kMostVague ? end - begin : 0;
-  for (std::size_t first = begin; first < end;) {
-    const double room = kSpread * reaches_[first];
-    const auto is_near_first = [&](std::size_t cell) {
-      const Vec2 d = places_[cell] - places_[first];
-      return dot(d, d) <= room * room;
-    };
-    std::size_t last = first + 1;
-    while (last < end && last < first + kLanes && is_near_first(last)) ++last;
-    bool is_found = false;
-    Group group;
-    if (pause != 0) {
-      --pause;
-    } else {
-      for (std::size_t k = 0; k < kLanes; ++k) {
-        const Vec2 p = places_[std::min(first + k, last - 1)];
-        group.x[k / 2][k % 2] = p.x;
-        group.y[k / 2][k % 2] = p.y;
-      }
-      for (auto* const values : {&group.best, &group.limit, &group.crossed}) values->fill(Pair{kInfinity, kInfinity});
-      group.line.fill(kNone);
-      is_found = walk(group, first, last, trail);
-      if (!is_found) pause = kPause;
-    }
-    for (std::size_t cell = first; cell < last; ++cell) {
-      const SiteSlot site = sites_[cell];
-      if (is_found) {
-        squared[site] = group.best[(cell - first) / 2][(cell - first) % 2];
-        if (const std::uint32_t line = group.line[cell - first]; line != kNone) nearest[site] = lines_[line].edge;
+  std::size_t longest_pause = kPause;
+  std::size_t pause = vague_.size() > kMostVague ? cells_.size() : 0;
+  const std::size_t last_block = std::min<std::size_t>((part + 1) * kPart, blocks_.size() - 1);
+  for (auto block = static_cast<std::uint32_t>(part * kPart); block < last_block; ++block) {
+    const std::uint32_t end = blocks_[block + 1].first;
+    for (std::uint32_t first = blocks_[block].first; first < end;) {
+      const double room = kSpread * double{cells_[first].reach};
+      const auto is_near_first = [&](std::uint32_t cell) {
+        const Vec2 d = cells_[cell].at - cells_[first].at;
+        return dot(d, d) <= room * room;
+      };
+      std::uint32_t last = first + 1;
+      while (last < end && last < first + kLanes && is_near_first(last)) ++last;
+      bool is_found = false;
+      Group group;
+      if (pause != 0) {
+        --pause;
       } else {
-        given_up.push_back(site);
+        group.pairs = (last - first + 1) / 2;
+        for (std::uint32_t k = 0; k < 2 * group.pairs; ++k) {
+          const Vec2 p = cells_[std::min(first + k, last - 1)].at;
+          group.x[k / 2][k % 2] = p.x;
+          group.y[k / 2][k % 2] = p.y;
+          group.box.add(p);
+        }
+        group.best.fill(Pair{kInfinity, kInfinity});
+        group.crossed.fill(Pair{kInfinity, kInfinity});
+        is_found = walk(group, first, last, trail);
+        longest_pause = is_found ? kPause : std::min(2 * longest_pause, kLongestPause);
+        if (!is_found) pause = longest_pause;
       }
+      for (std::uint32_t cell = first; cell < last; ++cell) {
+        const SiteSlot site = sites_[cell];
+        if (is_found) {
+          squared[site] = group.best[(cell - first) / 2][(cell - first) % 2];
+          nearest[site] = group.edge[cell - first];
+        } else {
+          given_up.push_back(site);
+        }
+      }
+      if (is_found) trail.guess = {group.edge[last - first - 1], first, 0.0F};
+      first = last;
     }
-    first = last;
-    if (is_found) trail.guess = group.line[kLanes - 1];
   }
 }
 

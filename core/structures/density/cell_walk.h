@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <limits>
+#include <memory>
 #include <vector>
 
+#include "core/base/box2.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"
 
@@ -15,8 +17,12 @@ namespace mes {
 /// Let x be the point of the axis that is nearest to a sample p. The segment from p to x meets no axis before x, so it
 /// goes from cell to cell across the duals of crust edges only; and where it leaves the cell of a sample s, at y, s is no
 /// farther from y than p is, so s is within twice |px| of p. A walk from the cell of p over crust edges, as far as twice
-/// the least distance seen so far, therefore comes to a cell with x on its boundary. Cells lie in memory in the order
-/// of the curve.
+/// the least distance seen so far, therefore comes to a cell with x on its boundary. The sample s of that cell is no
+/// farther from x than p is. So of the cells on the way only those matter whose own sample is no farther from an axis
+/// edge of theirs than the least distance seen so far.
+///
+/// Cells lie in memory along the curve, in blocks of a few, and the walk goes from block to block: what is too far away,
+/// or has no axis edge that near, is passed over at once.
 ///
 /// Distances are rounded, and of several edges at nearly the same distance the one that rounding makes nearest counts.
 /// So the walk also crosses axis edges that are nearly as near as the best, and what it finds is the least of *all*
@@ -24,44 +30,61 @@ namespace mes {
 /// where that is farther than the samples reach, it does not matter; the other edges that are steep are looked at by every
 /// sample.
 ///
-/// Cost: building O(n); a search O(samples within twice the feature size, along the curve). Where these are many, a
+/// Cost: building O(n); a search O(blocks within twice the feature size, along the curve). Where these are many, a
 /// search gives up.
-/// Threads: searches may run side by side.
+/// Threads: building borrows other cores; searches may run side by side.
 class CellWalk {
  public:
-  /// `lines`: all edges of the axis.
-  CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, std::span<const AxisLine> lines, double unit);
+  CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, double unit);
 
-  std::size_t cell_count() const { return sites_.size(); }
-  /// Finds sizes for the samples of the cells [begin, end). Samples whose walk becomes too long are appended to
-  /// `given_up`, and get no result.
-  void search(std::size_t begin, std::size_t end, Table<SiteSlot, double>& squared,
-              Table<SiteSlot, EdgeSlot>& nearest, std::vector<SiteSlot>& given_up) const;
+  /// Edges of the axis.
+  std::size_t line_count() const { return line_count_; }
+  /// Searches are made in so many parts, independent of each other.
+  std::size_t part_count() const;
+  /// Finds sizes for the samples of a part. Samples whose walk becomes too long are appended to `given_up`, and get no
+  /// result.
+  void search(std::size_t part, Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest,
+              std::vector<SiteSlot>& given_up) const;
 
  private:
   struct Group;
   struct Trail;
+  /// An edge of the axis, as seen from one of its two cells.
   struct AxisEntry {
-    std::uint32_t line;
-    std::uint32_t other;  ///< the cell on its other side
+    EdgeSlot edge;
+    std::uint32_t other = 0;  ///< the cell on its other side
+    float reach = 0.0F;       ///< no sample is nearer to the edge
+  };
+  struct Cell {
+    Vec2 at{};                ///< of the sample, in scaled units
+    std::uint32_t first = 0;  ///< of its entries
+    std::uint32_t block = 0;
+    float reach = std::numeric_limits<float>::infinity();  ///< least of its entries
+  };
+  /// Cells that follow each other along the curve.
+  struct Block {
+    Box2 box;
+    std::uint32_t first = 0;
+    std::uint32_t first_link = 0;
+    float reach = std::numeric_limits<float>::infinity();  ///< least of its cells
   };
 
   void order_cells(const Delaunay& delaunay, const OneStepCrust& crust);
-  void list_lines(const Delaunay& delaunay);
-  bool walk(Group& group, std::size_t begin, std::size_t end, Trail& trail) const;
+  void list_lines(const Delaunay& delaunay, const std::vector<float>& reaches);
+  void measure_blocks();
+  bool walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail& trail) const;
 
-  std::span<const AxisLine> lines_;
+  std::unique_ptr<AxisLine[]> lines_;  ///< of the edges of the axis, at their rows
+  std::size_t line_count_ = 0;
   std::vector<AxisEntry> vague_;  ///< edges with an end that may be anywhere
   bool has_steep_ = false;
   double reach_ = 0.0;           ///< four times the size of the box of all samples
   std::vector<SiteSlot> sites_;  ///< of the cells, in the order of the curve
-  std::vector<Vec2> places_;     ///< in scaled units
-  std::vector<double> reaches_;  ///< below it no axis edge of the cell is near the sample
   Table<SiteSlot, std::uint32_t> cell_of_;
-  std::vector<std::uint32_t> first_crust_;
-  std::vector<std::uint32_t> crust_;  ///< cells
-  std::vector<std::uint32_t> first_line_;
+  std::vector<Cell> cells_;  ///< and one behind them
   std::vector<AxisEntry> axis_;
+  std::vector<Block> blocks_;         ///< and one behind them
+  std::vector<std::uint32_t> links_;  ///< from block to block
 };
 
 }  // namespace mes

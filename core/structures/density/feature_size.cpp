@@ -203,18 +203,17 @@ void FeatureSize::rebuild(JobControl& job) {
   balls_.clear();
   if (delaunay_.dimension() != 2) return;
   choose_unit();
-  const std::vector<AxisLine> lines = all_lines();
-  line_count_ = lines.size();
-  if (lines.empty()) return;
+  const CellWalk walk(delaunay_, crust_, unit_);
+  line_count_ = walk.line_count();
+  if (line_count_ == 0) return;
   job.checkpoint();
-  const CellWalk walk(delaunay_, crust_, lines, unit_);
-  job.checkpoint();
-  std::vector<std::vector<SiteSlot>> given_up(chunk_count(walk.cell_count()));
-  parallel_for(walk.cell_count(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+  std::vector<std::vector<SiteSlot>> given_up(walk.part_count());
+  run_tasks(walk.part_count(), [&](std::size_t part) {
     job.checkpoint();
-    walk.search(begin, end, squared_, nearest_, given_up[chunk]);
+    walk.search(part, squared_, nearest_, given_up[part]);
   });
   if (std::ranges::all_of(given_up, [](const auto& sites) { return sites.empty(); })) return;
+  const std::vector<AxisLine> lines = all_lines();
   make_line_tree(lines);
   // To begin with, some edge of the site's own cell.
   for (const AxisLine& line : lines)
