@@ -98,11 +98,14 @@ bool AngleAxis::reaches(EdgeSlot edge) const {
   return limit_.is_reached_at(at.p, at.q, at.r) || limit_.is_reached_at(*at.s, at.r, at.q) || crosses(at);
 }
 
-bool AngleAxis::end_reaches(EdgeSlot edge, int end) const {
-  if (wish().limit <= 0.0 || angle_mode() != AngleMode::clip) return true;
-  const EdgeCorners at = crust_.corners(edge);
+AngleAxis::Reached AngleAxis::reached(EdgeSlot edge) const {
+  if (wish().limit <= 0.0) return {true, {true, true}};
+  if (angle_mode() != AngleMode::clip) return {reaches(edge), {true, true}};
   // The left face of the row is that of p.
-  return end == 0 ? limit_.is_reached_at(at.p, at.q, at.r) : limit_.is_reached_at(*at.s, at.r, at.q);
+  const EdgeCorners at = crust_.corners(edge);
+  const bool at_p = limit_.is_reached_at(at.p, at.q, at.r);
+  const bool at_s = limit_.is_reached_at(*at.s, at.r, at.q);
+  return {at_p || at_s || crosses(at), {at_p, at_s}};
 }
 
 Vec2 AngleAxis::cut_place(EdgeSlot edge, int end) const {

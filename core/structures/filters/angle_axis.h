@@ -35,7 +35,7 @@ class AngleAxis final : public AxisFilter {
   int mode(const ComputationSettings& settings) const override;
   void take(const Wish& wish) override;
   bool reaches(EdgeSlot edge) const override;
-  bool end_reaches(EdgeSlot edge, int end) const override;
+  Reached reached(EdgeSlot edge) const override;
   Vec2 cut_place(EdgeSlot edge, int end) const override;
   bool node_reaches(FaceSlot node) const override;
   int compare(EdgeSlot a, EdgeSlot b) const override;

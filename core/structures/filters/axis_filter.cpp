@@ -55,10 +55,11 @@ std::uint8_t AxisFilter::flags_of(EdgeSlot edge) const {
     const EdgeSlot level = pruning_.level_of(edge);
     return level == kNoSlot || reaches(level) ? kKept : 0;
   }
-  if (!reaches(edge)) return 0;
+  const Reached at = reached(edge);
+  if (!at.anywhere) return 0;
   std::uint8_t out = kKept;
   for (int end = 0; end < 2; ++end)
-    if (!end_reaches(edge, end)) out = static_cast<std::uint8_t>(out | kCut[end]);
+    if (!at.at_end[end]) out = static_cast<std::uint8_t>(out | kCut[end]);
   return out;
 }
 
@@ -73,8 +74,9 @@ int AxisFilter::kept_edges_at(FaceSlot node) const {
 // Leaves that the limit has left reach it somewhere, as the leaf of the least value is the next to go.
 void AxisFilter::cut_free_ends(EdgeSlot edge) {
   if (!is_kept(edge)) return;
+  const Reached at = reached(edge);
   for (int end = 0; end < 2; ++end)
-    if (!end_reaches(edge, end) && kept_edges_at(balls_.ball(delaunay_.edge(edge).f[end])) == 1)
+    if (!at.at_end[end] && kept_edges_at(balls_.ball(delaunay_.edge(edge).f[end])) == 1)
       edge_flags_[edge] = static_cast<std::uint8_t>(edge_flags_[edge] | kCut[end]);
 }
 

@@ -82,8 +82,12 @@ class AxisFilter : public Structure {
   virtual void take(const Wish&) {}
   /// The value of an edge reaches the limit.
   virtual bool reaches(EdgeSlot edge) const = 0;
-  /// The value at an end of an edge that reaches the limit does so, too.
-  virtual bool end_reaches(EdgeSlot, int /*end*/) const { return true; }
+  /// Where along an edge the value reaches the limit.
+  struct Reached {
+    bool anywhere = false;
+    bool at_end[2] = {true, true};  ///< of an edge that reaches it anywhere
+  };
+  virtual Reached reached(EdgeSlot edge) const { return {reaches(edge), {true, true}}; }
   /// Where along the edge it begins to.
   virtual Vec2 cut_place(EdgeSlot, int /*end*/) const { return {}; }
   /// The node's own value reaches the limit, whatever the edges do.

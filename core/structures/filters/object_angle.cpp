@@ -18,8 +18,8 @@ bool AngleLimit::is_reached_at(Vec2 p, Vec2 q, Vec2 r) const {
   // doubles, the angle itself does.
   const double opposite = std::abs(cross(u, v)) * cosine_;
   const double adjacent = std::abs(dot(u, v)) * sine_;
-  const double size = length(u) * length(v);
-  if (size > 0x1p-800 && size < 0x1p800 && std::abs(opposite - adjacent) > 1e-12 * size) return opposite > adjacent;
+  const double size = std::sqrt(dot(u, u) * dot(v, v));
+  if (size > 0x1p-450 && size < 0x1p450 && std::abs(opposite - adjacent) > 1e-12 * size) return opposite > adjacent;
   return folded(angle_at(p, q, r)) >= degrees_;
 }
 
