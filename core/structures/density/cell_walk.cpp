@@ -75,15 +75,15 @@ struct CellWalk::Group {
   std::array<Pair, kPairs> x, y;
   std::array<Pair, kPairs> best;     // squared
   std::array<Pair, kPairs> crossed;  // squared, of what is nearly as near
-  std::array<EdgeSlot, kLanes> edge;
+  std::array<std::uint32_t, kLanes> line;
   std::size_t pairs = kPairs;  // the others are the same
   Box2 box;
   double far = kInfinity;  // the largest distance of `crossed`
 
-  void take(std::size_t lane, double squared, EdgeSlot by) {
+  void take(std::size_t lane, double squared, std::uint32_t by) {
     best[lane / 2][lane % 2] = squared;
     crossed[lane / 2][lane % 2] = squared * (kCrossed * kCrossed);
-    edge[lane] = by;
+    line[lane] = by;
   }
   void find_far() {
     double most = 0.0;
@@ -106,7 +106,7 @@ struct CellWalk::Trail {
   static_assert(kMarks >= 2 * kLongest && std::has_single_bit(kMarks));
   std::array<Mark, kMarks> marks{};
   std::uint32_t number = 0;
-  AxisEntry guess{};
+  AxisEntry guess{.line = kNone};
 
   void begin() {
     ++number;
@@ -126,24 +126,36 @@ struct CellWalk::Trail {
 
 CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, double unit) {
   const std::size_t edges = delaunay.edge_rows();
-  lines_ = std::make_unique_for_overwrite<AxisLine[]>(edges);
-  std::vector<float> reaches(edges, -1.0F);
   struct Chunk {
-    std::size_t lines = 0;
-    std::vector<EdgeSlot> steep;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::vector<std::uint32_t> steep;
   };
   std::vector<Chunk> chunks(chunk_count(edges));
+  const auto for_each_axis_edge = [&](std::size_t chunk, auto visit) {
+    for (const EdgeSlot edge :
+         slots_between<EdgeSlot>(first_of_chunk(edges, chunk), first_of_chunk(edges, chunk + 1)))
+      if (delaunay.edge(edge).is_alive() && !crust.is_crust(edge)) visit(edge);
+  };
+  run_tasks(chunks.size(), [&](std::size_t chunk) {
+    std::uint32_t count = 0;
+    for_each_axis_edge(chunk, [&](EdgeSlot) { ++count; });
+    chunks[chunk].count = count;
+  });
+  for (Chunk& chunk : chunks) {
+    chunk.first = line_count_;
+    line_count_ += chunk.count;
+  }
+  lines_ = std::make_unique_for_overwrite<AxisLine[]>(line_count_);
   run_tasks(1 + chunks.size(), [&](std::size_t task) {
     if (task == 0) return order_cells(delaunay, crust);
     Chunk& chunk = chunks[task - 1];
-    for (const EdgeSlot edge :
-         slots_between<EdgeSlot>(first_of_chunk(edges, task - 1), first_of_chunk(edges, task))) {
-      if (!delaunay.edge(edge).is_alive() || crust.is_crust(edge)) continue;
-      const AxisLine& line = lines_[edge.index()] = axis_line(delaunay, edge, unit);
-      reaches[edge.index()] = lowered(line.squared_reach());
-      ++chunk.lines;
-      if (line.is_steep) chunk.steep.push_back(edge);
-    }
+    std::uint32_t at = chunk.first;
+    for_each_axis_edge(task - 1, [&](EdgeSlot edge) {
+      lines_[at] = axis_line(delaunay, edge, unit);
+      if (lines_[at].is_steep) chunk.steep.push_back(at);
+      ++at;
+    });
   });
   Box2 box;
   for (std::size_t i = 0; i < sites_.size(); ++i) {
@@ -153,13 +165,12 @@ CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, double u
   }
   reach_ = 4.0 * (box.width() + box.height());
   for (const Chunk& chunk : chunks) {
-    line_count_ += chunk.lines;
     has_steep_ = has_steep_ || !chunk.steep.empty();
-    for (const EdgeSlot edge : chunk.steep)
-      if (kSteep * lines_[edge.index()].half < 2.0 * reach_)
-        for (const SiteSlot site : delaunay.edge(edge).v) vague_.push_back({edge, cell_of_[site], 0.0F});
+    for (const std::uint32_t line : chunk.steep)
+      if (kSteep * lines_[line].half < 2.0 * reach_)
+        for (const SiteSlot site : delaunay.edge(lines_[line].edge).v) vague_.push_back({line, cell_of_[site], 0.0F});
   }
-  list_lines(delaunay, reaches);
+  list_lines(delaunay);
   measure_blocks();
 }
 
@@ -227,25 +238,24 @@ void CellWalk::order_cells(const Delaunay& delaunay, const OneStepCrust& crust) 
   blocks_.back().first_link = static_cast<std::uint32_t>(links_.size());
 }
 
-void CellWalk::list_lines(const Delaunay& delaunay, const std::vector<float>& reaches) {
+void CellWalk::list_lines(const Delaunay& delaunay) {
   const auto for_each_line = [&](auto visit) {
-    for (const EdgeSlot edge : delaunay.edge_slots()) {
-      if (reaches[edge.index()] < 0.0F) continue;
-      const EdgeRow& row = delaunay.edge(edge);
-      visit(edge, cell_of_[row.v[0]], cell_of_[row.v[1]]);
+    for (std::uint32_t i = 0; i < line_count_; ++i) {
+      const EdgeRow& row = delaunay.edge(lines_[i].edge);
+      visit(i, cell_of_[row.v[0]], cell_of_[row.v[1]]);
     }
   };
-  for_each_line([&](EdgeSlot, std::uint32_t a, std::uint32_t b) {
+  for_each_line([&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
     ++cells_[a].first;
     ++cells_[b].first;
   });
   std::uint32_t count = 0;
   for (Cell& cell : cells_) cell.first = count += cell.first;
   axis_.resize(count);
-  for_each_line([&](EdgeSlot edge, std::uint32_t a, std::uint32_t b) {
-    const float reach = reaches[edge.index()];
-    axis_[--cells_[a].first] = {edge, b, reach};
-    axis_[--cells_[b].first] = {edge, a, reach};
+  for_each_line([&](std::uint32_t line, std::uint32_t a, std::uint32_t b) {
+    const float reach = lowered(lines_[line].squared_reach());
+    axis_[--cells_[a].first] = {line, b, reach};
+    axis_[--cells_[b].first] = {line, a, reach};
   });
 }
 
@@ -273,7 +283,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
     for (const AxisEntry& entry : entries) {
       if (entry.reach > group.far) continue;
       ++trail.line_count;
-      const AxisLine& line = lines_[entry.edge.index()];
+      const AxisLine& line = lines_[entry.line];
       std::array<Pair, kPairs> squared;
       PairMask is_crossed{};
       for (std::size_t i = 0; i < group.pairs; ++i) {
@@ -293,7 +303,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
       bool is_nearer = false;
       for (std::size_t k = 0; k < 2 * group.pairs; ++k) {
         if (!(squared[k / 2][k % 2] < group.best[k / 2][k % 2])) continue;
-        group.take(k, squared[k / 2][k % 2], entry.edge);
+        group.take(k, squared[k / 2][k % 2], entry.line);
         is_nearer = true;
       }
       if (is_nearer) group.find_far();
@@ -302,7 +312,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
     return trail.line_count <= kMostLines;
   };
   // Most often the one that is nearest to the group before, or not far from it.
-  if (trail.guess.edge != kNoSlot) look_at(std::span(&trail.guess, 1));
+  if (trail.guess.line != kNone) look_at(std::span(&trail.guess, 1));
   const auto look_at_cell = [&](std::uint32_t cell) {
     return look_at(std::span(axis_).subspan(cells_[cell].first, cells_[cell + 1].first - cells_[cell].first));
   };
@@ -363,6 +373,7 @@ void CellWalk::search(std::size_t part, Table<SiteSlot, double>& squared, Table<
         }
         group.best.fill(Pair{kInfinity, kInfinity});
         group.crossed.fill(Pair{kInfinity, kInfinity});
+        group.line.fill(kNone);
         is_found = walk(group, first, last, trail);
         longest_pause = is_found ? kPause : std::min(2 * longest_pause, kLongestPause);
         if (!is_found) pause = longest_pause;
@@ -371,12 +382,12 @@ void CellWalk::search(std::size_t part, Table<SiteSlot, double>& squared, Table<
         const SiteSlot site = sites_[cell];
         if (is_found) {
           squared[site] = group.best[(cell - first) / 2][(cell - first) % 2];
-          nearest[site] = group.edge[cell - first];
+          if (const std::uint32_t line = group.line[cell - first]; line != kNone) nearest[site] = lines_[line].edge;
         } else {
           given_up.push_back(site);
         }
       }
-      if (is_found) trail.guess = {group.edge[last - first - 1], first, 0.0F};
+      if (is_found) trail.guess = {group.line[last - first - 1], first, 0.0F};
       first = last;
     }
   }

@@ -51,7 +51,7 @@ class CellWalk {
   struct Trail;
   /// An edge of the axis, as seen from one of its two cells.
   struct AxisEntry {
-    EdgeSlot edge;
+    std::uint32_t line = 0;
     std::uint32_t other = 0;  ///< the cell on its other side
     float reach = 0.0F;       ///< no sample is nearer to the edge
   };
@@ -70,12 +70,12 @@ class CellWalk {
   };
 
   void order_cells(const Delaunay& delaunay, const OneStepCrust& crust);
-  void list_lines(const Delaunay& delaunay, const std::vector<float>& reaches);
+  void list_lines(const Delaunay& delaunay);
   void measure_blocks();
   bool walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail& trail) const;
 
-  std::unique_ptr<AxisLine[]> lines_;  ///< of the edges of the axis, at their rows
-  std::size_t line_count_ = 0;
+  std::unique_ptr<AxisLine[]> lines_;  ///< in the order of the edges
+  std::uint32_t line_count_ = 0;
   std::vector<AxisEntry> vague_;  ///< edges with an end that may be anywhere
   bool has_steep_ = false;
   double reach_ = 0.0;           ///< four times the size of the box of all samples
