@@ -262,12 +262,18 @@ void CellWalk::list_lines(const Delaunay& delaunay) {
 void CellWalk::measure_blocks() {
   const std::size_t blocks = blocks_.size() - 1;
   run_tasks(part_count(), [&](std::size_t part) {
-    for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, blocks); ++i) {
-      Block& block = blocks_[i];
-      for (std::uint32_t k = block.first; k < blocks_[i + 1].first; ++k) {
+    for (std::size_t number = part * kPart; number < std::min((part + 1) * kPart, blocks); ++number) {
+      Block& block = blocks_[number];
+      for (std::uint32_t k = block.first; k < blocks_[number + 1].first; ++k) {
         Cell& cell = cells_[k];
-        for (std::uint32_t entry = cell.first; entry < cells_[k + 1].first; ++entry)
-          cell.reach = std::min(cell.reach, axis_[entry].reach);
+        const auto own = std::span(axis_).subspan(cell.first, cells_[k + 1].first - cell.first);
+        for (std::size_t i = 1; i < own.size(); ++i) {
+          const AxisEntry entry = own[i];
+          std::size_t at = i;
+          for (; at != 0 && own[at - 1].reach > entry.reach; --at) own[at] = own[at - 1];
+          own[at] = entry;
+        }
+        if (!own.empty()) cell.reach = own[0].reach;
         block.box.add(cell.at);
         block.reach = std::min(block.reach, cell.reach);
       }
@@ -281,7 +287,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
   // Measures these edges, and adds the blocks beyond those that the walk crosses. Returns false if it becomes too long.
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
-      if (entry.reach > group.far) continue;
+      if (entry.reach > group.far) break;
       ++trail.line_count;
       const AxisLine& line = lines_[entry.line];
       std::array<Pair, kPairs> squared;

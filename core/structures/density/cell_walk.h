@@ -57,7 +57,7 @@ class CellWalk {
   };
   struct Cell {
     Vec2 at{};                ///< of the sample, in scaled units
-    std::uint32_t first = 0;  ///< of its entries
+    std::uint32_t first = 0;  ///< of its entries, the nearest first
     std::uint32_t block = 0;
     float reach = std::numeric_limits<float>::infinity();  ///< least of its entries
   };
