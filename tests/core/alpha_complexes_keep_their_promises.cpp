@@ -7,14 +7,13 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "core/structures/alpha/alpha_complex.h"
 #include "core/structures/alpha/persistence.h"
+#include "tests/support/matrix_reduction.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
@@ -52,59 +51,17 @@ mpq_class enclosing_square(Vec2 a, Vec2 b, Vec2 c) {
   return side[0] * side[1] * side[2] / (4 * det * det);
 }
 
-/// Dimension, square of the radius of birth and of death; -1 for a death that never comes.
-using Bar = std::tuple<int, mpq_class, mpq_class>;
-
-/// Of the Cech complex of all points, by reducing the boundary matrix column by column.
-std::vector<Bar> bars_of_cech(const std::vector<Vec2>& points) {
-  struct Simplex {
-    mpq_class value;
-    std::vector<std::size_t> corners;
+/// Of the Cech complex of all points; values are squares of radii.
+std::vector<ExactBar> bars_of_cech(const std::vector<Vec2>& points) {
+  const auto value = [&points](auto... corners) -> mpq_class {
+    if constexpr (sizeof...(corners) == 1)
+      return 0;
+    else if constexpr (sizeof...(corners) == 2)
+      return squared(points[corners]...) / 4;
+    else
+      return enclosing_square(points[corners]...);
   };
-  std::vector<Simplex> all;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    all.push_back({0, {i}});
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      all.push_back({squared(points[i], points[j]) / 4, {i, j}});
-      for (std::size_t k = j + 1; k < points.size(); ++k)
-        all.push_back({enclosing_square(points[i], points[j], points[k]), {i, j, k}});
-    }
-  }
-  std::ranges::stable_sort(all, [](const Simplex& a, const Simplex& b) {
-    return a.value != b.value ? a.value < b.value : a.corners.size() < b.corners.size();
-  });
-  std::map<std::vector<std::size_t>, std::size_t> column_of;
-  for (std::size_t i = 0; i < all.size(); ++i) column_of[all[i].corners] = i;
-  std::vector<std::vector<std::size_t>> columns(all.size());
-  std::map<std::size_t, std::size_t> column_with_lowest;
-  std::vector<bool> is_paired(all.size(), false);
-  std::vector<Bar> out;
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    std::vector<std::size_t>& column = columns[j];
-    for (std::size_t left_out = 0; left_out < all[j].corners.size() && all[j].corners.size() > 1; ++left_out) {
-      std::vector<std::size_t> face = all[j].corners;
-      face.erase(face.begin() + static_cast<std::ptrdiff_t>(left_out));
-      column.push_back(column_of.at(face));
-    }
-    std::ranges::sort(column);
-    while (!column.empty()) {
-      const auto other = column_with_lowest.find(column.back());
-      if (other == column_with_lowest.end()) break;
-      std::vector<std::size_t> sum;
-      std::ranges::set_symmetric_difference(column, columns[other->second], std::back_inserter(sum));
-      column = std::move(sum);
-    }
-    if (column.empty()) continue;
-    column_with_lowest[column.back()] = j;
-    is_paired[j] = is_paired[column.back()] = true;
-    if (all[column.back()].value != all[j].value)
-      out.emplace_back(static_cast<int>(all[j].corners.size()) - 2, all[column.back()].value, all[j].value);
-  }
-  for (std::size_t j = 0; j < all.size(); ++j)
-    if (!is_paired[j] && all[j].corners.size() < 3)
-      out.emplace_back(static_cast<int>(all[j].corners.size()) - 1, all[j].value, -1);
-  std::ranges::sort(out);
-  return out;
+  return bars_by_reduction(points.size(), value);
 }
 
 struct RoundBar {
@@ -156,15 +113,15 @@ TEST_CASE("births and deaths are those of the Cech complex") {
     const std::vector<Vec2> points = random_points(count, round % 3 == 0 ? 0 : 2 + round % 5, rng);
     Workbench bench(points);
     show_alpha(bench);
-    const std::vector<Bar> expected = bars_of_cech(distinct(points));
+    const std::vector<ExactBar> expected = bars_of_cech(distinct(points));
     const std::vector<RoundBar> found = bars_of(bench);
     INFO("round " << round);
     REQUIRE(found.size() == expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const auto& [dimension, birth, death] = expected[i];
+      const auto& [dimension, birth, dies, death] = expected[i];
       CHECK(found[i].dimension == dimension);
       CHECK(found[i].birth == Approx(std::sqrt(birth.get_d())).epsilon(1e-9));
-      if (death < 0)
+      if (!dies)
         CHECK(found[i].death == -1.0);
       else
         CHECK(found[i].death == Approx(std::sqrt(death.get_d())).epsilon(1e-9));

@@ -8,15 +8,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/balls/grown_complex.h"
 #include "core/structures/poles/polar_union.h"
+#include "tests/support/matrix_reduction.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
@@ -102,58 +101,9 @@ Lowest lowest(const ExactBall& a, const ExactBall& b, const ExactBall& c) {
   return {center, power(center, a)};
 }
 
-/// Dimension, power of birth, whether it dies, power of death.
-using Bar = std::tuple<int, mpq_class, bool, mpq_class>;
-
-std::vector<Bar> bars_of_cech(const std::vector<ExactBall>& balls) {
-  struct Simplex {
-    mpq_class value;
-    std::vector<std::size_t> corners;
-  };
-  std::vector<Simplex> all;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    all.push_back({lowest(balls[i]).value, {i}});
-    for (std::size_t j = i + 1; j < balls.size(); ++j) {
-      all.push_back({lowest(balls[i], balls[j]).value, {i, j}});
-      for (std::size_t k = j + 1; k < balls.size(); ++k)
-        all.push_back({lowest(balls[i], balls[j], balls[k]).value, {i, j, k}});
-    }
-  }
-  std::ranges::stable_sort(all, [](const Simplex& a, const Simplex& b) {
-    return a.value != b.value ? a.value < b.value : a.corners.size() < b.corners.size();
-  });
-  std::map<std::vector<std::size_t>, std::size_t> column_of;
-  for (std::size_t i = 0; i < all.size(); ++i) column_of[all[i].corners] = i;
-  std::vector<std::vector<std::size_t>> columns(all.size());
-  std::map<std::size_t, std::size_t> column_with_lowest;
-  std::vector<bool> is_paired(all.size(), false);
-  std::vector<Bar> out;
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    std::vector<std::size_t>& column = columns[j];
-    for (std::size_t left_out = 0; left_out < all[j].corners.size() && all[j].corners.size() > 1; ++left_out) {
-      std::vector<std::size_t> face = all[j].corners;
-      face.erase(face.begin() + static_cast<std::ptrdiff_t>(left_out));
-      column.push_back(column_of.at(face));
-    }
-    std::ranges::sort(column);
-    while (!column.empty()) {
-      const auto other = column_with_lowest.find(column.back());
-      if (other == column_with_lowest.end()) break;
-      std::vector<std::size_t> sum;
-      std::ranges::set_symmetric_difference(column, columns[other->second], std::back_inserter(sum));
-      column = std::move(sum);
-    }
-    if (column.empty()) continue;
-    column_with_lowest[column.back()] = j;
-    is_paired[j] = is_paired[column.back()] = true;
-    if (all[column.back()].value != all[j].value)
-      out.emplace_back(static_cast<int>(all[j].corners.size()) - 2, all[column.back()].value, true, all[j].value);
-  }
-  for (std::size_t j = 0; j < all.size(); ++j)
-    if (!is_paired[j] && all[j].corners.size() < 3)
-      out.emplace_back(static_cast<int>(all[j].corners.size()) - 1, all[j].value, false, mpq_class());
-  std::ranges::sort(out);
-  return out;
+/// Of the Cech complex of all balls; values are powers.
+std::vector<ExactBar> bars_of_cech(const std::vector<ExactBall>& balls) {
+  return bars_by_reduction(balls.size(), [&balls](auto... corners) { return lowest(balls[corners]...).value; });
 }
 
 /// Signed root.
@@ -181,7 +131,7 @@ std::vector<GrownBar> bars_of(const BallFiltration& filtration) {
   return out;
 }
 
-void check_bars(const BallFiltration& filtration, const std::vector<Bar>& expected) {
+void check_bars(const BallFiltration& filtration, const std::vector<ExactBar>& expected) {
   std::vector<GrownBar> wanted;
   for (const auto& [dimension, birth, dies, death] : expected)
     wanted.push_back({dimension, growth_of(birth), dies, dies ? growth_of(death) : 0.0});
