@@ -17,6 +17,7 @@ Expected<std::vector<double>> critical_values_of(const SampleData& data, JobCont
 }
 
 void CriticalValues::follow(std::uint64_t document, const std::function<SampleData()>& data) {
+  is_followed_ = true;
   wanted_ = document;
   if (auto found = job_.poll()) found_ = *std::move(found);
   // One at a time: while samples are dragged, the next begins when this one has ended.

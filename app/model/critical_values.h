@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/system/background_job.h"
@@ -27,8 +28,10 @@ class CriticalValues {
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const std::function<SampleData()>& data);
-  /// They are not looked at any more.
-  void rest() { job_.give_up(); }
+  /// Once a frame, after those who may follow: what nothing followed is given up.
+  void end_frame() {
+    if (!std::exchange(is_followed_, false)) job_.give_up();
+  }
   bool is_under_way() const { return job_.is_under_way() || job_.is_ending(); }
   /// Of the document followed last; null while they are not known.
   const std::vector<double>* values() const {
@@ -44,6 +47,7 @@ class CriticalValues {
     std::string problem;
   };
   BackgroundJob<Found> job_;
+  bool is_followed_ = false;
   std::uint64_t wanted_ = 0;
   std::optional<Found> found_;
 };

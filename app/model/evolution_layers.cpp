@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "app/model/ball_families.h"
-#include "app/model/persistence_table.h"
 
 namespace mes {
 namespace {
@@ -64,6 +63,16 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
   std::vector<LayerIndex> out;
   for (const std::string& id : ids)
     if (const LayerIndex layer = layers.find(id); layer != kNoLayer) out.push_back(layer);
+  return out;
+}
+
+std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferred) {
+  std::optional<GrowthOf> out;
+  for (const LayerIndex layer : layers.visible_layers()) {
+    const auto of = growth_of(layers.descriptor(layer));
+    if (of == preferred) return of;
+    if (of && (!out || *of < *out)) out = of;
+  }
   return out;
 }
 

@@ -2,16 +2,21 @@
 // Which layers show what an evolution does.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/model/layer_stack.h"
+#include "app/model/persistence_table.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
 
 /// Layers that would show the evolution, none of which is visible; empty: some layer that follows it is.
 std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers, const Document& document);
+
+/// What grows additively in the layers that are shown: `preferred`, if that is among it, or else the first; nothing: none.
+std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferred);
 
 /// What it moves: "the samples", "the inner balls".
 std::string what_moves(EvolutionIndex evolution);

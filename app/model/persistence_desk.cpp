@@ -8,6 +8,7 @@ namespace mes {
 
 void PersistenceDesk::follow(std::uint64_t document, const std::function<PersistenceInput()>& input) {
   wanted_ = document;
+  is_followed_ = true;
   if (auto done = job_.poll()) take(*std::move(done));
   // One at a time: while samples are dragged, a table of some moment is better than none.
   if (job_.is_under_way() || job_.is_ending() || is_current() || failed_ == wanted_) return;

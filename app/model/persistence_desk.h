@@ -4,12 +4,13 @@
 // What it guarantees:
 //  1. Nothing waits: the table is computed afresh on a thread of its own. It is of one state of the document;
 //     `is_current` says whether that is the one asked for last.
-//  2. While it is not asked for, nothing is computed.
+//  2. In frames in which nothing follows it, nothing is computed.
 //  3. A class stays chosen in the next table if one there has the same dimension, place and edge.
 //
 // Smallest use, once a frame:
 //     desk.follow(digest_of(document, desk.growth(), settings), input);
 //     if (desk.table() != nullptr) draw(*desk.table());
+//     desk.end_frame();
 //
 // Cost: of the triangulation and its filtration from scratch, beside the window. Threads: the window's; `wake` is called
 // from the other.
@@ -20,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/model/persistence_table.h"
 #include "app/system/background_job.h"
@@ -41,8 +43,12 @@ class PersistenceDesk {
       return PersistenceInput{data_of(document), growth_, settings};
     });
   }
-  /// It is not looked at any more.
-  void rest() { job_.give_up(); }
+  /// Since the last `end_frame`.
+  bool is_followed() const { return is_followed_; }
+  /// Once a frame, after those who may follow: what nothing followed is given up.
+  void end_frame() {
+    if (!std::exchange(is_followed_, false)) job_.give_up();
+  }
 
   /// The last one; null before the first.
   const PersistenceTable* table() const { return table_.get(); }
@@ -68,6 +74,7 @@ class PersistenceDesk {
 
   BackgroundJob<Done> job_;
   GrowthOf growth_ = GrowthOf::samples;
+  bool is_followed_ = false;
   std::uint64_t wanted_ = 0;
   std::uint64_t state_ = 0;
   std::optional<std::uint64_t> failed_;

@@ -47,8 +47,10 @@ void add_rows(const std::vector<Class>& classes, const Reading& read, auto corne
   for (const Class& one : classes) {
     PersistenceRow row;
     row.is_hole = one.is_hole;
+    row.birth_rank = one.birth;
+    row.death_rank = one.death;
     row.birth = read.radius(one.birth);
-    const bool stays = one.death == std::numeric_limits<std::uint32_t>::max();
+    const bool stays = one.death == PersistenceRow::kNever;
     row.death = stays ? std::numeric_limits<double>::infinity() : read.radius(one.death);
     if (one.edge != kNoSlot) {
       row.has_edge = true;
@@ -60,17 +62,18 @@ void add_rows(const std::vector<Class>& classes, const Reading& read, auto corne
     if (one.is_hole) {
       row.triangle = triangle_of(one);
       row.place = read.center(row.triangle);
-      out.closes.push_back(row.birth);
-      out.fills.push_back(row.death);
+      out.closes.push_back({row.birth, one.birth});
+      out.fills.push_back({row.death, one.death});
     } else {
       row.place = read.corner(corner_of(one));
-      if (!stays) out.joins.push_back(row.death);
+      if (!stays) out.joins.push_back({row.death, one.death});
     }
     if (!stays) out.largest_death = std::max(out.largest_death, row.death);
     out.least_birth = std::min(out.least_birth, row.birth);
     out.rows.push_back(row);
   }
-  for (std::vector<double>* const radii : {&out.joins, &out.closes, &out.fills}) std::ranges::sort(*radii);
+  for (std::vector<GrowthEvent>* const events : {&out.joins, &out.closes, &out.fills})
+    std::ranges::sort(*events, {}, &GrowthEvent::rank);
   std::ranges::stable_sort(
       out.rows, [](const PersistenceRow& a, const PersistenceRow& b) { return a.persistence() > b.persistence(); });
 }
@@ -104,6 +107,12 @@ PersistenceTable table_of(const Delaunay& delaunay, const AlphaFiltration& filtr
       filtration.classes(), read, [](const Class& one) { return one.site.index(); },
       [&](const Class& one) { return number_of_edge[one.edge]; },
       [&](const Class& one) { return number_of_face[one.face]; }, out);
+  std::vector<double> radii(filtration.rank_count());
+  for (std::uint32_t rank = 0; rank < radii.size(); ++rank) radii[rank] = filtration.radius(rank);
+  // These radii are rounded up to the next double, so no radius lies between one and its rounding.
+  out.ranks_within = [radii = std::make_shared<const std::vector<double>>(std::move(radii))](double radius) {
+    return static_cast<std::uint32_t>(std::ranges::upper_bound(*radii, radius) - radii->begin());
+  };
   return out;
 }
 
@@ -132,6 +141,7 @@ PersistenceTable table_of(const BallFiltration& filtration) {
   add_rows(
       filtration.classes(), read, [](const Class& one) { return one.corner.index(); },
       [](const Class& one) { return one.edge.index(); }, [](const Class& one) { return one.triangle.index(); }, out);
+  out.ranks_within = [ranks = filtration.ranks()](double radius) { return ranks->within(radius); };
   return out;
 }
 
@@ -173,7 +183,9 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
     case GrowthOf::samples: break;
     case GrowthOf::inner: return with(document.sample_digest() + 1, value(Parameter::a_scale));
     case GrowthOf::polar:
-      return with(with(document.sample_digest() + 2, value(Parameter::p_scale)), value(Parameter::pole_propagation));
+      return with(
+          with(with(document.sample_digest() + 2, value(Parameter::p_scale)), value(Parameter::pole_propagation)),
+          static_cast<double>(settings.precision));
     case GrowthOf::own: return with(document.ball_digest() + 3, value(Parameter::b_scale));
   }
   return document.sample_digest();

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,9 +44,13 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
 /// A component is born at a sample or ball and dies by an edge that joins it to an older one; a hole is born with the edge that
 /// closes it and dies with the triangle that fills it.
 struct PersistenceRow {
+  static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+
   bool is_hole = false;
-  double birth = 0.0;     ///< radius
-  double death = 0.0;     ///< radius; infinite: it stays
+  std::uint32_t birth_rank = 0;
+  std::uint32_t death_rank = kNever;  ///< `kNever`: it stays
+  double birth = 0.0;                 ///< radius
+  double death = 0.0;                 ///< radius; infinite: it stays
   Vec2 place{};           ///< of a component its sample or ball, of a hole the centre of the circle that fills it
   bool has_edge = false;  ///< a component that stays has none
   std::array<Vec2, 2> edge{};     ///< joins or closes
@@ -52,13 +58,24 @@ struct PersistenceRow {
   std::uint32_t triangle = 0;     ///< of a hole: the one that fills it
 
   double persistence() const { return death - birth; }
+  /// When so many ranks have come.
+  bool is_alive(std::uint32_t ranks) const { return birth_rank < ranks && ranks <= death_rank; }
 };
 
+/// Something that happens at a radius.
+struct GrowthEvent {
+  double radius = 0.0;
+  std::uint32_t rank = 0;
+};
+
+/// Ranks number what comes at the same radius, in the order of the radii as real numbers. Radii of balls are rounded, up and
+/// by less than a part in 10^11; so what is there at a radius is for ranks to say.
 struct PersistenceTable {
   std::vector<PersistenceRow> rows;  ///< the longest first
-  std::vector<double> joins;         ///< radii at which components are joined, ascending
-  std::vector<double> closes;        ///< at which holes are closed
-  std::vector<double> fills;         ///< at which holes are filled
+  /// Where components are joined, holes closed and holes filled; in the order in which that happens.
+  std::vector<GrowthEvent> joins, closes, fills;
+  /// How many ranks have come at a radius, exactly; it is not negative.
+  std::function<std::uint32_t(double radius)> ranks_within;
   /// Of the rows.
   double largest_death = 0.0;
   double least_birth = 0.0;  ///< not above 0

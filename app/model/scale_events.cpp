@@ -109,6 +109,7 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const 
 void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& settings,
                          const std::function<SampleData()>& data) {
   // Nothing else makes a difference: all factors are looked at, with one number type.
+  is_followed_ = true;
   wanted_ = {document, {}};
   wanted_.settings[Parameter::medial_sampling_angle] = settings[Parameter::medial_sampling_angle];
   if (auto found = job_.poll()) found_ = *std::move(found);

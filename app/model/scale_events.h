@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/system/background_job.h"
@@ -42,8 +43,10 @@ class ScaleEvents {
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
-  /// They are not looked at any more.
-  void rest() { job_.give_up(); }
+  /// Once a frame, after those who may follow: what nothing followed is given up.
+  void end_frame() {
+    if (!std::exchange(is_followed_, false)) job_.give_up();
+  }
   bool is_under_way() const { return job_.is_under_way() || job_.is_ending(); }
   /// Of the state followed last; null while they are not known.
   const std::vector<ScaleEvent>* events() const {
@@ -64,6 +67,7 @@ class ScaleEvents {
     std::string problem;
   };
   BackgroundJob<Found> job_;
+  bool is_followed_ = false;
   State wanted_;
   State begun_;
   std::optional<Found> found_;

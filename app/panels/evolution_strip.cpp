@@ -9,16 +9,18 @@
 #include "app/model/evolution_layers.h"
 #include "app/model/parameter_words.h"
 #include "app/ui/icons.h"
+#include "app/ui/mark_band.h"
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/base/color.h"
 #include "core/base/rng.h"
 
 namespace mes {
 namespace {
 
-constexpr float kChooserWidth = 150;  // logical pixels
+constexpr float kChooserWidth = 186;  // logical pixels
 
 /// Puts things side by side while there is room, and then on the next line.
 class Row {
@@ -72,6 +74,48 @@ void buttons(const EvolutionStrip& strip, float size) {
   ImGui::Dummy({0, size});
 }
 
+std::string meaning_of_step(const EvolutionPlayer& player) {
+  std::string out = "Step: how many from the beginning";
+  if (const auto value = player.parameter_value()) {
+    const ParameterMove* const move = evolutions()[player.choice().evolution].moved_parameter();
+    const bool is_additive = move != nullptr && move->parameter == Parameter::alpha_radius;
+    out += fmt::format("\n{} {:.4g}",
+                       is_additive ? "A point has grown to a disk of radius" : "Radii are multiplied by", *value);
+  }
+  return out;
+}
+
+/// Below the slider, `width` wide, which shows steps up to `end`.
+void step_marks(const EvolutionStrip& strip, float width) {
+  const StepEvents& events = strip.events;
+  const float unit = strip.gui.unit();
+  MarkBand marks(strip.gui, "step-marks", width, 8 * unit);
+  // As far from the ends of the band as the middle of the slider's grip.
+  const float margin = 2.0F + 0.5F * ImGui::GetStyle().GrabMinSize;
+  const auto x_of = [&](std::uint64_t k) {
+    const double part = static_cast<double>(k) / static_cast<double>(strip.evolution.end());
+    return marks.left() + margin + (width - 2 * margin) * static_cast<float>(part);
+  };
+  std::string words =
+      !events.problem().empty() ? "Steps at which the topology changes cannot be found: " + events.problem()
+      : !events.are_known()     ? "Looking for steps at which components are joined or holes close"
+      : events.events().empty()
+          ? "Up to the end of the slider no component is joined and no hole is closed or filled"
+          : "Steps at which components are joined (green), holes are closed (purple) or filled (blue); "
+            "a click goes to the nearest";
+  const StepEvent* nearest = nullptr;
+  for (const StepEvent& event : events.events())
+    if (marks.mark(x_of(event.k), event.closes != 0  ? palette::purple
+                                  : event.fills != 0 ? palette::blue
+                                                     : palette::green))
+      nearest = &event;
+  if (nearest != nullptr) {
+    words = nearest->words();
+    if (marks.is_clicked()) strip.evolution.step_to(nearest->k);
+  }
+  marks.explain(words);
+}
+
 void slider(const EvolutionStrip& strip, Row& row, float most) {
   EvolutionPlayer& player = strip.evolution;
   const float unit = strip.gui.unit();
@@ -81,18 +125,18 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
   const float width = std::clamp(most - kEnd * unit, 120 * unit, 220 * unit);
   row.next(width + kEnd * unit);
   auto step = static_cast<double>(k);
+  ImGui::BeginGroup();
+  const float rail = slider_rail(strip.gui, width);
   if (slider(strip.gui, "##step", step, 0.0, static_cast<double>(end),
              {.format = "%.0f", .is_whole = true, .width = width}))
     k = static_cast<std::uint64_t>(step);
   if (k != player.target()) player.step_to(k);
-  std::string meaning = "Step: how many from the beginning";
-  if (const auto value = player.parameter_value()) {
-    const ParameterMove* const move = evolutions()[player.choice().evolution].moved_parameter();
-    const bool is_additive = move != nullptr && move->parameter == Parameter::alpha_radius;
-    meaning += fmt::format("\n{} {:.4g}",
-                           is_additive ? "A point has grown to a disk of radius" : "Radii are multiplied by", *value);
+  tooltip(strip.gui, meaning_of_step(player));
+  if (strip.events.has_place()) {
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + 2 * unit);
+    step_marks(strip, rail);
   }
-  tooltip(strip.gui, meaning);
+  ImGui::EndGroup();
   ImGui::SameLine(0, 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("of");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/model/changed_parameters.h"
+#include "app/model/evolution_layers.h"
 #include "app/model/parameter_words.h"
 #include "app/ui/icons.h"
 #include "app/ui/number_field.h"
@@ -19,6 +20,9 @@
 
 namespace mes {
 namespace {
+
+/// What a band below a slider leaves free to its right, in logical pixels: the slider ends there, before its number.
+constexpr float kNumberRoom = 80.0F;
 
 bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
   return lower_case(title_of(descriptor) + ' ' + std::string(descriptor.id) + ' ' + spoken_explanation(descriptor))
@@ -112,69 +116,57 @@ void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& 
   tooltip(gui_, explanation(descriptor));
 }
 
-void ParametersPanel::draw_scale_events(double& factor) {
+MarkBand ParametersPanel::band(const char* id, float right) const {
   const float unit = gui_.unit();
+  return {gui_, id, std::max(40 * unit, ImGui::GetContentRegionAvail().x - right * unit), 12 * unit};
+}
+
+void ParametersPanel::draw_scale_events(double& factor) {
   const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
     return layer_descriptors()[layer].group == LayerGroup::scale_axis;
   });
-  if (!is_shown) return scale_events_.rest();
+  if (!is_shown) return;
   const Document& document = editor_.document();
   scale_events_.follow(document.revision(), computation_.settings(), [&document] { return data_of(document); });
   const std::vector<ScaleEvent>* const events = scale_events_.events();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), 12 * unit};
-  const bool is_clicked = ImGui::InvisibleButton("events", size);
+  MarkBand marks = band("events", 0.0F);
   const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
   const auto x_of = [&](double value) {
-    return at.x + size.x * static_cast<float>((value - range.low) / (range.high - range.low));
+    return marks.left() + marks.width() * static_cast<float>((value - range.low) / (range.high - range.low));
   };
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
   const std::string problem = scale_events_.problem();
   std::string words = !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
                       : events == nullptr ? "Looking for factors at which components merge or holes close"
                       : events->empty()   ? "No components merge and no holes close up to the factor 3"
                                           : "Factors at which components merge or holes close; a click goes there";
   if (events != nullptr) {
-    const float mouse = ImGui::GetIO().MousePos.x;
     const ScaleEvent* nearest = nullptr;
     for (const ScaleEvent& event : *events) {
-      const float x = x_of(event.factor);
       const bool merges = event.components_before != event.components_after;
-      list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(merges ? palette::green : palette::purple), 2 * unit);
-      if (std::abs(x - mouse) <= 4 * unit &&
-          (!nearest || std::abs(x - mouse) < std::abs(x_of(nearest->factor) - mouse)))
-        nearest = &event;
+      if (marks.mark(x_of(event.factor), merges ? palette::green : palette::purple, 2.0F)) nearest = &event;
     }
-    if (nearest != nullptr && ImGui::IsItemHovered())
+    if (nearest != nullptr) {
       words = fmt::format("{:.4g}: {}", nearest->factor, nearest->words());
-    if (nearest != nullptr && is_clicked) factor = nearest->factor;
+      if (marks.is_clicked()) factor = nearest->factor;
+    }
   }
-  const float now = x_of(factor);
-  list.AddTriangleFilled({now - 4 * unit, at.y}, {now + 4 * unit, at.y}, {now, at.y + 6 * unit}, gui_.colors().text);
-  tooltip(gui_, words);
+  marks.show_value(x_of(factor));
+  marks.explain(words);
 }
 
 void ParametersPanel::draw_critical_values(double& limit) {
-  const float unit = gui_.unit();
   const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
     return layer_descriptors()[layer].scalar == "lambda" || layer_descriptors()[layer].id == "lambda-kept-boundary";
   });
-  if (!is_shown) return critical_values_.rest();
+  if (!is_shown) return;
   const Document& document = editor_.document();
   critical_values_.follow(document.revision(), [&document] { return data_of(document); });
   const std::vector<double>* const values = critical_values_.values();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  // Below the slider, which ends before its number.
-  const float number = 80 * unit;
-  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x - number), 12 * unit};
-  const bool is_clicked = ImGui::InvisibleButton("critical", size);
+  MarkBand marks = band("critical", kNumberRoom);
   const double end = longest();
   const auto x_of = [&](double value) {
-    return at.x + size.x * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
+    return marks.left() + marks.width() * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
   };
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
   const std::string problem = critical_values_.problem();
   std::string words = !problem.empty()    ? "Critical values cannot be found: " + problem
                       : values == nullptr ? "Looking for critical values of the distance to the samples"
@@ -182,59 +174,43 @@ void ParametersPanel::draw_critical_values(double& limit) {
                                           : "Critical values of the distance to the samples; the first, in green, is "
                                             "the estimate of the weak feature size, below which the lambda axis has "
                                             "the topology of the shape. A click goes to the nearest";
-  if (values != nullptr && !values->empty()) {
-    const float mouse = ImGui::GetIO().MousePos.x;
-    float drawn = at.x - 1.0F;
+  if (values != nullptr) {
+    float drawn = marks.left() - 1.0F;
     const double* nearest = nullptr;
     for (const double& value : *values) {
       const float x = x_of(value);
       if (value > end) break;
-      if (nearest == nullptr || std::abs(x - mouse) < std::abs(x_of(*nearest) - mouse)) nearest = &value;
-      // One line a pixel is enough.
-      if (&value != &values->front() && x - drawn < 1.0F) continue;
-      drawn = x;
       const bool is_first = &value == &values->front();
-      list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(is_first ? palette::green : palette::purple),
-                   (is_first ? 3 : 1) * unit);
+      // One line a pixel is enough.
+      if (!is_first && x - drawn < 1.0F) continue;
+      drawn = x;
+      if (marks.mark(x, is_first ? palette::green : palette::purple, is_first ? 3.0F : 1.0F)) nearest = &value;
     }
-    if (nearest != nullptr && std::abs(x_of(*nearest) - mouse) <= 4 * unit && ImGui::IsItemHovered()) {
+    if (nearest != nullptr) {
       words = fmt::format("{:.4g}: {}", *nearest,
                           nearest == &values->front() ? "estimate of the weak feature size" : "critical value");
-      if (is_clicked) limit = *nearest;
+      if (marks.is_clicked()) limit = *nearest;
     }
   }
-  const float now = x_of(limit);
-  list.AddTriangleFilled({now - 4 * unit, at.y}, {now + 4 * unit, at.y}, {now, at.y + 6 * unit}, gui_.colors().text);
-  tooltip(gui_, words);
+  marks.show_value(x_of(limit));
+  marks.explain(words);
 }
 
 void ParametersPanel::draw_alpha_events(double& radius) {
-  const float unit = gui_.unit();
-  // What is shown of what grows; where that is more than one, the first, unless the page of births and deaths chose one.
-  std::optional<GrowthOf> shown;
-  for (const LayerIndex layer : layers_.visible_layers())
-    if (const auto of = growth_of(layer_descriptors()[layer]);
-        of && (!shown || *of < *shown || *of == persistence_.growth()))
-      if (shown != persistence_.growth()) shown = of;
-  if (!shown) return persistence_.rest();
+  const auto shown = shown_growth(layers_, persistence_.growth());
+  if (!shown) return;
   persistence_.choose_growth(*shown);
   const Document& document = editor_.document();
   persistence_.follow(document, computation_.settings());
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  // Below the slider, which ends before its number.
-  const float number = 80 * unit;
-  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x - number), 12 * unit};
-  const bool is_clicked = ImGui::InvisibleButton("births", size);
+  MarkBand marks = band("births", kNumberRoom);
   const double end = longest();
   const auto x_of = [&](double value) {
-    return at.x + size.x * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
+    return marks.left() + marks.width() * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
   };
   const auto value_at = [&](float x) {
-    const double part = std::clamp(static_cast<double>((x - at.x) / size.x), 0.0, 1.0);
+    const double part = std::clamp(static_cast<double>((x - marks.left()) / marks.width()), 0.0, 1.0);
     return part * part * end;
   };
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2 * unit);
   std::string words =
       !persistence_.problem().empty() ? "Births and deaths cannot be found: " + persistence_.problem()
       : !persistence_.is_current()
@@ -243,39 +219,31 @@ void ParametersPanel::draw_alpha_events(double& radius) {
             "a click goes to the nearest";
   if (persistence_.is_current()) {
     const PersistenceTable& table = *persistence_.table();
-    const float mouse = ImGui::GetIO().MousePos.x;
     std::optional<double> nearest;
     const char* what = "";
-    const auto draw_all = [&](const std::vector<double>& radii, Rgb color, const char* happens) {
+    const auto draw_all = [&](const std::vector<GrowthEvent>& events, Rgb color, const char* happens) {
       // What is joined by balls as they are lies before the slider.
-      const auto first = std::ranges::lower_bound(radii, 0.0);
-      const auto last = std::upper_bound(first, radii.end(), end);
-      const auto look_at = [&](double value) {
-        if (nearest && std::abs(x_of(value) - mouse) >= std::abs(x_of(*nearest) - mouse)) return;
-        nearest = value;
-        what = happens;
-      };
-      const auto next = std::lower_bound(first, last, value_at(mouse));
-      if (next != last) look_at(*next);
-      if (next != first) look_at(*std::prev(next));
+      const auto last = std::ranges::upper_bound(events, end, {}, &GrowthEvent::radius);
       // One line a pixel is enough.
-      for (auto i = first; i != last;) {
-        const float x = x_of(*i);
-        list.AddLine({x, at.y}, {x, at.y + size.y}, to_imgui(color), unit);
-        i = std::upper_bound(std::next(i), last, value_at(x + 1.0F));
+      for (auto i = std::ranges::lower_bound(events, 0.0, {}, &GrowthEvent::radius); i < last;) {
+        const float x = x_of(i->radius);
+        if (marks.mark(x, color)) {
+          nearest = i->radius;
+          what = happens;
+        }
+        i = std::ranges::upper_bound(std::next(i), last, value_at(x + 1.0F), {}, &GrowthEvent::radius);
       }
     };
     draw_all(table.joins, palette::green, "components are joined");
     draw_all(table.fills, palette::blue, "a hole is filled");
     draw_all(table.closes, palette::purple, "a hole is closed");
-    if (nearest && std::abs(x_of(*nearest) - mouse) <= 4 * unit && ImGui::IsItemHovered()) {
+    if (nearest) {
       words = fmt::format("{:.4g}: {}", *nearest, what);
-      if (is_clicked) radius = *nearest;
+      if (marks.is_clicked()) radius = *nearest;
     }
   }
-  const float now = x_of(radius);
-  list.AddTriangleFilled({now - 4 * unit, at.y}, {now + 4 * unit, at.y}, {now, at.y + 6 * unit}, gui_.colors().text);
-  tooltip(gui_, words);
+  marks.show_value(x_of(radius));
+  marks.explain(words);
 }
 
 void ParametersPanel::draw_parameter(Parameter parameter) {
@@ -345,11 +313,6 @@ void ParametersPanel::draw() {
     draw_parameter(static_cast<Parameter>(i));
   }
   if (!any) ImGui::TextDisabled("No parameter matches");
-  // What stands below a row is looked for while the row is shown.
-  const auto is_listed = [this](Parameter parameter) { return matches(descriptor_of(parameter), search_); };
-  if (!is_listed(Parameter::lambda_limit)) critical_values_.rest();
-  if (!is_listed(Parameter::scale_axis_factor)) scale_events_.rest();
-  if (!is_listed(Parameter::alpha_radius)) persistence_.rest();
   ImGui::EndChild();
 }
 

@@ -12,6 +12,7 @@
 #include "app/model/scale_events.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
+#include "app/ui/mark_band.h"
 
 namespace mes {
 
@@ -36,6 +37,8 @@ class ParametersPanel {
   void draw_parameter(Parameter parameter);
   void draw_value(const ParameterDescriptor& descriptor, double& value) const;
   void draw_animation(Parameter parameter);
+  /// Below a slider; `right` is left free, in logical pixels.
+  MarkBand band(const char* id, float right) const;
   /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.
   void draw_scale_events(double& factor);
   /// Critical values of lambda, while a layer of it is shown; a click sets the limit.

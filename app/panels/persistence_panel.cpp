@@ -92,8 +92,9 @@ void PersistencePanel::draw_words() {
   const double radius = uses_.computation.settings()[Parameter::alpha_radius];
   if (alive_.table != uses_.desk.shared_table() || alive_.radius != radius) {
     alive_ = {uses_.desk.shared_table(), radius, 0, 0};
+    const std::uint32_t ranks = table.ranks_within(radius);
     for (const PersistenceRow& row : table.rows)
-      if (row.birth <= radius && radius < row.death) ++(row.is_hole ? alive_.holes : alive_.components);
+      if (row.is_alive(ranks)) ++(row.is_hole ? alive_.holes : alive_.components);
   }
   const std::size_t components = alive_.components;
   const std::size_t holes = alive_.holes;

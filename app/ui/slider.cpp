@@ -8,16 +8,24 @@
 #include "app/ui/number_field.h"
 
 namespace mes {
+namespace {
+
+constexpr float kGap = 4.0F;  // logical pixels
+constexpr float kField = 76.0F;
+
+}  // namespace
+
+float slider_rail(const Gui& gui, float width) {
+  return std::max(30 * gui.unit(), width - (kField + kGap) * gui.unit());
+}
 
 bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look) {
-  const float unit = gui.unit();
-  const float gap = 4 * unit;
-  const float field = 76 * unit;
+  const float gap = kGap * gui.unit();
   const double before = value;
   ImGui::PushID(label);
   ImGui::BeginGroup();
   const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
-  ImGui::SetNextItemWidth(std::max(30 * unit, width - field - gap));
+  ImGui::SetNextItemWidth(slider_rail(gui, width));
   const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
                                  (look.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (look.end > 0.0) {
@@ -32,7 +40,7 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
     if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &low, &high, "", flags)) value = shown;
   }
   ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(field);
+  ImGui::SetNextItemWidth(kField * gui.unit());
   double typed = value;
   if (number_field("##number", typed, look.format)) value = typed;
   const std::string_view text(label);

@@ -14,6 +14,9 @@ struct SliderLook {
   float width = 0.0F;  ///< of slider and number together, in screen coordinates; 0: what is free
 };
 
+/// How wide the slider itself is, of a slider that is `width` wide with its number.
+float slider_rail(const Gui& gui, float width);
+
 /// `label` stands after the number; what follows "##" in it is not shown. The number stays within [low, high]. Returns
 /// true when it has changed.
 bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look = {});

@@ -77,7 +77,9 @@ Panels::Panels(const Uses& uses)
                uses.work.computation(),
                [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
-                         uses.work.document(), uses.board.picture()})) {
+                         uses.work.document(), uses.board.picture()})),
+      step_events_({uses.work.evolution(), uses.work.editor(), uses.work.layers(), uses.work.computation(),
+                    uses.work.persistence(), uses.work.scale_events()}) {
   layers_panel_.set_select(
       [&board = uses.board](LayerIndex layer, double low, double high) { board.select_values(layer, low, high); });
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
@@ -223,13 +225,6 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   follow_lesson();
   if (!are_shown_ || uses_.settings.details != DetailsPage::branches) uses_.work.branches().rest();
-  if (!are_shown_ ||
-      (uses_.settings.details != DetailsPage::persistence && uses_.settings.details != DetailsPage::parameters))
-    uses_.work.persistence().rest();
-  if (!are_shown_ || uses_.settings.details != DetailsPage::parameters) {
-    uses_.work.scale_events().rest();
-    uses_.work.critical_values().rest();
-  }
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_lesson(sides);
   draw_over(sides);
@@ -252,6 +247,9 @@ Panels::Room Panels::draw() {
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());
   ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);
+  uses_.work.persistence().end_frame();
+  uses_.work.scale_events().end_frame();
+  uses_.work.critical_values().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},
@@ -343,11 +341,14 @@ void Panels::draw_over(Sides& sides) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = screen.x - sides.left - sides.right - 2 * margin;
   const auto corner = [&] { return ImVec2(sides.left + margin, screen.y - sides.bottom - margin); };
-  if (are_shown_ && uses_.settings.show_evolution)
+  if (are_shown_ && uses_.settings.show_evolution) {
+    step_events_.follow();
     sides.bottom +=
         margin +
-        EvolutionStrip{gui, uses_.actions, uses_.work.evolution(), uses_.work.editor(), uses_.work.layers()}.draw(
-            corner(), width);
+        EvolutionStrip{gui,         uses_.actions, uses_.work.evolution(), uses_.work.editor(), uses_.work.layers(),
+                       step_events_}
+            .draw(corner(), width);
+  }
   // Its marks belong to the main pane.
   const std::vector<PanePlace>& places = uses_.board.canvas().panes().places();
   const double ratio = uses_.screen.window->pixel_ratio();

@@ -4,6 +4,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/model/palette.h"
+#include "app/model/step_events.h"
 #include "app/panels/annotation_card.h"
 #include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
@@ -91,6 +92,7 @@ class Panels {
   BundlesPanel bundles_panel_;
   LayersPanel layers_panel_;
   DetailsPanel details_panel_;
+  StepEvents step_events_;
   bool are_shown_ = true;
   bool were_shown_ = true;  // before the presentation
   bool presents_lesson_ = false;

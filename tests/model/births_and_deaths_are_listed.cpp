@@ -52,8 +52,8 @@ TEST_CASE("the longest class comes first, and a ring has one long hole in its mi
   }
   CHECK(table.joins.size() + 1 + table.closes.size() == table.rows.size());
   CHECK(table.closes.size() == table.fills.size());
-  CHECK(std::ranges::is_sorted(table.joins));
-  CHECK(std::ranges::max(table.fills) == table.rows[1].death);
+  CHECK(std::ranges::is_sorted(table.joins, {}, &GrowthEvent::radius));
+  CHECK(table.fills.back().radius == table.rows[1].death);
 }
 
 TEST_CASE("the outline of a hole is closed, holds its edge and goes around its centre") {

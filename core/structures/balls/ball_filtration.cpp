@@ -18,23 +18,24 @@ double growth_above(double power) {
   return is_exact ? -root : -std::nextafter(root, 0.0);
 }
 
+std::vector<double> growths_of(const std::vector<BallBirths::Level>& levels, const LocalFrame& frame) {
+  std::vector<double> out;
+  out.reserve(levels.size());
+  double most = std::numeric_limits<double>::lowest();
+  for (const BallBirths::Level& level : levels) {
+    // What is nearly flat may come beyond doubles.
+    const double here =
+        std::min(frame.to_document_length(growth_above(level.high)), std::numeric_limits<double>::max());
+    out.push_back(most = std::max(most, here));
+  }
+  return out;
+}
+
 }  // namespace
 
 BallFiltration::BallFiltration(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                                std::unique_ptr<BallFamily> family, Parameter scale)
     : Structure(id, std::move(inputs)), settings_(settings), family_(std::move(family)), scale_(scale) {}
-
-void BallFiltration::find_growth() {
-  growth_.clear();
-  growth_.reserve(births_.levels.size());
-  double most = std::numeric_limits<double>::lowest();
-  for (const BallBirths::Level& level : births_.levels) {
-    // What is nearly flat may come beyond doubles.
-    const double here =
-        std::min(balls_.frame.to_document_length(growth_above(level.high)), std::numeric_limits<double>::max());
-    growth_.push_back(most = std::max(most, here));
-  }
-}
 
 void BallFiltration::find_classes() {
   PlaneFiltration plane;
@@ -68,9 +69,13 @@ void BallFiltration::find_classes() {
 void BallFiltration::rebuild(JobControl& job) {
   family_->set_scale(settings_.current()[scale_]);
   births_ = {};
-  balls_ = local_balls(*family_, PointBalls::kept);
-  births_ = ball_births(balls_.input(), job);
-  find_growth();
+  ranks_ = std::make_shared<const GrowthRanks>();
+  auto ranks = std::make_shared<GrowthRanks>();
+  ranks->balls = local_balls(*family_, PointBalls::kept);
+  births_ = ball_births(ranks->balls.input(), job);
+  ranks->levels = std::move(births_.levels);
+  ranks->growth = growths_of(ranks->levels, ranks->balls.frame);
+  ranks_ = std::move(ranks);
   find_classes();
 }
 
@@ -85,7 +90,7 @@ StatList BallFiltration::statistics() const {
   for (const Class& one : classes_) ++(one.is_hole ? holes : (one.death == kNever ? stay : joined));
   return {{"balls", static_cast<std::int64_t>(births_.corners.size())},
           {"hidden", static_cast<std::int64_t>(births_.hidden)},
-          {"growths", static_cast<std::int64_t>(growth_.size())},
+          {"growths", static_cast<std::int64_t>(rank_count())},
           {"joined", joined},
           {"holes", holes},
           {"stay", stay}};

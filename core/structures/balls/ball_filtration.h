@@ -15,10 +15,21 @@
 
 namespace mes {
 
+/// When what has each rank comes. Does not change, so it may be read from any thread.
+struct GrowthRanks {
+  LocalBalls balls;
+  std::vector<BallBirths::Level> levels;  ///< by rank, as the next
+  std::vector<double> growth;             ///< not smaller; guarantee 3 below
+
+  /// How many ranks have come at this growth, exactly. `a` is not negative.
+  std::uint32_t within(double a) const { return levels_within(balls.input(), levels, a); }
+};
+
 /// Grown by a, a ball of radius r has the radius sqrt(r^2 + a^2), so that all power cells stay as they are; grown by a
 /// negative a it has sqrt(r^2 - a^2), and is not there where that is not a number. The dual complexes of the grown balls
 /// are nested: they are the alpha complexes of weighted points. They have the homotopy type of the union, and at a = 0
-/// are the dual complex of the family's own union. With all radii 0 they are those of `AlphaFiltration`.
+/// are the dual complex of the family's own union. With all radii 0 they are those of `AlphaFiltration`, in the same order;
+/// what that calls a radius is here a growth, which is rounded less closely.
 ///
 /// What it guarantees:
 ///  1. What comes at the same growth, as a real number, has the same *rank*; other ranks are in the order of growth. Exact
@@ -27,7 +38,8 @@ namespace mes {
 ///  2. Which edges and triangles bear and end which classes is a function of the balls. Classes that live for no time are
 ///     left out. A component is born at the ball that comes first.
 ///  3. `growth` of a rank is a double that is not smaller than it, and larger by less than a part in 10^11 of it. At a
-///     parameter of this value, what comes there has come.
+///     parameter of this value, what comes there has come. It is for words and scales; what has come is for
+///     `ranks_within` to say, which is exact.
 ///  4. Balls without a power cell, duplicates, and balls beyond doubles are left out; those of radius 0 are not.
 ///
 /// Cost: O(n log n), of intervals mostly; a rational number for each growth that is equal to another, or nearly so.
@@ -41,14 +53,16 @@ class BallFiltration : public Structure {
   const Table<GrownCornerSlot, BallBirths::Corner>& corners() const { return births_.corners; }
   const Table<GrownEdgeSlot, BallBirths::Edge>& edges() const { return births_.edges; }
   const Table<GrownTriangleSlot, BallBirths::Triangle>& triangles() const { return births_.triangles; }
-  FamilySlot ball(GrownCornerSlot corner) const { return balls_.balls[births_.corners[corner].ball].row; }
+  FamilySlot ball(GrownCornerSlot corner) const { return ranks_->balls.balls[births_.corners[corner].ball].row; }
   /// As large as it is before it grows, rounded.
-  const Disk& disk(GrownCornerSlot corner) const { return balls_.balls[births_.corners[corner].ball].drawn; }
+  const Disk& disk(GrownCornerSlot corner) const { return ranks_->balls.balls[births_.corners[corner].ball].drawn; }
 
-  std::size_t rank_count() const { return growth_.size(); }
-  double growth(std::uint32_t rank) const { return growth_[rank]; }
+  std::size_t rank_count() const { return ranks_->growth.size(); }
+  double growth(std::uint32_t rank) const { return ranks_->growth[rank]; }
   /// How many ranks have come at this growth, exactly. `a` is not negative.
-  std::uint32_t ranks_within(double a) const { return levels_within(balls_.input(), births_.levels, a); }
+  std::uint32_t ranks_within(double a) const { return ranks_->within(a); }
+  /// Those of now, to be kept.
+  std::shared_ptr<const GrowthRanks> ranks() const { return ranks_; }
 
   /// A component of the union of the grown balls, or a hole in it.
   struct Class {
@@ -73,15 +87,13 @@ class BallFiltration : public Structure {
                  std::unique_ptr<BallFamily> family, Parameter scale);
 
  private:
-  void find_growth();
   void find_classes();
 
   const SettingsSource& settings_;
   std::unique_ptr<BallFamily> family_;
   Parameter scale_;
-  LocalBalls balls_;
-  BallBirths births_;
-  std::vector<double> growth_;
+  BallBirths births_;  // without its levels
+  std::shared_ptr<const GrowthRanks> ranks_ = std::make_shared<const GrowthRanks>();
   std::vector<Class> classes_;
 };
 
