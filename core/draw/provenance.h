@@ -34,6 +34,13 @@ enum class ElementKind : std::uint8_t {
   boundary_arc,
   power_edge,
   contour_link,  ///< between neighbours on a contour of the document
+  sampled_ball,  ///< along an axis
+  // Of a complex of disks or balls that grow additively.
+  alpha_corner,
+  alpha_edge,
+  alpha_triangle,
+  alpha_end,    ///< of an edge, with the arc that begins there
+  alpha_class,  ///< a component or a hole
 };
 
 struct ElementType {

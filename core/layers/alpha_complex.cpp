@@ -25,7 +25,8 @@ auto classes_part(PrimitiveKind kind, const AlphaFiltration& filtration, const A
       [&filtration, &complex, emit](ClassSlot row, Instance& out) {
         const AlphaFiltration::Class& one = filtration.classes()[row.index()];
         if (complex.is_alive(one)) emit(one, out);
-      });
+      },
+      ElementType{ElementKind::alpha_class, &complex});
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ Layer make_alpha_boundary_layer(const StructureSet& set) {
           {PrimitiveKind::arc}, [&delaunay] { return 2 * delaunay.edge_rows(); }, complex.end_changes(),
           [&complex](EdgeEndSlot row, Instance& out) {
             if (const auto arc = complex.arc(row)) out.arc(*arc);
-          }),
+          },
+          ElementType{ElementKind::alpha_end, &complex}),
       sites_part({PrimitiveKind::circle}, delaunay, complex.site_changes(), [&](SiteSlot site, Instance& out) {
         if (complex.radius() > 0.0 && complex.is_alone(site))
           out.circle(delaunay.site_position(site), complex.radius());

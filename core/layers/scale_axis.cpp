@@ -48,10 +48,13 @@ Layer shrunk_disks(const StructureSet& set) {
                                   "Disks along the scale axis, with their radii divided by scale-axis-factor again",
                                   {.color = palette::blue, .opacity = 0.15}, {PrimitiveKind::disk}),
                     {&balls, &sampling},
-                    sampled_part({PrimitiveKind::disk}, sampling.medial(), [&balls](const Disk& disk, Instance& out) {
-                      const double radius = disk.radius / balls.factor();
-                      out.disk(disk.center, radius, radius);
-                    }));
+                    sampled_part(
+                        {PrimitiveKind::disk}, sampling.medial(),
+                        [&balls](const Disk& disk, Instance& out) {
+                          const double radius = disk.radius / balls.factor();
+                          out.disk(disk.center, radius, radius);
+                        },
+                        &sampling));
 }
 
 }  // namespace
@@ -66,15 +69,17 @@ std::vector<Layer> make_scale_axis_disk_layers(const StructureSet& set) {
 Layer make_scale_axis_circles_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
   const auto& sampling = set.get<ScaleBallSampling>();
-  return make_layer(
-      descriptor_of("scale-axis-circles", "Scale axis circles",
-                    "Circles along the scale axis, with their radii divided by scale-axis-factor again",
-                    {.color = palette::blue, .opacity = 0.6}, {PrimitiveKind::circle}),
-      {&balls, &sampling},
-      sampled_part({PrimitiveKind::circle}, sampling.medial(), [&balls](const Disk& disk, Instance& out) {
-        const double radius = disk.radius / balls.factor();
-        out.circle(disk.center, radius, radius);
-      }));
+  return make_layer(descriptor_of("scale-axis-circles", "Scale axis circles",
+                                  "Circles along the scale axis, with their radii divided by scale-axis-factor again",
+                                  {.color = palette::blue, .opacity = 0.6}, {PrimitiveKind::circle}),
+                    {&balls, &sampling},
+                    sampled_part(
+                        {PrimitiveKind::circle}, sampling.medial(),
+                        [&balls](const Disk& disk, Instance& out) {
+                          const double radius = disk.radius / balls.factor();
+                          out.circle(disk.center, radius, radius);
+                        },
+                        &sampling));
 }
 
 Layer make_scale_axis_boundary_layer(const StructureSet& set) {

@@ -97,6 +97,77 @@ TEST_CASE("points win over lines and lines over areas; the upper layer over the 
   CHECK(bench.ask({2, 1}, 0.05, {}).lines.empty());
 }
 
+TEST_CASE("alpha complexes say from which radius on their elements are there, and what ends their classes") {
+  Workbench bench(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2.5}});
+  ComputationSettings settings;
+  settings[Parameter::alpha_radius] = 1.375;
+  bench.choose(settings);
+  bench.show({"alpha-disks", "alpha-edges", "alpha-triangles", "alpha-boundary", "alpha-components", "alpha-holes"});
+  const Provenance edge = bench.ask({1, 0}, 1e-9, {"alpha-edges"});
+  CHECK(shapes_of(edge, ProvenanceRole::product, "in the alpha complex from radius 1 on: there") == 1);
+  const Provenance disk = bench.ask({-0.5, -0.5}, 1e-9, {"alpha-disks"});
+  CHECK(shapes_of(disk, ProvenanceRole::product, "its alpha disk has radius 1.375") == 1);
+  const Provenance arc = bench.ask({-1.375, 0}, 1e-9, {"alpha-boundary"});
+  REQUIRE_FALSE(arc.lines.empty());
+  CHECK(arc.lines.front().text == "Arc on the boundary of the union of the alpha disks, radius 1.375");
+  CHECK(shapes_of(arc, ProvenanceRole::origin, "the sample that it goes around") == 1);
+  const Provenance component = bench.ask({0, 0}, 1e-9, {"alpha-components"});
+  REQUIRE_FALSE(component.lines.empty());
+  CHECK(component.lines.front().text == "Component of the alpha complex, born at radius 0, stays");
+  const auto circle = bench.instances("alpha-holes", PrimitiveKind::circle);
+  REQUIRE(circle.size() == stride_of(PrimitiveKind::circle));
+  const Provenance hole = bench.ask({circle[0] + circle[2], circle[1]}, 1e-9, {"alpha-holes"});
+  REQUIRE_FALSE(hole.lines.empty());
+  CHECK(hole.lines.front().text.starts_with("Hole of the alpha complex, closed at radius 1.25, filled at 1."));
+  CHECK(shapes_of(hole, ProvenanceRole::origin, "the edge that closes it") == 1);
+  CHECK(shapes_of(hole, ProvenanceRole::product, "the triangle that fills it") == 1);
+}
+
+TEST_CASE("balls that grow additively say how large they were, and when what joins them came") {
+  Workbench bench;
+  SampleData data;
+  data.balls = {{{0, 0}, 1.0}, {{4, 0}, 1.0}, {{4, 4}, 1.0}, {{0, 4.5}, 1.0}};
+  bench.load(data);
+  ComputationSettings settings;
+  settings[Parameter::alpha_radius] = 2.125;
+  bench.choose(settings);
+  bench.show({"b-alpha-disks", "b-alpha-edges", "b-alpha-triangles", "b-alpha-boundary", "b-alpha-components",
+              "b-alpha-holes"});
+  const Provenance disk = bench.ask({-1, -1}, 1e-9, {"b-alpha-disks"});
+  REQUIRE_FALSE(disk.lines.empty());
+  CHECK(disk.lines.front().text == "Ball of radius 1, grown additively to 2.34854");
+  CHECK(shapes_of(disk, ProvenanceRole::origin, "the ball as it is") == 1);
+  const Provenance edge = bench.ask({2, 0}, 1e-9, {"b-alpha-edges"});
+  REQUIRE_FALSE(edge.lines.empty());
+  CHECK(edge.lines.front().text == "Edge of the dual complex of the grown balls, there from growth 1.73205 on");
+  CHECK(shapes_of(edge, ProvenanceRole::origin, "2 balls that meet") == 2);
+  const Provenance component = bench.ask({0, 0}, 1e-9, {"b-alpha-components"});
+  REQUIRE_FALSE(component.lines.empty());
+  CHECK(component.lines.front().text.starts_with("Component of the grown balls, born before balls grow, stays"));
+  const auto circle = bench.instances("b-alpha-holes", PrimitiveKind::circle);
+  REQUIRE(circle.size() == stride_of(PrimitiveKind::circle));
+  const Provenance hole = bench.ask({circle[0] + circle[2], circle[1]}, 1e-9, {"b-alpha-holes"});
+  REQUIRE_FALSE(hole.lines.empty());
+  CHECK(hole.lines.front().text.starts_with(
+      "Hole between the grown balls, closed at growth 2.01556, filled at growth"));
+}
+
+TEST_CASE("a ball along the scale axis says how large it was in the grown union") {
+  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  ComputationSettings settings;
+  settings[Parameter::scale_axis_factor] = 1.5;
+  bench.choose(settings);
+  bench.show({"scale-axis-circles", "scale-axis"});
+  const auto circles = bench.instances("scale-axis-circles", PrimitiveKind::circle);
+  REQUIRE(circles.size() >= stride_of(PrimitiveKind::circle));
+  const Provenance circle = bench.ask({circles[0] + circles[2], circles[1]}, 1e-9, {"scale-axis-circles"});
+  REQUIRE_FALSE(circle.lines.empty());
+  CHECK(circle.lines.front().text.starts_with("Ball about a point of the scale axis, radius "));
+  CHECK(shapes_of(circle, ProvenanceRole::origin, "in the grown union, 1.5 times as large") == 1);
+  const Provenance piece = bench.ask({0, 0}, 0.01, {"scale-axis"});
+  CHECK(shapes_of(piece, ProvenanceRole::product, "radii divided by 1.5 again") == 2);
+}
+
 TEST_CASE("whatever is pointed at, after whatever edits, has an answer without dead rows") {
   Rng rng(11);
   for (const bool on_lattice : {false, true}) {

@@ -118,14 +118,16 @@ auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, Table<Row
       ElementType{kElementOf<Value>, &diagram});
 }
 
-/// Part over sampled balls: `emit(disk, instance)`.
+/// Part over sampled balls: `emit(disk, instance)`. `owner` explains them.
 template <class Emit>
-auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, Emit emit) {
+auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, Emit emit,
+                  const Structure* owner = nullptr) {
   return table_part(
       std::move(kinds), [&balls] { return balls.rows(); }, balls.changes(),
       [&balls, emit](SampledSlot row, Instance& out) {
         if (balls.is_alive(row)) emit(balls.disk(row), out);
-      });
+      },
+      owner == nullptr ? ElementType{} : ElementType{ElementKind::sampled_ball, owner});
 }
 
 /// Voronoi edge of two v-points.

@@ -16,13 +16,15 @@ Layer make_union_alpha_boundary_layer(const UnionFamily& family) {
           {PrimitiveKind::arc}, [&] { return 2 * complex.filtration().edges().size(); }, complex.end_changes(),
           [&complex](GrownEndSlot row, Instance& out) {
             if (const auto arc = complex.arc(row)) out.arc(*arc);
-          }),
+          },
+          ElementType{ElementKind::alpha_end, &complex}),
       table_part(
           {PrimitiveKind::circle}, [&] { return complex.filtration().corners().size(); }, complex.corner_changes(),
           [&complex](GrownCornerSlot corner, Instance& out) {
             const Disk disk = complex.disk(corner);
             if (complex.is_alone(corner) && disk.radius > 0.0) out.circle(disk.center, disk.radius);
-          }));
+          },
+          ElementType{ElementKind::alpha_corner, &complex}));
 }
 
 }  // namespace mes

@@ -18,7 +18,8 @@ Layer make_union_alpha_components_layer(const UnionFamily& family) {
             const BallFiltration& of = complex.filtration();
             const BallFiltration::Class& one = of.classes()[row.index()];
             if (!one.is_hole && complex.is_alive(one)) out.point(of.disk(one.corner).center);
-          }));
+          },
+          ElementType{ElementKind::alpha_class, &complex}));
 }
 
 }  // namespace mes

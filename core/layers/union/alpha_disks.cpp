@@ -18,7 +18,8 @@ Layer make_union_alpha_disks_layer(const UnionFamily& family) {
           [&complex](GrownCornerSlot corner, Instance& out) {
             const Disk disk = complex.disk(corner);
             if (disk.radius > 0.0) out.disk(disk.center, disk.radius);
-          }));
+          },
+          ElementType{ElementKind::alpha_corner, &complex}));
 }
 
 }  // namespace mes

@@ -20,7 +20,8 @@ Layer make_union_alpha_edges_layer(const UnionFamily& family) {
             const BallFiltration& of = complex.filtration();
             const BallBirths::Edge& row = of.edges()[edge];
             out.segment(of.disk(row.v[0]).center, of.disk(row.v[1]).center, of.growth(row.rank));
-          }));
+          },
+          ElementType{ElementKind::alpha_edge, &complex}));
 }
 
 }  // namespace mes

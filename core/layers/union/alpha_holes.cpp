@@ -23,7 +23,8 @@ Layer make_union_alpha_holes_layer(const UnionFamily& family) {
             if (!one.is_hole || !complex.is_alive(one)) return;
             out.circle(of.triangles()[one.triangle].center, of.growth(one.death),
                        of.growth(one.death) - of.growth(one.birth));
-          }));
+          },
+          ElementType{ElementKind::alpha_class, &complex}));
 }
 
 }  // namespace mes

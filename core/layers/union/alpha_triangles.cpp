@@ -21,7 +21,8 @@ Layer make_union_alpha_triangles_layer(const UnionFamily& family) {
                            const BallBirths::Triangle& row = of.triangles()[triangle];
                            out.triangle(of.disk(row.v[0]).center, of.disk(row.v[1]).center, of.disk(row.v[2]).center,
                                         of.growth(row.rank));
-                         }));
+                         },
+                         ElementType{ElementKind::alpha_triangle, &complex}));
 }
 
 }  // namespace mes

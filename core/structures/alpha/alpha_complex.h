@@ -52,8 +52,11 @@ class AlphaComplex final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return edge_changes_.size() + face_changes_.size() + site_changes_.size(); }
   StatList statistics() const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
+  void explain_end(EdgeEndSlot row, Explanation& out) const;
+  void explain_class(const AlphaFiltration::Class& one, Explanation& out) const;
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void set_radius();
   /// Turns counter-clockwise around `site` from a held edge that has the face `left` to its left, and returns the far end

@@ -53,11 +53,17 @@ class GrownComplex : public Structure {
     return corner_changes_.size() + edge_changes_.size() + triangle_changes_.size();
   }
   StatList statistics() const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
   GrownComplex(std::string_view id, SettingsSource& settings, BallFiltration& filtration);
 
  private:
+  void explain_corner(GrownCornerSlot corner, Explanation& out) const;
+  void explain_edge(GrownEdgeSlot edge, Explanation& out) const;
+  void explain_triangle(GrownTriangleSlot triangle, Explanation& out) const;
+  void explain_end(GrownEndSlot end, Explanation& out) const;
+  void explain_class(const BallFiltration::Class& one, Explanation& out) const;
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void find_ways();
   void set_growth();

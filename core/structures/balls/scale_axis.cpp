@@ -110,8 +110,34 @@ ScaleUnion::ScaleUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrus
                 std::make_unique<BallsAlongAxis>(delaunay, balls, sampling.between()), &certificate,
                 std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
 
+void ScaleBallSampling::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  const SampledSlot ball(row);
+  if (kind != ElementKind::sampled_ball || ball.index() >= medial().rows() || !medial().is_alive(ball)) return;
+  const Disk& grown = medial().disk(ball);
+  ProvenanceShapes itself, circle;
+  itself.circle({grown.center, grown.radius / balls_.factor()});
+  out.say(ProvenanceRole::itself,
+          "Ball about a point of the scale axis, radius " + number_text(grown.radius / balls_.factor()), itself);
+  circle.circle(grown);
+  out.say(ProvenanceRole::origin,
+          "the largest ball there in the grown union, " + number_text(balls_.factor()) + " times as large", circle);
+}
+
 void ScaleUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const FamilySlot ball(row);
+  if (kind == ElementKind::axis_piece) {
+    BallUnion::explain(kind, row, out);
+    const AxisPieceSlot slot(row);
+    if (factor() == 1.0 || !tables().axis.has(slot) || !tables().axis[slot].is_alive()) return;
+    ProvenanceShapes shapes;
+    const AxisPiece& piece = tables().axis[slot];
+    shapes.circle({piece.a, piece.radius_a / factor()});
+    shapes.circle({piece.b, piece.radius_b / factor()});
+    return out.say(ProvenanceRole::product,
+                   "radii divided by " + number_text(factor()) + " again: " + number_text(piece.radius_a / factor()) +
+                       " to " + number_text(piece.radius_b / factor()),
+                   shapes);
+  }
   if (kind != ElementKind::ball) return BallUnion::explain(kind, row, out);
   if (!tables().balls.has(ball) || !family().is_ball(ball)) return;
   const auto& balls = static_cast<const BallsAlongAxis&>(family());

@@ -75,7 +75,11 @@ class ScaleUnion final : public BallUnion {
 class ScaleBallSampling final : public BallSampling {
  public:
   ScaleBallSampling(SettingsSource& settings, ScaleUnion& balls)
-      : BallSampling("scale-ball-sampling", settings, balls) {}
+      : BallSampling("scale-ball-sampling", settings, balls), balls_(balls) {}
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+
+ private:
+  const ScaleUnion& balls_;
 };
 
 }  // namespace mes
