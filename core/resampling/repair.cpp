@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "core/graph/explain.h"
 #include "core/resampling/internal/sampled_curve.h"
@@ -67,9 +69,10 @@ class RepairedChain {
     for (std::size_t i = 0; i < n; ++i) knots_.push_back({points[i], i, 0.0});
     for (std::size_t i = 0; i < (is_closed_ ? n : n - 1); ++i) {
       SplinePiece piece{place(i), place(i + 1), place(i + 1) - place(i), place(i + 1) - place(i)};
-      if ((is_closed_ || i > 0) && !is_corner[points[i]])
+      // Where the curve turns back on itself it ends, as at a corner.
+      if ((is_closed_ || i > 0) && !is_corner[points[i]] && place(i + n - 1) != piece.b)
         piece.tangent_a = tangent_at(place(i + n - 1), piece.a, piece.b, piece.b);
-      if ((is_closed_ || i + 2 < n) && !is_corner[points[(i + 1) % n]])
+      if ((is_closed_ || i + 2 < n) && !is_corner[points[(i + 1) % n]] && piece.a != place(i + 2))
         piece.tangent_b = tangent_at(piece.a, piece.b, place(i + 2), piece.a);
       pieces_.push_back(piece);
     }
@@ -116,9 +119,31 @@ class Repairer {
         most_(most_samples(samples.positions().size())),
         is_corner_(corners_of(curve, samples.positions(), epsilon)) {
     is_end_.assign(samples.positions().size(), false);
+    is_crossing_ = is_end_;
+    std::map<std::pair<double, double>, std::uint32_t> at_place;
+    for (const Vec2 p : samples.positions()) {
+      const auto number = static_cast<std::uint32_t>(first_at_.size());
+      first_at_.push_back(at_place.try_emplace({p.x, p.y}, number).first->second);
+    }
     for (const MovingCurve::Chain& chain : curve.chains) {
       if (chain.points.size() >= 2) chains_.emplace_back(chain, samples.positions(), is_corner_);
       if (!chain.closed && !chain.points.empty()) is_end_[chain.points.front()] = is_end_[chain.points.back()] = true;
+    }
+    std::vector<std::set<std::uint32_t>> neighbours(first_at_.size());
+    for (const RepairedChain& chain : chains_) {
+      for (std::size_t i = 0; i < chain.edges(); ++i) {
+        const auto [a, b] = places_of(chain, i);
+        neighbours[a].insert(b);
+        neighbours[b].insert(a);
+      }
+    }
+    for (std::size_t i = 0; i < first_at_.size(); ++i)
+      if (is_end_[i]) is_end_[first_at_[i]] = true;
+    for (std::size_t i = 0; i < first_at_.size(); ++i) {
+      const std::size_t count = neighbours[first_at_[i]].size();
+      is_crossing_[i] = count > 2;
+      // Where a loop goes back the way it came, it ends.
+      is_end_[i] = count > 2 || count == 1 || is_end_[first_at_[i]];
     }
   }
 
@@ -153,20 +178,18 @@ class Repairer {
     if (!again) return std::unexpected(again.error());
     samples_ = *std::move(again);
     chains_ = chains;
+    first_at_.resize(before.positions.size());
     return {};
   }
 
   void report(const MovingCurve& curve, Repair& out) const {
     const auto positions = samples_.positions();
     for_each_moving(curve, [&](std::uint32_t before, std::uint32_t at, std::uint32_t after) {
-      if (is_corner_[at])
+      if (is_corner_[at] && !is_end_[at])
         out.corners.push_back({positions[at], 180.0 - turn_at(positions[before], positions[at], positions[after])});
     });
-    for (const MovingCurve::Chain& chain : curve.chains) {
-      if (chain.closed || chain.points.empty()) continue;
-      for (const std::uint32_t end : {chain.points.front(), chain.points.back()})
-        out.open_ends.push_back(positions[end]);
-    }
+    for (std::size_t i = 0; i < is_end_.size(); ++i)
+      if (is_end_[i] && first_at_[i] == i) out.open_ends.push_back(positions[i]);
     const bool is_doubtful = samples_.light() == TheoremLight::yellow;
     for (const RepairedChain& chain : chains_) {
       for (std::size_t i = 0; i < chain.edges(); ++i) {
@@ -192,6 +215,11 @@ class Repairer {
   }
 
  private:
+  /// Of an edge: the first samples at its two places, the smaller number first.
+  std::pair<std::uint32_t, std::uint32_t> places_of(const RepairedChain& chain, std::size_t i) const {
+    return std::minmax(std::uint32_t{first_at_[chain.from(i)]}, std::uint32_t{first_at_[chain.to(i)]});
+  }
+  bool is_crossing(std::uint32_t sample) const { return sample < is_crossing_.size() && is_crossing_[sample]; }
   /// A corner, or an end or junction of the curve: there its estimate says nothing.
   bool is_corner(std::uint32_t sample) const {
     return sample < is_corner_.size() && (is_corner_[sample] || is_end_[sample]);
@@ -199,8 +227,9 @@ class Repairer {
   bool ends_at_corner(const RepairedChain& chain, std::size_t i) const {
     return is_corner(chain.from(i)) || is_corner(chain.to(i));
   }
-  // At a corner the ratio stays as it is however short the edge becomes.
+  // At a corner the ratio stays as it is however short the edge becomes, and so does the crust where the curve meets itself.
   bool is_too_long(const RepairedChain& chain, std::size_t i) const {
+    if (is_crossing(chain.from(i)) || is_crossing(chain.to(i))) return false;
     const auto verdict = samples_.judge(chain.from(i), chain.to(i));
     return !verdict.is_curve || (!ends_at_corner(chain, i) && verdict.epsilon > epsilon_);
   }
@@ -226,6 +255,8 @@ class Repairer {
     std::vector<std::vector<std::pair<std::size_t, Knot>>> added(chains_.size());
     const auto positions = samples_.positions();
     auto next = static_cast<std::uint32_t>(positions.size());
+    // What the curve passes twice is halved once: the second pass shares the sample of the first.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> halved;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       const RepairedChain& chain = chains_[c];
       for (std::size_t i = 0; i < chain.edges(); ++i) {
@@ -233,13 +264,19 @@ class Repairer {
         if (!wants(chain, i) || !chain.middle(i, knot)) continue;
         const Vec2 place = chain.place_of(knot);
         if (!is_finite(place) || place == positions[chain.from(i)] || place == positions[chain.to(i)]) continue;
-        knot.sample = next++;
-        places.push_back(place);
+        const auto [at, is_new] = halved.try_emplace(places_of(chain, i), next);
+        knot.sample = at->second;
+        if (is_new) {
+          places.push_back(place);
+          ++next;
+        }
         added[c].emplace_back(i, knot);
       }
     }
     if (places.empty() || positions.size() + places.size() > most_) return false;
     if (auto good = samples_.insert(places, job); !good) return std::unexpected(good.error());
+    while (first_at_.size() < samples_.positions().size())
+      first_at_.push_back(static_cast<std::uint32_t>(first_at_.size()));
     for (std::size_t c = 0; c < chains_.size(); ++c) chains_[c].insert(added[c]);
     return true;
   }
@@ -248,7 +285,9 @@ class Repairer {
   double epsilon_;
   std::size_t most_;  // samples
   std::vector<bool> is_corner_;
-  std::vector<bool> is_end_;  // of a chain
+  std::vector<bool> is_end_;             // of the curve, or a crossing
+  std::vector<bool> is_crossing_;        // a place from which more than two edges go
+  std::vector<std::uint32_t> first_at_;  // by sample: the first one at its place
   std::vector<RepairedChain> chains_;
 };
 
@@ -270,6 +309,7 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
   Repair out;
   out.epsilon_before = repairer.largest(false);
   out.light_before = samples->light();
+  out.is_flat = samples->are_flat();
   if (auto good = repairer.run(job); !good) return std::unexpected(good.error());
   out.data = data;
   out.data.positions.assign(samples->positions().begin(), samples->positions().end());
@@ -282,6 +322,7 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
 }
 
 std::vector<std::string> Repair::words() const {
+  if (is_flat) return {"nothing to repair: fewer than three samples, or all of them on a line: there is no axis"};
   std::vector<std::string> out;
   out.push_back(count_text(inserted, "sample", "samples") + " inserted; epsilon " + epsilon_text(epsilon_before) +
                 " before, " + epsilon_text(epsilon_after) + " now" +

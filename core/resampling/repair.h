@@ -25,6 +25,7 @@ struct Repair {
   double epsilon_after = 0.0;   ///< the largest of those that do not end at a corner
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
+  bool is_flat = false;                ///< fewer than three samples, or all of them on a line: nothing is measured
   std::vector<SampledCorner> corners;  ///< at which edges are too long however short they are
   std::vector<Vec2> open_ends;         ///< ends and junctions of the curve: edges there stay as they are
   std::vector<Vec2> left;              ///< middles of other edges that are too long still, or doubted by the theorem
@@ -41,7 +42,9 @@ struct Repair {
 ///  1. Samples stay where they are. New ones lie on the curve through the old ones: centripetal Catmull-Rom splines,
 ///     interrupted at corners and ends, so straight between two corners.
 ///  2. The curve is that of the loops given, or the one-step crust of the samples as they were.
-///  3. It ends: an edge is halved at most twenty times, and no more than 64 samples are inserted for each, or 200,000
+///  3. An edge that the curve passes twice is halved once. Edges at a place where it meets itself are left alone; where it
+///     goes back the way it came, it ends.
+///  4. It ends: an edge is halved at most twenty times, and no more than 64 samples are inserted for each, or 200,000
 ///     together; what is left is listed.
 ///
 /// Feature sizes are estimates from the samples of each moment. Throws `Cancelled`. Error: a structure failed.

@@ -206,7 +206,7 @@ TEST_CASE("an undersampled curve is repaired, and a dense one decimated, and wha
   for (const char* few : {"0 0\n", "0 0\n1 1\n"}) {
     const RunResult nothing = run({"repair", folder.write("few.xyz", few).string()});
     CHECK(nothing.exit_code == 0);
-    CHECK_THAT(nothing.err, Catch::Contains("0 samples inserted"));
+    CHECK_THAT(nothing.err, Catch::Contains("there is no axis"));
   }
 }
 

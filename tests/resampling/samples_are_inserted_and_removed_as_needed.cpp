@@ -237,3 +237,54 @@ TEST_CASE("repair and decimation of an input in another unit are those of the in
     CHECK(decimated({.positions = dense}, 0.25).removed == first.removed);
   }
 }
+
+TEST_CASE("a loop that passes a place or an edge twice is repaired as if it passed it once") {
+  const auto loop = [](std::vector<Vec2> positions, std::vector<std::uint32_t> points) {
+    SampleData out{.positions = std::move(positions)};
+    out.contours.emplace_back().points = std::move(points);
+    return out;
+  };
+  const std::vector<Vec2> once = ellipse_points(16);
+  const Repair expected = repaired(loop_of(once));
+  std::vector<std::uint32_t> around;
+  for (std::uint32_t i = 0; i < 32; ++i) around.push_back(i % 16);
+  const Repair twice = repaired(loop(once, around));
+  CHECK(twice.inserted == expected.inserted);
+  CHECK(twice.light_after == TheoremLight::green);
+  CHECK(twice.open_ends.empty());
+  REQUIRE(twice.data.contours.size() == 1);
+  CHECK(twice.data.contours.front().points.size() == 2 * expected.data.positions.size());
+  // Forth and back along the same edges, which is an open arc.
+  SampleData arc = loop(once, {around.begin(), around.begin() + 16});
+  arc.contours.front().closed = false;
+  const Repair along = repaired(arc);
+  std::vector<std::uint32_t> there_and_back = arc.contours.front().points;
+  for (std::uint32_t i = 14; i != 0; --i) there_and_back.push_back(i);
+  const Repair back = repaired(loop(once, there_and_back));
+  CHECK(back.data.positions == along.data.positions);
+  CHECK(back.light_after == along.light_after);
+  CHECK(back.open_ends == along.open_ends);
+  // Two loops of an eight that meet in one sample.
+  std::vector<Vec2> eight;
+  std::vector<std::uint32_t> points;
+  for (int i = 0; i < 48; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / 48.0;
+    points.push_back(i == 24 ? 0 : static_cast<std::uint32_t>(eight.size()));
+    if (i != 24) eight.push_back({3.0 * std::sin(t), std::sin(2.0 * t)});
+  }
+  const Repair named = repaired(loop(eight, points));
+  REQUIRE(named.open_ends.size() == 1);
+  CHECK(named.open_ends.front() == eight.front());
+  CHECK(named.inserted < 200);
+}
+
+TEST_CASE("where there is no axis, repair and decimation say so and add nothing") {
+  for (const std::vector<Vec2>& positions :
+       {std::vector<Vec2>{}, {{3, 4}}, {{0, 0}, {1, 1}}, {{0, 0}, {1, 0}, {5, 0}}}) {
+    const Repair repair = repaired({.positions = positions});
+    CHECK(repair.inserted == 0);
+    REQUIRE(repair.words().size() == 1);
+    CHECK_THAT(repair.words().front(), Catch::Contains("there is no axis"));
+    CHECK_THAT(decimated({.positions = positions}, 0.25).words(), Catch::Contains("there is no axis"));
+  }
+}

@@ -46,6 +46,8 @@ class JudgedSamples {
   /// Distance to the axis; infinite without one.
   double size(std::uint32_t sample) const;
   TheoremLight light() const { return light_of(patch_.nodes); }
+  /// Fewer than three, or all of them on a line: there is no axis.
+  bool are_flat() const { return get<Delaunay>().dimension() < 2; }
   /// Of the one-step axis.
   std::int64_t components() const { return count("components"); }
   std::int64_t cycles() const { return count("cycles"); }
