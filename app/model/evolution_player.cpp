@@ -89,6 +89,9 @@ void EvolutionPlayer::choose(EvolutionIndex evolution) {
 }
 
 void EvolutionPlayer::fit_lengths() {
+  fitted_revision_ = editor_.document().revision();
+  const std::vector<ParameterDescriptor> parameters = parameters_of(choice_.evolution);
+  if (std::ranges::none_of(parameters, &ParameterDescriptor::is_length)) return;
   Box2 box;
   const Document& document = editor_.document();
   for (const SampleSlot slot : document.slots_in_input_order()) box.add(document.position(slot));
@@ -98,9 +101,12 @@ void EvolutionPlayer::fit_lengths() {
   if (!(part > 0.0)) return;
   const double ten = std::pow(10.0, std::floor(std::log10(part)));
   const double round = ten > 0.0 && std::isfinite(ten) ? std::max(1.0, std::floor(part / ten)) * ten : part;
-  for (const ParameterDescriptor& parameter : parameters_of(choice_.evolution))
-    if (parameter.is_length && choice_.values[parameter.id] == parameter.default_value)
-      choice_.values.set(parameter.id, std::clamp(round, parameter.low, parameter.high));
+  for (const ParameterDescriptor& parameter : parameters) {
+    const double now = choice_.values[parameter.id];
+    if (!parameter.is_length || (now != parameter.default_value && now != fitted_)) continue;
+    fitted_ = std::clamp(round, parameter.low, parameter.high);
+    choice_.values.set(parameter.id, *fitted_);
+  }
 }
 
 void EvolutionPlayer::choose_next(int places) {
@@ -121,6 +127,7 @@ void EvolutionPlayer::set_value(std::string_view parameter, double value) {
   if (value == choice_.values[parameter]) return;
   const std::uint64_t k = target();
   choice_.values.set(parameter, value);
+  fit_lengths();
   restart_from_beginning();
   if (k != 0) step_to(k);
 }
@@ -194,6 +201,7 @@ void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
 
 void EvolutionPlayer::follow(bool picture_is_complete, double now) {
   if (editor_.in_gesture()) return;
+  if (fitted_revision_ != editor_.document().revision() && position() == 0) fit_lengths();
   // Edited meanwhile: what goes on was meant for what was there before.
   if ((wanted_ || direction_ != Direction::none) && !has_beginning()) cancel();
   if (auto answer = run_.poll(); answer && wanted_ == answer->k) {

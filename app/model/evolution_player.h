@@ -19,7 +19,9 @@ namespace mes {
 ///     follows; undo takes the edit back first and then the evolution.
 ///     Where a parameter moves instead of samples, state 0 gives its value back, and setting it at state k makes that
 ///     the state 0 of what follows.
-///  3. A step is asked for and shown later, when it is computed; nothing waits. Playing takes a step when the picture
+///  3. A step that is a length is a round part of the size of the document, and follows it in state 0, unless it was set
+///     to something else. Its default stands for that part.
+///  4. A step is asked for and shown later, when it is computed; nothing waits. Playing takes a step when the picture
 ///     of the one before is complete and the speed allows it.
 ///
 /// Smallest use:
@@ -42,7 +44,7 @@ class EvolutionPlayer {
 
   const EvolutionChoice& choice() const { return choice_; }
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
-  /// Goes back to state 0. A step that is a length, and has its default, becomes a round part of the document's size.
+  /// Goes back to state 0.
   void choose(EvolutionIndex evolution);
   /// Chooses the evolution `places` places after the present one, cyclically.
   void choose_next(int places);
@@ -108,7 +110,7 @@ class EvolutionPlayer {
   void begin();
   void restart_from_beginning();
   void show(std::uint64_t k, const EvolutionState& state);
-  /// Lengths that are at their defaults become a part of the size of the document.
+  /// O(n), if there are lengths.
   void fit_lengths();
   void move_parameter(const ParameterMove& move, std::uint64_t k);
 
@@ -121,6 +123,8 @@ class EvolutionPlayer {
   std::uint64_t shown_revision_ = ~std::uint64_t{0};
   std::uint64_t shown_ = 0;
   MovedParameter moved_;
+  std::optional<double> fitted_;  // the length that `fit_lengths` gave last
+  std::uint64_t fitted_revision_ = ~std::uint64_t{0};
   std::uint64_t end_ = kFirstEnd;
   std::optional<std::uint64_t> wanted_;
   std::uint64_t wanted_from_ = 0;

@@ -266,6 +266,37 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   CHECK(desk.at(1) != samples);
 }
 
+TEST_CASE("a step that is a length follows the size of the document until it is set by hand") {
+  Desk desk;
+  const auto step = [&desk] { return desk.player.choice().values["alpha-step"]; };
+  const auto resize = [&desk](double size) {
+    SampleData data = wavy_loop(false);
+    for (Vec2& p : data.positions) p = size * p;
+    REQUIRE(desk.editor.load(data));
+    desk.player.follow(true, desk.now);
+  };
+  desk.player.choose(*find_evolution("alpha-growing"));
+  CHECK(step() == 0.02);
+  resize(100.0);
+  CHECK(step() == 2.0);
+  // In the middle of an evolution steps are as they were, and another document makes the present value the first.
+  desk.at(3);
+  CHECK(desk.computation[Parameter::alpha_radius] == 6.0);
+  resize(1.0);
+  CHECK(step() == 2.0);
+  desk.at(0);
+  desk.player.follow(true, desk.now);
+  CHECK(step() == 0.02);
+  desk.player.set_value("alpha-step", 0.3);
+  resize(100.0);
+  CHECK(step() == 0.3);
+  // Its default is no length, but stands for one that fits.
+  desk.player.set_value("alpha-step", 1.0);
+  CHECK(step() == 2.0);
+  resize(1.0);
+  CHECK(step() == 0.02);
+}
+
 TEST_CASE("growing ends where the parameter does") {
   Desk desk;
   desk.player.choose(*find_evolution("a-growing"));
