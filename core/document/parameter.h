@@ -97,7 +97,9 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       .is_of_document = true,
       .is_limit = true},
      {.id = "alpha-radius",
-      .explanation = "The alpha complex is that of disks of this radius about the samples",
+      .explanation =
+          "The alpha complex is that of disks of this radius about the samples; balls of a family grow from "
+          "radius r to the root of r^2 and its square",
       .unit = "units",
       .low = 0.0,
       .high = 1e150,
