@@ -88,6 +88,8 @@ class Script {
         settings_[Parameter::lambda_limit] = rng_.below(2) == 0 ? 0.0 : 5.0;
         settings_[Parameter::angle_limit] = rng_.below(2) == 0 ? 0.0 : 40.0;
         settings_[Parameter::keep_topology] = static_cast<double>(rng_.below(2));
+        settings_[Parameter::alpha_radius] = rng_.below(2) == 0 ? 0.0 : 12.0;
+        settings_[Parameter::scale_axis_factor] = rng_.below(2) == 0 ? 1.0 : 1.2;
         consumer_.graph.post_settings(settings_);
         break;
       case 10: consumer_.graph.set_want_statistics(rng_.below(2) == 0); break;
