@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "app/cli/input.h"
-#include "app/cli/layer_summary.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/model/layer_summary.h"
 #include "app/model/statistics_text.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_digest.h"

@@ -82,9 +82,32 @@ void ParametersPanel::draw_animation(Parameter parameter) {
       animation.parameter = parameter;
       computation_.start_animation();
     }
+    draw_sweep(parameter);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();
+}
+
+void ParametersPanel::draw_sweep(Parameter parameter) {
+  const float unit = gui_.unit();
+  if (sweep_.is_under_way()) {
+    if (ImGui::Button("Stop the table", {130 * unit, 0})) sweep_.give_up();
+    ImGui::SameLine();
+    ImGui::TextDisabled("%.0f %%", 100.0 * sweep_.progress());
+    return;
+  }
+  ImGui::BeginDisabled(computation_.animation().is_running());
+  if (ImGui::Button("Table as CSV...", {130 * unit, 0})) {
+    ParameterSweep sweep{data_of(editor_.document()), computation_.settings(), computation_.animation(), {}};
+    sweep.range.parameter = parameter;
+    const auto visible = layers_.visible_layers();
+    sweep.layers.assign(visible.begin(), visible.end());
+    sweep_.begin(std::move(sweep));
+  }
+  ImGui::EndDisabled();
+  tooltip(gui_,
+          "Compute what is shown for each of these values, and write its counts and measures to a file, as mesecina "
+          "sweep does");
 }
 
 double ParametersPanel::longest() const {

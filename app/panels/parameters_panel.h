@@ -8,6 +8,7 @@
 #include "app/model/critical_values.h"
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
+#include "app/model/parameter_sweep.h"
 #include "app/model/persistence_desk.h"
 #include "app/model/scale_events.h"
 #include "app/picture/picture.h"
@@ -20,7 +21,7 @@ class ParametersPanel {
  public:
   ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture, const Editor& editor,
                   const LayerStack& layers, ScaleEvents& events, CriticalValues& critical,
-                  PersistenceDesk& persistence)
+                  PersistenceDesk& persistence, SweepDesk& sweep)
       : gui_(gui),
         computation_(computation),
         picture_(picture),
@@ -28,7 +29,8 @@ class ParametersPanel {
         layers_(layers),
         scale_events_(events),
         critical_values_(critical),
-        persistence_(persistence) {}
+        persistence_(persistence),
+        sweep_(sweep) {}
 
   void draw();
   void search(const std::string& text) { search_ = text; }
@@ -37,6 +39,8 @@ class ParametersPanel {
   void draw_parameter(Parameter parameter);
   void draw_value(const ParameterDescriptor& descriptor, double& value) const;
   void draw_animation(Parameter parameter);
+  /// Begins or gives up the table of what is shown for the values of the animation.
+  void draw_sweep(Parameter parameter);
   /// Below a slider; `right` is left free, in logical pixels.
   MarkBand band(const char* id, float right) const;
   /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.
@@ -56,6 +60,7 @@ class ParametersPanel {
   ScaleEvents& scale_events_;
   CriticalValues& critical_values_;
   PersistenceDesk& persistence_;
+  SweepDesk& sweep_;
   std::string search_;
 };
 

@@ -65,7 +65,7 @@ Panels::Panels(const Uses& uses)
           uses.screen.gui, uses.actions, uses.settings.details,
           {uses.screen.gui, uses.board.picture(), uses.screen.times},
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence()},
+           uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence(), uses.work.sweep()},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
@@ -225,6 +225,12 @@ void Panels::bind_look(ActionBindings& actions) {
 Panels::Room Panels::draw() {
   follow_lesson();
   if (!are_shown_ || uses_.settings.details != DetailsPage::branches) uses_.work.branches().rest();
+  if (auto sweep = uses_.work.sweep().poll()) {
+    if (*sweep)
+      uses_.documents.ask_table("sweep", **std::move(sweep));
+    else
+      uses_.messages.problem("The sweep: " + sweep->error().message());
+  }
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_lesson(sides);
   draw_over(sides);

@@ -23,6 +23,7 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       curve_sampler_(editor_, wake),
       branches_(wake),
       persistence_(wake),
+      sweep_(wake),
       resampling_(editor_, wake),
       scale_events_(wake),
       critical_values_(wake),

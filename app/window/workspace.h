@@ -23,6 +23,7 @@
 #include "app/model/layer_stack.h"
 #include "app/model/messages.h"
 #include "app/model/pane_list.h"
+#include "app/model/parameter_sweep.h"
 #include "app/model/persistence_desk.h"
 #include "app/model/resample_desk.h"
 #include "app/model/scale_events.h"
@@ -65,6 +66,8 @@ class Workspace {
   BranchDesk& branches() { return branches_; }
   const BranchDesk& branches() const { return branches_; }
   PersistenceDesk& persistence() { return persistence_; }
+  SweepDesk& sweep() { return sweep_; }
+  const SweepDesk& sweep() const { return sweep_; }
   const PersistenceDesk& persistence() const { return persistence_; }
   /// The crust is being found, to select along it or to make contours of it.
   bool is_finding_crust() const { return curve_selector_.is_under_way() || contour_desk_.is_under_way(); }
@@ -164,6 +167,7 @@ class Workspace {
   CurveSampler curve_sampler_;
   BranchDesk branches_;
   PersistenceDesk persistence_;
+  SweepDesk sweep_;
   ResampleDesk resampling_;
   ScaleEvents scale_events_;
   CriticalValues critical_values_;

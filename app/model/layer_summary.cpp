@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/layer_summary.h"
+#include "app/model/layer_summary.h"
 
 #include <cmath>
 
 #include "core/base/vec2.h"
 
-namespace mes::cli {
+namespace mes {
 
 std::string_view plural_of(PrimitiveKind kind) {
   constexpr std::array<std::string_view, kPrimitiveKinds> names{"points", "disks", "circles",   "segments",
@@ -61,4 +61,4 @@ LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer) {
   return tally.summary();
 }
 
-}  // namespace mes::cli
+}  // namespace mes

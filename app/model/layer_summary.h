@@ -11,7 +11,7 @@
 #include "core/draw/layer_mirror.h"
 #include "core/draw/primitive_values.h"
 
-namespace mes::cli {
+namespace mes {
 
 struct LayerSummary {
   std::array<std::uint64_t, kPrimitiveKinds> count{};  ///< zero-length segments not counted
@@ -41,4 +41,4 @@ LayerSummary summarise(const LayerMirror& mirror, LayerIndex layer);
 /// "points", "disks", ...
 std::string_view plural_of(PrimitiveKind kind);
 
-}  // namespace mes::cli
+}  // namespace mes
