@@ -2,8 +2,10 @@
 // Filters of the axis and feature sizes: from scratch against the triangulation alone, and what they add to an edit.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -63,6 +65,37 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
     state.SetIterationTime(1e-6 * ours.back());
   }
   table.add({what, n, median(ours), median(raw), goal, "insert(range)"});
+}
+
+/// The exponent of cover dates between a thousand and a hundred thousand samples, by the least times, which other programs
+/// disturb least.
+void exponent_of_cover_dates(benchmark::State& state, RatioTable& table) {
+  constexpr std::size_t kFew = 1000;
+  constexpr std::size_t kMany = 100'000;
+  const auto least = [&table](std::size_t n, int runs) {
+    const Document document;
+    const auto delta = replace_with(document, test::rough_curve(n));
+    double out = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < runs; ++i) {
+      Graph graph;
+      graph.set_demand(layers_named({"cover-dates"}));
+      graph.post(delta);
+      FramePatch patch;
+      JobControl job;
+      graph.run(patch, job);
+      out = std::min(out, time_of(patch, {"cover-dates"}));
+    }
+    table.add_note("cover dates of " + std::to_string(n) + " samples: " + std::to_string(1e-3 * out) +
+                   " ms at least");
+    return out;
+  };
+  for (auto _ : state) {
+    const double few = least(kFew, 50);
+    const double many = least(kMany, 7);
+    const double exponent = std::log(many / few) / std::log(static_cast<double>(kMany / kFew));
+    table.add({"cover dates: exponent", kMany, exponent, 1.0, 1.2, "its time at a thousand, by logarithms"});
+    state.SetIterationTime(1e-6 * many);
+  }
 }
 
 /// Of all threads, so that other programs do not count.
@@ -189,6 +222,11 @@ void edit(benchmark::State& state, RatioTable& table, const char* what, std::siz
 }  // namespace
 
 void register_insight(RatioTable& table) {
+  benchmark::RegisterBenchmark("insight/cover dates, exponent",
+                               [&table](benchmark::State& state) { exponent_of_cover_dates(state, table); })
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
   for (const std::size_t n : {std::size_t{10000}, std::size_t{100000}}) {
     const bool is_large = n == 100000;
     const std::string suffix = "/" + std::to_string(n);
