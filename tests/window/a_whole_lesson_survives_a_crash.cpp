@@ -224,7 +224,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
     return strip.right - strip.left > 400;
   }));
   const auto button = [&](int number) {
-    return std::array<int, 2>{strip.left + 212 + 23 * number, strip.middle()[1]};
+    return std::array<int, 2>{strip.left + 248 + 23 * number, strip.middle()[1]};
   };
   constexpr int kStop = 3;
   constexpr int kPlay = 4;
