@@ -69,10 +69,9 @@ class RepairedChain {
     for (std::size_t i = 0; i < n; ++i) knots_.push_back({points[i], i, 0.0});
     for (std::size_t i = 0; i < (is_closed_ ? n : n - 1); ++i) {
       SplinePiece piece{place(i), place(i + 1), place(i + 1) - place(i), place(i + 1) - place(i)};
-      // Where the curve turns back on itself it ends, as at a corner.
-      if ((is_closed_ || i > 0) && !is_corner[points[i]] && place(i + n - 1) != piece.b)
+      if ((is_closed_ || i > 0) && !is_corner[points[i]])
         piece.tangent_a = tangent_at(place(i + n - 1), piece.a, piece.b, piece.b);
-      if ((is_closed_ || i + 2 < n) && !is_corner[points[(i + 1) % n]] && piece.a != place(i + 2))
+      if ((is_closed_ || i + 2 < n) && !is_corner[points[(i + 1) % n]])
         piece.tangent_b = tangent_at(piece.a, piece.b, place(i + 2), piece.a);
       pieces_.push_back(piece);
     }
@@ -125,18 +124,23 @@ class Repairer {
       const auto number = static_cast<std::uint32_t>(first_at_.size());
       first_at_.push_back(at_place.try_emplace({p.x, p.y}, number).first->second);
     }
-    for (const MovingCurve::Chain& chain : curve.chains) {
-      if (chain.points.size() >= 2) chains_.emplace_back(chain, samples.positions(), is_corner_);
-      if (!chain.closed && !chain.points.empty()) is_end_[chain.points.front()] = is_end_[chain.points.back()] = true;
-    }
     std::vector<std::set<std::uint32_t>> neighbours(first_at_.size());
-    for (const RepairedChain& chain : chains_) {
-      for (std::size_t i = 0; i < chain.edges(); ++i) {
-        const auto [a, b] = places_of(chain, i);
+    for (const MovingCurve::Chain& chain : curve.chains) {
+      for (std::size_t i = chain.closed ? 0 : 1; i < chain.points.size(); ++i) {
+        const std::uint32_t a = first_at_[chain.points[i == 0 ? chain.points.size() - 1 : i - 1]];
+        const std::uint32_t b = first_at_[chain.points[i]];
+        if (a == b) continue;
         neighbours[a].insert(b);
         neighbours[b].insert(a);
       }
+      if (!chain.closed && !chain.points.empty()) is_end_[chain.points.front()] = is_end_[chain.points.back()] = true;
     }
+    // The spline is interrupted where a loop goes back the way it came, as at a corner.
+    std::vector<bool> is_interrupted = is_corner_;
+    for (std::size_t i = 0; i < first_at_.size(); ++i)
+      if (neighbours[first_at_[i]].size() == 1) is_interrupted[i] = true;
+    for (const MovingCurve::Chain& chain : curve.chains)
+      if (chain.points.size() >= 2) chains_.emplace_back(chain, samples.positions(), is_interrupted);
     for (std::size_t i = 0; i < first_at_.size(); ++i)
       if (is_end_[i]) is_end_[first_at_[i]] = true;
     for (std::size_t i = 0; i < first_at_.size(); ++i) {
