@@ -174,6 +174,15 @@ void PlaneCurve::line_to(Vec2 to) {
   kinds_.push_back(PieceKind::line);
 }
 
+void PlaneCurve::lines_to(std::span<const Vec2> to) {
+  // With room for the line that closes it.
+  const std::size_t wanted = points_.size() + to.size() + 1;
+  if (wanted > points_.capacity()) points_.reserve(std::max(wanted, 2 * points_.size()));
+  if (wanted > kinds_.capacity()) kinds_.reserve(std::max(wanted, 2 * kinds_.size()));
+  points_.insert(points_.end(), to.begin(), to.end());
+  kinds_.insert(kinds_.end(), to.size(), PieceKind::line);
+}
+
 void PlaneCurve::quadratic_to(Vec2 control, Vec2 to) {
   points_.insert(points_.end(), {control, to});
   kinds_.push_back(PieceKind::quadratic);

@@ -71,6 +71,8 @@ class PlaneCurve {
                                             std::vector<EllipticArc> arcs, bool is_closed);
 
   void line_to(Vec2 to);
+  /// A line to each.
+  void lines_to(std::span<const Vec2> to);
   void quadratic_to(Vec2 control, Vec2 to);
   void cubic_to(Vec2 first, Vec2 second, Vec2 to);
   /// The end is given too, for it should not depend on rounding.

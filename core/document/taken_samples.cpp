@@ -35,15 +35,25 @@ bool is_finite(const PlaneCurve& curve) {
 std::string bring_into_range(std::vector<Vec2>& positions) {
   // Zeros become the largest when 1 is taken off their bits. That of negative sign is changed too, as traces are.
   constexpr std::uint64_t kNegativeZero = std::uint64_t{1} << 63U;
-  std::uint64_t largest = 0;
-  std::uint64_t least = ~std::uint64_t{0};
-  bool may_stay = true;
-  for (const Vec2 p : positions)
-    for (const double x : {p.x, p.y}) {
+  struct Extent {
+    std::uint64_t largest = 0;
+    std::uint64_t least = ~std::uint64_t{0};
+    bool may_stay = true;
+    void add(double x) {
       largest = std::max(largest, magnitude_bits(x));
       least = std::min(least, magnitude_bits(x) - 1);
       may_stay &= std::bit_cast<std::uint64_t>(x) != kNegativeZero;
     }
+  };
+  Extent across;
+  Extent along;  // by itself, so that neither waits for the other
+  for (const Vec2 p : positions) {
+    across.add(p.x);
+    along.add(p.y);
+  }
+  const std::uint64_t largest = std::max(across.largest, along.largest);
+  const std::uint64_t least = std::min(across.least, along.least);
+  bool may_stay = across.may_stay && along.may_stay;
   const int most = exponent_of(std::bit_cast<double>(largest));
   const double smallest = std::bit_cast<double>(least + 1);
   may_stay =
@@ -69,7 +79,12 @@ Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledC
     std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(chain.first));
   }
   out.positions = std::move(samples.positions);
-  if (std::ranges::all_of(curves->curves, [](const PlaneCurve& curve) { return is_finite(curve); })) {
+  // The vertices of a polyline are all numbers that it has, and are finite where they are samples.
+  const auto has_finite_samples = [&](const PlaneCurve& curve) {
+    return request.rule == SamplingRule::vertices && request.corner_radius == 0.0 && curve.is_polyline();
+  };
+  if (std::ranges::all_of(curves->curves,
+                          [&](const PlaneCurve& curve) { return has_finite_samples(curve) || is_finite(curve); })) {
     const auto count = static_cast<std::uint32_t>(out.positions.size());
     out.source = std::make_shared<const CurveSource>(CurveSource{std::move(curves), request, 0, count});
   }

@@ -19,7 +19,7 @@ namespace mes {
 /// Makes coordinates zero that are nothing but rounding beside the largest. Empty, or why some coordinate is out of range.
 std::string bring_into_range(std::vector<Vec2>& positions);
 
-/// The samples with their chains as contours, and the curves as their source; without a source where a number of the
+/// The samples, which were taken of these curves as the request says, with their chains as contours, and the curves as their source; without a source where a number of the
 /// curves is not finite. Coordinates that are nothing but rounding beside the largest become zero. Error: `bad_input`
 /// for a coordinate out of range. O(samples + pieces).
 Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledCurves samples,

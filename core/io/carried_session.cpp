@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/carried_session.h"
 
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -67,9 +68,20 @@ Expected<std::optional<std::string>> in_png(std::string_view bytes, const std::s
 Expected<std::optional<std::string>> in_xml(std::string_view bytes, const std::string& file) {
   struct Place {
     char before, begin, end;
+    std::size_t at = std::string_view::npos;
   };
-  for (const Place place : {Place{'<', '>', '<'}, Place{'"', ':', '"'}}) {
-    const std::size_t at = bytes.find(place.before + std::string(kCarriedSession));
+  std::array<Place, 2> places{{{'<', '>', '<'}, {'"', ':', '"'}}};
+  // By parts that stay in a near cache, for most drawings carry none.
+  constexpr std::size_t kPart = std::size_t{1} << 16U;
+  for (std::size_t begin = 0; begin < bytes.size() && places[0].at == std::string_view::npos; begin += kPart)
+    for (Place& place : places) {
+      if (place.at != std::string_view::npos) continue;
+      const std::string_view part = bytes.substr(begin, kPart + kCarriedSession.size());
+      if (const std::size_t at = part.find(place.before + std::string(kCarriedSession)); at != part.npos)
+        place.at = begin + at;
+    }
+  for (const Place place : places) {
+    const std::size_t at = place.at;
     if (at == std::string_view::npos) continue;
     const std::size_t begin = bytes.find(place.begin, at);
     const std::size_t end = begin == std::string_view::npos ? begin : bytes.find(place.end, begin + 1);

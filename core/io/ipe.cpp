@@ -84,11 +84,11 @@ class IpeReader {
       : source_(bytes, name), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
-    const auto root = source_.parse();
+    const auto root = source_.parse(job_);
     if (!root) return std::unexpected(root.error());
     if (local_name(root->name()) != "ipe" && local_name(root->name()) != "ipeselection")
-      return source_.refuse(XmlSource::place_of(*root), "the root element is not ipe");
-    job_.begin(source_.text());
+      return source_.refuse(source_.place_of(*root), "the root element is not ipe");
+    job_.begin(source_.bytes());
     const bool is_selection = local_name(root->name()) == "ipeselection";
     if (is_selection) {
       if (auto done = read_objects(*root, {}, 0); !done) return std::unexpected(done.error());
@@ -115,11 +115,11 @@ class IpeReader {
   }
 
   Expected<void> read_objects(xml_node parent, const Affine& outer, std::size_t depth) {
-    if (depth > kDeepest) return source_.refuse(XmlSource::place_of(parent), "groups are nested too deeply");
+    if (depth > kDeepest) return source_.refuse(source_.place_of(parent), "groups are nested too deeply");
     for (const xml_node node : parent.children()) {
       const std::string_view kind = node.name();
       if (node.type() != pugi::node_element || !is_object(kind)) continue;
-      job_.passed(source_.text().data() + XmlSource::place_of(node));
+      job_.passed(source_.bytes().data() + source_.place_of(node));
       const auto map = map_of(node, outer);
       if (!map) return std::unexpected(map.error());
       auto done = kind == "path"    ? read_path(node, *map)
@@ -133,7 +133,7 @@ class IpeReader {
 
   Expected<void> leave_out(xml_node node, std::string_view kind) {
     source_.remarks.add(fmt::format("{} object is left out", kind), fmt::format("{} objects are left out", kind),
-                        XmlSource::place_of(node));
+                        source_.place_of(node));
     return {};
   }
 
@@ -184,7 +184,7 @@ class IpeReader {
     PathWords words(path.text);
     while (words.next()) {
       path.place = words.place();
-      job_.passed(path.text.data() + path.place);
+      job_.passed(source_.bytes().data() + source_.place_of(node, path.text, path.place));
       if (++pieces_ > kMostPieces) return refuse(path, fmt::format("paths have more than {} words", kMostPieces));
       const std::string_view word = words.word();
       const bool is_number = word.find_first_of("0123456789") != std::string_view::npos;

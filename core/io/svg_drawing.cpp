@@ -53,9 +53,11 @@ class DrawingReader {
       : source_(bytes, name), job_(job), most_pieces_(std::max(kMostPieces, bytes.size())) {}
 
   Expected<SvgDrawing> read() {
-    const auto parsed = source_.parse();
+    constexpr double kParsed = 0.2;  // of the time that reading takes
+    job_.begin(source_.bytes(), kParsed);
+    const auto parsed = source_.parse(job_, {"d", "points"});
     if (!parsed) return std::unexpected(parsed.error());
-    job_.begin(source_.text());
+    job_.begin(source_.bytes());
     const xml_node root = *parsed;
     if (local_name(root.name()) != "svg") return refuse(place_of(root), "the root element is not svg");
     prefix_ = prefix_of(root.name());
@@ -70,7 +72,7 @@ class DrawingReader {
   std::unexpected<Error> refuse(std::size_t place, std::string text) const {
     return source_.refuse(place, std::move(text));
   }
-  static std::size_t place_of(xml_node node) { return XmlSource::place_of(node); }
+  std::size_t place_of(xml_node node) const { return source_.place_of(node); }
   void remark(std::string one, std::string many, std::size_t place) {
     source_.remarks.add(std::move(one), std::move(many), place);
   }
@@ -252,8 +254,12 @@ class DrawingReader {
     const auto context = context_of(node, outer);
     if (!context || !context->is_visible) return {};
     Shape shape{.node = node, .context = *context};
-    if (kind == "path") {
-      shape.data = node.attribute("d").value();
+    const bool is_list = kind == "polyline" || kind == "polygon";
+    if (kind == "path" || is_list) {
+      shape.data = source_.value(node, kind == "path" ? "d" : "points");
+      shape.kind = kind == "path"       ? Shape::Kind::path
+                   : kind == "polyline" ? Shape::Kind::polyline
+                                        : Shape::Kind::polygon;
     } else if (auto curve = simple_shape(node, kind, *context)) {
       shape.path.curves.push_back(*std::move(curve));
     }
@@ -272,13 +278,6 @@ class DrawingReader {
       const double radius = length_or_zero(node, "r", SvgAxis::both, context);
       return svg_ellipse({x("cx"), y("cy")}, {radius, radius});
     }
-    if (kind == "polyline" || kind == "polygon") {
-      const std::string_view points = node.attribute("points").value();
-      std::optional<std::size_t> fault;
-      auto curve = svg_polyline(points, kind == "polygon", fault);
-      if (fault) remark_fault(node, points, *fault);
-      return curve;
-    }
     const auto rx = length(node, "rx", SvgAxis::x, context);
     const auto ry = length(node, "ry", SvgAxis::y, context);
     const Vec2 radii{rx ? *rx : ry.value_or(0.0), ry ? *ry : rx.value_or(0.0)};
@@ -293,9 +292,12 @@ class DrawingReader {
 
   /// What a path or a basic shape becomes.
   struct Shape {
+    enum class Kind : std::uint8_t { path, polyline, polygon, other };
+
     xml_node node;
     Context context;
-    std::string_view data{};  // of a path, still to be read
+    Kind kind = Kind::other;
+    std::string_view data{};  // of all kinds but `other`, still to be read
     SvgPath path{};
   };
 
@@ -334,8 +336,7 @@ class DrawingReader {
     }
     if (!waiting_.empty()) {
       const Shape& last = waiting_.back();
-      const char* const begin = last.data.empty() ? source_.text().data() + place_of(last.node) : last.data.data();
-      job_.passed(begin + last.data.size());
+      job_.passed(source_.bytes().data() + source_.place_of(last.node, last.data, last.data.size()));
     }
     waiting_.clear();
     waiting_bytes_ = 0;
@@ -344,7 +345,9 @@ class DrawingReader {
 
   /// Any thread.
   void finish(Shape& shape) const {
-    if (!shape.data.empty()) shape.path = read_svg_path(shape.data, job_.control());
+    if (shape.kind == Shape::Kind::path) shape.path = read_svg_path(shape.data, job_.control());
+    if (shape.kind == Shape::Kind::polyline || shape.kind == Shape::Kind::polygon)
+      shape.path = read_svg_points(shape.data, shape.kind == Shape::Kind::polygon, job_.control());
     for (PlaneCurve& curve : shape.path.curves) {
       close_what_looks_closed(curve, shape.context);
       curve.transform(shape.context.map);

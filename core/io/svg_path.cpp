@@ -2,10 +2,13 @@
 // Source: SVG 2, chapter 9.
 #include "core/io/svg_path.h"
 
+#include <array>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/io/coordinate_pairs.h"
 #include "core/io/svg_values.h"
 
 namespace mes {
@@ -26,6 +29,38 @@ constexpr bool is_command(char c) {
     default: return false;
   }
 }
+
+void look_at(const JobControl* job) {
+  if (job != nullptr && job->stop_requested()) throw Cancelled{};
+}
+
+/// Many vertices at a time, where they are of the usual kind.
+class VertexRuns {
+ public:
+  /// Takes pairs from the beginning of the text and hands them to `use(std::span<const Vec2>)`. Throws `Cancelled`.
+  template <class Use>
+  void take(SvgText& text, char letter, const JobControl* job, Use use) {
+    if (unusual_ != 0) {
+      --unusual_;
+      return;
+    }
+    bool is_any = false;
+    for (bool goes_on = true; goes_on; look_at(job)) {
+      const PairRun run = read_coordinate_pairs(text.rest(), letter, pairs_, is_any);
+      text.skip(run.size);
+      if (run.count != 0) use(std::span<const Vec2>(pairs_).first(run.count));
+      goes_on = run.count == pairs_.size();
+      is_any = is_any || run.count != 0;
+    }
+    if (!is_any) unusual_ = kPatience;
+  }
+
+ private:
+  static constexpr std::size_t kPatience = 8;  // where one vertex is unusual, the next ones may be
+
+  std::array<Vec2, 1024> pairs_;
+  std::size_t unusual_ = 0;
+};
 
 class PathReader {
  public:
@@ -58,6 +93,7 @@ class PathReader {
     if (kind == 'z') return close();
     char now = kind;
     for (bool has_another = true; has_another; has_another = begins_a_number()) {
+      if (now == 'l' && read_lines()) continue;
       if (!read_set(now)) {
         out_.fault = text_.place();
         return;
@@ -67,8 +103,26 @@ class PathReader {
     }
   }
 
-  void look() const {
-    if (job_ != nullptr && job_->stop_requested()) throw Cancelled{};
+  void look() const { look_at(job_); }
+
+  /// As many sets of lines as can be read together; false for none.
+  bool read_lines() {
+    bool is_any = false;
+    SvgText after_comma = text_;
+    after_comma.skip_comma();
+    runs_.take(after_comma, is_relative_ ? 'l' : 'L', job_, [&](std::span<const Vec2> run) {
+      if (is_relative_) {
+        for (const Vec2 step : run) curve().line_to(at_ = at_ + step);
+      } else {
+        curve().lines_to(run);
+        at_ = run.back();
+      }
+      is_any = true;
+    });
+    if (!is_any) return false;
+    text_ = after_comma;
+    forget_controls();
+    return true;
   }
 
   bool begins_a_number() {
@@ -206,6 +260,7 @@ class PathReader {
   SvgText text_;
   const JobControl* job_;
   std::size_t commands_ = 0;
+  VertexRuns runs_;
   SvgPath out_;
   std::optional<PlaneCurve> curve_;
   Vec2 at_{};
@@ -220,6 +275,38 @@ class PathReader {
 
 SvgPath read_svg_path(std::string_view data, const JobControl* job) {
   return PathReader(data, job).read();
+}
+
+SvgPath read_svg_points(std::string_view points, bool is_closed, const JobControl* job) {
+  SvgPath out;
+  std::optional<PlaneCurve> curve;
+  VertexRuns runs;
+  SvgText rest(points);
+  const auto add = [&](std::span<const Vec2> run) {
+    if (!curve) {
+      curve.emplace(run.front());
+      run = run.subspan(1);
+    }
+    curve->lines_to(run);
+  };
+  for (rest.skip_blanks(); !rest.is_at_end(); rest.skip_comma()) {
+    const std::size_t begin = rest.place();
+    runs.take(rest, '\0', job, add);
+    if (rest.place() != begin) continue;
+    Vec2 point;
+    bool is_pair = rest.number(point.x);
+    if (is_pair) rest.skip_comma();
+    is_pair = is_pair && rest.number(point.y);
+    if (!is_pair) {
+      out.fault = rest.place();
+      break;
+    }
+    add({&point, 1});
+  }
+  if (!curve || curve->piece_count() == 0) return out;
+  if (is_closed) curve->close();
+  out.curves.push_back(*std::move(curve));
+  return out;
 }
 
 }  // namespace mes

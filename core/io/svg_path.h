@@ -21,4 +21,7 @@ struct SvgPath {
 /// Throws `Cancelled` if there is a job, whose progress is left alone.
 SvgPath read_svg_path(std::string_view data, const JobControl* job = nullptr);
 
+/// The points of a polyline, or of a polygon, up to the first fault: no curve for less than two. The rest as above.
+SvgPath read_svg_points(std::string_view points, bool is_closed, const JobControl* job = nullptr);
+
 }  // namespace mes

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/io/svg_values.h"
-
 namespace mes {
 namespace {
 
@@ -48,28 +46,6 @@ std::optional<PlaneCurve> svg_ellipse(Vec2 center, Vec2 radii) {
   PlaneCurve curve({center.x + radii.x, center.y});
   curve.arc_to({center, {radii.x, 0.0}, {0.0, radii.y}, 0.0, 2.0 * kPi}, curve.start());
   curve.close();
-  return curve;
-}
-
-std::optional<PlaneCurve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault) {
-  std::optional<PlaneCurve> curve;
-  SvgText rest(points);
-  for (rest.skip_blanks(); !rest.is_at_end(); rest.skip_comma()) {
-    const auto x = rest.number();
-    rest.skip_comma();
-    const auto y = x ? rest.number() : std::nullopt;
-    if (!y) {
-      fault = rest.place();
-      break;
-    }
-    if (curve) {
-      curve->line_to({*x, *y});
-    } else {
-      curve.emplace(Vec2{*x, *y});
-    }
-  }
-  if (!curve || curve->piece_count() == 0) return std::nullopt;
-  if (is_closed) curve->close();
   return curve;
 }
 

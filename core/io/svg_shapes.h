@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "core/curves/curve.h"
 
@@ -13,7 +12,5 @@ namespace mes {
 std::optional<PlaneCurve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii);
 /// Nothing for a radius that is not positive.
 std::optional<PlaneCurve> svg_ellipse(Vec2 center, Vec2 radii);
-/// The points of a polyline or a polygon up to the first fault; nothing for less than two.
-std::optional<PlaneCurve> svg_polyline(std::string_view points, bool is_closed, std::optional<std::size_t>& fault);
 
 }  // namespace mes

@@ -51,6 +51,9 @@ class SvgText {
   std::optional<bool> flag();
   /// Letters right here; may be empty.
   std::string_view word();
+  std::string_view rest() const { return {at_, end_}; }
+  /// No more than there are.
+  void skip(std::size_t bytes) { at_ += bytes; }
   std::size_t place() const { return static_cast<std::size_t>(at_ - begin_); }
 
  private:

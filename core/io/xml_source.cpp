@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "core/io/text_numbers.h"
@@ -34,6 +36,28 @@ std::string_view without_prolog(std::string_view text) {
   }
 }
 
+/// Whose parsing this thread is at; null: none that can be stopped.
+thread_local const JobControl* parsing = nullptr;
+
+/// Parsing ends in good order where there is no memory, and so it does where it is to be stopped.
+void* memory_for_xml(std::size_t size) {
+  if (parsing != nullptr && parsing->stop_requested()) return nullptr;
+  return std::malloc(size);
+}
+
+pugi::xml_parse_result parse_in_place(pugi::xml_document& document, std::string& text, const JobControl* control) {
+  [[maybe_unused]] static const bool is_set = [] {
+    pugi::set_memory_management_functions(memory_for_xml, std::free);
+    return true;
+  }();
+  parsing = control;
+  // In place, so that values know where they stand.
+  const pugi::xml_parse_result parsed =
+      document.load_buffer_inplace(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+  parsing = nullptr;
+  return parsed;
+}
+
 std::string_view in_words(pugi::xml_parse_status status) {
   switch (status) {
     case pugi::status_end_element_mismatch: return "an element ends that is not open, or the end is missing";
@@ -54,16 +78,34 @@ std::string_view xml_root_name(std::string_view bytes) {
   return local_name(text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1));
 }
 
-Expected<pugi::xml_node> XmlSource::parse() {
-  // In place, so that values know where they stand.
-  const pugi::xml_parse_result parsed =
-      document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
+Expected<pugi::xml_node> XmlSource::parse(ReadJob& job, std::initializer_list<std::string_view> bulky) {
+  long_values_ = take_long_values(bytes_, bulky, buffer_, job);
+  job.checkpoint();
+  const pugi::xml_parse_result parsed = parse_in_place(document_, buffer_, job.control());
+  job.checkpoint();
   if (parsed.status == pugi::status_out_of_memory)
     return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory to read it", name_});
   if (!parsed)
-    return refuse(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
+    return refuse(place_in_bytes(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0))),
                   fmt::format("this is not XML: {}", in_words(parsed.status)));
   return document_.document_element();
+}
+
+std::string_view XmlSource::value(pugi::xml_node node, const char* attribute) const {
+  const char* const value = node.attribute(attribute).value();
+  if (long_values_.empty() || *value == '\0') return value;
+  const auto place = static_cast<std::size_t>(value - buffer_.data());
+  const auto found = std::ranges::lower_bound(long_values_, place, {}, &LongValue::place);
+  return found != long_values_.end() && found->place == place ? found->value : value;
+}
+
+/// Of a place in the buffer.
+std::size_t XmlSource::place_in_bytes(std::size_t place) const {
+  const auto next = std::ranges::lower_bound(long_values_, place, {}, &LongValue::place);
+  if (next == long_values_.begin()) return place;
+  const LongValue& before = *(next - 1);
+  const auto end = static_cast<std::size_t>(before.value.data() - bytes_.data()) + before.value.size();
+  return end + (place - before.place - 1);
 }
 
 Error XmlSource::error_at(std::size_t place, std::string text) const {
@@ -73,16 +115,22 @@ Error XmlSource::error_at(std::size_t place, std::string text) const {
   const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
   return {ErrorCode::bad_input, std::move(text), name_, line, before.size() - start + 1};
 }
-std::size_t XmlSource::place_of(pugi::xml_node node) {
+
+std::size_t XmlSource::place_of(pugi::xml_node node) const {
   const std::ptrdiff_t offset = node.offset_debug();
-  return offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0;
+  return offset > 0 ? place_in_bytes(static_cast<std::size_t>(offset) - 1) : 0;
 }
 
 std::size_t XmlSource::place_of(pugi::xml_node node, std::string_view value, std::size_t within) const {
-  const char* const begin = buffer_.data();
-  const bool is_inside =
-      std::less_equal<>()(begin, value.data()) && std::less<>()(value.data(), begin + buffer_.size());
-  return is_inside ? static_cast<std::size_t>(value.data() - begin) + within : place_of(node);
+  const auto place_within = [&](std::string_view text) -> std::optional<std::size_t> {
+    const char* const begin = text.data();
+    const bool is_inside =
+        std::less_equal<>()(begin, value.data()) && std::less<>()(value.data(), begin + text.size());
+    return is_inside ? std::optional(static_cast<std::size_t>(value.data() - begin)) : std::nullopt;
+  };
+  if (const auto place = place_within(bytes_)) return *place + within;
+  if (const auto place = place_within(buffer_)) return place_in_bytes(*place) + within;
+  return place_of(node);
 }
 
 std::vector<std::string> XmlSource::messages() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -10,6 +11,8 @@
 
 #include "core/base/error.h"
 #include "core/io/counted_remarks.h"
+#include "core/io/read_job.h"
+#include "core/io/xml_long_values.h"
 
 namespace mes {
 
@@ -21,18 +24,27 @@ inline std::string_view local_name(std::string_view name) {
   return name.substr(name.find(':') + 1);
 }
 
-/// Entities other than those of XML are not expanded.
+/// Entities other than those of XML are not expanded. Places are those of bytes of the file.
+///
+/// Smallest use:
+///     XmlSource source(bytes, name);
+///     const auto root = source.parse(job);
 class XmlSource {
  public:
   /// Both outlive the source.
-  XmlSource(std::string_view bytes, const std::string& name) : bytes_(bytes), buffer_(bytes), name_(name) {}
+  XmlSource(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
   XmlSource(const XmlSource&) = delete;
   XmlSource& operator=(const XmlSource&) = delete;
 
-  /// What node values are pieces of.
-  std::string_view text() const { return buffer_; }
-  /// The root element. Error: `bad_input` for text that is not XML.
-  Expected<pugi::xml_node> parse();
+  std::string_view bytes() const { return bytes_; }
+  /// The root element. Error: `bad_input` for text that is not XML. Values of the attributes named in `bulky` are to be
+  /// had by `value`, others from their nodes too. `job` goes through the bytes already.
+  ///
+  /// Throws `Cancelled`: the library is stopped where it wants memory for more elements and attributes. Text without
+  /// any, as a comment of a gibibyte, it goes through to its end, a second for a gibibyte.
+  Expected<pugi::xml_node> parse(ReadJob& job, std::initializer_list<std::string_view> bulky = {});
+  /// Of an attribute; empty where there is none.
+  std::string_view value(pugi::xml_node node, const char* attribute) const;
 
   /// With line and column of a byte.
   Error error_at(std::size_t place, std::string text) const;
@@ -41,7 +53,7 @@ class XmlSource {
   }
 
   /// Of its "<".
-  static std::size_t place_of(pugi::xml_node node);
+  std::size_t place_of(pugi::xml_node node) const;
   /// Of the value of an attribute or of text; of the element for an empty one, which stands nowhere.
   std::size_t place_of(pugi::xml_node node, std::string_view value, std::size_t within) const;
 
@@ -51,8 +63,11 @@ class XmlSource {
   std::vector<std::string> messages() const;
 
  private:
+  std::size_t place_in_bytes(std::size_t place) const;
+
   std::string_view bytes_;
-  std::string buffer_;  // what is parsed; values of attributes are pieces of it
+  std::string buffer_;                  // what is parsed; values of attributes are pieces of it, but for
+  std::vector<LongValue> long_values_;  // those that are pieces of the bytes, in order
   const std::string& name_;
   pugi::xml_document document_;
 };

@@ -31,6 +31,7 @@
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
 #include "core/glyphs/text_outlines.h"
+#include "core/io/coordinate_pairs.h"
 #include "core/io/counted_remarks.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
@@ -42,6 +43,8 @@
 #include "core/io/short_decimal.h"
 #include "core/io/text_numbers.h"
 #include "core/io/vertex_graph.h"
+#include "core/io/xml_long_values.h"
+#include "core/io/xml_source.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
 #include "core/resampling/resampling.h"
@@ -575,6 +578,32 @@ TEST_CASE("short numbers are read as their header shows") {
   const std::size_t size = short_decimal("12.5,3", value);  // 4
   CHECK(size == 4);
   CHECK(value == 12.5);
+}
+
+TEST_CASE("vertices and long values are read as their headers show") {
+  // core/io/coordinate_pairs.h
+  std::array<Vec2, 256> pairs;
+  const PairRun run = read_coordinate_pairs("1,2 3.5-4 L 5 6 ...", 'L', pairs);
+  CHECK((run.count == 3 || run.count == 0));  // where there is no SSE2
+
+  const std::string bytes = "<svg><path d='M0 0" + std::string(3000, ' ') + "L1 1'/></svg>";
+  ReadJob job;
+  job.begin(bytes);
+  {
+    // core/io/xml_long_values.h
+    std::string rest;
+    const auto values = take_long_values(bytes, {"d", "points"}, rest, job);
+    // In `rest`, at values[0].place, one character stands for values[0].value.
+    REQUIRE(values.size() == 1);
+    CHECK(rest[values[0].place - 1] == '\'');
+    CHECK(rest[values[0].place + 1] == '\'');
+  }
+  const std::string name = "a.svg";
+  // core/io/xml_source.h
+  XmlSource source(bytes, name);
+  const auto root = source.parse(job);
+  REQUIRE(root);
+  CHECK(std::string(root->name()) == "svg");
 }
 
 TEST_CASE("files become curves as their headers show") {

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstddef>
-#include <ranges>
 
 namespace mes {
 namespace {
@@ -18,6 +17,15 @@ std::size_t hash_of(Vec2 p) {
   return static_cast<std::size_t>(bits ^ (bits >> 29U));
 }
 
+/// For a table of a few, of 2^bits places: sums of products differ where coordinates do, most often.
+std::size_t short_hash_of(Vec2 p, int bits) {
+  constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
+  constexpr std::uint64_t kOther = 0xd6e8feb86659fd93;
+  const std::uint64_t sum =
+      std::bit_cast<std::uint64_t>(p.x + 0.0) * kOdd + std::bit_cast<std::uint64_t>(p.y + 0.0) * kOther;
+  return static_cast<std::size_t>(sum >> static_cast<unsigned>(64 - bits));
+}
+
 }  // namespace
 
 std::span<const std::uint32_t> RepeatedPositions::find(std::span<const Vec2> positions) {
@@ -27,16 +35,38 @@ std::span<const std::uint32_t> RepeatedPositions::find(std::span<const Vec2> pos
     note_shared_hashes(positions);
     find_among(positions, shared_);
   } else {
-    find_among(positions, std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(positions.size())));
+    find_among_few(positions);
   }
   return repeated_;
 }
 
+// As below, with short numbers.
+void RepeatedPositions::find_among_few(std::span<const Vec2> positions) {
+  constexpr std::uint16_t kFree = 0xffffU;
+  const auto bits = static_cast<int>(std::bit_width(4 * positions.size() + 1));
+  const std::size_t mask = (std::size_t{1} << static_cast<unsigned>(bits)) - 1;
+  few_places_.assign(mask + 1, kFree);
+  repeated_.clear();
+  std::uint16_t* const places = few_places_.data();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec2 here = positions[i];
+    if (!is_finite(here)) {
+      were_finite_ = false;
+      continue;
+    }
+    std::size_t at = short_hash_of(here, bits);
+    while (places[at] != kFree && positions[places[at]] != here) at = (at + 1) & mask;
+    if (places[at] == kFree)
+      places[at] = static_cast<std::uint16_t>(i);
+    else
+      repeated_.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
 // By a hash of the coordinates: indices in a table of which no more than a quarter is in use.
-template <class Numbers>
-void RepeatedPositions::find_among(std::span<const Vec2> positions, const Numbers& numbers) {
+void RepeatedPositions::find_among(std::span<const Vec2> positions, std::span<const std::uint32_t> numbers) {
   constexpr std::uint32_t kFree = 0xffffffffU;
-  const std::size_t mask = std::bit_ceil(4 * static_cast<std::size_t>(numbers.size()) + 1) - 1;
+  const std::size_t mask = std::bit_ceil(4 * numbers.size() + 1) - 1;
   places_.assign(mask + 1, kFree);
   repeated_.clear();
   for (const std::uint32_t i : numbers) {

@@ -20,14 +20,15 @@ class RepeatedPositions {
   bool were_finite() const { return were_finite_; }
 
  private:
-  template <class Numbers>
-  void find_among(std::span<const Vec2> positions, const Numbers& numbers);
+  void find_among_few(std::span<const Vec2> positions);
+  void find_among(std::span<const Vec2> positions, std::span<const std::uint32_t> numbers);
   void note_shared_hashes(std::span<const Vec2> positions);
 
   std::vector<std::uint64_t> once_;
   std::vector<std::uint64_t> twice_;
   std::vector<std::uint32_t> shared_;
   std::vector<std::uint32_t> places_;
+  std::vector<std::uint16_t> few_places_;
   std::vector<std::uint32_t> repeated_;
   bool were_finite_ = true;
 };
