@@ -23,10 +23,13 @@ Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name
   auto pixels = decode_pixels(std::as_bytes(std::span(bytes)), name);
   if (!pixels) return std::unexpected(std::move(pixels.error()));
   job.checkpoint();
+  const bool lacks_end = pixels->lacks_end;
   auto tracing = trace(gray_of(*std::move(pixels)), request);
   if (!tracing) return std::unexpected(Error{tracing.error().code, tracing.error().text, name});
   std::string remark = name + ": " + remark_of(*tracing);
   auto file = load_samples(std::move(tracing->curves), sampling_of_tracing(), name, job);
+  if (file && lacks_end)
+    file->warnings.push_back(name + ": the marker that ends a JPEG is missing; its pixels are all there");
   if (file) file->warnings.push_back(std::move(remark));
   return file;
 }

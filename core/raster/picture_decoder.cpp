@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 #include <utility>
+#include <vector>
 
 #include "core/raster/picture_guard.h"
 
@@ -70,6 +71,36 @@ bool is_silhouette_in_alpha(const Pixels& pixels) {
   return 100 * clear >= pixels.values.size() / each;
 }
 
+/// A decoder that lacks data takes what follows for it. So a picture that comes out the same whatever follows is complete.
+Expected<Pixels> decode_without_end(std::span<const std::byte> bytes, const std::string& name, int channels,
+                                    std::size_t most_pixels) {
+  const auto followed_by = [&](std::byte what) {
+    constexpr std::size_t kLookedAhead = 64;  // more than a decoder reads before it is to use it
+    std::vector<std::byte> all(bytes.begin(), bytes.end());
+    while (all.back() == std::byte{0xFF}) all.pop_back();  // half a marker
+    all.insert(all.end(), kLookedAhead, what);
+    all.insert(all.end(), {std::byte{0xFF}, std::byte{0xD9}});
+    return decode_pixels(all, name, channels, most_pixels);
+  };
+  try {
+    // Runs of zeros and ones of several lengths, and one that hardly any table of codes has.
+    auto out = followed_by(std::byte{0});
+    for (const unsigned what : {0x55U, 0xAAU, 0x33U, 0xFEU}) {
+      if (!out && out.error().code != ErrorCode::bad_input) return out;
+      const auto other = followed_by(static_cast<std::byte>(what));
+      if (!other && other.error().code != ErrorCode::bad_input) return std::unexpected(other.error());
+      if (!out || !other || out->values != other->values)
+        return fail(
+            fmt::format("the picture is broken: the file ends at byte {}, before its last pixels", bytes.size()),
+            name);
+    }
+    out->lacks_end = true;
+    return out;
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory for a picture without its end", name, ErrorCode::out_of_memory);
+  }
+}
+
 }  // namespace
 
 bool looks_like_picture(std::string_view bytes) {
@@ -89,6 +120,7 @@ Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::stri
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
   if (const std::string hazard = decoding_hazard(bytes); !hazard.empty())
     return fail("the picture is broken: " + hazard, name);
+  if (may_lack_only_end(bytes)) return decode_without_end(bytes, name, channels, most_pixels);
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   Pixels out;

@@ -29,13 +29,15 @@ struct Pixels {
   int height = 0;
   int channels = 0;  ///< 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA; alpha is not multiplied in
   std::vector<std::uint8_t> values{};
+  bool lacks_end = false;  ///< a JPEG whose pixels are all there, and the marker that ends it is not
 };
 
 /// Whether the bytes begin as one of these pictures does.
 bool looks_like_picture(std::string_view bytes);
 
 /// Decodes a picture, which its first bytes tell from others, to so many channels; 0: as many as it has. `name` is that
-/// of the file in messages. Error: `bad_input`, also for more than `most_pixels`; `out_of_memory`.
+/// of the file in messages. A JPEG without its last marker is a picture if its pixels do not depend on what would follow.
+/// Error: `bad_input`, also for more than `most_pixels`; `out_of_memory`.
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels = 0,
                                std::size_t most_pixels = kMostPicturePixels);
 

@@ -3,8 +3,11 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/base/zlib.h"
 
@@ -52,20 +55,74 @@ bool are_tables_sound(Bytes from_segment, std::size_t segment) {
   return true;
 }
 
+/// What the scans of a JPEG have had of its coefficients. Source: ITU-T T.81, B.2.2, B.2.3 and G.1.1.
+class ScannedCoefficients {
+ public:
+  void add_frame(Bytes contents, bool is_progressive) {
+    constexpr std::size_t kHeader = 6;
+    constexpr std::size_t kEach = 3;
+    is_progressive_ = is_progressive;
+    components_.clear();
+    const std::size_t count = std::min(number(without_first(contents, kHeader - 1), 1), kMostComponents);
+    for (std::size_t i = 0; i < count; ++i) {
+      components_.push_back({.id = number(without_first(contents, kHeader + kEach * i), 1)});
+      components_.back().bits_left.fill(kAll);
+    }
+  }
+  void add_scan(Bytes contents) {
+    const std::size_t count = std::min(number(contents, 1), kMostComponents);
+    const Bytes limits = without_first(contents, 1 + 2 * count);
+    const std::size_t first = is_progressive_ ? number(limits, 1) : 0;
+    const std::size_t last = is_progressive_ ? number(without_first(limits, 1), 1) : kCoefficients - 1;
+    const std::size_t bits = is_progressive_ ? number(without_first(limits, 2), 1) & 0xFU : 0;
+    for (std::size_t i = 0; i < count; ++i)
+      for (Component& component : components_)
+        if (component.id == number(without_first(contents, 1 + 2 * i), 1))
+          for (std::size_t k = first; k <= std::min(last, kCoefficients - 1); ++k)
+            component.bits_left[k] = static_cast<std::uint8_t>(bits);
+  }
+  bool are_all() const {
+    return !components_.empty() && std::ranges::all_of(components_, [](const Component& component) {
+      return std::ranges::count(component.bits_left, 0) == std::ptrdiff_t{kCoefficients};
+    });
+  }
+
+ private:
+  static constexpr std::size_t kMostComponents = 4;
+  static constexpr std::size_t kCoefficients = 64;
+  static constexpr std::uint8_t kAll = 0xFF;
+  struct Component {
+    std::size_t id = 0;
+    std::array<std::uint8_t, kCoefficients> bits_left{};
+  };
+  std::vector<Component> components_;
+  bool is_progressive_ = false;
+};
+
+struct JpegMarkers {
+  std::string hazard{};
+  bool may_lack_only_end = false;
+};
+
 /// Walks from marker to marker: 0xFF and a byte that is neither zero, which means data, nor 0xFF, which is a filler.
 /// The decoder finds the same markers between segments, or it fails earlier.
-std::string jpeg_hazard(Bytes bytes) {
+JpegMarkers jpeg_markers(Bytes bytes) {
   constexpr unsigned kTables = 0xC4;
   constexpr unsigned kEnd = 0xD9;
   constexpr unsigned kScan = 0xDA;
+  constexpr unsigned kFrame = 0xC0;
+  constexpr unsigned kProgressiveFrame = 0xC2;
+  ScannedCoefficients scanned;
   bool has_scan = false;
+  bool is_cut = false;
   Bytes rest = bytes;
   for (;;) {
     while (rest.size() >= 2 && (rest[0] != kMarker || rest[1] == kMarker || rest[1] == std::byte{0}))
       rest = rest.subspan(1);
     if (rest.size() < 2) {
       if (!has_scan) return {};  // the decoder notices
-      return fmt::format("the file ends at byte {}, before the marker that ends a picture", bytes.size());
+      if (!is_cut && scanned.are_all()) return {.may_lack_only_end = true};
+      return {.hazard = fmt::format("the file ends at byte {}, before the marker that ends a picture", bytes.size())};
     }
     const std::size_t place = place_of(rest, bytes);
     const auto marker = std::to_integer<unsigned>(rest[1]);
@@ -75,7 +132,11 @@ std::string jpeg_hazard(Bytes bytes) {
     if (stands_alone(marker)) continue;
     const std::size_t length = std::max<std::size_t>(number(rest, 2), 2);
     if (marker == kTables && !are_tables_sound(without_first(rest, 2), length - 2))
-      return fmt::format("at byte {}: a table of codes announces more symbols than there are", place);
+      return {.hazard = fmt::format("at byte {}: a table of codes announces more symbols than there are", place)};
+    is_cut = length > rest.size();
+    const Bytes contents = without_first(rest.first(std::min(length, rest.size())), 2);
+    if (marker >= kFrame && marker <= kProgressiveFrame) scanned.add_frame(contents, marker == kProgressiveFrame);
+    if (marker == kScan) scanned.add_scan(contents);
     rest = without_first(rest, length);
   }
 }
@@ -210,11 +271,15 @@ std::string decoding_hazard(Bytes bytes) {
     return place < bytes.size() && bytes[place] == static_cast<std::byte>(c);
   };
   if (bytes.empty()) return {};
-  if (bytes.front() == kMarker) return jpeg_hazard(bytes);
+  if (bytes.front() == kMarker) return jpeg_markers(bytes).hazard;
   if (bytes.front() == kPng) return png_hazard(bytes);
   if (is_at(0, 'B') && is_at(1, 'M')) return bmp_hazard(bytes);
   if (is_at(0, 'P') && (is_at(1, '5') || is_at(1, '6'))) return pnm_hazard(bytes);
   return {};
+}
+
+bool may_lack_only_end(Bytes bytes) {
+  return !bytes.empty() && bytes.front() == kMarker && jpeg_markers(bytes).may_lack_only_end;
 }
 
 std::string place_of_damage(Bytes bytes) {

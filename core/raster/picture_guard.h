@@ -17,6 +17,11 @@ namespace mes {
 /// a picture. O(bytes).
 std::string decoding_hazard(std::span<const std::byte> bytes);
 
+/// Whether a JPEG ends without the marker that ends a picture, and with all of its scans at least begun: each coefficient
+/// of each component to its last bit. Whether the last scan is there to its end, its pixels say, which then do not depend
+/// on what would follow. False where there is a hazard. O(bytes).
+bool may_lack_only_end(std::span<const std::byte> bytes);
+
 /// Where a picture that the decoder refused differs from what was once written, in words; empty where that cannot be
 /// known. O(bytes).
 std::string place_of_damage(std::span<const std::byte> bytes);

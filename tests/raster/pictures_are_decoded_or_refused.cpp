@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/base64.h"
 #include "core/raster/picture_decoder.h"
 #include "core/raster/picture_guard.h"
 
@@ -36,6 +37,31 @@ std::string bmp(std::uint32_t width, std::uint32_t height, std::uint32_t bits, s
 
 const std::string kBroken = "a: the picture is broken: ";
 
+/// A disk and a rectangle in colour, 40 x 28: one scan, and as many as a progressive picture has. Written by ImageMagick.
+constexpr std::string_view kJpeg =
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAoHBwgHBgoICAgLCgoLDhgQDg0NDh0VFhEYIx8lJCIfIiEmKzcvJik0KSEiMEExNDk7Pj4+"
+    "JS5ESUM8SDc9Pjv/2wBDAQoLCw4NDhwQEBw7KCIoOzs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7"
+    "Ozv/wAARCAAcACgDASIAAhEBAxEB/8QAGQAAAgMBAAAAAAAAAAAAAAAAAAcEBQYI/8QAKhAAAQMDAgQFBQAAAAAAAAAAAQIDBAAFEQYh"
+    "BxMxgRIUQVFxMzZydLL/xAAZAQEAAgMAAAAAAAAAAAAAAAADAAUBAgT/xAAdEQACAgIDAQAAAAAAAAAAAAABAgADBBEFEjET/9oADAMB"
+    "AAIRAxEAPwBzVAu97ttii+ZuUpLCCcJBBKlH2AG5qfSH15dHrnq2dzFK5cZwsNIPRIScHHycnvTU1fRtGHY/URkQ+J+m5cnkrckRgTgO"
+    "PNYSe4Jx3xVJcuJN2i3SXHjsQHGWnlobWUKPiSFEA5CsHalfVk19JH4ig5JPiqlD7LPh1S92Fg3oRqaN1lcdRXd2JLZiobRHLgLSVA5C"
+    "kj1UdtzRVBwv+5JH6av7RRQYzFq9mTkK0rv6oNDUalKriJoqcq5u3q2MLkNP4LzTacqQrpkAbkHr85pq0V2V2GttiVzKGGjOb4druFwk"
+    "+Whwn33c4KUIJKfn271uWeF995DfikQUK8IykuLyNumyaa9FYymGQAGHkbEtfFJKH2YrRujbjp27uy5b0Vba45bAaUonJUk+qRtsaK2t"
+    "FCiBBoTa657n7v7P/9k=";
+constexpr std::string_view kProgressiveJpeg =
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAoHBwgHBgoICAgLCgoLDhgQDg0NDh0VFhEYIx8lJCIfIiEmKzcvJik0KSEiMEExNDk7Pj4+"
+    "JS5ESUM8SDc9Pjv/2wBDAQoLCw4NDhwQEBw7KCIoOzs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7"
+    "Ozv/wgARCAAcACgDASIAAhEBAxEB/8QAGAAAAwEBAAAAAAAAAAAAAAAAAAQGBQf/xAAYAQEAAwEAAAAAAAAAAAAAAAACAQMEAP/aAAwD"
+    "AQACEAMQAAABs12INmkRl2a9NUIA6qlKsuz833Kwh4htgn//xAAeEAACAgICAwAAAAAAAAAAAAADBAIFAAEREyAxNP/aAAgBAQABBQLC"
+    "mGCMLNaUiWRYlTcIwXHy7I3mvVX9OWKU+yAiElqrPwmmRcvj/8QAGxEAAgIDAQAAAAAAAAAAAAAAAQIAEQMEEjH/2gAIAQMBAT8BY1NM"
+    "ByepsKFehCLmJji8juXNmf/EABwRAAICAgMAAAAAAAAAAAAAAAABAhEDEgQTMf/aAAgBAgEBPwGEdmclaJUY3cSMtWZX2eiVH//EACEQ"
+    "AAICAQQCAwAAAAAAAAAAAAECABESAxAhMSAiYXKR/9oACAEBAAY/AplqNUq2X5IjKoQgHiFWC1jfGz30pobt9NjraYyB7AmKISYPZP2F"
+    "mK1jXHl//8QAIhAAAQMDAwUAAAAAAAAAAAAAAQARMRAhUSBhcUGBobHR/9oACAEBAAE/IU3WPTJTq9gkbTUExuH5Q28IByN6OaNhYakH"
+    "C8h7FCTeDLgrYAwEK8glod8R28pByNtX/9oADAMBAAIAAwAAABBB/FBLL//EABgRAQEBAQEAAAAAAAAAAAAAAAERADFB/9oACAEDAQE/"
+    "EIsHCw0KwmARzyvu9L7/xAAYEQEBAQEBAAAAAAAAAAAAAAABABExIf/aAAgBAgEBPxDxG1D7NoyaEAAcjOF//8QAHxABAAIBBAMBAAAA"
+    "AAAAAAAAAREhABAxcYEgQVGh/9oACAEBAAE/EMnUbARU+AW5C0rBBXYsdxiiZa0CBkg1iXlBIyB7VW6WME/YKGOWXvT87UHCbtlNlIFo"
+    "78zlhvhWvL53mxhJUpW1YS8oDGVPYqny/9k=";
+
 }  // namespace
 
 TEST_CASE("PGM and PPM are read with comments between their numbers") {
@@ -66,6 +92,33 @@ TEST_CASE("a JPEG that is cut within its pixels is refused") {
   // The end of a thumbnail in another segment is not that of the picture.
   CHECK_FALSE(hazard("\xFF\xD8\xFF\xE1\x00\x06\xFF\xDA\xFF\xD9"s + cut.substr(2)).empty());
   CHECK(refusal(cut).starts_with(kBroken + "the file ends at byte 14"));
+}
+
+TEST_CASE("a JPEG that lacks only its last marker is a picture, and one that lacks more is refused") {
+  for (const std::string_view text : {kJpeg, kProgressiveJpeg}) {
+    const std::string whole = from_base64(text);
+    const auto picture = decoded(whole);
+    REQUIRE(picture.has_value());
+    CHECK(picture->width == 40);
+    CHECK_FALSE(picture->lacks_end);
+    std::size_t refused = 0;
+    std::size_t accepted = 0;
+    for (std::size_t size = 0; size + 2 < whole.size(); ++size) {
+      INFO(size);
+      const auto cut = decoded(whole.substr(0, size));
+      // The last bits may be of no effect.
+      if (cut) REQUIRE(cut->values == picture->values);
+      ++(cut ? accepted : refused);
+    }
+    CHECK(accepted <= 1);
+    CHECK(refused + 4 > whole.size() - 2);
+    for (const std::string& end : {std::string(), std::string("\xFF"), std::string("\n"), std::string(100, '\0')}) {
+      const auto cut = decoded(whole.substr(0, whole.size() - 2) + end);
+      REQUIRE(cut.has_value());
+      CHECK(cut->values == picture->values);
+      CHECK(cut->lacks_end);
+    }
+  }
 }
 
 TEST_CASE("PGM and PPM that lack what they announce are refused") {
