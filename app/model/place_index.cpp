@@ -101,10 +101,24 @@ void PlaceIndex<Places>::rebuild() {
   size_ = 0;
   cell_size_ = chosen_cell_size();
   origin_ = {};
+  // Most samples of a dense curve lie in the cell of the one before.
+  Cell last{};
+  Row* head = nullptr;
   for (const Row slot : slots_below<Row>(Places::rows(document_))) {
     if (!Places::is_alive(document_, slot)) continue;
-    if (size_ == 0) origin_ = Places::place(document_, slot);
-    add(slot, Places::place(document_, slot));
+    const Vec2 place = Places::place(document_, slot);
+    if (size_ == 0) origin_ = place;
+    const Cell cell = cell_of(place, cell_size_);
+    if (head == nullptr || cell != last) {
+      add(slot, place);
+      head = &head_.find(cell)->second;
+      last = cell;
+      continue;
+    }
+    ++size_;
+    next_[slot] = *head;
+    previous_[*head] = slot;
+    *head = slot;
   }
   size_at_rebuild_ = size_;
 }

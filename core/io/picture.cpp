@@ -24,13 +24,13 @@ Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name
   if (!pixels) return std::unexpected(std::move(pixels.error()));
   job.checkpoint();
   const bool lacks_end = pixels->lacks_end;
-  auto tracing = trace(gray_of(*std::move(pixels)), request);
+  auto tracing = trace(gray_of(*std::move(pixels)), request, job.control());
   if (!tracing) return std::unexpected(Error{tracing.error().code, tracing.error().text, name});
   std::string remark = name + ": " + remark_of(*tracing);
   auto file = load_samples(std::move(tracing->curves), sampling_of_tracing(), name, job);
+  if (file) file->warnings.push_back(std::move(remark));
   if (file && lacks_end)
     file->warnings.push_back(name + ": the marker that ends a JPEG is missing; its pixels are all there");
-  if (file) file->warnings.push_back(std::move(remark));
   return file;
 }
 

@@ -83,8 +83,9 @@ BitPlane figure_of(const GrayImage& image, const ContourRequest& request) {
 
 class Tracer {
  public:
-  Tracer(const GrayImage& image, const ContourRequest& request)
+  Tracer(const GrayImage& image, const ContourRequest& request, const JobControl* job)
       : image_(image),
+        job_(job),
         level_twice_(2 * request.level.below + 1),
         figure_(figure_of(image, request)),
         passed_(image.width, image.height),
@@ -95,7 +96,9 @@ class Tracer {
   /// contour has such a step: a row of pixels that it encloses passes into the figure on one side of it.
   template <class Use>
   void for_each(Use use) {
+    constexpr int kRows = 16;
     for (int y = 0; y < image_.height; ++y) {
+      if (y % kRows == 0) look();
       Word before = 0;
       for (std::size_t i = 0; i < figure_.words(); ++i) {
         const Word here = figure_.row(y)[i];
@@ -112,9 +115,13 @@ class Tracer {
   }
 
  private:
+  static constexpr std::size_t kOften = std::size_t{1} << 16U;  // points
   static constexpr double kClear =
       0.15;  // of the contrast: values so near to the mean of a side are those of the side
 
+  void look() const {
+    if (job_ != nullptr && job_->stop_requested()) throw Cancelled{};
+  }
   bool is_in_picture(Cell cell) const {
     return cell.x >= 0 && cell.y >= 0 && cell.x < image_.width && cell.y < image_.height;
   }
@@ -156,6 +163,7 @@ class Tracer {
       if (!contour_.points.empty())
         area += cross(contour_.points.back() - contour_.points.front(), point - contour_.points.front());
       contour_.points.push_back(point);
+      if (contour_.points.size() % kOften == 0) look();
       contour_.sharp += is_sharp(inside, step) ? 1U : 0U;
       if (step == first_step) passed_.set(inside);
       const Cell forward = turned_left(step);
@@ -176,6 +184,7 @@ class Tracer {
   }
 
   const GrayImage& image_;
+  const JobControl* job_;
   int level_twice_;
   BitPlane figure_;
   BitPlane passed_;  // pixels inside whose neighbour to the left is outside
@@ -186,11 +195,11 @@ class Tracer {
 
 }  // namespace
 
-PixelContours contours_of(const GrayImage& image, const ContourRequest& request) {
+PixelContours contours_of(const GrayImage& image, const ContourRequest& request, const JobControl* job) {
   MES_ASSERT(request.level.below >= 0 && request.level.below < 255);
   PixelContours out;
   if (image.values.empty()) return out;
-  Tracer tracer(image, request);
+  Tracer tracer(image, request, job);
   tracer.for_each([&](const PixelContour& contour) {
     if (std::abs(contour.area) >= request.least_area) {
       out.kept.push_back(contour);

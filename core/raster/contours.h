@@ -17,6 +17,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/base/vec2.h"
 #include "core/raster/gray_image.h"
 
@@ -56,7 +57,7 @@ struct PixelContours {
 /// The picture with light and dark exchanged, and the other side as the figure, gives the same contours bit for bit.
 /// Where a cell could be joined either way, the values decide, and for equal claims the figure stays in one piece.
 /// Cost: O(pixels), a few operations for 64 of them, and about ten nanoseconds a point; memory for a bit a pixel and
-/// what is kept. Any thread.
-PixelContours contours_of(const GrayImage& image, const ContourRequest& request);
+/// what is kept. Any thread. Throws `Cancelled` if there is a job, which is looked at every few rows and thousand points.
+PixelContours contours_of(const GrayImage& image, const ContourRequest& request, const JobControl* job = nullptr);
 
 }  // namespace mes

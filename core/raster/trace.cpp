@@ -157,7 +157,7 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
   return sides.light < sides.dark;
 }
 
-Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request) {
+Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
   const Histogram histogram = histogram_of(image);
   const auto level = chosen_level(histogram, request);
   if (!level) return std::unexpected(level.error());
@@ -165,11 +165,13 @@ Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request) {
   Tracing out{.level = *level,
               .is_figure_light = is_figure_light(image, *level, request.figure),
               .speck_size = request.specks.value_or(default_specks(image))};
-  const PixelContours contours = contours_of(image, {.level = *level,
-                                                     .is_figure_light = out.is_figure_light,
-                                                     .least_area = out.speck_size,
-                                                     .dark = sides.dark_mean,
-                                                     .light = sides.light_mean});
+  const PixelContours contours = contours_of(image,
+                                             {.level = *level,
+                                              .is_figure_light = out.is_figure_light,
+                                              .least_area = out.speck_size,
+                                              .dark = sides.dark_mean,
+                                              .light = sides.light_mean},
+                                             job);
   out.specks = contours.specks;
   out.pinholes = contours.pinholes;
   const std::string side =
@@ -183,7 +185,7 @@ Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request) {
   out.is_two_valued = is_two_valued(contours);
   const SmoothingLimits limits{out.is_two_valued ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};
   for (const PixelContour& contour : contours.kept)
-    out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits)));
+    out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits, job)));
   return out;
 }
 

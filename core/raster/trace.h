@@ -48,8 +48,8 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 
 /// Outlines are smoothed: each point moves by at most `kMostSmoothing` pixels, and by at most `kMostSoftSmoothing` where
 /// edges have values in between, which say where within a pixel the outline is. Cost: O(pixels); any thread. Error:
-/// `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a threshold out of range.
-Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request);
+/// `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a threshold out of range. Throws `Cancelled` if there is a job.
+Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job = nullptr);
 inline constexpr double kMostSmoothing = 0.95;
 inline constexpr double kMostSoftSmoothing = 0.2;
 

@@ -332,3 +332,28 @@ TEST_CASE("a picture without a figure is refused in one line") {
   CHECK(trace(gray, {.threshold = 255}).error().code == ErrorCode::usage);
   CHECK(trace(gray, {.threshold = -1}).error().code == ErrorCode::usage);
 }
+
+TEST_CASE("tracing is stopped wherever it is, and comes out the same under a job") {
+  GrayImage image{400, 300, {}};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      image.values.push_back((x - 200) * (x - 200) + (y - 150) * (y - 150) < 10'000 ? 0 : 255);
+  const auto whole = trace(image, {});
+  REQUIRE(whole.has_value());
+  const auto stopped_at = [&](std::int64_t look) {
+    JobControl job;
+    job.stop_at_look(look);
+    try {
+      const auto tracing = trace(image, {}, &job);
+      REQUIRE(tracing.has_value());
+      CHECK(tracing->curves == whole->curves);
+      return false;
+    } catch (const Cancelled&) {
+      return true;
+    }
+  };
+  std::int64_t look = 1;
+  while (look < 1000 && stopped_at(look)) ++look;
+  CHECK(look > 20);
+  CHECK(look < 1000);
+}

@@ -155,13 +155,14 @@ double weight_of(double displacement, double limit) {
 
 }  // namespace
 
-std::vector<Vec2> smoothed(std::span<const Vec2> contour, const SmoothingLimits& limits) {
+std::vector<Vec2> smoothed(std::span<const Vec2> contour, const SmoothingLimits& limits, const JobControl* job) {
   const std::vector<Vec2> points = at_equal_distances(contour);
   std::vector<Vec2> out = points;
   std::vector<double> moved(points.size());
   double scale = limits.widest;
   while (scale >= 2.0) scale *= 0.5;
   for (; scale <= limits.widest; scale *= 2.0) {
+    if (job != nullptr && job->stop_requested()) throw Cancelled{};
     const std::vector<Vec2> wider = filtered(points, Spline(scale));
     for (std::size_t i = 0; i < points.size(); ++i) moved[i] = length_between(points[i], wider[i]);
     const auto reach = static_cast<std::size_t>(std::lround(scale));
