@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/io/line_end.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -24,7 +25,7 @@ class Lines {
   explicit Lines(std::string_view bytes) : rest_(bytes) {}
   bool next() {
     if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    const std::size_t end = end_of_line(rest_);
     text_ = rest_.substr(0, end);
     ++number_;
     rest_.remove_prefix(std::min(end + (rest_.substr(end).starts_with("\r\n") ? 2 : 1), rest_.size()));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/io/line_end.h"
+
 namespace mes {
 namespace {
 
@@ -33,7 +35,7 @@ LineWords::LineWords(std::string_view bytes, const std::string& name, ReadJob* j
 bool LineWords::next() {
   while (!rest_.empty()) {
     if (job_ != nullptr) job_->passed(rest_.data());
-    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    const std::size_t end = end_of_line(rest_);
     text_ = rest_.substr(0, end);
     ++line_;
     const std::size_t ending = rest_.substr(end).starts_with("\r\n") ? 2 : 1;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/lower_case.h"
+#include "core/io/line_end.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -33,7 +34,7 @@ class Lines {
 
   bool next() {
     while (!rest_.empty()) {
-      const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+      const std::size_t end = end_of_line(rest_);
       text_ = rest_.substr(0, end);
       ++number_;
       const bool is_pair = rest_.substr(end).starts_with("\r\n");
