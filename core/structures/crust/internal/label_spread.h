@@ -9,6 +9,7 @@
 
 #include "core/base/job_control.h"
 #include "core/base/parallel.h"
+#include "core/base/prefetch.h"
 #include "core/structures/delaunay/delaunay.h"
 
 namespace mes {
@@ -40,6 +41,7 @@ class LabelSpread {
       parts_[i].end = FaceSlot(rows * (i + 1) / parts);
       label_part(inside, parts_[i], job);
     });
+
     if (parts == 1) return;
     job.checkpoint();
     find_signs(inside);
@@ -119,33 +121,38 @@ class LabelSpread {
   }
 
   void label_part(Table<FaceSlot, std::uint8_t>& inside, Part& part, JobControl& job) {
-    std::vector<FaceSlot> queue;
+    std::vector<FaceSlot> front;
+    std::vector<FaceSlot> next_front;
     std::uint64_t done = 0;
     const bool is_whole = parts_.size() == 1;
+    // In breadth, so that a face's row is on its way while others are looked at.
     const auto spread = [&](FaceSlot seed) {
       inside[seed] = 0;
-      queue.push_back(seed);
+      front.push_back(seed);
       if (!is_whole) part.at_infinity.push_back(kUnknown);
-      while (!queue.empty()) {
-        const FaceSlot face = queue.back();
-        queue.pop_back();
-        if ((++done & 0xffffU) == 0) job.checkpoint();
-        const FaceRow& row = delaunay_.face(face);
-        if (!is_whole) {
-          piece_of_[face] = part.pieces;
-          if (row.is_infinite()) part.at_infinity.back() = inside[face];
-        }
-        for (int i = 0; i < 3; ++i) {
-          const FaceSlot other = row.n[i];
-          if (!part.holds(other)) {
-            if (part.end <= other && is_passage_(face, i))
-              part.links.push_back({face, other, static_cast<std::uint8_t>(is_border_(face, i) ? 1 : 0)});
-            continue;
+      while (!front.empty()) {
+        for (const FaceSlot face : front) {
+          if ((++done & 0xffffU) == 0) job.checkpoint();
+          const FaceRow& row = delaunay_.face(face);
+          if (!is_whole) {
+            piece_of_[face] = part.pieces;
+            if (row.is_infinite()) part.at_infinity.back() = inside[face];
           }
-          if (inside[other] != kUnknown || !is_passage_(face, i)) continue;
-          inside[other] = static_cast<std::uint8_t>(inside[face] ^ (is_border_(face, i) ? 1U : 0U));
-          queue.push_back(other);
+          for (int i = 0; i < 3; ++i) {
+            const FaceSlot other = row.n[i];
+            if (!part.holds(other)) {
+              if (part.end <= other && is_passage_(face, i))
+                part.links.push_back({face, other, static_cast<std::uint8_t>(is_border_(face, i) ? 1 : 0)});
+              continue;
+            }
+            if (inside[other] != kUnknown || !is_passage_(face, i)) continue;
+            inside[other] = static_cast<std::uint8_t>(inside[face] ^ (is_border_(face, i) ? 1U : 0U));
+            prefetch(delaunay_.faces().address(other));
+            next_front.push_back(other);
+          }
         }
+        front.swap(next_front);
+        next_front.clear();
       }
       ++part.pieces;
     };
