@@ -185,14 +185,7 @@ class Delaunay::Rows {
       return [f = starts[chunk]]() mutable { return topology_of(f++); };
     };
     if (!d_.forgoes_updates()) {
-      run_tasks(2, [&](std::size_t task) {
-        if (task == 0) {
-          number_faces();
-        } else {
-          d_.face_.resize(count);
-          d_.edge_.resize(count / 2 * 3);  // more by those to infinity
-        }
-      });
+      make_room(count, number_faces);
       find_faces_of_sites();
       make_edges(fill_faces(read_chunk));
       return;
@@ -214,6 +207,33 @@ class Delaunay::Rows {
     });
     kept = {};
     make_edges(first_edge);
+  }
+
+  // For the rows, while another core runs `task`. The system clears each page when it is first written to, which takes
+  // several times as long as filling it then: all cores share it.
+  template <class Task>
+  void make_room(std::size_t faces, Task task) {
+    constexpr std::size_t kFacesAtOnce = std::size_t{1} << 15U;
+    const std::size_t edges = faces / 2 * 3;  // more by those to infinity
+    const std::size_t pieces = faces / kFacesAtOnce;
+    d_.face_.reserve(faces);
+    d_.edge_.reserve(edges);
+    run_tasks(pieces + 1, [&](std::size_t i) {
+      if (i == 0) return task();
+      touch_pages(d_.face_, faces * (i - 1) / pieces, faces * i / pieces);
+      touch_pages(d_.edge_, edges * (i - 1) / pieces, edges * i / pieces);
+    });
+    d_.face_.resize(faces);
+    d_.edge_.resize(edges);
+  }
+
+  // Writes to the pages of rows that are not there yet.
+  template <class Row, class Value>
+  static void touch_pages(const Table<Row, Value>& table, std::size_t begin, std::size_t end) {
+    constexpr std::size_t kPage = 4096;
+    auto* at = static_cast<volatile char*>(const_cast<void*>(static_cast<const void*>(table.address(Row(begin)))));
+    const std::size_t bytes = (end - begin) * sizeof(Value);
+    for (std::size_t i = 0; i < bytes; i += kPage) at[i] = 0;
   }
 
   /// What a triangulation says of a face, in rows.
