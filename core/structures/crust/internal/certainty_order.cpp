@@ -166,9 +166,11 @@ void CertaintyOrder::sort(std::vector<Rank>& ranks, JobControl& job) const {
   std::vector<Rank> sorted(ranks.size());
   for (const Rank& rank : ranks) sorted[end[group_of(rank.key)]++] = rank;
   const auto at = [&sorted](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
-  for (std::size_t group = 0; group < groups; ++group)
-    std::sort(at(group == 0 ? 0 : end[group - 1]), at(end[group]),
-              [](const Rank& a, const Rank& b) { return a.key < b.key; });
+  parallel_for(groups, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t group = first; group < last; ++group)
+      std::sort(at(group == 0 ? 0 : end[group - 1]), at(end[group]),
+                [](const Rank& a, const Rank& b) { return a.key < b.key; });
+  });
   // Then exactly, in each run of keys that differ from the one before by no more than their errors.
   for (std::size_t begin = 0; begin < sorted.size();) {
     std::size_t next = begin + 1;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/prefetch.h"
 #include "core/structures/crust/internal/length_limits.h"
 
 namespace mes {
@@ -282,7 +283,7 @@ void OpenStrokes::clear() {
 }
 
 // What `match_all` comes to, where the keys of all edges are known: all agree on which edges are better, so they are
-// taken in that order, each if both of its ends are still free.
+// taken in that order, each if both of its ends are still free. Nothing was matched before.
 void OpenStrokes::match_in_order(JobControl& job) {
   std::vector<std::vector<CertaintyOrder::Rank>> found(chunk_count(delaunay_.edge_rows()));
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
@@ -292,11 +293,17 @@ void OpenStrokes::match_in_order(JobControl& job) {
   std::vector<CertaintyOrder::Rank> repairing;
   for (const auto& ranks : found) repairing.insert(repairing.end(), ranks.begin(), ranks.end());
   order_.sort(repairing, job);
-  for (const CertaintyOrder::Rank& rank : repairing) {
-    const SiteSlot* end = delaunay_.edge(rank.edge).v;
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = 0; i < repairing.size(); ++i) {
+    if (i + 2 * kAhead < repairing.size()) prefetch(delaunay_.edges().address(repairing[i + 2 * kAhead].edge));
+    if (i + kAhead < repairing.size())
+      for (const SiteSlot site : delaunay_.edge(repairing[i + kAhead].edge).v) prefetch(match_.address(site));
+    const EdgeSlot edge = repairing[i].edge;
+    const SiteSlot* end = delaunay_.edge(edge).v;
     if (match_[end[0]].partner != kNoSlot || match_[end[1]].partner != kNoSlot) continue;
-    set_match(end[0], {rank.edge, end[1]});
-    set_match(end[1], {rank.edge, end[0]});
+    match_[end[0]] = {edge, end[1]};
+    match_[end[1]] = {edge, end[0]};
+    degree_change_[end[0]] = degree_change_[end[1]] = static_cast<std::int8_t>(crust_.is_crust(edge) ? -1 : 1);
   }
 }
 
@@ -322,7 +329,6 @@ void OpenStrokes::rebuild_for_labels_alone(const Table<EdgeSlot, std::uint8_t>& 
   clear();
   is_ready_to_update_ = false;
   make_room();
-  noted_.begin(delaunay_.site_rows());
   match_in_order(job);
   job.checkpoint();
   for (const SiteSlot site : delaunay_.site_slots())
