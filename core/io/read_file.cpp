@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kPiece = std::size_t{64} * 1024;
 constexpr int kLookInterval = 50;  // milliseconds between two looks at the stop token
 
 /// Closes the descriptor. Opening never waits, not even for a pipe without a writer.
@@ -80,9 +81,11 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
   try {
     std::string bytes;
     std::size_t filled = 0;
-    // In growing pieces rather than by the size that the system tells: devices and pipes have none.
-    for (std::size_t piece = std::size_t{64} * 1024;; piece = std::max(piece, filled)) {
-      bytes.resize(filled + piece);
+    std::size_t next_look = kPiece;
+    bool has_room = false;
+    for (;;) {
+      const std::size_t room = has_room ? bytes.capacity() - filled : 0;
+      bytes.resize(filled + (room != 0 ? std::min(room, kPiece) : std::max(kPiece, filled)));
       while (filled < bytes.size()) {
         if (may_wait) wait_for_data(descriptor, options.job);
         if (is_stopped(options.job)) return cancelled(name);
@@ -99,7 +102,17 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
           return bytes;
         }
       }
+      if (filled < next_look) continue;
+      next_look = 2 * filled;
       if (options.is_enough && options.is_enough(bytes)) return bytes;
+      // The size that the system tells is a hint: devices and pipes have none, and files grow. Where there is one, memory
+      // is asked for once, for each move to a larger place would touch as much again; and a piece that is filled with
+      // zeros before it is read is still in a cache.
+      const auto expected =
+          S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0)) : 0;
+      if (has_room || expected < filled || expected > options.most_bytes) continue;
+      bytes.reserve(static_cast<std::size_t>(expected) + 1);
+      has_room = true;
     }
   } catch (const Cancelled&) {
     return cancelled(name);
