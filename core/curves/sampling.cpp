@@ -12,6 +12,7 @@
 
 #include "core/base/parallel.h"
 #include "core/curves/corners.h"
+#include "core/curves/finest_feature.h"
 #include "core/curves/internal/feature_spacing.h"
 #include "core/curves/internal/repeated_positions.h"
 #include "core/curves/internal/spacing_field.h"
@@ -25,8 +26,6 @@ namespace {
 constexpr double kFiner = 8.0;
 // Rules that look around take some hundred bytes for each sample.
 constexpr std::size_t kMostUneven = 1'000'000;
-// Of the rule by feature size, whose corners would ask for infinitely many.
-constexpr double kFinestFeature = 1000.0;
 // What has more pieces is sampled evenly when it is opened, in time that grows with their number and no faster.
 constexpr std::size_t kMostAdaptivePieces = 20'000;
 

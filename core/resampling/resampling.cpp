@@ -9,10 +9,13 @@
 #include <initializer_list>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/box_tree.h"
+#include "core/curves/finest_feature.h"
 #include "core/curves/smooth_curve.h"
 #include "core/document/taken_samples.h"
 #include "core/evolutions/moving_curve.h"
@@ -23,6 +26,19 @@
 
 namespace mes {
 namespace {
+
+/// Neighbours along a curve, by the numbers of their samples.
+struct SampleLink {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+};
+
+/// An edge of the crust between samples of curves that are not neighbours along them, and how far apart such neighbours
+/// are there.
+struct Rung {
+  Vec2 a{}, b{};
+  double spacing = 0.0;
+};
 
 /// Crust, axis and what is proved of samples.
 class Measured {
@@ -60,6 +76,8 @@ class Measured {
       }
     return out;
   }
+  /// Where parts of the curves are nearer to each other than their samples: there the crust is not the curves.
+  std::vector<Rung> rungs(std::span<const SampleLink> links) const;
   /// Calls `use(epsilon)` for each crust edge that has an epsilon.
   template <class Use>
   void for_each_epsilon(Use use) const {
@@ -95,6 +113,38 @@ class Measured {
   AxisCertificate certificate_{delaunay_, labels_, balls_};
 };
 
+std::vector<Rung> Measured::rungs(std::span<const SampleLink> links) const {
+  const auto site = [&](std::uint32_t sample) { return delaunay_.site_of_sample(SampleSlot(sample)); };
+  // Curves that meet in a sample have more than two neighbours there, which are looked for among the rest.
+  Table<SiteSlot, std::array<SiteSlot, 2>> beside;
+  beside.resize(delaunay_.site_rows(), {kNoSlot, kNoSlot});
+  std::unordered_multimap<SiteSlot, SiteSlot> rest;
+  const auto note = [&](SiteSlot from, SiteSlot to) {
+    for (SiteSlot& slot : beside[from])
+      if (slot == kNoSlot || slot == to) {
+        slot = to;
+        return;
+      }
+    rest.emplace(from, to);
+  };
+  for (const auto& [a, b] : links) {
+    note(site(a), site(b));
+    note(site(b), site(a));
+  }
+  std::vector<Rung> out;
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if (!delaunay_.edge(edge).is_alive() || !crust_.is_crust(edge)) continue;
+    const auto& [a, b] = delaunay_.edge(edge).v;
+    const auto& near = beside[a];
+    if (near[0] == kNoSlot || beside[b][0] == kNoSlot || near[0] == b || near[1] == b) continue;
+    const auto [first, end] = rest.equal_range(a);
+    if (std::any_of(first, end, [b = b](const auto& link) { return link.second == b; })) continue;
+    const auto place = [&](SiteSlot at) { return delaunay_.site_position(at); };
+    out.push_back({place(a), place(b), distance(place(a), place(near[0]))});
+  }
+  return out;
+}
+
 /// Measures lists of samples one after the other, each of which may be the one before and some more.
 class Meter {
  public:
@@ -112,20 +162,40 @@ class Meter {
     return out;
   }
 
-  /// Of these positions, in whatever order and however often each; certified. Valid until the next call.
-  Expected<const Measured*> certified(const std::vector<Vec2>& positions) {
-    if (!measured_ || distinct(positions) != distinct(places_))
+  /// Of these positions, in whatever order and however often each. Valid until the next call.
+  Expected<Measured*> measured(const std::vector<Vec2>& positions) {
+    if (!measured_ || !find_numbers(positions)) {
       if (auto done = measure(positions); !done) return std::unexpected(done.error());
-    measured_->certify(job_);
-    places_.clear();  // no more can be inserted
+      numbers_.resize(positions.size());
+      std::iota(numbers_.begin(), numbers_.end(), 0U);
+    }
+    places_.clear();  // it may be certified, and then no more can be inserted
     return measured_.get();
   }
+  /// Of each position of that call, the number of its sample.
+  const std::vector<std::uint32_t>& numbers() const { return numbers_; }
 
  private:
-  static std::vector<Vec2> distinct(std::vector<Vec2> positions) {
-    std::ranges::sort(positions, lexicographically_less);
-    positions.erase(std::ranges::unique(positions).begin(), positions.end());
-    return positions;
+  static std::vector<std::uint32_t> in_order(const std::vector<Vec2>& positions) {
+    std::vector<std::uint32_t> out(positions.size());
+    std::iota(out.begin(), out.end(), 0U);
+    std::ranges::sort(out, lexicographically_less, [&](std::uint32_t i) { return positions[i]; });
+    return out;
+  }
+
+  /// False unless the positions are those that were measured.
+  bool find_numbers(const std::vector<Vec2>& positions) {
+    const std::vector<std::uint32_t> wanted = in_order(positions);
+    const std::vector<std::uint32_t> had = in_order(places_);
+    numbers_.resize(positions.size());
+    auto next = wanted.begin();
+    for (auto at = had.begin(); at != had.end();) {
+      const Vec2 here = places_[*at];
+      if (next == wanted.end() || positions[*next] != here) return false;
+      for (; next != wanted.end() && positions[*next] == here; ++next) numbers_[*next] = *at;
+      while (at != had.end() && places_[*at] == here) ++at;
+    }
+    return next == wanted.end();
   }
 
   Expected<void> measure(std::vector<Vec2> places) {
@@ -149,6 +219,7 @@ class Meter {
   JobControl& job_;
   std::unique_ptr<Measured> measured_;
   std::vector<Vec2> places_;
+  std::vector<std::uint32_t> numbers_;
 };
 
 /// Places, numbered as they come, and which of them is nearest. Cost: O(log n) typically, a place and a question.
@@ -188,19 +259,59 @@ class PlaceTree {
   std::vector<Place> places_;
 };
 
-/// What the samples of the data give.
-Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<CurveCorner>& corners, Meter& meter,
-                     JobControl& job) {
-  const auto measured = meter.certified(taken.data.positions);
+/// Neighbours along the contours; `numbers` says which sample a position is.
+std::vector<SampleLink> links_of(std::span<const SampleData::Contour> contours,
+                                 std::span<const std::uint32_t> numbers) {
+  std::vector<SampleLink> out;
+  for (const SampleData::Contour& contour : contours) {
+    const std::vector<std::uint32_t>& points = contour.points;
+    for (std::size_t i = 1; i < points.size(); ++i) out.push_back({numbers[points[i - 1]], numbers[points[i]]});
+    if (contour.closed && points.size() > 2) out.push_back({numbers[points.back()], numbers[points.front()]});
+  }
+  return out;
+}
+
+std::unexpected<Error> too_near(std::vector<Rung> rungs) {
+  const auto middle = rungs.begin() + static_cast<std::ptrdiff_t>(rungs.size() / 2);
+  std::ranges::nth_element(rungs, middle, {}, [](const Rung& rung) { return distance(rung.a, rung.b); });
+  const Vec2 at = 0.5 * (middle->a + middle->b);
+  return std::unexpected(
+      Error{ErrorCode::bad_input,
+            fmt::format("parts of the curves are too near to each other to be sampled by local feature size: about "
+                        "{:.6g} {:.6g} they are {:.3g} apart, and samples along them {:.3g}, which is as near as "
+                        "they may be",
+                        at.x, at.y, distance(middle->a, middle->b), middle->spacing)});
+}
+
+/// What the samples of the data give. Error: samples that are as near as they may be, and of which most are too far
+/// apart for the crust to be the curves.
+Expected<void> judge(TakenSamples& taken, const SamplingRequest& request, const std::vector<CurveCorner>& corners,
+                     Meter& meter, JobControl& job) {
+  const auto measured = meter.measured(taken.data.positions);
   if (!measured) return std::unexpected(measured.error());
-  taken.is_certified = (*measured)->is_certified();
   (*measured)->for_each_epsilon([&](double epsilon) {
-    if (epsilon <= wanted)
+    if (epsilon <= request.epsilon)
       taken.epsilon = std::max(taken.epsilon, epsilon);
     else
       ++taken.sparse_intervals;
   });
-  if (taken.is_certified) return {};
+  const std::vector<SampleLink> links = links_of(taken.data.contours, meter.numbers());
+  const std::vector<Rung> rungs = (*measured)->rungs(links);
+  // At crossings and corners there are some. Many are a ladder between two sides of something thin: then a proof would
+  // be of another curve, and arcs that pass along a ladder are what the certificate takes longest to search.
+  constexpr std::size_t kFew = 10;
+  std::vector<Vec2> failures;
+  if (kFew * rungs.size() > links.size()) {
+    // Where all samples are as near as they may be, there are so many.
+    const double most = kFinestFeature * static_cast<double>(request.count);
+    if (2.0 * static_cast<double>(links.size()) > most) return too_near(rungs);
+    for (const Rung& rung : rungs) failures.push_back(0.5 * (rung.a + rung.b));
+  } else {
+    (*measured)->certify(job);
+    taken.is_certified = (*measured)->is_certified();
+    if (taken.is_certified) return {};
+    failures = (*measured)->failures();
+  }
   // A failure belongs to the nearest corner if that is within a few of the spacings that are usual.
   const double reach = [&] {
     Box2 extent;
@@ -212,7 +323,7 @@ Expected<void> judge(TakenSamples& taken, double wanted, const std::vector<Curve
   PlaceTree corner_tree;
   for (const CurveCorner& corner : corners) corner_tree.add(corner.place);
   PlaceTree other_tree;
-  for (const Vec2 place : (*measured)->failures()) {
+  for (const Vec2 place : failures) {
     job.checkpoint();
     // Failures side by side are one place.
     constexpr double kBeside = 0.1;
@@ -256,7 +367,7 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
     auto taken = take_once(curves, finer, request, sizes, job);
     if (!taken && first) break;  // more samples than there may be
     if (!taken) return taken;
-    if (auto done = judge(*taken, finer.epsilon, corners, meter, job); !done) return std::unexpected(done.error());
+    if (auto done = judge(*taken, finer, corners, meter, job); !done) return std::unexpected(done.error());
     if (taken->is_certified) return taken;
     if (!first) first = *std::move(taken);
     // More samples do not help where nothing but corners is in the way.

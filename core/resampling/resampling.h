@@ -38,8 +38,11 @@ struct TakenSamples {
 };
 
 /// Samples of the curves. Of the rule `feature_size`: where the theorem is not proved for the epsilon that is asked for,
-/// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Cost: some five
-/// crusts of as many samples for each epsilon that is tried, 20 at most, and insertions. Throws `Cancelled`. Error: as of `sample` and `taken_from`.
+/// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Proved is what is
+/// proved of the curves: where the crust has many edges between samples that are not neighbours along them, it is not
+/// asked. Cost: some five crusts of as many samples for each epsilon that is tried, 20 at most, and insertions. Throws
+/// `Cancelled`. Error: as of `sample` and `taken_from`; `bad_input`, with a place, for curves so near to each other
+/// throughout that samples as near as they may be are too far apart for the crust to be the curves.
 Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,
                                     JobControl& job);
 

@@ -250,6 +250,37 @@ TEST_CASE("a sampling without bounds is refused") {
     CHECK(sample(endless, {.rule = rule, .count = 5}).error().code == ErrorCode::bad_input);
 }
 
+TEST_CASE("curves of any size are sampled, and too small a curve is a point beside them") {
+  const auto loop = [](double size) {
+    PlaneCurve out({0, 0});
+    out.cubic_to({size, 0}, {size, size}, {0, size});
+    out.close();
+    return out;
+  };
+  const FeatureSizes sizes = [](std::span<const Vec2> places) { return std::vector<double>(places.size(), 1e300); };
+  for (const SamplingRule rule : {SamplingRule::vertices, SamplingRule::spacing, SamplingRule::count,
+                                  SamplingRule::adaptive, SamplingRule::curvature, SamplingRule::feature_size}) {
+    const SamplingRequest request{.rule = rule, .spacing = 1e139, .count = 100};
+    const auto count = [&](const std::vector<PlaneCurve>& curves) {
+      const auto samples = sample({.curves = curves}, request, sizes);
+      REQUIRE(samples);
+      for (const Vec2 p : samples->positions) CHECK(is_finite(p));
+      return samples->positions.size();
+    };
+    const std::size_t of_large = count({loop(1e140)});
+    CHECK(of_large >= 2);
+    CHECK(count({loop(1e-318), loop(1e-310)}) >= 2);
+    // A number that is asked for counts the points, too.
+    const std::size_t of_mixed = count({loop(1e-318), loop(1e140), loop(1e-200)});
+    CHECK(of_mixed >= of_large);
+    CHECK(of_mixed <= of_large + (rule == SamplingRule::vertices ? 4 : 2));
+    const auto beyond = sample({.curves = {loop(1e308), loop(1e-318)}}, request, sizes);
+    if (rule == SamplingRule::vertices || rule == SamplingRule::spacing) continue;
+    REQUIRE_FALSE(beyond);
+    CHECK(beyond.error().text == "the curves reach beyond the range of numbers");
+  }
+}
+
 TEST_CASE("what has been sampled already keeps its vertices when it is opened") {
   std::vector<Vec2> points;
   for (int i = 0; i < 400; ++i) points.push_back({std::cos(i * kPi / 200), std::sin(i * kPi / 200)});

@@ -117,6 +117,37 @@ TEST_CASE("where the theorem is not proved, the corner that is in the way is nam
   CHECK_THAT(remark_of(samples, by_feature_size(0.25)), Catch::Contains("not proved at"));
 }
 
+TEST_CASE("curves too near to each other to be sampled so densely are refused with a place between them") {
+  // As near as samples may be, they are 15 apart.
+  constexpr double kLong = 20000.0;
+  constexpr double kThin = 0.01;
+  PlaneCurve loop({0, 0});
+  loop.cubic_to({kLong, kThin}, {kLong, 2 * kThin}, {0, 3 * kThin});
+  loop.close();
+  JobControl job;
+  const SamplingRequest request{.rule = SamplingRule::feature_size, .count = 8, .epsilon = 0.25};
+  for (const auto& curves : {shape(loop), shape(ellipse({0, 0}, kLong, kThin))}) {
+    const auto refused = take_samples(curves, request, job);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::bad_input);
+    CHECK_THAT(refused.error().text, Catch::Contains("too near to each other") && Catch::Contains("apart"));
+  }
+}
+
+TEST_CASE(
+    "where the crust joins the sides of something thin, nothing is proved of it until samples are dense enough") {
+  // With an epsilon of 1 samples are 330 apart, and the sides 20 at most.
+  const auto flat = shape(ellipse({0, 0}, 5e5, 10.0));
+  const SamplingRequest request = by_feature_size(1.0);
+  const TakenSamples samples = taken(flat, request);
+  REQUIRE(samples.is_certified);
+  const std::vector<Vec2>& p = samples.data.positions;
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (distance(p[i], p[(i + 1) % p.size()]) > 40.0) ++wide;
+  CHECK(wide < p.size() / 10);
+}
+
 TEST_CASE("where the theorem is not proved beside no corner, the place is said") {
   // A stroke that begins within a circle and leaves it.
   PlaneCurve stroke({1, 0});

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/coordinate_range.h"
+
 namespace mes {
 namespace {
 
 constexpr double kRounding = 1e-9;
+// What is shorter is a point in every document (core/base/coordinate_range.h); a part of it may be no number of its own.
+constexpr double kLeastLength = 0x1p-500;
+static_assert(kLeastExponent == -500);
 
 double angle_between(Vec2 a, Vec2 b) {
   const Vec2 p = 1.0 / length(a) * a;
@@ -54,7 +59,7 @@ MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negl
   curve.for_each_piece([&](const Piece& piece) {
     if (job != nullptr && count++ % kOften == 0) job->checkpoint();
     PieceLength length(piece);
-    if (length.total() == 0.0) return;
+    if (length.total() < kLeastLength) return;
     out.pieces.push_back(piece);
     out.lengths.push_back(std::move(length));
   });

@@ -18,7 +18,7 @@ struct Stretch {
   double length = 0.0;
 };
 
-/// A curve without its pieces of no length.
+/// A curve without its pieces of no length, or of less than a document can hold (2^-500).
 struct MeasuredCurve {
   std::vector<Piece> pieces;  ///< of a closed curve with corners from one of them on
   std::vector<PieceLength> lengths;
