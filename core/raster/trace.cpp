@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/raster/internal/noise.h"
 #include "core/raster/internal/smoothing.h"
 
 namespace mes {
@@ -66,6 +67,20 @@ PlaneCurve closed_curve(const std::vector<Vec2>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) out.line_to(points[i]);
   out.close();
   return out;
+}
+
+/// Over how many pixels a picture is made even; 0: it stays.
+double blur_for(const GrayImage& picture) {
+  const double noise = noise_of(picture);
+  if (noise < kLeastNoise) return 0.0;
+  const Histogram histogram = histogram_of(picture);
+  const auto level = otsu_level(histogram);
+  if (!level) return 0.0;
+  const Sides sides = sides_of(histogram, *level);
+  constexpr double kLeastBlur = 0.8;
+  constexpr double kPerNoise = 24.0;
+  const double share = noise / (sides.light_mean - sides.dark_mean);
+  return share < kMostNoise ? std::max(kLeastBlur, kPerNoise * share) : 0.0;
 }
 
 bool is_two_valued(const PixelContours& contours) {
@@ -157,14 +172,18 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
   return sides.light < sides.dark;
 }
 
-Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
+Expected<Tracing> trace(const GrayImage& picture, const TraceRequest& request, const JobControl* job) {
+  const double blur = blur_for(picture);
+  const GrayImage smooth = blur > 0.0 ? blurred(picture, blur, job) : GrayImage{};
+  const GrayImage& image = blur > 0.0 ? smooth : picture;
   const Histogram histogram = histogram_of(image);
   const auto level = chosen_level(histogram, request);
   if (!level) return std::unexpected(level.error());
   const Sides sides = sides_of(histogram, *level);
   Tracing out{.level = *level,
               .is_figure_light = is_figure_light(image, *level, request.figure),
-              .speck_size = request.specks.value_or(default_specks(image))};
+              .speck_size = request.specks.value_or(default_specks(image)),
+              .blur = blur};
   const PixelContours contours = contours_of(image,
                                              {.level = *level,
                                               .is_figure_light = out.is_figure_light,
@@ -183,7 +202,7 @@ Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, con
                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
                                side, contours.largest_speck * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
-  const SmoothingLimits limits{out.is_two_valued ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};
+  const SmoothingLimits limits{out.is_two_valued || blur > 0.0 ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};
   for (const PixelContour& contour : contours.kept)
     out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits, job)));
   return out;
@@ -198,6 +217,7 @@ SamplingRequest sampling_of_tracing() {
 std::string remark_of(const Tracing& tracing) {
   std::string out = fmt::format("traced what is {} than {:.1f} of 255",
                                 tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
+  if (tracing.blur > 0.0) out += fmt::format(", made even over {:.2g} pixels, for it is noisy", tracing.blur);
   if (tracing.specks + tracing.pinholes == 0) return out;
   out += "; left out: ";
   if (tracing.specks != 0) out += counted(tracing.specks, "speck");

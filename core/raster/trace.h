@@ -28,6 +28,7 @@ struct Tracing {
   double speck_size = 0.0;     ///< square pixels
   std::size_t specks = 0;      ///< figures left out
   std::size_t pinholes = 0;    ///< holes left out
+  double blur = 0.0;           ///< pixels: the width over which a noisy picture was made even first
   bool is_two_valued = false;  ///< hardly any value along the outlines is in between
 };
 
@@ -46,12 +47,19 @@ double default_specks(const GrayImage& image);
 /// Which side is the figure at a level.
 bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 
+/// A picture whose noise (core/raster/internal/noise.h) is more than `kLeastNoise` grey values is made even first, over the
+/// wider a range the larger its noise is beside the difference of the two sides: else each grain beside the threshold is a
+/// speck or a bay. Where it is more than `kMostNoise` of that difference, the grains are the picture, and it stays.
+/// Silhouettes have no noise, nor do pictures of which half has none.
+///
 /// Outlines are smoothed: each point moves by at most `kMostSmoothing` pixels, and by at most `kMostSoftSmoothing` where
-/// edges have values in between, which say where within a pixel the outline is. Cost: O(pixels); any thread. Error:
+/// edges have values in between, which say where within a pixel the outline is, unless there was noise. Cost: O(pixels); any thread. Error:
 /// `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a threshold out of range. Throws `Cancelled` if there is a job.
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job = nullptr);
 inline constexpr double kMostSmoothing = 0.95;
 inline constexpr double kMostSoftSmoothing = 0.2;
+inline constexpr double kLeastNoise = 1.4;
+inline constexpr double kMostNoise = 0.2;
 
 /// What a tracing is sampled by when it is opened: about 400 samples, at least eight on each curve, more where parts of it
 /// are near to each other.

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/base/rng.h"
 #include "core/curves/sampling.h"
 #include "core/raster/trace.h"
 #include "tests/raster/rendered.h"
@@ -67,4 +68,39 @@ TEST_CASE("the axis of a traced ring is one circle without a branch") {
     CHECK(axis.with_degree(1).empty());
     CHECK(axis.length == Approx(200.0 * 3.14159265358979).epsilon(0.002));
   }
+}
+
+TEST_CASE("the axis of an ellipse in a noisy photograph under uneven light is one stroke") {
+  constexpr double kLong = 180.0;
+  constexpr double kShort = 90.0;
+  const Vec2 center{200.31, 199.77};
+  GrayImage image = rendered(400, 400, 4, [&](Vec2 p) {
+    const double x = (p.x - center.x) / kLong;
+    const double y = (p.y - center.y) / kShort;
+    return x * x + y * y <= 1.0;
+  });
+  // Twelve uniform numbers make about a normal one.
+  Rng random(7);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      double grain = -6.0;
+      for (int i = 0; i < 12; ++i) grain += random.uniform();
+      std::uint8_t& value = image.values[static_cast<std::size_t>(y) * 400 + static_cast<std::size_t>(x)];
+      const double light = 150.0 + 30.0 * x / 400.0;
+      value = static_cast<std::uint8_t>(std::clamp(light - 70.0 * value / 255.0 + 9.0 * grain, 0.0, 255.0));
+    }
+  const auto tracing = trace(image, {});
+  REQUIRE(tracing);
+  CHECK(tracing->blur > 2.0);
+  CHECK(tracing->curves.curves.size() == 1);
+  CHECK(tracing->specks + tracing->pinholes == 0);
+  const auto samples = sample(tracing->curves, sampling_of_tracing());
+  REQUIRE(samples);
+  for (const Vec2 p : samples->positions)
+    CHECK(std::abs(std::hypot((p.x - center.x) / kLong, (p.y - center.y) / kShort) - 1.0) < 1.5 / kShort);
+  const Workbench bench(samples->positions);
+  CHECK(bench.count("one-step-crust", "odd_samples") == 0);
+  const AxisPicture axis = axis_picture(bench.instances("medial-axis", PrimitiveKind::segment), 0.0);
+  CHECK(axis.components == 1);
+  CHECK(axis.cycles() == 0);
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How noisy a picture is, and the picture with less of it. Private to core/raster.
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/raster/gray_image.h"
+
+namespace mes {
+
+/// The standard deviation, in grey values, of noise of single pixels: as much of it as would be as strong as what there is
+/// in the picture, halved or halved twice, whichever asks for most. From the median of the magnitudes of second differences of
+/// second differences (the mask of Immerkaer 1996), to which edges and gradients add little. Zero where half of the
+/// picture has no noise, as silhouettes. Cost: some 10^5 pixels are looked at; with noise, O(pixels).
+double noise_of(const GrayImage& image);
+
+/// Each pixel the mean of those around it, with the weights of a Gauss curve of this width in pixels; beyond the edge of
+/// the picture its last pixels go on. Cost: O(pixels * (1 + sigma)). Throws `Cancelled` if there
+/// is a job.
+GrayImage blurred(const GrayImage& image, double sigma, const JobControl* job = nullptr);
+
+}  // namespace mes
