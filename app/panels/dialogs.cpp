@@ -24,7 +24,11 @@ bool Dialogs::take_key(const KeyChord& chord, bool repeated) {
 }
 
 void Dialogs::draw(const Gui& gui) {
-  for (Dialog* dialog : all_) dialog->draw(gui);
+  // Of two open popups at one level each closes the other, and neither is ever seen.
+  const std::vector<const Dialog*> shown = open();
+  const Dialog* const top = shown.empty() ? nullptr : shown.back();
+  for (Dialog* dialog : all_)
+    if (dialog == top || !dialog->is_open()) dialog->draw(gui);
 }
 
 }  // namespace mes
