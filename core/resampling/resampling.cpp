@@ -309,6 +309,7 @@ Expected<void> judge(TakenSamples& taken, const SamplingRequest& request, const 
   } else {
     (*measured)->certify(job);
     taken.is_certified = (*measured)->is_certified();
+    for (const Rung& rung : rungs) taken.extra_edges.push_back(0.5 * (rung.a + rung.b));
     if (taken.is_certified) return {};
     failures = (*measured)->failures();
   }
@@ -403,7 +404,14 @@ std::string remark_of(const TakenSamples& taken, const SamplingRequest& request)
   if (taken.sparse_intervals != 0)
     epsilon += fmt::format(", but for {} {} at corners and bends", taken.sparse_intervals,
                            taken.sparse_intervals == 1 ? "interval" : "intervals");
-  if (taken.is_certified) return epsilon + "; the theorem is proved for these samples";
+  if (taken.is_certified) {
+    std::string out = epsilon + "; the theorem is proved for these samples";
+    if (taken.extra_edges.empty()) return out;
+    const std::size_t count = taken.extra_edges.size();
+    const Vec2 first = taken.extra_edges.front();
+    return out + fmt::format(", whose crust has {} {} beside the curves ({}at {:.6g} {:.6g})", count,
+                             count == 1 ? "edge" : "edges", count == 1 ? "" : "the first ", first.x, first.y);
+  }
   if (taken.corners.empty() && taken.other_places.empty()) return epsilon + "; there is nothing to prove";
   std::string out = epsilon + "; the theorem is not proved";
   if (!taken.corners.empty()) {

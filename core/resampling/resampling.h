@@ -32,6 +32,9 @@ struct TakenSamples {
   std::size_t sparse_intervals = 0;
   /// Of the rule `feature_size`: the theorem is proved for these samples (AxisCertificate).
   bool is_certified = false;
+  /// Middles of edges of the crust between samples that are not neighbours along the curves, as at sharp corners and
+  /// crossings, where there are few: the samples there have an odd number of edges, which the light shows.
+  std::vector<Vec2> extra_edges{};
   /// Why it is not: corners next to places where the proof fails, each once, and the places that are at none.
   std::vector<CurveCorner> corners{};
   std::vector<Vec2> other_places{};

@@ -107,6 +107,23 @@ TEST_CASE("at a corner intervals become as short as they may, and no longer wher
   CHECK(smooth.data.positions.size() < sharp.data.positions.size());
 }
 
+TEST_CASE("what is said of samples that are proved names edges of the crust that are not of the curves") {
+  const SamplingRequest request = by_feature_size(0.25);
+  TakenSamples samples = taken(shape(ellipse({0, 0}, 3, 1)), request);
+  REQUIRE(samples.is_certified);
+  CHECK(samples.extra_edges.empty());
+  samples.extra_edges = {{0.5, 2.0}};
+  CHECK_THAT(remark_of(samples, request), Catch::EndsWith("whose crust has 1 edge beside the curves (at 0.5 2)"));
+  samples.extra_edges.push_back({7.0, 8.0});
+  CHECK_THAT(remark_of(samples, request), Catch::EndsWith("has 2 edges beside the curves (the first at 0.5 2)"));
+  // Where two circles cross, some edges lead from one to the other.
+  CurveSet cross;
+  cross.curves = {ellipse({0, 0}, 2, 2), ellipse({2.5, 0.1}, 2, 2)};
+  const TakenSamples crossing = taken(std::make_shared<const CurveSet>(cross), request);
+  for (const Vec2 at : crossing.extra_edges) CHECK(std::abs(at.x - 1.25) < 0.3);
+  CHECK_FALSE(crossing.extra_edges.empty());
+}
+
 TEST_CASE("where the theorem is not proved, the corner that is in the way is named with its angle") {
   // So few samples are allowed near the corners that the crust skips them.
   const auto zigzag = shape(polygon({{0, 0}, {10, 1}, {0, 0.02}, {10, 3}, {-10, 3}}));
