@@ -79,7 +79,7 @@ TEST_CASE("a picture to be traced waits until the question about work that was l
   kill(window.program.pid(), SIGTERM);
   REQUIRE(eventually([&] { return !window.program.is_running(); }));
 
-  window.start("disk.pgm");
+  window.begin("disk.pgm");
   REQUIRE(eventually([&] { return !screen.shoot().is_white(90, 700); }));
   const auto outlines = [](const Screenshot& shot) {
     return shot.count([](Color c) { return c.r > 200 && c.g < 120 && c.b < 80; });

@@ -285,6 +285,14 @@ void VirtualScreen::type_over(const std::string& text) const {
 }
 
 void DrivenProgram::start(const std::string& name, const Environment& extra) {
+  begin(name, extra);
+  const bool is_open = eventually([&] { return title().starts_with(name); });
+  INFO("title: " << title() << ", errors: " << bytes_of(folder / "errors"));
+  REQUIRE(is_open);
+  screen.xdotool("mousemove 1200 6");
+}
+
+void DrivenProgram::begin(const std::string& name, const Environment& extra) {
   program = Child();
   Environment environment{{"DISPLAY", screen.display()},
                           {"WAYLAND_DISPLAY", ""},
@@ -296,10 +304,6 @@ void DrivenProgram::start(const std::string& name, const Environment& extra) {
                           {"ASAN_OPTIONS", "detect_leaks=0"}};
   for (const auto& [variable, value] : extra) environment[variable] = value;
   program = Child({MESECINA_BINARY, (folder / name).string()}, environment, folder / "errors");
-  const bool is_open = eventually([&] { return title().starts_with(name); });
-  INFO("title: " << title() << ", errors: " << bytes_of(folder / "errors"));
-  REQUIRE(is_open);
-  screen.xdotool("mousemove 1200 6");
 }
 
 bool DrivenProgram::shows(const Screenshot& look) const {

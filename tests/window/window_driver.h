@@ -131,6 +131,8 @@ struct DrivenProgram {
 
   /// Opens this file of the folder, and moves the pointer where nothing lies. What ran before is ended.
   void start(const std::string& name, const Environment& extra = {});
+  /// Waits for nothing: a picture that is to be traced does not give the window its name.
+  void begin(const std::string& name, const Environment& extra = {});
   void press(const std::string& keys) const { screen.xdotool("key " + keys); }
   std::string title() const { return screen.title(); }
   /// The screen once the light has its verdict on a document with samples, and nothing moves any more.
