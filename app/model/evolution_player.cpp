@@ -56,6 +56,8 @@ void EvolutionPlayer::restart_from_beginning() {
 void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
   cancel();
   choice_ = choice;
+  // A length that would be proposed for this document was not set by hand.
+  fitted_ = proposed_length();
   beginning_revision_ = shown_revision_ = ~std::uint64_t{0};
   shown_ = 0;
   moved_ = {};
@@ -90,23 +92,32 @@ void EvolutionPlayer::choose(EvolutionIndex evolution) {
 
 void EvolutionPlayer::fit_lengths() {
   fitted_revision_ = editor_.document().revision();
-  const std::vector<ParameterDescriptor> parameters = parameters_of(choice_.evolution);
-  if (std::ranges::none_of(parameters, &ParameterDescriptor::is_length)) return;
-  Box2 box;
-  const Document& document = editor_.document();
-  for (const SampleSlot slot : document.slots_in_input_order()) box.add(document.position(slot));
-  for (const BallSlot slot : document.ball_slots_in_input_order()) box.add(document.disk(slot).center);
-  if (box.is_empty()) return;
-  const double part = std::max(0.005 * box.high.x - 0.005 * box.low.x, 0.005 * box.high.y - 0.005 * box.low.y);
-  if (!(part > 0.0)) return;
-  const double ten = std::pow(10.0, std::floor(std::log10(part)));
-  const double round = ten > 0.0 && std::isfinite(ten) ? std::max(1.0, std::floor(part / ten)) * ten : part;
-  for (const ParameterDescriptor& parameter : parameters) {
+  std::vector<ParameterDescriptor> to_fit = parameters_of(choice_.evolution);
+  std::erase_if(to_fit, [this](const ParameterDescriptor& parameter) {
     const double now = choice_.values[parameter.id];
-    if (!parameter.is_length || (now != parameter.default_value && now != fitted_)) continue;
-    fitted_ = std::clamp(round, parameter.low, parameter.high);
+    return !parameter.is_length || (now != parameter.default_value && now != fitted_);
+  });
+  if (to_fit.empty()) return;
+  const auto length = proposed_length();
+  if (!length) return;
+  for (const ParameterDescriptor& parameter : to_fit) {
+    fitted_ = std::clamp(*length, parameter.low, parameter.high);
     choice_.values.set(parameter.id, *fitted_);
   }
+}
+
+std::optional<double> EvolutionPlayer::proposed_length() const {
+  Box2 box;
+  const Document& document = editor_.document();
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
+    if (document.is_alive(slot)) box.add(document.position(slot));
+  for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))
+    if (document.is_ball_alive(slot)) box.add(document.disk(slot).center);
+  if (box.is_empty()) return std::nullopt;
+  const double part = std::max(0.005 * box.high.x - 0.005 * box.low.x, 0.005 * box.high.y - 0.005 * box.low.y);
+  if (!(part > 0.0)) return std::nullopt;
+  const double ten = std::pow(10.0, std::floor(std::log10(part)));
+  return ten > 0.0 && std::isfinite(ten) ? std::max(1.0, std::floor(part / ten)) * ten : part;
 }
 
 void EvolutionPlayer::choose_next(int places) {
@@ -127,6 +138,7 @@ void EvolutionPlayer::set_value(std::string_view parameter, double value) {
   if (value == choice_.values[parameter]) return;
   const std::uint64_t k = target();
   choice_.values.set(parameter, value);
+  fitted_.reset();  // what is set by hand stays, whatever it is; the default asks for the proposal
   fit_lengths();
   restart_from_beginning();
   if (k != 0) step_to(k);

@@ -110,8 +110,10 @@ class EvolutionPlayer {
   void begin();
   void restart_from_beginning();
   void show(std::uint64_t k, const EvolutionState& state);
-  /// O(n), if there are lengths.
+  /// O(n), if there are lengths that were not set to something else.
   void fit_lengths();
+  /// A round part of the size of the document. O(n).
+  std::optional<double> proposed_length() const;
   void move_parameter(const ParameterMove& move, std::uint64_t k);
 
   Editor& editor_;

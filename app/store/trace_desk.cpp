@@ -41,7 +41,7 @@ Expected<TraceDesk::Samples> read_samples(const std::filesystem::path& file, con
   auto loaded = read_sample_file(file, "picture", &job, {.trace = request});
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   TraceDesk::Samples out{.data = std::move(loaded->data)};
-  if (!loaded->warnings.empty()) out.remark = std::move(loaded->warnings.front());
+  for (const std::string& warning : loaded->warnings) out.remark += (out.remark.empty() ? "" : "; ") + warning;
   return out;
 }
 

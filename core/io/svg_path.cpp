@@ -58,7 +58,7 @@ class VertexRuns {
  private:
   static constexpr std::size_t kPatience = 8;  // where one vertex is unusual, the next ones may be
 
-  std::array<Vec2, 1024> pairs_;
+  std::array<Vec2, 128> pairs_;
   std::size_t unusual_ = 0;
 };
 

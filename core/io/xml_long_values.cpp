@@ -89,7 +89,8 @@ class Finder {
     if (end <= tag || bytes_[end - 1] != '=') return {};
     end = skip_blanks(end - 1);
     std::size_t begin = end;
-    while (begin > tag && !is_blank(bytes_[begin - 1])) --begin;
+    for (; begin > tag && !is_blank(bytes_[begin - 1]); --begin)
+      if (bytes_[begin - 1] == '"' || bytes_[begin - 1] == '\'') return {};  // no blank after the value before
     return bytes_.substr(begin, end - begin);
   }
 

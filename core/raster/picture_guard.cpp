@@ -110,10 +110,12 @@ JpegMarkers jpeg_markers(Bytes bytes) {
   constexpr unsigned kTables = 0xC4;
   constexpr unsigned kEnd = 0xD9;
   constexpr unsigned kScan = 0xDA;
+  constexpr unsigned kRestartInterval = 0xDD;
   constexpr unsigned kFrame = 0xC0;
   constexpr unsigned kProgressiveFrame = 0xC2;
   ScannedCoefficients scanned;
   bool has_scan = false;
+  bool has_restarts = false;
   bool is_cut = false;
   Bytes rest = bytes;
   for (;;) {
@@ -121,7 +123,8 @@ JpegMarkers jpeg_markers(Bytes bytes) {
       rest = rest.subspan(1);
     if (rest.size() < 2) {
       if (!has_scan) return {};  // the decoder notices
-      if (!is_cut && scanned.are_all()) return {.may_lack_only_end = true};
+      // Where a part between two restarts ends, the decoder does not look whether another follows.
+      if (!is_cut && !has_restarts && scanned.are_all()) return {.may_lack_only_end = true};
       return {.hazard = fmt::format("the file ends at byte {}, before the marker that ends a picture", bytes.size())};
     }
     const std::size_t place = place_of(rest, bytes);
@@ -131,6 +134,7 @@ JpegMarkers jpeg_markers(Bytes bytes) {
     has_scan = has_scan || marker == kScan;
     if (stands_alone(marker)) continue;
     const std::size_t length = std::max<std::size_t>(number(rest, 2), 2);
+    if (marker == kRestartInterval) has_restarts = has_restarts || number(without_first(rest, 2), 2) != 0;
     if (marker == kTables && !are_tables_sound(without_first(rest, 2), length - 2))
       return {.hazard = fmt::format("at byte {}: a table of codes announces more symbols than there are", place)};
     is_cut = length > rest.size();

@@ -69,18 +69,27 @@ PlaneCurve closed_curve(const std::vector<Vec2>& points) {
   return out;
 }
 
-/// Over how many pixels a picture is made even; 0: it stays.
-double blur_for(const GrayImage& picture) {
-  const double noise = noise_of(picture);
-  if (noise < kLeastNoise) return 0.0;
-  const Histogram histogram = histogram_of(picture);
-  const auto level = otsu_level(histogram);
-  if (!level) return 0.0;
-  const Sides sides = sides_of(histogram, *level);
+/// By how many pixels a noisy picture is blurred; 0: it is not noisy, or the grains are the picture.
+double blur_for(const GrayImage& picture, const Sides& sides) {
   constexpr double kLeastBlur = 0.8;
   constexpr double kPerNoise = 24.0;
+  const double noise = noise_of(picture);
   const double share = noise / (sides.light_mean - sides.dark_mean);
-  return share < kMostNoise ? std::max(kLeastBlur, kPerNoise * share) : 0.0;
+  return noise >= kLeastNoise && share < kMostNoise ? std::max(kLeastBlur, kPerNoise * share) : 0.0;
+}
+
+std::size_t light_pixels(const GrayImage& image, Level level) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(image.values, [&](std::uint8_t value) { return value > level.below; }));
+}
+
+/// Blurring spreads what is thin and closes what is narrow. Grains cancel out.
+bool keeps_area(const GrayImage& picture, const GrayImage& smooth, Level level) {
+  constexpr double kMostChange = 0.05;
+  const auto before = static_cast<double>(light_pixels(picture, level));
+  const auto after = static_cast<double>(light_pixels(smooth, level));
+  const auto all = static_cast<double>(picture.values.size());
+  return std::abs(after - before) <= kMostChange * std::min({before, after, all - before, all - after});
 }
 
 bool is_two_valued(const PixelContours& contours) {
@@ -172,25 +181,29 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
   return sides.light < sides.dark;
 }
 
-Expected<Tracing> trace(const GrayImage& picture, const TraceRequest& request, const JobControl* job) {
-  const double blur = blur_for(picture);
-  const GrayImage smooth = blur > 0.0 ? blurred(picture, blur, job) : GrayImage{};
-  const GrayImage& image = blur > 0.0 ? smooth : picture;
+Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
   const Histogram histogram = histogram_of(image);
   const auto level = chosen_level(histogram, request);
   if (!level) return std::unexpected(level.error());
   const Sides sides = sides_of(histogram, *level);
   Tracing out{.level = *level,
               .is_figure_light = is_figure_light(image, *level, request.figure),
-              .speck_size = request.specks.value_or(default_specks(image)),
-              .blur = blur};
-  const PixelContours contours = contours_of(image,
-                                             {.level = *level,
-                                              .is_figure_light = out.is_figure_light,
-                                              .least_area = out.speck_size,
-                                              .dark = sides.dark_mean,
-                                              .light = sides.light_mean},
-                                             job);
+              .speck_size = request.specks.value_or(default_specks(image))};
+  const ContourRequest asked{.level = *level,
+                             .is_figure_light = out.is_figure_light,
+                             .least_area = out.speck_size,
+                             .dark = sides.dark_mean,
+                             .light = sides.light_mean};
+  PixelContours contours = contours_of(image, asked, job);
+  if (contours.specks + contours.pinholes > kManyGrains) {
+    if (const double blur = blur_for(image, sides); blur > 0.0) {
+      const GrayImage smooth = blurred(image, blur, job);
+      if (keeps_area(image, smooth, *level)) {
+        contours = contours_of(smooth, asked, job);
+        out.blur = blur;
+      }
+    }
+  }
   out.specks = contours.specks;
   out.pinholes = contours.pinholes;
   const std::string side =
@@ -202,7 +215,8 @@ Expected<Tracing> trace(const GrayImage& picture, const TraceRequest& request, c
                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
                                side, contours.largest_speck * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
-  const SmoothingLimits limits{out.is_two_valued || blur > 0.0 ? kMostSmoothing : kMostSoftSmoothing, kWidestScale};
+  const SmoothingLimits limits{out.is_two_valued || out.blur > 0.0 ? kMostSmoothing : kMostSoftSmoothing,
+                               kWidestScale};
   for (const PixelContour& contour : contours.kept)
     out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits, job)));
   return out;
@@ -217,7 +231,7 @@ SamplingRequest sampling_of_tracing() {
 std::string remark_of(const Tracing& tracing) {
   std::string out = fmt::format("traced what is {} than {:.1f} of 255",
                                 tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
-  if (tracing.blur > 0.0) out += fmt::format(", made even over {:.2g} pixels, for it is noisy", tracing.blur);
+  if (tracing.blur > 0.0) out += fmt::format(", blurred by {:.2g} pixels, for it is noisy", tracing.blur);
   if (tracing.specks + tracing.pinholes == 0) return out;
   out += "; left out: ";
   if (tracing.specks != 0) out += counted(tracing.specks, "speck");

@@ -28,7 +28,7 @@ struct Tracing {
   double speck_size = 0.0;     ///< square pixels
   std::size_t specks = 0;      ///< figures left out
   std::size_t pinholes = 0;    ///< holes left out
-  double blur = 0.0;           ///< pixels: the width over which a noisy picture was made even first
+  double blur = 0.0;           ///< pixels: the deviation of the blur of a noisy picture
   bool is_two_valued = false;  ///< hardly any value along the outlines is in between
 };
 
@@ -47,17 +47,21 @@ double default_specks(const GrayImage& image);
 /// Which side is the figure at a level.
 bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 
-/// A picture whose noise (core/raster/internal/noise.h) is more than `kLeastNoise` grey values is made even first, over the
-/// wider a range the larger its noise is beside the difference of the two sides: else each grain beside the threshold is a
-/// speck or a bay. Where it is more than `kMostNoise` of that difference, the grains are the picture, and it stays.
-/// Silhouettes have no noise, nor do pictures of which half has none.
+/// A picture whose outlines leave more than `kManyGrains` specks and pinholes, and whose noise
+/// (core/raster/internal/noise.h) is more than `kLeastNoise` grey values, is blurred first, the more the larger its noise
+/// is beside the difference of the two sides: else each grain beside the threshold is a speck or a bay. Not where the noise
+/// is more than `kMostNoise` of that difference, for then the grains are the picture, nor where blurring would change the
+/// area of a side by more than a twentieth, as it does where figures are thin. Silhouettes have no noise, nor do pictures
+/// of which half has none.
 ///
 /// Outlines are smoothed: each point moves by at most `kMostSmoothing` pixels, and by at most `kMostSoftSmoothing` where
-/// edges have values in between, which say where within a pixel the outline is, unless there was noise. Cost: O(pixels); any thread. Error:
-/// `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a threshold out of range. Throws `Cancelled` if there is a job.
+/// edges have values in between, which say where within a pixel the outline is, unless there was noise.
+/// Cost: O(pixels); any thread. Error: `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a
+/// threshold out of range. Throws `Cancelled` if there is a job.
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job = nullptr);
 inline constexpr double kMostSmoothing = 0.95;
 inline constexpr double kMostSoftSmoothing = 0.2;
+inline constexpr std::size_t kManyGrains = 100;
 inline constexpr double kLeastNoise = 1.4;
 inline constexpr double kMostNoise = 0.2;
 

@@ -205,7 +205,7 @@ Expected<Decimation> decimate(const SampleData& data, double epsilon, JobControl
     out.epsilon_before = decimator.epsilon_before();
     out.epsilon_after = now->epsilon;
     out.light_before = before->light();
-    out.is_flat = before->are_flat();
+    out.no_axis = before->why_no_axis();
     out.light_after = now->light;
     out.components = before->components();
     out.cycles = before->cycles();
@@ -219,7 +219,7 @@ std::string Decimation::words() const {
   };
   const std::string went = count_text(removed.size(), "sample", "samples") + " of " +
                            std::to_string(removed.size() + data.positions.size()) + " removed; ";
-  if (is_flat) return went + "fewer than three samples, or all of them on a line: there is no axis";
+  if (!no_axis.empty()) return went + no_axis;
   return went + "epsilon " + epsilon_text(epsilon_before) + " before, " + epsilon_text(epsilon_after) +
          " now; the axis has " + count_text(static_cast<std::size_t>(components), "component", "components") +
          " and " + count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") +

@@ -19,7 +19,7 @@ struct Decimation {
   double epsilon_after = 0.0;
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
-  bool is_flat = false;         ///< fewer than three samples, or all of them on a line: nothing is measured
+  std::string no_axis{};        ///< why there is none, and nothing is measured; empty if there is one
   std::int64_t components = 0;  ///< of the one-step axis, before and after
   std::int64_t cycles = 0;
 

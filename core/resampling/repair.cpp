@@ -188,9 +188,17 @@ class Repairer {
 
   void report(const MovingCurve& curve, Repair& out) const {
     const auto positions = samples_.positions();
+    std::map<std::uint32_t, std::size_t> corner_at;  // by the first sample at its place
     for_each_moving(curve, [&](std::uint32_t before, std::uint32_t at, std::uint32_t after) {
-      if (is_corner_[at] && !is_end_[at])
-        out.corners.push_back({positions[at], 180.0 - turn_at(positions[before], positions[at], positions[after])});
+      if (!is_corner_[at] || is_end_[at]) return;
+      const double degrees = 180.0 - turn_at(positions[before], positions[at], positions[after]);
+      // What the curve passes twice is one corner.
+      const auto [known, is_new] = corner_at.try_emplace(first_at_[at], out.corners.size());
+      if (is_new) {
+        out.corners.push_back({positions[at], degrees});
+      } else {
+        out.corners[known->second].degrees = std::min(out.corners[known->second].degrees, degrees);
+      }
     });
     for (std::size_t i = 0; i < is_end_.size(); ++i)
       if (is_end_[i] && first_at_[i] == i) out.open_ends.push_back(positions[i]);
@@ -313,7 +321,12 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
   Repair out;
   out.epsilon_before = repairer.largest(false);
   out.light_before = samples->light();
-  out.is_flat = samples->are_flat();
+  out.no_axis = samples->why_no_axis();
+  if (!out.no_axis.empty()) {
+    out.data = data;
+    out.light_after = out.light_before;
+    return out;
+  }
   if (auto good = repairer.run(job); !good) return std::unexpected(good.error());
   out.data = data;
   out.data.positions.assign(samples->positions().begin(), samples->positions().end());
@@ -326,7 +339,7 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
 }
 
 std::vector<std::string> Repair::words() const {
-  if (is_flat) return {"nothing to repair: fewer than three samples, or all of them on a line: there is no axis"};
+  if (!no_axis.empty()) return {"nothing to repair: " + no_axis};
   std::vector<std::string> out;
   out.push_back(count_text(inserted, "sample", "samples") + " inserted; epsilon " + epsilon_text(epsilon_before) +
                 " before, " + epsilon_text(epsilon_after) + " now" +

@@ -25,7 +25,7 @@ struct Repair {
   double epsilon_after = 0.0;   ///< the largest of those that do not end at a corner
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
-  bool is_flat = false;                ///< fewer than three samples, or all of them on a line: nothing is measured
+  std::string no_axis{};               ///< why there is none, and nothing is measured; empty if there is one
   std::vector<SampledCorner> corners;  ///< at which edges are too long however short they are
   std::vector<Vec2> open_ends;         ///< ends and junctions of the curve: edges there stay as they are
   std::vector<Vec2> left;              ///< middles of other edges that are too long still, or doubted by the theorem

@@ -374,6 +374,22 @@ TEST_CASE("sizes are the least of all rounded distances, to the last bit") {
       for (const double y : {0.0, 1.0, 3.0})
         samples.push_back({0.05 * i + 0.01 * rng.uniform(), y + std::ldexp(rng.uniform(-1.0, 1.0), -20 - i % 32)});
   }
+  SECTION("a sample that is next to all others, at distances in no order") {
+    samples.push_back({});
+    for (int i = 0; i < 1500; ++i) {
+      const Vec2 at = on_circle(rng.uniform());
+      samples.push_back({at.x, 0.9 * at.y});
+    }
+  }
+  SECTION("distances below the normal floats") {
+    for (int i = 0; i < 120; ++i) {
+      const double x = 1.0 + std::ldexp(static_cast<double>(rng.below(40)), -50);
+      const double y = 1.0 + std::ldexp(static_cast<double>(rng.below(40)), -50);
+      samples.push_back({std::ldexp(x, -100), std::ldexp(y, -100)});
+    }
+    samples.push_back({1.0, 0.5});
+    samples.push_back({0.5, 1.0});
+  }
   SECTION("a comb of closed loops and single samples") {
     for (int k = 0; k < 20; ++k)
       for (int i = 0; i < 3 + 3 * k; ++i) {

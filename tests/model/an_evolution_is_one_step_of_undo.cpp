@@ -295,6 +295,18 @@ TEST_CASE("a step that is a length follows the size of the document until it is 
   CHECK(step() == 2.0);
   resize(1.0);
   CHECK(step() == 0.02);
+  // A session has the length only. That which would be proposed was not set by hand.
+  desk.player.resume(EvolutionChoice(desk.player.choice()), 0);
+  resize(100.0);
+  CHECK(step() == 2.0);
+  desk.player.set_value("alpha-step", 0.3);
+  desk.player.resume(EvolutionChoice(desk.player.choice()), 0);
+  resize(1.0);
+  CHECK(step() == 0.3);
+  // What is set by hand stays, though it was proposed for another document.
+  desk.player.set_value("alpha-step", 0.02);
+  resize(100.0);
+  CHECK(step() == 0.02);
 }
 
 TEST_CASE("growing ends where the parameter does") {

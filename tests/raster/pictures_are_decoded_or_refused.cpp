@@ -121,6 +121,25 @@ TEST_CASE("a JPEG that lacks only its last marker is a picture, and one that lac
   }
 }
 
+// A decoder that misses the restart marker after a part takes the picture to be over.
+TEST_CASE("a JPEG with restart markers is refused without its last marker") {
+  using namespace std::string_literals;
+  const std::string plain = from_base64(kJpeg);
+  const auto picture = decoded(plain);
+  REQUIRE(picture.has_value());
+  const auto with_interval = [&](const std::string& interval) {
+    return plain.substr(0, 2) + "\xFF\xDD" + "\0\x04"s + interval + plain.substr(2);
+  };
+  const std::string whole = with_interval("\x10\x10");
+  REQUIRE(decoded(whole).has_value());
+  CHECK(decoded(whole)->values == picture->values);
+  CHECK(refusal(whole.substr(0, whole.size() - 2)).starts_with(kBroken + "the file ends at byte "));
+  const std::string without = with_interval("\0\0"s);
+  const auto cut = decoded(without.substr(0, without.size() - 2));
+  REQUIRE(cut.has_value());
+  CHECK(cut->lacks_end);
+}
+
 TEST_CASE("PGM and PPM that lack what they announce are refused") {
   CHECK(refusal("P5 2 2 255 abc") == kBroken + "the file ends in row 2 of 2");
   CHECK(refusal("P5 2 2 255 a") == kBroken + "the file ends in row 1 of 2");

@@ -17,6 +17,13 @@ using namespace mes::test;
 
 namespace {
 
+/// About normal: the sum of twelve uniform numbers.
+double grain(Rng& random) {
+  double out = -6.0;
+  for (int i = 0; i < 12; ++i) out += random.uniform();
+  return out;
+}
+
 Workbench traced_bench(const GrayImage& image) {
   const auto tracing = trace(image, {});
   REQUIRE(tracing.has_value());
@@ -79,15 +86,12 @@ TEST_CASE("the axis of an ellipse in a noisy photograph under uneven light is on
     const double y = (p.y - center.y) / kShort;
     return x * x + y * y <= 1.0;
   });
-  // Twelve uniform numbers make about a normal one.
   Rng random(7);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      double grain = -6.0;
-      for (int i = 0; i < 12; ++i) grain += random.uniform();
       std::uint8_t& value = image.values[static_cast<std::size_t>(y) * 400 + static_cast<std::size_t>(x)];
       const double light = 150.0 + 30.0 * x / 400.0;
-      value = static_cast<std::uint8_t>(std::clamp(light - 70.0 * value / 255.0 + 9.0 * grain, 0.0, 255.0));
+      value = static_cast<std::uint8_t>(std::clamp(light - 70.0 * value / 255.0 + 9.0 * grain(random), 0.0, 255.0));
     }
   const auto tracing = trace(image, {});
   REQUIRE(tracing);
@@ -103,4 +107,35 @@ TEST_CASE("the axis of an ellipse in a noisy photograph under uneven light is on
   const AxisPicture axis = axis_picture(bench.instances("medial-axis", PrimitiveKind::segment), 0.0);
   CHECK(axis.components == 1);
   CHECK(axis.cycles() == 0);
+}
+
+// Strokes of two pixels in noise whose grains reach the level nowhere, and in noise that breaks them.
+TEST_CASE("thin strokes in a noisy picture keep their width") {
+  for (const double noise : {3.0, 9.0, 12.0, 20.0}) {
+    for (const int period : {5, 20}) {
+      INFO("noise " << noise << ", every " << period << " pixels");
+      GrayImage image{200, 200, std::vector<std::uint8_t>(200 * 200)};
+      Rng random(3);
+      std::size_t dark = 0;
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+          const bool is_stroke = x % period == 2 || x % period == 3;
+          const bool is_inside = 10 <= y && y < 190 && 5 <= x && x < 185;
+          dark += is_stroke && is_inside ? 1 : 0;
+          image.values[static_cast<std::size_t>(y) * 200 + static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(
+              std::clamp((is_stroke && is_inside ? 60.0 : 200.0) + noise * grain(random), 0.0, 255.0));
+        }
+      const auto tracing = trace(image, {});
+      REQUIRE(tracing.has_value());
+      CHECK(tracing->blur == 0.0);
+      CHECK(tracing->curves.curves.size() == static_cast<std::size_t>(180 / period));
+      double area = 0.0;
+      for (const PlaneCurve& curve : tracing->curves.curves) {
+        double twice = 0.0;
+        curve.for_each_piece([&](const Piece& piece) { twice += cross(piece.from(), piece.to()); });
+        area += 0.5 * std::abs(twice);
+      }
+      CHECK(std::abs(area - static_cast<double>(dark)) < 0.05 * static_cast<double>(dark));
+    }
+  }
 }

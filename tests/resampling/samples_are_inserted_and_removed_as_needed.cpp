@@ -280,11 +280,35 @@ TEST_CASE("a loop that passes a place or an edge twice is repaired as if it pass
 
 TEST_CASE("where there is no axis, repair and decimation say so and add nothing") {
   for (const std::vector<Vec2>& positions :
-       {std::vector<Vec2>{}, {{3, 4}}, {{0, 0}, {1, 1}}, {{0, 0}, {1, 0}, {5, 0}}}) {
+       {std::vector<Vec2>{}, {{3, 4}}, {{0, 0}, {1, 1}}, {{0, 0}, {1, 0}, {5, 0}}, {{0, 0}, {1, 0}, {0.5, 0.8}}}) {
     const Repair repair = repaired({.positions = positions});
     CHECK(repair.inserted == 0);
     REQUIRE(repair.words().size() == 1);
     CHECK_THAT(repair.words().front(), Catch::Contains("there is no axis"));
     CHECK_THAT(decimated({.positions = positions}, 0.25).words(), Catch::Contains("there is no axis"));
   }
+  // Loops that go to and fro on a line, one of which no double lies on.
+  for (const std::vector<Vec2>& positions :
+       {std::vector<Vec2>{{0, 0}, {2, 0}, {1, 0}, {3, 0}}, {{0, 0}, {2, 1}, {1, 0.5}, {4, 2}, {3, 1.5}}}) {
+    const Repair repair = repaired(loop_of(positions));
+    CHECK(repair.inserted == 0);
+    CHECK(repair.data.contours == loop_of(positions).contours);
+    REQUIRE(repair.words().size() == 1);
+    CHECK_THAT(repair.words().front(), Catch::Contains("there is no axis"));
+  }
+}
+
+TEST_CASE("a corner that is passed twice is one corner") {
+  std::vector<Vec2> drop;
+  for (int i = 0; i < 80; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / 80.0;
+    const double half = std::sin(0.5 * t);
+    drop.push_back({std::cos(t), std::sin(t) * half * half});
+  }
+  const SampleData once = loop_of(drop);
+  drop.insert(drop.end(), once.positions.begin(), once.positions.end());
+  const SampleData twice = loop_of(drop);
+  REQUIRE(repaired(once).corners.size() == 1);
+  REQUIRE(repaired(twice).corners.size() == 1);
+  CHECK(repaired(twice).corners.front().degrees == repaired(once).corners.front().degrees);
 }

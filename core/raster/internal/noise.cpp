@@ -17,7 +17,8 @@ double noise_of_pixels(const GrayImage& image) {
   if (image.width < 3 || image.height < 3) return 0.0;
   constexpr double kLooks = 1e5;
   const double pixels = static_cast<double>(image.width) * image.height;
-  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kLooks)));
+  // Odd, so that not all looks fall on the same place of the blocks of a JPEG.
+  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kLooks))) | 1;
   // Magnitudes are at most 8 * 255.
   std::array<std::size_t, 2041> counts{};
   std::size_t all = 0;

@@ -7,8 +7,9 @@
 
 namespace mes {
 
-/// The standard deviation, in grey values, of noise of single pixels: as much of it as would be as strong as what there is
-/// in the picture, halved or halved twice, whichever asks for most. From the median of the magnitudes of second differences of
+/// The standard deviation of the noise, in grey values. Compression takes the finest noise away, so the picture is also
+/// measured halved and halved twice; there noise of single pixels has half and a quarter of its deviation. What counts is
+/// the largest of the three, multiplied by 1, 2 and 4. From the median of the magnitudes of second differences of
 /// second differences (the mask of Immerkaer 1996), to which edges and gradients add little. Zero where half of the
 /// picture has no noise, as silhouettes. Cost: some 10^5 pixels are looked at; with noise, O(pixels).
 double noise_of(const GrayImage& image);

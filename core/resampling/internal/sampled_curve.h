@@ -13,6 +13,7 @@
 #include "core/engine/theorem_light.h"
 #include "core/evolutions/moving_curve.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "core/structures/density/feature_size.h"
 
 namespace mes {
 
@@ -46,8 +47,8 @@ class JudgedSamples {
   /// Distance to the axis; infinite without one.
   double size(std::uint32_t sample) const;
   TheoremLight light() const { return light_of(patch_.nodes); }
-  /// Fewer than three, or all of them on a line: there is no axis.
-  bool are_flat() const { return get<Delaunay>().dimension() < 2; }
+  /// Why there is no axis; empty if there is one.
+  std::string why_no_axis() const { return std::string(get<FeatureSize>().reason()); }
   /// Of the one-step axis.
   std::int64_t components() const { return count("components"); }
   std::int64_t cycles() const { return count("cycles"); }

@@ -43,10 +43,12 @@ constexpr double kCrossed = 1.0 + 4.0 * kHeightError;
 /// Cells at vague edges; where there are more, all samples are left to another way of searching.
 constexpr std::size_t kMostVague = 32;
 
-/// Not above the root, whatever the rounding of heights has done to it.
+/// Not above the root, whatever the rounding of heights and that to a float have done to it.
 float lowered(double squared) {
   constexpr double kMost = std::numeric_limits<float>::max();
-  return static_cast<float>(std::min(kMost, std::sqrt(squared) * (1.0 - kHeightError)));
+  const double root = std::sqrt(squared) * (1.0 - kHeightError);
+  // Below the normal floats there are too few.
+  return root < std::numeric_limits<float>::min() ? 0.0F : static_cast<float>(std::min(kMost, root));
 }
 
 /// How far apart two intervals are; 0 where they meet.
@@ -267,12 +269,7 @@ void CellWalk::measure_blocks() {
       for (std::uint32_t k = block.first; k < blocks_[number + 1].first; ++k) {
         Cell& cell = cells_[k];
         const auto own = std::span(axis_).subspan(cell.first, cells_[k + 1].first - cell.first);
-        for (std::size_t i = 1; i < own.size(); ++i) {
-          const AxisEntry entry = own[i];
-          std::size_t at = i;
-          for (; at != 0 && own[at - 1].reach > entry.reach; --at) own[at] = own[at - 1];
-          own[at] = entry;
-        }
+        std::ranges::sort(own, {}, &AxisEntry::reach);
         if (!own.empty()) cell.reach = own[0].reach;
         block.box.add(cell.at);
         block.reach = std::min(block.reach, cell.reach);
@@ -288,7 +285,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
       if (entry.reach > group.far) break;
-      ++trail.line_count;
+      if (++trail.line_count > kMostLines) return false;
       const AxisLine& line = lines_[entry.line];
       std::array<Pair, kPairs> squared;
       PairMask is_crossed{};
@@ -315,7 +312,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
       if (is_nearer) group.find_far();
       if (!trail.add(cells_[entry.other].block)) return false;
     }
-    return trail.line_count <= kMostLines;
+    return true;
   };
   // Most often the one that is nearest to the group before, or not far from it.
   if (trail.guess.line != kNone) look_at(std::span(&trail.guess, 1));

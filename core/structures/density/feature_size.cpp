@@ -30,6 +30,12 @@ constexpr double kSpread = 0.5;
 FeatureSize::FeatureSize(Delaunay& delaunay, OneStepCrust& crust)
     : Structure("feature-size", {&delaunay, &crust}), delaunay_(delaunay), crust_(crust) {}
 
+std::string_view FeatureSize::reason() const {
+  if (has_axis()) return {};
+  return delaunay_.dimension() < 2 ? "fewer than three samples, or all of them on a line: there is no axis"
+                                   : "all edges between samples are curve: there is no axis";
+}
+
 bool FeatureSize::has_epsilon(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
   return row.is_alive() && crust_.is_crust(edge) && has_size(row.v[0]) && has_size(row.v[1]) &&
@@ -385,11 +391,7 @@ StatList FeatureSize::statistics() const {
   }
   out.push_back({"curve_edges_above_0.25", static_cast<std::int64_t>(above)});
   out.push_back({"estimate", std::string("distance to the axis and between neighbours as the samples show them")});
-  if (samples == 0) {
-    out.push_back({"nothing_because",
-                   std::string(delaunay_.dimension() < 2 ? "fewer than three samples, or all of them on a line"
-                                                         : "all edges between samples are curve: there is no axis")});
-  }
+  if (!has_axis()) out.push_back({"nothing_because", std::string(reason())});
   return out;
 }
 

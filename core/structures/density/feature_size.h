@@ -38,6 +38,10 @@ class FeatureSize final : public Structure {
  public:
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust);
 
+  /// There is an edge of the axis.
+  bool has_axis() const { return line_count_ != 0; }
+  /// Why there is none, as a sentence without a full stop; empty if there is one.
+  std::string_view reason() const;
   bool has_size(SiteSlot site) const { return nearest_.has(site) && nearest_[site] != kNoSlot; }
   double size(SiteSlot site) const { return std::sqrt(squared_[site]) / unit_; }
   /// The crust edge has an epsilon: both its ends have a size.
