@@ -53,7 +53,28 @@ TEST_CASE("cover dates are the least quotients of all pairs, bit for bit, after 
   std::vector<std::vector<Vec2>> inputs;
   for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
   for (const DegenerateInput& input : degenerate_inputs()) inputs.push_back(input.positions);
+  // Along even slopes many balls are swallowed at nearly the same factor, about the centre of a circle many balls are
+  // nearly equal, and noise across the curve gives hairs.
+  inputs.push_back(ellipse(3.0, 1.0, 1500, {0.0, 0.25, 1}).data.positions);
+  std::vector<Vec2>& turned = inputs.emplace_back(ellipse(3.0, 1.0, 500, {0.3, 0.0, 1}).data.positions);
+  for (Vec2& p : turned) p = {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y};
+  inputs.push_back(stadium(3.0, 1.0, 0.02, {0.0, 0.25, 1}).data.positions);
   Rng rng(9);
+  std::vector<Vec2> circle;
+  std::vector<Vec2> hairy;
+  for (int i = 0; i < 600; ++i) {
+    const double spacing = 2.0 * std::numbers::pi / 600.0;
+    const double turn = spacing * (i + rng.uniform(-0.3, 0.3));
+    const double away = 1.0 + spacing * rng.uniform(-0.3, 0.3);
+    const Vec2 outward{std::cos(turn), std::sin(turn)};
+    circle.push_back(outward);
+    hairy.push_back(Vec2{3.0 * away * outward.x, away * outward.y});
+  }
+  inputs.push_back(circle);
+  inputs.push_back(hairy);
+  // Far from the origin, where the middle of a box is rounded to one of few places in it.
+  std::vector<Vec2>& far = inputs.emplace_back(hairy);
+  for (Vec2& p : far) p = {p.x + 0x1p36, p.y - 0x1p36};
   std::vector<Vec2> random;
   for (int i = 0; i < 600; ++i) random.push_back({rng.uniform(), rng.uniform()});
   inputs.push_back(random);
