@@ -116,12 +116,12 @@ TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii 
         CHECK(bench.count("scale-union", "components") == 1);
         CHECK(bench.count("scale-union", "cycles") == 0);
         CHECK(bench.count("scale-union", "contradictions") == 0);
+        CHECK(bench.count("scale-union", "leaves") == 2);
         double low = 0.0;
         double high = 0.0;
         std::size_t wrong = 0;
         for (const Piece& piece : pieces(bench, kAxis)) {
           for (const Vec2 p : {piece.a, piece.b}) {
-            // Between balls the grown boundary has shallow notches, and these have hairs.
             low = std::min(low, p.x);
             high = std::max(high, p.x);
           }
@@ -150,6 +150,7 @@ TEST_CASE("the scale axis of a stadium is that of the stadium, with its radius, 
     bench.choose(factor(s));
     CHECK(bench.count("scale-union", "components") == 1);
     CHECK(bench.count("scale-union", "cycles") == 0);
+    CHECK(bench.count("scale-union", "leaves") == 2);
     Box2 box;
     for (const Piece& piece : pieces(bench, kAxis)) {
       box.add(piece.a);

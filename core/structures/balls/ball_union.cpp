@@ -207,6 +207,7 @@ void BallUnion::rebuild(JobControl& job) {
                        certificate_->bad_edge_count(), certificate_->bad_site_count());
   }
   run_pipeline(made_with_.precision, job);
+  refine(tables_);
 }
 
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {

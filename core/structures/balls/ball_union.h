@@ -73,6 +73,8 @@ class BallUnion : public Structure {
             std::unique_ptr<SampleUnion> shortcut = nullptr);
   /// In `fast`, a result of rounded numbers that contradicts itself is replaced by that of `exact`.
   virtual bool is_exact_on_doubt() const { return false; }
+  /// Called with what the pipeline gave, before anything else reads it.
+  virtual void refine(UnionTables&) {}
 
  private:
   struct Choice {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/balls/scale_axis.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "core/graph/explain.h"
 #include "core/structures/balls/voronoi_balls.h"
 
@@ -108,7 +112,56 @@ ScaleUnion::ScaleUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrus
     : BallUnion("scale-union", {&settings, &delaunay, &crust, &labels, &balls, &axis, &sampling, &certificate},
                 settings, Parameter::scale_axis_factor,
                 std::make_unique<BallsAlongAxis>(delaunay, balls, sampling.between()), &certificate,
-                std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)) {}
+                std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)),
+      settings_(settings),
+      delaunay_(delaunay),
+      labels_(labels),
+      balls_(balls),
+      sampling_(sampling) {}
+
+void ScaleUnion::rebuild(JobControl& job) {
+  hairs_ = {};
+  BallUnion::rebuild(job);
+}
+
+void ScaleUnion::refine(UnionTables& tables) {
+  if (!(factor() > 1.0)) return;
+  hairs_ = cut_hairs(tables, spacing());
+  tables.measures.axis_length = std::max(0.0, tables.measures.axis_length - hairs_.length);
+}
+
+Table<FamilySlot, double> ScaleUnion::spacing() const {
+  Table<FamilySlot, double> out(family().rows(), 0.0);
+  const double apart =
+      2.0 * std::sin((180.0 - settings_.current()[Parameter::medial_sampling_angle]) * std::numbers::pi / 360.0);
+  const auto row_of = [](FaceSlot face) { return FamilySlot(2 * face.index()); };
+  for (const FaceSlot face : delaunay_.face_slots()) {
+    if (!balls_.is_ball(face)) continue;
+    const FamilySlot ball = row_of(balls_.ball(face));
+    const FaceRow& row = delaunay_.face(face);
+    out[ball] = std::max(out[ball], apart * family().plain_disk(ball).radius);
+    for (int i = 0; i < 3; ++i) {
+      if (labels_.is_inside(row.n[i])) continue;
+      const Vec2 p = delaunay_.site_position(row.v[next3(i)]);
+      const Vec2 q = delaunay_.site_position(row.v[prev3(i)]);
+      out[ball] = std::max(out[ball], distance(p, q));
+    }
+  }
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    sampling_.for_each_on(edge, [&](SampledSlot between) {
+      double& there = out[FamilySlot(2 * between.index() + std::size_t{1})];
+      there = apart * sampling_.between().disk(between).radius;
+      for (const FaceSlot face : delaunay_.edge(edge).f) there = std::max(there, out[row_of(balls_.ball(face))]);
+    });
+  }
+  return out;
+}
+
+StatList ScaleUnion::statistics() const {
+  StatList out = BallUnion::statistics();
+  out.insert(out.end(), {{"hairs", hairs_.pieces}, {"hair_length", hairs_.length}});
+  return out;
+}
 
 void ScaleBallSampling::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const SampledSlot ball(row);

@@ -6,6 +6,7 @@
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/balls/internal/ball_halving.h"
+#include "core/structures/balls/internal/scale_hairs.h"
 
 namespace mes {
 
@@ -25,6 +26,11 @@ class AxisSampling final : public Structure {
   AxisSampling(SettingsSource& settings, Delaunay& delaunay, MedialAxis& axis);
 
   const SampledBalls& between() const { return between_; }
+  /// `visit(row)` for all balls between that lie on the edge.
+  template <class Visit>
+  void for_each_on(EdgeSlot edge, Visit visit) const {
+    between_.for_each_of(same_row<OwnerSlot>(edge), visit);
+  }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
@@ -56,12 +62,27 @@ class AxisSampling final : public Structure {
 /// In `fast` it is that of rounded balls, unless that contradicts itself, as where centres are in line; in `exact`, inner
 /// Voronoi balls are grown as circumdisks of the samples.
 ///
+/// Above 1 *hairs* are taken off its axis (internal/scale_hairs.h). Where the grown boundary is touched from one side
+/// only, each ball that has an arc of it makes a branch of its own: arcs between sampled balls are scallops of what would
+/// be smooth for all balls of the axis. The spacing of a Voronoi ball is the longest edge of the curve behind which it has
+/// an arc, or the distance at which `medial-sampling-angle` has equal balls of its radius, whichever is larger; that of a
+/// ball between is the larger of this distance and the spacings at the ends of its edge. So branches go, from free ends
+/// inwards, whose two nearest boundary points are no farther apart than two spacings and are seen at less than 60
+/// degrees. Components and cycles are those of the grown union.
+///
+/// What true ends lose: with the largest spacing e of the balls there, a branch stays where its boundary points are seen
+/// at 2 t or more, sin t = min(1/2, e / (s r)). A smooth end is then no shorter than at the factor s / cos t, which is at
+/// most 1.16 s, and nearly s (1 + (e / (s r))^2 / 2) for small spacings. At a factor of 1 nothing goes.
+///
 /// Rows of balls: at a factor of 1 faces; otherwise face f has row 2f, and row i of `AxisSampling` has row 2i + 1.
-/// Source: Giesen, Miklos, Pauly and Wormser 2009.
+/// Sources: Giesen, Miklos, Pauly and Wormser 2009; Miklos, Giesen and Pauly 2010 (balls that a slightly larger factor
+/// covers are noise).
 class ScaleUnion final : public BallUnion {
  public:
   ScaleUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,
              MedialAxis& axis, AxisSampling& sampling, AxisCertificate& certificate);
+  void rebuild(JobControl& job) override;
+  StatList statistics() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
   /// What radii were multiplied by.
@@ -69,6 +90,16 @@ class ScaleUnion final : public BallUnion {
 
  private:
   bool is_exact_on_doubt() const override { return true; }
+  void refine(UnionTables& tables) override;
+  /// Of the samples, or of the balls along the axis, at a ball.
+  Table<FamilySlot, double> spacing() const;
+
+  const SettingsSource& settings_;
+  const Delaunay& delaunay_;
+  const Labels& labels_;
+  const InnerBalls& balls_;
+  const AxisSampling& sampling_;
+  ScaleHairs hairs_;
 };
 
 /// Balls along the axis of `ScaleUnion`, as large as they are there.

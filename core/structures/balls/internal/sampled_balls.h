@@ -19,6 +19,12 @@ class SampledBalls {
   bool is_alive(SampledSlot row) const { return disks_[row].radius >= 0.0; }
   const Disk& disk(SampledSlot row) const { return disks_[row]; }
   std::size_t count() const { return disks_.size() - free_.size(); }
+  /// `visit(row)` for all rows of an owner.
+  template <class Visit>
+  void for_each_of(OwnerSlot owner, Visit visit) const {
+    if (!first_.has(owner)) return;
+    for (SampledSlot row = first_[owner]; row != kNoSlot; row = next_[row]) visit(row);
+  }
   const ChangeSet<SampledSlot>& changes() const { return changes_; }
   void clear_changes() { changes_.clear(); }
 
